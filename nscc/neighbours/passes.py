@@ -77,17 +77,19 @@ def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[Pi
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
     do not fit. From level 2 on, the shortest of several alternatives is returned."""
-    synthesis = Synthesis(STEPS_OF_LEVEL[level], Forms.of(container.target))
+    ways = [pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())]
     best: Lowering | None = None
     refused: PictureRefused | None = None
-    for way in (pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())):
-        try:
-            lowering = _lowered(container, way, synthesis)
-        except PictureRefused as error:
-            refused = refused or error
-            continue
-        if best is None or len(lowering.words) < len(best.words):
-            best = lowering
+    for forms in Forms.choices(container.target):
+        synthesis = Synthesis(STEPS_OF_LEVEL[level], forms)
+        for way in ways:
+            try:
+                lowering = _lowered(container, way, synthesis)
+            except PictureRefused as error:
+                refused = refused or error
+                continue
+            if best is None or len(lowering.words) < len(best.words):
+                best = lowering
     if best is None:
         assert refused is not None
         raise refused

@@ -80,7 +80,7 @@ class Ranged:
 
 
 class Synthesis:
-    """Finds programs for kernels; decomposes at most `steps` kernels to find the programs of one."""
+    """Finds programs for kernels; decomposes at most `steps` kernels for each."""
 
     def __init__(self, steps: int, forms: Forms) -> None:
         self.most_steps, self.forms = steps, forms
@@ -241,7 +241,9 @@ def _joined(first: Program, second: Program) -> Iterator[Program]:
     inputs = renamed(first[-1:], {"x": "x"}, "a")[0].sources
     words = [*start]
     for word in b:
-        sources = tuple(name for source in word.sources for name in (inputs if source == "x" else (source,)))
+        sources = tuple(
+            name for source in word.sources for name in (inputs if source == "x" else (source,))
+        )
         if len(sources) > (_MOST_HALVED if word.halves else 4):
             return
         words.append(BusWord(word.destinations, sources))

@@ -25,8 +25,14 @@ class Forms:
     news_keeps: bool = True
 
     @classmethod
-    def of(cls, target: Target) -> Forms:
-        return cls(target.directed_sources, target.directed_halving, target.news_read_keeps)
+    def choices(cls, target: Target) -> list[Forms]:
+        """Return the forms of a target, and its public forms if they are fewer.
+
+        Programs of fewer forms may leave more values to the kernels after them."""
+        keeps = target.news_read_keeps
+        forms = cls(target.directed_sources, target.directed_halving, keeps)
+        public = cls(min(cls.sources, forms.sources), news_keeps=keeps)
+        return [forms] if forms == public else [forms, public]
 
     def allow(self, word: BusWord) -> bool:
         if NEIGHBOURS.keys().isdisjoint((*word.sources, *word.destinations)):
@@ -52,6 +58,7 @@ class Forms:
 
 
 ROWS = """
+a=x n=a b=E c=W d=x,n e=a,d n=a,b,c f=a,d,N g=b,c,e,f h=d,g,S
 n=x a=x b=n,a
 n=x a=n b=x,a
 n=x a=x b=x c=n,a,b

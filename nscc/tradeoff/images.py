@@ -21,7 +21,7 @@ def image_points(path: Path, level: int) -> list[Point]:
     container = run_passes(read_source(path), path.parent, Options(level=level)).container
     assert container is not None
     pictures, target = container.pictures, container.target
-    synthesis = Synthesis(STEPS_OF_LEVEL[level], Forms.of(target))
+    synthesis = Synthesis(STEPS_OF_LEVEL[level], Forms.choices(target)[0])
     points: dict[Point, None] = {}
     for item in pictures.items if pictures else ():
         for node in subexpressions(item.node):
