@@ -155,7 +155,7 @@ def row_of(
 ) -> str | None:
     """Return the shortest program of a kernel as text; None if not found in `budget` steps.
 
-    With `all_forms`, words that read or write a neighbour have up to four sources, and may halve."""
+    With `all_forms`, a word that reaches a neighbour has up to four sources, and may halve."""
     rng = np.random.default_rng(5)
     across, down = (int(number) for number in rng.integers(2, PRIME - 1, 2))
     back, up = (pow(number, PRIME - 2, PRIME) for number in (across, down))

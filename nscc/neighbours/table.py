@@ -77,6 +77,12 @@ n=x a=E b=x,W c=a,b,n
 n=x a=E b=W c=x,a,b d=c,n
 n=x a=E b=W c=x,a,b
 n=x a=N bn=x,a c2=b,E d2=b,W en=c,d f2=e,S
+a=x S=a b=E cn=a,b d=S e=W f2=d,e
+S=x a=E bn=x,a c=S d=c e=d,W
+an=x b=a,N c=a,S dn=b,c e=E f2=e,W
+n=x a=N b=E c2=a,b N=a,b,c d2=c,W
+an=x b=N c=E d=a,S e=b,c,d f2=e,W
+an=x b=N c=E d=S e=W f=b,c,d,e g2=f,n
 n=x a=N b=S n=x,a,b c=E d=x,a,b,c e=d,W
 n=x a=E b=x,a n=x,a c=b,S
 n=x a=N b=S n=x,a,b c=E d=c,W

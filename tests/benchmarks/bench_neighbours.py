@@ -18,6 +18,7 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from time import perf_counter, process_time
+from typing import Any
 
 import numpy as np
 from scipy.ndimage import correlate
@@ -68,7 +69,7 @@ ALL_FORMS = {"directed_sources": 4, "directed_halving": True}
 """Keys of a target that allows all forms of words with neighbours."""
 
 
-def container_of(text: str, level: int = 2, **keys: int) -> Container:
+def container_of(text: str, level: int = 2, **keys: Any) -> Container:
     """The proved program, on scamp5 with some keys changed."""
     target = replace(builtin_target("scamp5"), **keys)
     options = Options(level=level, target=target, cache=False)
@@ -77,7 +78,7 @@ def container_of(text: str, level: int = 2, **keys: int) -> Container:
     return made
 
 
-def words_of(kernels: list[Rows], divisor: int, **keys: int) -> int:
+def words_of(kernels: list[Rows], divisor: int, **keys: Any) -> int:
     """The words that compute these kernels of one exposure."""
     most = max(
         sum(abs(Fraction(weight, divisor)) for row in rows for weight in row) for rows in kernels

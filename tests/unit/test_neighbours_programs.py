@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -85,7 +86,7 @@ KERNELS = {
     "sobel y / 8": (outer([1, 0, -1], [1, 2, 1]), 8, 7, 6),
     "prewitt x": (outer([1, 1, 1], [1, 0, -1]), 1, 6, 6),
     "laplace 4": ([[0, -1, 0], [-1, 4, -1], [0, -1, 0]], 1, 6, 6),
-    "laplace 8": (LAPLACE_8, 1, 11, 10),
+    "laplace 8": (LAPLACE_8, 1, 12, 10),
     "laplace 8 / 4": (LAPLACE_8, 4, 9, 9),
     "laplace 8 / 8": (LAPLACE_8, 8, 11, 11),
     "gauss 3x3": (outer([1, 2, 1], [1, 2, 1]), 16, 8, 7),
@@ -114,9 +115,9 @@ def is_allowed(word: BusWord, forms: Forms) -> bool:
     return len(word.sources) <= forms.sources and (forms.halving or len(word.destinations) == 1)
 
 
-@pytest.mark.parametrize("forms", FORMS, ids=str)
-@pytest.mark.parametrize("seed", range(40))
-def test_a_program_does_what_scipy_does(seed: int, forms: Forms) -> None:
+@pytest.mark.parametrize("seed", range(80))
+def test_a_program_does_what_scipy_does(seed: int) -> None:
+    forms = PUBLIC if seed < 40 else FORMS[seed % len(FORMS)]
     rng = np.random.default_rng(seed)
     rows = rng.integers(-4, 5, [(3, 3), (1, 5), (5, 3), (1, 1), (7, 1)][seed % 5])
     rows.flat[0] = rng.integers(1, 4)
@@ -180,9 +181,9 @@ def test_the_error_of_a_result_adds_up() -> None:
 ALL_FORMS = {"directed_sources": 4, "directed_halving": True}
 
 
-def words_of(kernels: list[list[list[int]]], divisor: int, level: int = 1, **keys: int) -> int:
+def words_of(kernels: list[list[list[int]]], divisor: int, level: int = 1, **keys: Any) -> int:
     """The words of the images of kernels of one exposure, in one proved program."""
-    lines = ["nsl 3", "frame 1 slots of 1ms", "open when true", "assume exposure <= 5%"]
+    lines = ["nsl 3", "frame 1 slots of 1ms", "open when true", "assume exposure <= 3%"]
     for number, rows in enumerate(kernels):
         lines.append(f"kernel k{number} = {rows} / {divisor}")
         lines += [f"image i{number} = k{number}(exposure)", f"plane p{number} = i{number} > 1%"]
