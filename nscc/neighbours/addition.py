@@ -13,7 +13,7 @@ from functools import cache
 from itertools import combinations
 
 from nscc.neighbours.programs import OF_STEP, UNIT, BusWord, Offset, Program, Taps
-from nscc.neighbours.table import Forms
+from nscc.neighbours.table import WordForms
 from nscc.operations import STEPS
 
 BEAM = 60
@@ -48,7 +48,7 @@ def halvings_of(taps: Taps) -> int:
     return max(0, UNIT.bit_length() - lowest)
 
 
-def additions(taps: Taps, forms: Forms, beam: int = BEAM) -> list[Program]:
+def additions(taps: Taps, forms: WordForms, beam: int = BEAM) -> list[Program]:
     """Return programs that add the neighbours of a kernel one by one, the shortest first.
 
     If NEWS does not keep its value, each word that reads NEWS follows a word that writes NEWS."""
@@ -67,7 +67,7 @@ are read, and the number of words that follow."""
 
 
 def _orders(
-    weights: dict[Offset, int], halvings: int, forms: Forms, width: int
+    weights: dict[Offset, int], halvings: int, forms: WordForms, width: int
 ) -> list[list[Added]]:
     """Return orders in which to add neighbours, searched from the last word to the first."""
     ready = frozenset(((-2) ** number, (0, 0)) for number in range(halvings + 1))
@@ -95,7 +95,7 @@ def _rank(node: _Node) -> tuple[object, ...]:
 
 
 def _predecessors(
-    node: _Node, weights: dict[Offset, int], forms: Forms
+    node: _Node, weights: dict[Offset, int], forms: WordForms
 ) -> list[tuple[_Node, Added]]:
     """Return the nodes that put one more word before the words of `node`, with that word."""
     cost, left, content, used, follow = node

@@ -15,7 +15,7 @@ from nscc.neighbours.count_words import MOST_IMAGES
 from nscc.neighbours.held import Leveled, PictureRefused
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
-from nscc.neighbours.table import Forms
+from nscc.neighbours.table import WordForms
 from nscc.operations import Op
 from nscc.program.program import Program
 from nscc.prove.meaning import reaches
@@ -80,7 +80,7 @@ def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     ways = [pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())]
     best: Lowering | None = None
     refused: PictureRefused | None = None
-    for forms in Forms.choices(container.target):
+    for forms in WordForms.choices(container.target):
         synthesis = Synthesis(STEPS_OF_LEVEL[level], forms)
         for way in ways:
             try:

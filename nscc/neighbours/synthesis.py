@@ -32,7 +32,7 @@ from nscc.neighbours.programs import (
     turned_taps,
     values_of,
 )
-from nscc.neighbours.table import ROWS, Forms
+from nscc.neighbours.table import ROWS, WordForms
 from nscc.operations import NEIGHBOURS, STEPS
 
 STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
@@ -55,7 +55,7 @@ _NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 
 @cache
-def rows(forms: Forms) -> dict[_Key, Program]:
+def rows(forms: WordForms) -> dict[_Key, Program]:
     """Return the programs of the table, rotated and mirrored, by the kernel they compute."""
     shortest: dict[_Key, Program] = {}
     for line in ROWS.split("\n"):
@@ -82,7 +82,7 @@ class Ranged:
 class Synthesis:
     """Finds programs for kernels; decomposes at most `steps` kernels for each."""
 
-    def __init__(self, steps: int, forms: Forms) -> None:
+    def __init__(self, steps: int, forms: WordForms) -> None:
         self.most_steps, self.forms = steps, forms
         self.steps = 0
         self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
@@ -196,7 +196,7 @@ class Synthesis:
 
 
 @lru_cache(maxsize=1 << 12)
-def _addition(key: _Key, forms: Forms) -> Program:
+def _addition(key: _Key, forms: WordForms) -> Program:
     return additions(dict(key), forms, beam=_BEAM_OF_PARTS)[0]
 
 
@@ -312,14 +312,14 @@ def _box(taps: Taps) -> tuple[Offset, Offset]:
 
 
 @cache
-def factors(forms: Forms) -> tuple[Factor, ...]:
+def factors(forms: WordForms) -> tuple[Factor, ...]:
     """Return the kernels of the table that have at least two weights."""
     programs = rows(forms).items()
     return tuple(Factor.of(dict(key), program) for key, program in programs if len(key) > 1)
 
 
 @cache
-def factors_within(forms: Forms, size: Offset) -> tuple[Factor, ...]:
+def factors_within(forms: WordForms, size: Offset) -> tuple[Factor, ...]:
     """Return the factors with at most as many columns and rows as a kernel of this size."""
     return tuple(f for f in factors(forms) if f.size[0] <= size[0] and f.size[1] <= size[1])
 

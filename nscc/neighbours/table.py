@@ -13,7 +13,7 @@ from nscc.operations import NEIGHBOURS
 
 
 @dataclass(frozen=True)
-class Forms:
+class WordForms:
     """The words with neighbours that a chip allows.
 
     `sources`: most sources of a word that reads or writes a neighbour. `halving`: whether a word
@@ -25,7 +25,7 @@ class Forms:
     news_keeps: bool = True
 
     @classmethod
-    def choices(cls, target: Target) -> list[Forms]:
+    def choices(cls, target: Target) -> list[WordForms]:
         """Return the forms of a target, and its public forms if they are fewer.
 
         Programs of fewer forms may leave more values to the kernels after them."""

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from nscc.neighbours.programs import exact_taps
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis, noise_gain
-from nscc.neighbours.table import Forms
+from nscc.neighbours.table import WordForms
 from nscc.pipeline import Options, run_passes
 from nscc.syntax.parse import read_source
 from nscc.tradeoff.points import Point
@@ -21,7 +21,7 @@ def image_points(path: Path, level: int) -> list[Point]:
     container = run_passes(read_source(path), path.parent, Options(level=level)).container
     assert container is not None
     pictures, target = container.pictures, container.target
-    synthesis = Synthesis(STEPS_OF_LEVEL[level], Forms.choices(target)[0])
+    synthesis = Synthesis(STEPS_OF_LEVEL[level], WordForms.choices(target)[0])
     points: dict[Point, None] = {}
     for item in pictures.items if pictures else ():
         for node in subexpressions(item.node):

@@ -27,7 +27,7 @@ from nscc.neighbours.programs import (
     turned_taps,
 )
 from nscc.neighbours.synthesis import Synthesis, noise_gain, reads_news_once
-from nscc.neighbours.table import ROWS, Forms
+from nscc.neighbours.table import ROWS, WordForms
 from nscc.operations import NEIGHBOURS
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
@@ -75,10 +75,10 @@ def outer(column: list[int], row: list[int]) -> list[list[int]]:
 
 GAUSS_5 = [[0, 1, 2, 1, 0], [1, 4, 6, 4, 1], [2, 6, 10, 6, 2], [1, 4, 6, 4, 1], [0, 1, 2, 1, 0]]
 LAPLACE_8 = [[-1, -1, -1], [-1, 8, -1], [-1, -1, -1]]
-PUBLIC, ALL = Forms(), Forms(sources=4, halving=True)
+PUBLIC, ALL = WordForms(), WordForms(sources=4, halving=True)
 FORMS = (
-    PUBLIC, ALL, Forms(sources=3), Forms(sources=1), Forms(halving=True),
-    Forms(sources=1, news_keeps=False), Forms(sources=4, halving=True, news_keeps=False),
+    PUBLIC, ALL, WordForms(sources=3), WordForms(sources=1), WordForms(halving=True),
+    WordForms(sources=1, news_keeps=False), WordForms(sources=4, halving=True, news_keeps=False),
 )  # fmt: skip
 KERNELS = {
     "sobel x": (outer([1, 2, 1], [1, 0, -1]), 1, 7, 7),
@@ -100,7 +100,7 @@ KERNELS = {
 
 @pytest.mark.parametrize("forms", [PUBLIC, ALL], ids=["public", "all"])
 @pytest.mark.parametrize("name", KERNELS)
-def test_a_kernel_takes_few_words(name: str, forms: Forms) -> None:
+def test_a_kernel_takes_few_words(name: str, forms: WordForms) -> None:
     rows, divisor, *most = KERNELS[name]
     taps = exact_taps(weights_of(rows, divisor))
     best = Synthesis(20_000, forms).variants(taps)[0].program
@@ -108,7 +108,7 @@ def test_a_kernel_takes_few_words(name: str, forms: Forms) -> None:
     assert len(best) <= most[forms == ALL]
 
 
-def is_allowed(word: BusWord, forms: Forms) -> bool:
+def is_allowed(word: BusWord, forms: WordForms) -> bool:
     """Whether forms allow a word; written anew for this test."""
     if not any(name.startswith("X") for name in (*word.sources, *word.destinations)):
         return True
@@ -163,7 +163,7 @@ def test_all_forms_are_used_where_a_target_allows_them() -> None:
 
 @pytest.mark.parametrize("sources", [1, 2, 3])
 def test_words_that_a_chip_lacks_are_replaced(sources: int) -> None:
-    forms = Forms(sources=sources)
+    forms = WordForms(sources=sources)
     for line in filter(None, ROWS.split("\n")):
         program = program_from_text(line)
         allowed = forms.allowed(program)
