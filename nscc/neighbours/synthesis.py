@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache
-from math import gcd, sqrt
+from math import gcd
 
 from nscc.neighbours.addition import additions, halvings_of
 from nscc.neighbours.programs import (
@@ -23,9 +23,7 @@ from nscc.neighbours.programs import (
     Taps,
     added,
     chained,
-    halved,
     kernel_of,
-    moved,
     program_from_text,
     renamed,
     turned,
@@ -33,7 +31,7 @@ from nscc.neighbours.programs import (
     values_of,
 )
 from nscc.neighbours.table import ROWS, WordForms
-from nscc.operations import NEIGHBOURS, STEPS
+from nscc.operations import NEIGHBOURS
 
 STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
 """Number of kernels that a search may decompose, by level of optimisation."""
@@ -397,33 +395,3 @@ def reads_news_once(program: Program) -> bool:
         if "NEWS" in word.destinations or NEIGHBOURS.keys() & word.destinations:
             is_read = False
     return True
-
-
-def noise_gain(program: Program) -> float:
-    """Return the standard deviation of the error of a program's result.
-
-    Each word makes an independent error of standard deviation 1 in every destination."""
-    last = program[-1].destinations[0] if program else ""
-    total = 0.0
-    for number in range(len(program)):
-        for name in program[number].destinations:
-            taps = _error_of(program, number, name).get(last, {})
-            total += sum((weight / UNIT) ** 2 for weight in taps.values())
-    return sqrt(total)
-
-
-def _error_of(program: Program, number: int, destination: str) -> dict[str, Polynomial]:
-    """Return, by register, the final effect of a unit error of one word in one destination."""
-    registers: dict[str, Polynomial] = {}
-    for index, word in enumerate(program[number:], number):
-        error: Polynomial = {}
-        for name in word.sources:
-            addend_error = registers.get("NEWS" if name in NEIGHBOURS else name, {})
-            error = added((1, error), (-1, moved(addend_error, *STEPS.get(name, (0, 0)))))
-        for name in word.destinations:
-            right, down = STEPS.get(name, (0, 0))
-            value = halved(error) if word.halves else error
-            if index == number and name == destination:
-                value = added((1, value), (1, IDENTITY))
-            registers["NEWS" if name in NEIGHBOURS else name] = moved(value, -right, -down)
-    return registers

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from nscc.neighbours.programs import exact_taps
-from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis, noise_gain
+from nscc.neighbours.programs import exact_taps, noise_gain
+from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
 from nscc.neighbours.table import WordForms
 from nscc.pipeline import Options, run_passes
 from nscc.syntax.parse import read_source

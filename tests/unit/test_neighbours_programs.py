@@ -22,11 +22,12 @@ from nscc.neighbours.programs import (
     Program,
     exact_taps,
     kernel_of,
+    noise_gain,
     program_from_text,
     turned,
     turned_taps,
 )
-from nscc.neighbours.synthesis import Synthesis, noise_gain, reads_news_once
+from nscc.neighbours.synthesis import Synthesis, reads_news_once
 from nscc.neighbours.table import ROWS, WordForms
 from nscc.operations import NEIGHBOURS
 from nscc.pipeline import Options, run_passes
