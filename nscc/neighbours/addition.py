@@ -13,6 +13,7 @@ from functools import cache
 from itertools import combinations
 
 from nscc.neighbours.programs import OF_STEP, UNIT, BusWord, Offset, Program, Taps
+from nscc.neighbours.table import WordForms
 from nscc.operations import STEPS
 
 BEAM = 60
@@ -47,15 +48,14 @@ def halvings_of(taps: Taps) -> int:
     return max(0, UNIT.bit_length() - lowest)
 
 
-def additions(taps: Taps, news_keeps: bool = True, beam: int = BEAM) -> list[Program]:
+def additions(taps: Taps, forms: WordForms, beam: int = BEAM) -> list[Program]:
     """Return programs that add the neighbours of a kernel one by one, the shortest first.
 
-    With `news_keeps`, NEWS keeps its value when a neighbour reads it. Otherwise each word that
-    reads NEWS follows a word that writes NEWS."""
+    If NEWS does not keep its value, each word that reads NEWS follows a word that writes NEWS."""
     halvings = halvings_of(taps)
     weights = {at: weight * (-2) ** halvings // UNIT for at, weight in taps.items()}
-    orders = _orders(weights, halvings, news_keeps, beam)
-    programs = [_program(order, halvings, news_keeps) for order in orders]
+    orders = _orders(weights, halvings, forms, beam)
+    programs = [forms.allowed(_program(order, halvings, forms.news_keeps)) for order in orders]
     return sorted(programs, key=len)
 
 
@@ -67,7 +67,7 @@ are read, and the number of words that follow."""
 
 
 def _orders(
-    weights: dict[Offset, int], halvings: int, news_keeps: bool, width: int
+    weights: dict[Offset, int], halvings: int, forms: WordForms, width: int
 ) -> list[list[Added]]:
     """Return orders in which to add neighbours, searched from the last word to the first."""
     ready = frozenset(((-2) ** number, (0, 0)) for number in range(halvings + 1))
@@ -76,7 +76,7 @@ def _orders(
     while beam:
         following: dict[tuple[object, ...], tuple[_Node, list[Added]]] = {}
         for node, words in beam.items():
-            for reached, word in _predecessors(node, weights, news_keeps):
+            for reached, word in _predecessors(node, weights, forms):
                 cost, left, _, used, _ = reached
                 if not left:
                     if cost < finished.get(used, (cost + 1, []))[0]:
@@ -95,7 +95,7 @@ def _rank(node: _Node) -> tuple[object, ...]:
 
 
 def _predecessors(
-    node: _Node, weights: dict[Offset, int], news_keeps: bool
+    node: _Node, weights: dict[Offset, int], forms: WordForms
 ) -> list[tuple[_Node, Added]]:
     """Return the nodes that put one more word before the words of `node`, with that word."""
     cost, left, content, used, follow = node
@@ -122,9 +122,9 @@ def _predecessors(
             if step != (0, 0) and step not in OF_STEP:
                 continue
             reads: Content = (sign * weights[place], base, written)
-            words = 1 + (reads != content or not news_keeps)
+            words = 1 + (reads != content or not forms.news_keeps)
             add(frozenset({place}), words, Added(reads, step, 0))
-            if centre and (step == (0, 0) or len(left) == 2):
+            if centre and (step == (0, 0) or len(left) == 2 or forms.sources > 2):
                 add(frozenset({place, (0, 0)}), words, Added(reads, step, centre))
     return found
 

@@ -12,9 +12,9 @@ from math import sqrt
 
 from nscc.neighbours.count_words import split
 from nscc.neighbours.held import Held, PictureRefused
-from nscc.neighbours.programs import Program, Taps, added, exact_taps, moved, values_of
+from nscc.neighbours.programs import Program, Taps, added, exact_taps, moved, noise_gain, values_of
 from nscc.neighbours.registers import RegisterEmitter
-from nscc.neighbours.synthesis import Synthesis, gains, noise_gain
+from nscc.neighbours.synthesis import Synthesis, gains
 from nscc.operations import op
 from nscc.words import pictures as p
 from nscc.words.container import Container

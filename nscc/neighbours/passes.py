@@ -15,6 +15,7 @@ from nscc.neighbours.count_words import MOST_IMAGES
 from nscc.neighbours.held import Leveled, PictureRefused
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
+from nscc.neighbours.table import WordForms
 from nscc.operations import Op
 from nscc.program.program import Program
 from nscc.prove.meaning import reaches
@@ -76,27 +77,29 @@ def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[Pi
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
     do not fit. From level 2 on, the shortest of several alternatives is returned."""
+    ways = [pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())]
     best: Lowering | None = None
     refused: PictureRefused | None = None
-    for way in (pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())):
-        try:
-            lowering = _lowered(container, way, level)
-        except PictureRefused as error:
-            refused = refused or error
-            continue
-        if best is None or len(lowering.words) < len(best.words):
-            best = lowering
+    for forms in WordForms.choices(container.target):
+        synthesis = Synthesis(STEPS_OF_LEVEL[level], forms)
+        for way in ways:
+            try:
+                lowering = _lowered(container, way, synthesis)
+            except PictureRefused as error:
+                refused = refused or error
+                continue
+            if best is None or len(lowering.words) < len(best.words):
+                best = lowering
     if best is None:
         assert refused is not None
         raise refused
     return best
 
 
-def _lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
+def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> Lowering:
     """Lower images and planes in their order. A walk counts as many images as the registers
     allow."""
     for most_together in range(MOST_IMAGES, 0, -1):
-        synthesis = Synthesis(STEPS_OF_LEVEL[level], container.target.news_read_keeps)
         lowering = Lowering(pictures, container, synthesis)
         lowering.most_together = most_together
         try:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from math import sqrt
 from typing import TypeVar
 
 from nscc.operations import NEIGHBOURS, STEPS
@@ -98,6 +99,39 @@ def values_of(program: Program) -> list[Polynomial]:
             else:
                 registers[name] = value
     return values
+
+
+# --- noise ---------------------------------------------------------------------------------------
+
+
+def noise_gain(program: Program) -> float:
+    """Return the standard deviation of the error of a program's result.
+
+    Each word makes an independent error of standard deviation 1 in every destination."""
+    last = program[-1].destinations[0] if program else ""
+    total = 0.0
+    for number in range(len(program)):
+        for name in program[number].destinations:
+            taps = _error_of(program, number, name).get(last, {})
+            total += sum((weight / UNIT) ** 2 for weight in taps.values())
+    return sqrt(total)
+
+
+def _error_of(program: Program, number: int, destination: str) -> dict[str, Polynomial]:
+    """Return, by register, the final effect of a unit error of one word in one destination."""
+    registers: dict[str, Polynomial] = {}
+    for index, word in enumerate(program[number:], number):
+        error: Polynomial = {}
+        for name in word.sources:
+            addend_error = registers.get("NEWS" if name in NEIGHBOURS else name, {})
+            error = added((1, error), (-1, moved(addend_error, *STEPS.get(name, (0, 0)))))
+        for name in word.destinations:
+            right, down = STEPS.get(name, (0, 0))
+            value = halved(error) if word.halves else error
+            if index == number and name == destination:
+                value = added((1, value), (1, IDENTITY))
+            registers["NEWS" if name in NEIGHBOURS else name] = moved(value, -right, -down)
+    return registers
 
 
 # --- symmetries and joining -----------------------------------------------------------------------

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
-from math import gcd, sqrt
+from functools import cache, lru_cache
+from math import gcd
 
 from nscc.neighbours.addition import additions, halvings_of
 from nscc.neighbours.programs import (
@@ -23,22 +23,22 @@ from nscc.neighbours.programs import (
     Taps,
     added,
     chained,
-    halved,
     kernel_of,
-    moved,
     program_from_text,
     renamed,
     turned,
     turned_taps,
     values_of,
 )
-from nscc.neighbours.table import ROWS
-from nscc.operations import NEIGHBOURS, STEPS
+from nscc.neighbours.table import ROWS, WordForms
+from nscc.operations import NEIGHBOURS
 
 STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
 """Number of kernels that a search may decompose, by level of optimisation."""
 _MOST_KEPT = 6
 _MOST_DEPTH = 7
+_MOST_HALVED = 2
+"""Most sources of a word that halves."""
 _MOST_ADDED = 12
 """Kernels of more weights are added one by one only if there is no other program."""
 
@@ -46,18 +46,19 @@ _BEAM_OF_PARTS = 20
 _LEAST_WOVEN = 5
 """Least number of weights of a kernel for which a search weaves the pixel's own multiple in."""
 
+_NEWS = {"NEWS", *NEIGHBOURS}
 _Key = frozenset[tuple[Offset, int]]
 _HALVE: Program = (BusWord(("h", "NEWS"), ("x",)),)
 _NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 
 @cache
-def rows() -> dict[_Key, Program]:
+def rows(forms: WordForms) -> dict[_Key, Program]:
     """Return the programs of the table, rotated and mirrored, by the kernel they compute."""
     shortest: dict[_Key, Program] = {}
     for line in ROWS.split("\n"):
         if line:
-            program = program_from_text(line)
+            program = forms.allowed(program_from_text(line))
             taps = kernel_of(program)
             for turn in TURNS:
                 key = frozenset(turned_taps(taps, turn).items())
@@ -77,10 +78,11 @@ class Ranged:
 
 
 class Synthesis:
-    """Finds programs for kernels; decomposes at most `steps` kernels in all."""
+    """Finds programs for kernels; decomposes at most `steps` kernels for each."""
 
-    def __init__(self, steps: int, news_keeps: bool = True) -> None:
-        self.steps, self.news_keeps = steps, news_keeps
+    def __init__(self, steps: int, forms: WordForms) -> None:
+        self.most_steps, self.forms = steps, forms
+        self.steps = 0
         self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
         self._variants: dict[_Key, list[Ranged]] = {}
 
@@ -88,16 +90,17 @@ class Synthesis:
         """Return programs for a kernel, the shortest first; each is proved to compute it."""
         key = frozenset(taps.items())
         if key not in self._variants:
+            self.steps = self.most_steps
             programs = self._proved(taps)
             self._variants[key] = sorted(programs, key=lambda ranged: len(ranged.program))
         return self._variants[key]
 
     def _proved(self, taps: Taps) -> list[Ranged]:
         candidates = [ranged.program for ranged in self._programs(dict(taps), _MOST_DEPTH)]
-        if not self.news_keeps:
+        if not self.forms.news_keeps:
             candidates = list(filter(reads_news_once, candidates))
         if len(taps) <= _MOST_ADDED or not candidates:
-            candidates += additions(taps, self.news_keeps)
+            candidates += additions(taps, self.forms)
         assert all(kernel_of(program) == dict(taps) for program in candidates)
         return [_ranged(program) for program in candidates]
 
@@ -112,14 +115,16 @@ class Synthesis:
             return known
         self.steps -= 1
         self._known[key] = depth, known
-        candidates = [_ranged(program) for program in self._candidates(taps, key, depth)]
+        candidates = [
+            _ranged(self.forms.allowed(program)) for program in self._candidates(taps, key, depth)
+        ]
         best = _best([*known, *candidates])
         self._known[key] = depth, best
         return best
 
     def _candidates(self, taps: Polynomial, key: _Key, depth: int) -> Iterator[Program]:
-        if key in rows():
-            yield rows()[key]
+        if key in rows(self.forms):
+            yield rows(self.forms)[key]
         if taps == {(0, 0): -UNIT}:
             yield _NEGATE
             return
@@ -129,11 +134,17 @@ class Synthesis:
                 yield chained(_HALVE, remaining.program)
                 if remaining.program:
                     yield chained(remaining.program, _HALVE)
+            for remaining in self._programs(added((2, taps)), depth - 1):
+                yield from _with_last_halved(remaining.program)
         for row, column in separated(taps):
             for first in self._programs_of_part(row, depth - 1):
                 for second in self._programs_of_part(column, depth - 1):
                     yield chained(first, second)
-        for factor in factors():
+            for line, across in ((row, column), (column, row)):
+                first = rows(self.forms).get(frozenset(added((-1, line)).items()), ())
+                for second in self._programs_of_part(across, depth - 1):
+                    yield from _joined(first, second)
+        for factor in factors_within(self.forms, _box(taps)[1]):
             quotient = quotient_of(taps, factor)
             if quotient is not None and quotient != IDENTITY:
                 for remaining in self._programs(quotient, depth - 1):
@@ -143,7 +154,7 @@ class Synthesis:
 
     def _programs_of_part(self, taps: Polynomial, depth: int) -> list[Program]:
         found = [ranged.program for ranged in self._programs(taps, depth)]
-        return found or [additions(taps, beam=_BEAM_OF_PARTS)[0]]
+        return found or [_addition(frozenset(taps.items()), self.forms)]
 
     def _with_centre(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
         """Yield programs whose last word adds a multiple of the pixel itself.
@@ -175,11 +186,16 @@ class Synthesis:
             return
         around = {at: weight for at, weight in taps.items() if at != (0, 0)}
         for first in self._programs(around, depth - 2):
-            places = _places_to_add(first.program)
+            places = _places_to_add(first.program, self.forms.sources)
             for count in range(1, len(places) + 1):
                 if middle % count == 0:
                     for second in self._programs_of_part({(0, 0): middle // count}, depth - 2):
                         yield _woven(first.program, second, places[:count])
+
+
+@lru_cache(maxsize=1 << 12)
+def _addition(key: _Key, forms: WordForms) -> Program:
+    return additions(dict(key), forms, beam=_BEAM_OF_PARTS)[0]
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
@@ -206,6 +222,32 @@ def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
             )
 
 
+def _with_last_halved(program: Program) -> Iterator[Program]:
+    """Yield the program whose last word also halves the result, if the word has few sources."""
+    if program and not program[-1].halves and len(program[-1].sources) <= _MOST_HALVED:
+        last = program[-1]
+        yield (*program[:-1], BusWord((*last.destinations, "h_"), last.sources))
+
+
+def _joined(first: Program, second: Program) -> Iterator[Program]:
+    """Yield the program that applies `second` to the negated result of `first`.
+
+    The last word of `first` is left out: its sources replace the input of `second`."""
+    if not first or first[-1].halves or not _NEWS.isdisjoint(first[-1].sources):
+        return
+    start, b = renamed(first[:-1], {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
+    inputs = renamed(first[-1:], {"x": "x"}, "a")[0].sources
+    words = [*start]
+    for word in b:
+        sources = tuple(
+            name for source in word.sources for name in (inputs if source == "x" else (source,))
+        )
+        if len(sources) > (_MOST_HALVED if word.halves else 4):
+            return
+        words.append(BusWord(word.destinations, sources))
+    yield tuple(words)
+
+
 def _summed(first: Program, second: Program) -> Program:
     """Return both programs, and a word that adds their results."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
@@ -213,7 +255,7 @@ def _summed(first: Program, second: Program) -> Program:
     return (*a, *b, BusWord(("s",), tuple(results)))
 
 
-def _places_to_add(program: Program) -> list[int]:
+def _places_to_add(program: Program, directed_sources: int) -> list[int]:
     """Return the words with room for a source whose results are read by the last word alone.
 
     NEWS is left out: it is written several times, and neighbours read it."""
@@ -222,10 +264,10 @@ def _places_to_add(program: Program) -> list[int]:
         number
         for number, word in enumerate(program[:-1])
         if not (word.halves or program[-1].halves)
-        and word.destinations[0] != "NEWS"
+        and word.destinations[0] not in _NEWS
         and word.destinations[0] in program[-1].sources
         and read.count(word.destinations[0]) == 1
-        and len(word.sources) < (2 if NEIGHBOURS.keys() & word.sources else 4)
+        and len(word.sources) < (directed_sources if NEIGHBOURS.keys() & word.sources else 4)
     ]
 
 
@@ -245,18 +287,19 @@ class Factor:
     """A kernel of at least two weights that may divide other kernels, with its program.
 
     `lead`: offset of the last weight, ordered by column, then row. `size`: numbers of columns and
-    rows, minus 1. `corner`: the smallest column and row."""
+    rows, minus 1. `corner`: the smallest column and row. `total`: the sum of the weights."""
 
     taps: Taps
     program: Program
     lead: Offset
     size: Offset
     corner: Offset
+    total: int
 
     @classmethod
     def of(cls, taps: Taps, program: Program) -> Factor:
         corner, size = _box(taps)
-        return cls(taps, program, max(taps), size, corner)
+        return cls(taps, program, max(taps), size, corner, sum(taps.values()))
 
 
 def _box(taps: Taps) -> tuple[Offset, Offset]:
@@ -267,17 +310,27 @@ def _box(taps: Taps) -> tuple[Offset, Offset]:
 
 
 @cache
-def factors() -> tuple[Factor, ...]:
+def factors(forms: WordForms) -> tuple[Factor, ...]:
     """Return the kernels of the table that have at least two weights."""
-    return tuple(Factor.of(dict(key), program) for key, program in rows().items() if len(key) > 1)
+    programs = rows(forms).items()
+    return tuple(Factor.of(dict(key), program) for key, program in programs if len(key) > 1)
+
+
+@cache
+def factors_within(forms: WordForms, size: Offset) -> tuple[Factor, ...]:
+    """Return the factors with at most as many columns and rows as a kernel of this size."""
+    return tuple(f for f in factors(forms) if f.size[0] <= size[0] and f.size[1] <= size[1])
 
 
 def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
-    """Return the kernel whose product with `factor` is `taps`, or None."""
+    """Return the kernel whose product with `factor` is `taps`, or None.
+
+    `factor` has at most as many columns and rows as `taps`."""
+    total = sum(taps.values())
+    if total * UNIT % factor.total if factor.total else total:
+        return None
     corner, size = _box(taps)
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]
-    if width < 0 or height < 0:
-        return None
     first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
     lead_weight = factor.taps[factor.lead]
     dividend, quotient = dict(taps), {}
@@ -304,17 +357,20 @@ def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
 
 
 def _ranged(program: Program) -> Ranged:
-    peak = Fraction(1)
-    for taps in values_of(program):
-        peak = max(peak, *gains(taps))
-    return Ranged(program, peak)
+    peak = max((max(_weights_by_sign(taps)) for taps in values_of(program)), default=UNIT)
+    return Ranged(program, Fraction(max(peak, UNIT), UNIT))
 
 
 def gains(taps: Taps) -> tuple[Fraction, Fraction]:
     """Return the sum of the positive weights of a kernel, and of its negated negative weights."""
-    added_weight = sum(weight for weight in taps.values() if weight > 0)
-    subtracted = sum(-weight for weight in taps.values() if weight < 0)
+    added_weight, subtracted = _weights_by_sign(taps)
     return Fraction(added_weight, UNIT), Fraction(subtracted, UNIT)
+
+
+def _weights_by_sign(taps: Taps) -> tuple[int, int]:
+    total = sum(taps.values())
+    added_weight = sum(weight for weight in taps.values() if weight > 0)
+    return added_weight, added_weight - total
 
 
 def _best(candidates: list[Ranged]) -> list[Ranged]:
@@ -339,33 +395,3 @@ def reads_news_once(program: Program) -> bool:
         if "NEWS" in word.destinations or NEIGHBOURS.keys() & word.destinations:
             is_read = False
     return True
-
-
-def noise_gain(program: Program) -> float:
-    """Return the standard deviation of the error of a program's result.
-
-    Each word makes an independent error of standard deviation 1 in every destination."""
-    last = program[-1].destinations[0] if program else ""
-    total = 0.0
-    for number in range(len(program)):
-        for name in program[number].destinations:
-            taps = _error_of(program, number, name).get(last, {})
-            total += sum((weight / UNIT) ** 2 for weight in taps.values())
-    return sqrt(total)
-
-
-def _error_of(program: Program, number: int, destination: str) -> dict[str, Polynomial]:
-    """Return, by register, the final effect of a unit error of one word in one destination."""
-    registers: dict[str, Polynomial] = {}
-    for index, word in enumerate(program[number:], number):
-        error: Polynomial = {}
-        for name in word.sources:
-            addend_error = registers.get("NEWS" if name in NEIGHBOURS else name, {})
-            error = added((1, error), (-1, moved(addend_error, *STEPS.get(name, (0, 0)))))
-        for name in word.destinations:
-            right, down = STEPS.get(name, (0, 0))
-            value = halved(error) if word.halves else error
-            if index == number and name == destination:
-                value = added((1, value), (1, IDENTITY))
-            registers["NEWS" if name in NEIGHBOURS else name] = moved(value, -right, -down)
-    return registers

@@ -5,7 +5,60 @@ kernel: `kernel_of` computes it from the words."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+from nscc.chips.target import Target
+from nscc.neighbours.programs import BusWord, Program
+from nscc.operations import NEIGHBOURS
+
+
+@dataclass(frozen=True)
+class WordForms:
+    """The words with neighbours that a chip allows.
+
+    `sources`: most sources of a word that reads or writes a neighbour. `halving`: whether a word
+    that reads a neighbour may halve. `news_keeps`: whether NEWS keeps its value when a neighbour
+    reads it."""
+
+    sources: int = 2
+    halving: bool = False
+    news_keeps: bool = True
+
+    @classmethod
+    def choices(cls, target: Target) -> list[WordForms]:
+        """Return the forms of a target, and its public forms if they are fewer.
+
+        Programs of fewer forms may leave more values to the kernels after them."""
+        keeps = target.news_read_keeps
+        forms = cls(target.directed_sources, target.directed_halving, keeps)
+        public = cls(min(cls.sources, forms.sources), news_keeps=keeps)
+        return [forms] if forms == public else [forms, public]
+
+    def allow(self, word: BusWord) -> bool:
+        if NEIGHBOURS.keys().isdisjoint((*word.sources, *word.destinations)):
+            return True
+        return len(word.sources) <= self.sources and (self.halving or not word.halves)
+
+    def allowed(self, program: Program) -> Program:
+        """Return an equal program of words that the chip allows.
+
+        Two more words copy what a word may not read from a neighbour, or write to one, at once."""
+        words: list[BusWord] = []
+        for number, word in enumerate(program):
+            if self.allow(word):
+                words.append(word)
+                continue
+            inverted, copy = f"{number}i", f"{number}c"
+            far = tuple(name for name in word.sources if name in NEIGHBOURS)
+            near = tuple(name for name in word.sources if far and name not in NEIGHBOURS)
+            words.append(BusWord((inverted,), far or word.sources))
+            words.append(BusWord((copy,), (inverted,)))
+            words.append(BusWord(word.destinations, (*near, copy)))
+        return tuple(words)
+
+
 ROWS = """
+a=x n=a b=E c=W d=x,n e=a,d n=a,b,c f=a,d,N g=b,c,e,f h=d,g,S
 n=x a=x b=n,a
 n=x a=n b=x,a
 n=x a=x b=x c=n,a,b
@@ -22,6 +75,15 @@ n=x a=E b=x,a c=b,W
 W=x a2=x,n bn=x,a c=b,W
 n=x a=E b=x,W c=a,b,n
 n=x a=E b=W c=x,a,b d=c,n
+n=x a=E b=W c=x,a,b
+n=x a=N bn=x,a c2=b,E d2=b,W en=c,d f2=e,S
+a=x S=a b=E cn=a,b d=S e=W f2=d,e
+S=x a=E bn=x,a c=S d=c e=d,W
+an=x b=a,N c=a,S dn=b,c e=E f2=e,W
+n=x a=N b=E c2=a,b N=a,b,c d2=c,W
+an=x b=N c=E d=a,S e=b,c,d f2=e,W
+an=x b=N c=E d=S e=W f=b,c,d,e g2=f,n
+n=x a=N b=S n=x,a,b c=E d=x,a,b,c e=d,W
 n=x a=E b=x,a n=x,a c=b,S
 n=x a=N b=S n=x,a,b c=E d=c,W
 n=x a=N b=x c=b,S n=x,a,c d=E e=d,W

@@ -16,8 +16,9 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.report import report
 from nscc.limits.families import bits_rule, book_rule, bump_rule, program_text, start_rule
 from nscc.lower.exposure_plan import Lowering
-from nscc.neighbours.programs import exact_taps
-from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis, noise_gain
+from nscc.neighbours.programs import exact_taps, noise_gain
+from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
+from nscc.neighbours.table import WordForms
 from nscc.pipeline import LEVELS, Compiled, Options, run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
@@ -201,7 +202,7 @@ def image_points(path: Path, level: int) -> list[Point]:
     container = run_passes(read_source(path), path.parent, Options(level=level)).container
     assert container is not None
     pictures, target = container.pictures, container.target
-    synthesis = Synthesis(STEPS_OF_LEVEL[level], target.news_read_keeps)
+    synthesis = Synthesis(STEPS_OF_LEVEL[level], WordForms.choices(target)[0])
     points: dict[Point, None] = {}
     for item in pictures.items if pictures else ():
         for node in subexpressions(item.node):

@@ -21,11 +21,14 @@ from device_sessions import (
     sanitized,
 )
 from device_simulation import Simulation
+from scipy.ndimage import correlate
 
 from nscc.chips.target import Target
+from nscc.operations import NEIGHBOURS
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc.words.container import Container
+from nscc.words.legality import picture_words
 from nscc.words.reach import Reach, beyond_reaches
 from nscc.words.readout import converter_of
 from nscc_runtime.device import tasks
@@ -80,11 +83,16 @@ PROGRAMS = {
 REPORTED = {"reports", "reports of rare bits", "reports beside what is read"}
 """The programs whose reports are made by the device."""
 FRAMES = 3
+ALL_FORMS = {
+    "halved": [[-1 / 8, 0, 1 / 8], [-2 / 8, 0, 2 / 8], [-1 / 8, 0, 1 / 8]],
+    "summed": [[-1, -1, -1], [-1, 8, -1], [-1, -1, -1]],
+}
+"""Kernels whose words halve a neighbour's value, and read a neighbour beside two registers."""
 
 
-def container_of(body: str) -> Container:
+def container_of(body: str, target: Target = SMALL) -> Container:
     source = Source("p.nsl", f"nsl 3\nframe 4 slots of 1ms\n{body}\n")
-    made = run_passes(source, Path(), Options(level=1, target=SMALL, cache=False)).container
+    made = run_passes(source, Path(), Options(level=1, target=target, cache=False)).container
     assert made is not None
     return made
 
@@ -163,6 +171,32 @@ def test_a_film_is_that_of_the_emulator(
     assert (upload_of(container, bytes(32)).report_bytes > 0) == (name in REPORTED)
     loader = fresh_loader(kind, FilmedChip(film), request, SMALL)
     check_film(filmed(loader, container, FRAMES), container, film)
+
+
+@pytest.mark.parametrize("name", ALL_FORMS)
+def test_words_of_all_forms_run_on_devices(name: str, request: pytest.FixtureRequest) -> None:
+    target = replace(SMALL, directed_sources=4, directed_halving=True, name="all forms")
+    weights = np.array(ALL_FORMS[name])
+    rows = (8 * weights).astype(int).tolist()
+    text = f"open when true\nassume exposure <= 6%\nkernel k = {rows} / 8\n"
+    container = container_of(f"{text}image i = k(exposure)\nread i", target)
+    directed = [word for word, _ in picture_words(container) if NEIGHBOURS.keys() & word.sources]
+    assert any(
+        len(word.sources) > 2 if name == "summed" else word.operation.divisor == 2
+        for word in directed
+    )
+    film = [Light.of_clip(light.frames / np.float32(32)) for light in lights()]
+    core = Lockstep(sanitized(target=target), FilmedChip(film, target))
+    for loader in (fresh_loader("python", FilmedChip(film, target), request, target), core):
+        check_film(filmed(loader, container, FRAMES), container, film)
+    assert core.close() == 0, "a sanitizer complained"
+    runner = PicturedProgram(
+        container, default_sensor(converter_of(container)), selected("none"), threads=1
+    )
+    for frame, light in zip(runner.film(film, 0, 0), film, strict=True):
+        expected = correlate(light.frames.sum(axis=0, dtype=float), weights, mode="constant")
+        image = frame.told["image_i"]
+        np.testing.assert_allclose(image[2:-2, 2:-2], expected[2:-2, 2:-2], atol=1e-2)
 
 
 @pytest.mark.parametrize("seed", [0, 1, 2, 4])

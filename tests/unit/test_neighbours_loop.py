@@ -37,7 +37,7 @@ def random_word(rng: np.random.Generator) -> list[Op]:
                     return [op("bus", some((*ANALOG, *NEIGHBOURS), 1, 1), some(ANALOG, 0, 4))]
                 case 1:
                     near = some(tuple(NEIGHBOURS), 1, 1)
-                    return [op("bus", some(ANALOG, 1, 1), [*near, *some(ANALOG, 0, 2)])]
+                    return [op("bus", some(ANALOG, 1, 1), [*near, *some(ANALOG, 0, 3)])]
                 case 2:
                     return [op("bus2", some(ANALOG, 2, 2), some((*ANALOG, *NEIGHBOURS), 1, 2))]
                 case 3:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,12 +22,13 @@ from nscc.neighbours.programs import (
     Program,
     exact_taps,
     kernel_of,
+    noise_gain,
     program_from_text,
     turned,
     turned_taps,
 )
-from nscc.neighbours.synthesis import Synthesis, noise_gain, reads_news_once
-from nscc.neighbours.table import ROWS
+from nscc.neighbours.synthesis import Synthesis, reads_news_once
+from nscc.neighbours.table import ROWS, WordForms
 from nscc.operations import NEIGHBOURS
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
@@ -74,35 +76,49 @@ def outer(column: list[int], row: list[int]) -> list[list[int]]:
 
 GAUSS_5 = [[0, 1, 2, 1, 0], [1, 4, 6, 4, 1], [2, 6, 10, 6, 2], [1, 4, 6, 4, 1], [0, 1, 2, 1, 0]]
 LAPLACE_8 = [[-1, -1, -1], [-1, 8, -1], [-1, -1, -1]]
+PUBLIC, ALL = WordForms(), WordForms(sources=4, halving=True)
+FORMS = (
+    PUBLIC, ALL, WordForms(sources=3), WordForms(sources=1), WordForms(halving=True),
+    WordForms(sources=1, news_keeps=False), WordForms(sources=4, halving=True, news_keeps=False),
+)  # fmt: skip
 KERNELS = {
-    "sobel x": (outer([1, 2, 1], [1, 0, -1]), 1, 7),
-    "sobel x / 8": (outer([1, 2, 1], [1, 0, -1]), 8, 7),
-    "sobel y / 8": (outer([1, 0, -1], [1, 2, 1]), 8, 7),
-    "prewitt x": (outer([1, 1, 1], [1, 0, -1]), 1, 7),
-    "laplace 4": ([[0, -1, 0], [-1, 4, -1], [0, -1, 0]], 1, 8),
-    "laplace 8": (LAPLACE_8, 1, 12),
-    "laplace 8 / 4": (LAPLACE_8, 4, 9),
-    "laplace 8 / 8": (LAPLACE_8, 8, 11),
-    "gauss 3x3": (outer([1, 2, 1], [1, 2, 1]), 16, 8),
-    "box 3x3": (outer([1] * 3, [1] * 3), 1, 8),
-    "box 5x5": (outer([1] * 5, [1] * 5), 1, 12),
-    "sharpen": ([[0, -1, 0], [-1, 5, -1], [0, -1, 0]], 1, 10),
-    "gauss 5x5": (GAUSS_5, 64, 22),
+    "sobel x": (outer([1, 2, 1], [1, 0, -1]), 1, 7, 7),
+    "sobel x / 8": (outer([1, 2, 1], [1, 0, -1]), 8, 7, 6),
+    "sobel y / 8": (outer([1, 0, -1], [1, 2, 1]), 8, 7, 6),
+    "prewitt x": (outer([1, 1, 1], [1, 0, -1]), 1, 6, 6),
+    "laplace 4": ([[0, -1, 0], [-1, 4, -1], [0, -1, 0]], 1, 6, 6),
+    "laplace 8": (LAPLACE_8, 1, 12, 10),
+    "laplace 8 / 4": (LAPLACE_8, 4, 9, 9),
+    "laplace 8 / 8": (LAPLACE_8, 8, 11, 11),
+    "gauss 3x3": (outer([1, 2, 1], [1, 2, 1]), 16, 8, 7),
+    "box 3x3": (outer([1] * 3, [1] * 3), 1, 7, 7),
+    "box 5x5": (outer([1] * 5, [1] * 5), 1, 12, 12),
+    "sharpen": ([[0, -1, 0], [-1, 5, -1], [0, -1, 0]], 1, 7, 7),
+    "gauss 5x5": (GAUSS_5, 64, 20, 19),
 }
-"""Kernel, divisor, and the most words that it may take."""
+"""Kernel, divisor, and the most words that it may take: with public forms, with all forms."""
 
 
+@pytest.mark.parametrize("forms", [PUBLIC, ALL], ids=["public", "all"])
 @pytest.mark.parametrize("name", KERNELS)
-def test_a_kernel_takes_few_words(name: str) -> None:
-    rows, divisor, most = KERNELS[name]
+def test_a_kernel_takes_few_words(name: str, forms: WordForms) -> None:
+    rows, divisor, *most = KERNELS[name]
     taps = exact_taps(weights_of(rows, divisor))
-    best = Synthesis(20_000).variants(taps)[0].program
+    best = Synthesis(20_000, forms).variants(taps)[0].program
     assert kernel_of(best) == taps
-    assert len(best) <= most
+    assert len(best) <= most[forms == ALL]
 
 
-@pytest.mark.parametrize("seed", range(40))
+def is_allowed(word: BusWord, forms: WordForms) -> bool:
+    """Whether forms allow a word; written anew for this test."""
+    if not any(name.startswith("X") for name in (*word.sources, *word.destinations)):
+        return True
+    return len(word.sources) <= forms.sources and (forms.halving or len(word.destinations) == 1)
+
+
+@pytest.mark.parametrize("seed", range(80))
 def test_a_program_does_what_scipy_does(seed: int) -> None:
+    forms = PUBLIC if seed < 40 else FORMS[seed % len(FORMS)]
     rng = np.random.default_rng(seed)
     rows = rng.integers(-4, 5, [(3, 3), (1, 5), (5, 3), (1, 1), (7, 1)][seed % 5])
     rows.flat[0] = rng.integers(1, 4)
@@ -110,7 +126,10 @@ def test_a_program_does_what_scipy_does(seed: int) -> None:
     image = rng.integers(0, 1000, (12, 14)).astype(float)
     expected = correlate(image, rows / divisor, mode="wrap")
     taps = exact_taps(weights_of(rows.tolist(), divisor))
-    for each in (*(found.program for found in Synthesis(300).variants(taps)), *additions(taps)):
+    found = [ranged.program for ranged in Synthesis(300, forms).variants(taps)]
+    for each in (*found, *additions(taps, forms)):
+        assert all(is_allowed(word, forms) for word in each)
+        assert forms.news_keeps or reads_news_once(each)
         np.testing.assert_allclose(run_on_array(each, image), expected, atol=1e-9)
 
 
@@ -130,7 +149,27 @@ def test_a_row_of_the_table_and_its_turns_run(line: str) -> None:
 
 def test_the_search_is_deterministic() -> None:
     taps = exact_taps(weights_of(GAUSS_5, 64))
-    assert Synthesis(500).variants(taps) == Synthesis(500).variants(taps)
+    first, again = (Synthesis(500, ALL) for _ in range(2))
+    assert first.variants(taps) == again.variants(taps)
+
+
+def test_all_forms_are_used_where_a_target_allows_them() -> None:
+    """A word that reads a neighbour halves, and a word reads more than two sources."""
+    for rows, divisor in ((outer([1, 2, 1], [1, 0, -1]), 8), (LAPLACE_8, 1)):
+        taps = exact_taps(weights_of(rows, divisor))
+        best = Synthesis(2_500, ALL).variants(taps)[0].program
+        assert all(is_allowed(word, ALL) for word in best)
+        assert not all(is_allowed(word, PUBLIC) for word in best)
+
+
+@pytest.mark.parametrize("sources", [1, 2, 3])
+def test_words_that_a_chip_lacks_are_replaced(sources: int) -> None:
+    forms = WordForms(sources=sources)
+    for line in filter(None, ROWS.split("\n")):
+        program = program_from_text(line)
+        allowed = forms.allowed(program)
+        assert all(is_allowed(word, forms) for word in allowed)
+        assert kernel_of(allowed) == kernel_of(program)
 
 
 def test_the_error_of_a_result_adds_up() -> None:
@@ -140,9 +179,12 @@ def test_the_error_of_a_result_adds_up() -> None:
     assert noise_gain(program_from_text("a=x bn=a")) == pytest.approx(np.sqrt(1 + 1 / 4))
 
 
-def words_of(kernels: list[list[list[int]]], divisor: int, level: int = 1, **keys: bool) -> int:
+ALL_FORMS = {"directed_sources": 4, "directed_halving": True}
+
+
+def words_of(kernels: list[list[list[int]]], divisor: int, level: int = 1, **keys: Any) -> int:
     """The words of the images of kernels of one exposure, in one proved program."""
-    lines = ["nsl 3", "frame 1 slots of 1ms", "open when true", "assume exposure <= 5%"]
+    lines = ["nsl 3", "frame 1 slots of 1ms", "open when true", "assume exposure <= 3%"]
     for number, rows in enumerate(kernels):
         lines.append(f"kernel k{number} = {rows} / {divisor}")
         lines += [f"image i{number} = k{number}(exposure)", f"plane p{number} = i{number} > 1%"]
@@ -155,6 +197,7 @@ def words_of(kernels: list[list[list[int]]], divisor: int, level: int = 1, **key
     return sum(cost.words for cost in made.pictures.costs if cost.name.startswith("i"))
 
 
+BOX_3, BOX_5 = outer([1] * 3, [1] * 3), outer([1] * 5, [1] * 5)
 SOBEL_X, SOBEL_Y = outer([1, 2, 1], [1, 0, -1]), outer([1, 0, -1], [1, 2, 1])
 
 
@@ -168,6 +211,14 @@ def test_kernels_of_one_exposure_share_words() -> None:
 def test_kernels_share_halvings_and_are_computed_in_the_best_order() -> None:
     assert words_of(MAX_POOLED, 4, level=2) <= 31
     assert words_of(ANALOGNET2, 4, level=2) <= 30
+    assert words_of([BOX_3, BOX_5], 1, level=2) <= 19
+
+
+@pytest.mark.parametrize("kernels", [MAX_POOLED, ANALOGNET2, [outer([1, 2, 1], [1, 2, 1])]])
+def test_more_forms_never_make_programs_longer(kernels: list[list[list[int]]]) -> None:
+    public = words_of(kernels, 4, level=2)
+    assert words_of(kernels, 4, level=2, **ALL_FORMS) <= public
+    assert public <= words_of(kernels, 4, level=2, directed_sources=1)
 
 
 def test_divided_values_are_shared_by_kernels_alone() -> None:
