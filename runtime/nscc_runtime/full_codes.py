@@ -75,7 +75,9 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
 def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int, Values]:
     """Return the smallest codes (buckets, lanes) that may mean saturation, by bit."""
     exposure, marked = _steady(program, lanes)
-    noise_e = _SIGMAS * _noise_e(program)[lanes].T
+    response = shutter_response(program.container, program.sensor, everything())
+    noise_e2 = response.variance_e2 + converter_e2(program.sensor, everything())
+    noise_e = _SIGMAS * np.sqrt(noise_e2)[lanes].T
     sensor, effects = program.sensor, everything()
     begin = (marked != 0).argmax(axis=1)
     codes_by_bit = {}
@@ -91,13 +93,6 @@ def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int,
         least = np.where(first < begin + _ALIKE, least, np.inf)
         codes_by_bit[mark.bit] = np.floor(least / sensor.electrons_per_lsb + sensor.adc_offset_lsb)
     return codes_by_bit
-
-
-def _noise_e(program: AnalysedProgram) -> Values:
-    """Return the standard deviation (lanes, buckets) of a reading without light, in electrons."""
-    sensor, effects = program.sensor, everything()
-    response = shutter_response(program.container, sensor, effects)
-    return np.asarray(np.sqrt(response.variance_e2 + converter_e2(sensor, effects)))
 
 
 def _steady(

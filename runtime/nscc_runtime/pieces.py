@@ -8,9 +8,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
-from nscc_runtime.frame_file import joined, stacked
+from nscc_runtime.frame_file import joined
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import reason_without_plan
@@ -75,7 +77,14 @@ def simulate_scene(
     numbered: Iterable[tuple[int, Light]] = enumerate(lights)
     piece_listener = listener
     if len(lights) > 1:
-        _refuse_once(request)
+        for name in ("plan", "repeat"):
+            if getattr(request, name) is not None:
+                raise rejected(
+                    "NS0739",
+                    f"--{name} supports one exposure, but this scene needs several",
+                    notes=("parts of a picture, and its colours, are exposed one after the other",),
+                    helps=(f"leave --{name} out, or --fit tiles and --color",),
+                )
         request = _for_all(container, lights, sensor, request)
         piece_listener = replace(listener, progress=unseen)
         numbered = listener.progress(numbered, "exposing pieces", len(lights))
@@ -129,7 +138,7 @@ def _joined(
         frames = [with_reports(frame, container, placement) for frame in frames]
     worst = max(pieces, key=lambda piece: (piece.plan.predicted_e or 0.0) if piece.plan else 0.0)
     broken = next((piece.broken for piece in pieces if piece.broken), None)
-    frame = frames[0] if colours == 1 else stacked(frames)
+    frame = frames[0] if colours == 1 else joined(frames, np.stack)
     origin = replace(worst.origin, program_sha256=digest_of(container))
     return replace(worst, frame=frame, origin=origin, broken=broken)
 
@@ -176,15 +185,3 @@ def _for_all(
         tolerance=tolerance_of(request.tolerance, sensor, All()),
         tolerance_max=None if most is None else tolerance_of(most, sensor, All(), OPTION_MAX),
     )
-
-
-def _refuse_once(request: Request) -> None:
-    """Raise Rejected (NS0739) for options that support one exposure only."""
-    for name in ("plan", "repeat"):
-        if getattr(request, name) is not None:
-            raise rejected(
-                "NS0739",
-                f"--{name} supports one exposure, but this scene needs several",
-                notes=("parts of a picture, and its colours, are exposed one after the other",),
-                helps=(f"leave --{name} out, or --fit tiles and --color",),
-            )

@@ -344,11 +344,7 @@ def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listen
     return frame
 
 
-def _sha256(container: Container) -> str:
-    return sha256(to_bytes(container)).hexdigest()
-
-
-digest_of = OfContainer(_sha256)
+digest_of = OfContainer(lambda container: sha256(to_bytes(container)).hexdigest())
 """The SHA-256 digest that identifies a program in frames and plans."""
 
 

@@ -151,8 +151,8 @@ def counted(
 ) -> None:  # fmt: skip
     """Replace the rates values[i] by Poisson counts drawn at places[first + i].
 
-    The counts equal those of `nscc_runtime.noise.poisson_law.poisson_fast` for the same uniform
-    numbers. Rates are clipped to `top`."""
+    For rates below SEARCH_BELOW they equal those of `nscc_runtime.noise.poisson_law.search`, else
+    `quantile` rounded down, and at least the count at SEARCH_BELOW. Rates are clipped to `top`."""
     count, low, middle, high = stop - first, 0, 0, 0
     for i in range(count):
         rate = values[i] if values[i] > 0.0 else 0.0

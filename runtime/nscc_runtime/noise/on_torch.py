@@ -1,7 +1,7 @@
 """The keyed random numbers of `nscc_runtime.noise.arrays` as tensors on any torch device.
 
 Uniform numbers are identical, normal numbers agree to 1e-12, and counts equal those of
-`nscc_runtime.noise.poisson_law.poisson_fast` except where rounding decides."""
+`nscc_runtime.execution.frame_loop.draw_counts` except where rounding decides."""
 
 from __future__ import annotations
 

@@ -128,9 +128,7 @@ class _Slots(Slots):
         counted = np.zeros(rates.shape)
         if self.of_slot is None or self.lanes is None:
             for n, slot_rates in enumerate(rates):
-                counted[n], is_valid = poisson(
-                    count_key(*named, n), self.places, slot_rates, exact=True
-                )
+                counted[n], is_valid = poisson(count_key(*named, n), self.places, slot_rates)
                 self.valid &= is_valid
             return counted.reshape(shape)
         rates = np.clip(np.nan_to_num(rates, nan=0.0, posinf=RATE_CAP), 0.0, RATE_CAP)
@@ -138,7 +136,7 @@ class _Slots(Slots):
             among = group == self.of_slot[self.lanes].T
             shares = np.where(among, rates, 0.0)
             total = shares.sum(axis=0)
-            counts, is_valid = poisson(count_key(*named, group), self.places, total, exact=True)
+            counts, is_valid = poisson(count_key(*named, group), self.places, total)
             self.valid &= is_valid
             counted += thin(thinning_key(*named, group), self.places, counts, shares.T).T
         return counted.reshape(shape)
