@@ -58,12 +58,6 @@ class CountScratch(NamedTuple):
 
 
 @compiled
-def stream_key(base: np.uint64, frame: int, group: np.uint64) -> np.uint64:
-    """Return the random key of a group of slots in a frame, from its first half `base`."""
-    return bits(base, frame, group)
-
-
-@compiled
 def _rate_between(sums: Floats, row: int, first: int, stop: int) -> float:
     """Return the rate of a group in the slots `first` to `stop` - 1 from cumulative sums."""
     rate: float = sums[row + stop] - sums[row + first]
@@ -171,20 +165,10 @@ def streams_of(sizes: Sizes, keys: Keys, group_ids: Words, streams: Words) -> No
     count = sizes.groups
     for group in range(count):
         name = group_ids[group]
-        streams[group] = stream_key(keys.count_light, sizes.frame, name)
-        streams[count + group] = stream_key(keys.thin_light, sizes.frame, name)
-        streams[2 * count + group] = stream_key(keys.count_dark, sizes.frame, name)
-        streams[3 * count + group] = stream_key(keys.thin_dark, sizes.frame, name)
-
-
-@compiled
-def _heaps_at(sizes: Sizes, place: int) -> int:
-    """Return the number of a site's heap; neighbouring sites have different heaps."""
-    if not sizes.exchanges or sizes.counts_known:
-        return 0
-    row, col = place // sizes.cols, place % sizes.cols
-    heap_number: int = (row % 3) * sizes.kept_cols + col % sizes.kept_cols
-    return heap_number
+        streams[group] = bits(keys.count_light, sizes.frame, name)
+        streams[count + group] = bits(keys.thin_light, sizes.frame, name)
+        streams[2 * count + group] = bits(keys.count_dark, sizes.frame, name)
+        streams[3 * count + group] = bits(keys.thin_dark, sizes.frame, name)
 
 
 @compiled
@@ -193,7 +177,11 @@ def _charge_of_site(
     counts: CountScratch,
 ) -> float:  # fmt: skip
     """Return the charge of a site in the slots `begin` to `stop` - 1."""
-    heap_number = 2 * _heaps_at(sizes, place)
+    heap_number = 0
+    if sizes.exchanges and not sizes.counts_known:
+        # Neighbouring sites have different heaps.
+        row, col = place // sizes.cols, place % sizes.cols
+        heap_number = 2 * ((row % 3) * sizes.kept_cols + col % sizes.kept_cols)
     total = _charge_of_source(sizes, numbers, LIT, place, begin, stop, sites, counts, heap_number)
     if sizes.counts_dark:
         total += _charge_of_source(

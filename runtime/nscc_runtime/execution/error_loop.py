@@ -8,9 +8,9 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from nscc_runtime.execution.charge_loop import stream_key
 from nscc_runtime.execution.layout import LoopWord, OfWords, Sizes
 from nscc_runtime.loop import Bytes, Floats, Ints, Ints32, Words, Written, compiled
+from nscc_runtime.noise.counter import bits
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.noise_loops import uniform
 
@@ -53,7 +53,7 @@ def _stream_of(
 ) -> np.uint64:
     """Return the random key of draw `number` in this frame, cached in streams[at]."""
     if streams[at] == _UNKNOWN:
-        streams[at] = stream_key(base, sizes.frame, number)
+        streams[at] = bits(base, sizes.frame, number)
     stream: np.uint64 = streams[at]
     return stream
 

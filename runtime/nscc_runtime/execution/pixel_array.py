@@ -60,11 +60,10 @@ class PixelArray:
 
     def device(self, sensor: Sensor, device_seed: int) -> Device:
         """Return the fixed patterns of these pixels on a chip; the last result is cached."""
-        key = sensor, device_seed
-        if key not in self._devices:
-            self._devices.clear()
-            self._devices[key] = Device(sensor=sensor, device_seed=device_seed, places=self.places)
-        return self._devices[key]
+        return self._devices.of(
+            (sensor, device_seed),
+            lambda: Device(sensor=sensor, device_seed=device_seed, places=self.places),
+        )
 
     @cached_property
     def recent(self) -> Recent:
@@ -72,8 +71,8 @@ class PixelArray:
         return Recent(_RECENT if self.lanes.size <= _LARGE else _RECENT // 4)
 
     @cached_property
-    def _devices(self) -> dict[tuple[Sensor, int], Device]:
-        return {}
+    def _devices(self) -> Recent:
+        return Recent(1)
 
 
 def tile_places(corners: Places, side: int, shape: tuple[int, int]) -> Places:

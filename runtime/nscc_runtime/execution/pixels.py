@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import CannotHave, Effect, Selection, registered
 from nscc_runtime.effects.counts import LIGHT, THINNED, WITHOUT_LIGHT
-from nscc_runtime.effects.in_loops import switches
+from nscc_runtime.effects.in_loops import device_keys, switches
 from nscc_runtime.effects.parts import (
     Counted,
     CountedDark,
@@ -38,12 +38,11 @@ from nscc_runtime.execution.layout import (
     WordResult,
 )
 from nscc_runtime.execution.loop_words import (
-    Turns,
-    device_of,
     numbers_of,
     program_of,
     readouts_of,
     switches_of,
+    turns_of,
 )
 from nscc_runtime.execution.pixel_loop import run_pixels
 from nscc_runtime.execution.site_loop import Laying
@@ -96,8 +95,8 @@ class LaneWords:
         drawn = np.asarray(draws.any(axis=(1, 3)))
         lane, word = np.nonzero((acts | drawn).T)
         program = program_of(container, reference.words, range(container.slots))
-        turns = Turns(program.words[word], acts[word, lane], _starts(lane, lanes))
-        needed_places = ~turns.unread | drawn[word, lane]
+        unread, _ = turns_of(program.words[word], acts[word, lane], _starts(lane, lanes))
+        needed_places = ~unread | drawn[word, lane]
         lane, word = lane[needed_places], word[needed_places]
         start = _starts(lane, lanes)
         # For long frames these arrays are among the largest of planning, so free each one early.
@@ -111,7 +110,7 @@ class LaneWords:
             of_pixel=np.require(reference.groups.lane, np.int32, ["C"]),
             start=start,
             word=word.astype(np.int32),
-            flags=Turns(program.words[word], acts[word, lane], start).flags,
+            flags=turns_of(program.words[word], acts[word, lane], start)[1],
             weights=weights,
         )
         return cls(reference, program, listed, groups, ids.astype(np.uint64))
@@ -183,7 +182,7 @@ class Wired:
 
     @cached_property
     def _device(self) -> OnDevice:
-        return device_of(self.device_seed)
+        return OnDevice(**device_keys(OnDevice, self.device_seed))
 
     @cached_property
     def loop(self) -> Bound:

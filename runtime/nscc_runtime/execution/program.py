@@ -22,7 +22,6 @@ from nscc_runtime.execution.sums import SlotWeights
 from nscc_runtime.execution.tables import Tables
 from nscc_runtime.method_cache import Recent, remembered
 from nscc_runtime.reference.capture import Reference
-from nscc_runtime.reference.charge import Groups
 from nscc_runtime.reference.weights import WeightModel
 
 Values = NDArray[np.float64]
@@ -74,12 +73,6 @@ class AnalysedProgram:
     def pixels(self) -> LaneWords:
         """The words for the loop over single pixels, with decay of digital registers."""
         return LaneWords.of(self.reference)
-
-    def reference_at(self, array: PixelArray, effects: Selection) -> Reference:
-        """Return the reference for some pixels of the chip, under some effects."""
-        whole_chip = Reference.of(self.container, self.sensor, effects)
-        lane = array.lanes.astype(np.intp)
-        return replace(whole_chip, groups=Groups(whole_chip.groups.of_slot, lane, array.places))
 
     def wired(self, effects: Selection, device_seed: int) -> Wired:
         """Return the words of pixels on a chip under some effects, bound to the loop; cached."""

@@ -169,11 +169,8 @@ class _RegisterReach:
         least = np.where((lit > _ROUNDING).any(axis=1), above, np.inf)
         least = np.minimum(least, np.where((lit < -_ROUNDING).any(axis=1), below, np.inf))
         least = np.where((above < 0) | (below < 0), 0.0, least)
-        self._hold(lanes, np.abs(lit), least)
-
-    def _hold(self, lanes: NDArray[np.bool_], size: Values, least: Values) -> None:
-        """Merge the weights `size` into the first kind whose weights are all smaller or all larger,
-        else into the last kind."""
+        size = np.abs(lit)
+        # Merge into the first kind whose weights are all smaller or all larger, else into the last.
         for kind in range(_KINDS):
             held_weights = self.held_weights[kind]
             is_smaller = (size <= held_weights + _ROUNDING).all(axis=1)

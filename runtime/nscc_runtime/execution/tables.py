@@ -14,7 +14,7 @@ from nscc.words.container import Container
 from nscc_runtime.method_cache import remembered
 from nscc_runtime.reference.capture import Reference, numbered_errors
 from nscc_runtime.reference.trace import AnalogWord, analog_words
-from nscc_runtime.reference.weights import Backward, ByName, WeightModel, backward
+from nscc_runtime.reference.weights import Backward, WeightModel, backward
 
 Weights = NDArray[np.float64]
 
@@ -63,10 +63,6 @@ class Tables:
         words = self.decayed if model.decay else self.fresh
         return backward(self.container, words, model)
 
-    def numbered(self, at: str, model: WeightModel) -> ByName[int]:
-        """Return coefficients (lanes, buckets) of small errors of kind `at`, by draw number."""
-        return numbered_errors(self.container.target, self.weights(model))[at]
-
     @remembered
     def noise(self, at: str, full: WeightModel) -> tuple[Weights, Weights]:
         """Return coefficients of small errors of kind `at`: "reads", "resets" or "words".
@@ -75,7 +71,7 @@ class Tables:
         second contains the remaining variance (lanes, buckets). Both are for errors of standard
         deviation 1."""
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
-        coefficients = self.numbered(at, full)
+        coefficients = numbered_errors(self.container.target, self.weights(full))[at]
         drawn = self.program.draws[at]
         factor = np.zeros((lanes, buckets, buckets))
         square = np.zeros((lanes, buckets))

@@ -91,9 +91,11 @@ def benchmark_arrays(
     if colour or exposures.shape[1] != 1:
         raise _one_bucket()
     clip = None if light is None else light.dense()
+    assert container.pixel_codes is not None  # only such programs are exposed
+    lanes = container.table.shutter_of_code[container.pixel_codes]
     white_e = _white_e(container, light, clip)
     arrays: dict[str, NDArray[Any]] = {
-        "mask": np.asarray(shutters[:, 0][_lanes(container)], np.uint8),
+        "mask": np.asarray(shutters[:, 0][lanes], np.uint8),
         "meas": np.moveaxis(exposures[:, 0], 0, -1) * (_TOP / white_e),
         "white_e": np.array([[white_e]]),
     }
@@ -119,11 +121,6 @@ def shutter_content(arrays: Arrays) -> Content:
         return {"mask": opened()[0]}
 
     return Content(arrays, benchmark=mask, main=opened)
-
-
-def _lanes(container: Container) -> NDArray[np.signedinteger]:
-    assert container.pixel_codes is not None  # only such programs are exposed
-    return container.table.shutter_of_code[container.pixel_codes]
 
 
 def _one_bucket() -> Rejected:

@@ -29,7 +29,8 @@ def png(content: Content) -> bytes:
 
 def hdr(content: Content) -> bytes:
     """Return a Radiance file: 8 bits of mantissa per sample, and a common exponent of colours."""
-    return _encoded(".hdr", _in_three(_light(content)))
+    light = _light(content)
+    return _encoded(".hdr", light if light.ndim == 3 else np.repeat(light[..., None], 3, axis=-1))
 
 
 def pfm(content: Content) -> bytes:
@@ -69,10 +70,6 @@ def exr(content: Content) -> bytes:
 def _light(content: Content) -> NDArray[np.float32]:
     (picture,) = content.pictures
     return np.asarray(picture, np.float32)
-
-
-def _in_three(light: NDArray[np.float32]) -> NDArray[np.float32]:
-    return light if light.ndim == 3 else np.repeat(light[..., None], 3, axis=-1)
 
 
 def _to_opencv(light: NDArray[Any]) -> NDArray[Any]:

@@ -29,22 +29,18 @@ class Ends:
     words: tuple[AnalogWord, ...]
 
 
-def _looked_response(
+@OfContainer
+def looked_response(
     container: Container, sensor: Sensor, effects: Selection
 ) -> tuple[Ends, ShutterResponse] | None:
+    """Return the ends of a program whose pixels look, and the response (ends, buckets) of each end;
+    None if the paths of its pixels cannot be followed."""
     paths = paths_of(container, retention_us(effects, sensor))
     if isinstance(paths, str):
         return None
     ends = ends_of(container, paths)
     weights = backward(container, ends.words, WeightModel.of(effects, sensor))
     return ends, ShutterResponse.of_weights(weights, container.slot_s, sensor, effects)
-
-
-looked_response = OfContainer(_looked_response)
-"""Return the ends of a program whose pixels look, and the response (ends, buckets) of each end.
-
-Arguments: container, sensor, effects. Returns None if the paths of its pixels cannot be followed.
-"""
 
 
 def ends_of(container: Container, paths: Paths) -> Ends:

@@ -61,7 +61,9 @@ class PicturedProgram:
     def film(self, lights: Iterable[Light], seed: int, device_seed: int) -> Iterator[Frame]:
         """Yield a frame of each light; states go on from frame to frame."""
         check_adc(self.container.target)
-        kept_bits = self._start_bits(self.container.target.rows * self.container.target.cols)
+        pictures, pixels = self.pictures, self.container.target.rows * self.container.target.cols
+        # The host loads the bits of states before the first frame.
+        kept_bits = {pictures.registers[s.name]: np.full(pixels, s.start) for s in pictures.states}
         all_reaches = reaches_of_frames(self.container, _beyond_reaches(self.container))
         for number, light in enumerate(lights):
             reaches, seeds = next(all_reaches), (seed, device_seed)
@@ -77,25 +79,16 @@ class PicturedProgram:
         `kept_bits` are the bits that the previous frame left; a register without them contains its
         code bits. `seeds`: seed of the noise, and of the device. `reaches`: see
         `told_of_planes`."""
+        container, pictures = self.container, self.pictures
         exposure = self._exposed(light, *seeds, number)
         pixels = self._computed(exposure, seeds, number, kept_bits)
         frame = self._frame_of(pixels, exposure, seeds, number, reaches)
-        return frame, self._bits_of_next_frame(pixels)
-
-    def _start_bits(self, pixels: int) -> Planes:
-        """Return the bits of states that the host loads before the first frame."""
-        registers = self.pictures.registers
-        return {registers[s.name]: np.full(pixels, s.start) for s in self.pictures.states}
-
-    def _bits_of_next_frame(self, pixels: ArrayPixels | ArrayContents) -> Planes:
-        """Return the bits of states for the words of the next frame. They are 0 if exposure and
-        readouts take longer than registers keep their bits."""
-        container, pictures = self.container, self.pictures
-        names = [pictures.registers[state.name] for state in pictures.states]
+        # Bits of states are 0 if exposure and readouts take longer than registers keep them.
         values_read = sum(name not in pictures.planes for name in pictures.reads)
         between_us = sum(container.slot_us) + values_read * container.target.readout_us
         is_kept = between_us <= retention_us(self.effects, self.sensor)
-        return {name: pixels.bit(name).reshape(-1) & is_kept for name in names}
+        names = [pictures.registers[state.name] for state in pictures.states]
+        return frame, {name: pixels.bit(name).reshape(-1) & is_kept for name in names}
 
     def _exposed(self, light: Light, seed: int, device_seed: int, number: int) -> Exposure:
         if self.effects.noiseless:

@@ -88,9 +88,10 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     if reason is not None:
         allowed = _known(scene, request.tolerance)
         path, why = scene.exact_path(allowed)
-        demands = Demands(
-            effects, forced, allowed, _known_max(scene, request), str(request.tolerance)
-        )
+        most = None
+        if request.tolerance_max is not None:
+            most = tolerance_of(request.tolerance_max, scene.sensor, scene, OPTION_MAX)
+        demands = Demands(effects, forced, allowed, most, str(request.tolerance))
         return unmeasured(trial, demands, path, why, reason)
     allowed, most = allowed_on(scene, request.tolerance, request.tolerance_max)
     demands = Demands(effects, forced, allowed, most)
@@ -214,8 +215,3 @@ def _known(scene: PlannedScene, tolerance: ToleranceInput) -> Tolerance | None:
         check_tolerance(tolerance, scene.sensor)
         return None
     return tolerance_of(tolerance, scene.sensor, scene)
-
-
-def _known_max(scene: PlannedScene, request: PlanRequest) -> Tolerance | None:
-    most = request.tolerance_max
-    return None if most is None else tolerance_of(most, scene.sensor, scene, OPTION_MAX)

@@ -73,20 +73,15 @@ def measure_effects(
             errors[effect.name] = trial.alone(effect, near_saturation)
     forced = trial.forced()
     fields = np.stack([forced.size_e, *(effect_errors.size_e for effect_errors in errors.values())])
+    weighed = fields * (trial.sample.weight / max(float(trial.sample.weight.sum()), 1e-300))
+    # Sums of matrix libraries may differ between machines, so none is used.
+    products_e2 = [
+        (fields[:, None, b] * weighed[None, :, b]).sum(axis=2) for b in range(fields.shape[1])
+    ]
     return MeasuredEffects(
         {name: Difference(effect_errors, trial.sample) for name, effect_errors in errors.items()},
-        _products(fields, trial.sample.weight),
+        np.array(products_e2),
         trial.approximated() if approximations else None,
         near_saturation,
         Difference(forced, trial.sample),
-    )
-
-
-def _products(fields: Values, weight: Values) -> Values:
-    """Return mean products (outputs, fields, fields) of all pairs of `fields` (fields, outputs,
-    pixels)."""
-    weighed = fields * (weight / max(float(weight.sum()), 1e-300))
-    # Sums of matrix libraries may differ between machines, so none is used.
-    return np.array(
-        [(fields[:, None, b] * weighed[None, :, b]).sum(axis=2) for b in range(fields.shape[1])]
     )

@@ -160,9 +160,3 @@ class Trial(ABC):
     @abstractmethod
     def planning_ms(self) -> float:
         """Return the predicted milliseconds for measuring effects on this scene."""
-
-
-def slow_reason(effect: Effect) -> str:
-    """Return the reason why an effect can only be simulated by the reference."""
-    assert isinstance(effect.words, CannotHave)
-    return f"{effect.name}: only the reference has it ({effect.words.reason})"
