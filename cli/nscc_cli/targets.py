@@ -100,7 +100,7 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
 def _compared(program: Path, chips: tuple[str, str], level: int, *, as_json: bool) -> str:
     """Compare the costs of one program on two chips, and return the comparison as text or JSON."""
     from nscc.compare import compare, compared_json, compared_text
-    from nscc_runtime.expected import expected_noise
+    from nscc_runtime.response import expected_noise
 
     targets = [load_target(chip, Path()) for chip in chips]
     comparison = compare(program, targets, level, expected_noise)

@@ -137,14 +137,14 @@ def images(file: Path, level: str, **places: Any) -> int:
 
 
 def _images_png(points: Sequence[Point]) -> Product:
+    from nscc_runtime.pictures.precision import images_diagram
     from nscc_runtime.pictures.sheet import png_of
-    from nscc_runtime.pictures.synthesis import images_diagram
 
     return png_of(images_diagram, points)
 
 
 def _png(points: Sequence[Point], words: str, repeats: int, device: str) -> Product:
+    from nscc_runtime.pictures.precision import synthesis_diagram
     from nscc_runtime.pictures.sheet import png_of
-    from nscc_runtime.pictures.synthesis import synthesis_diagram
 
     return png_of(synthesis_diagram, points, words, repeats, device)

@@ -62,8 +62,7 @@ def command(program: Path | None, **options: Any) -> int:
     and which effects are left out. Exits with status 1 if a plan exceeded its tolerance."""
     from nscc.words.readout import converter_of
     from nscc_runtime.execution.program import analysed
-    from nscc_runtime.tradeoff.naive import copy_gb_per_s
-    from nscc_runtime.tradeoff.study import measure
+    from nscc_runtime.tradeoff.study import copy_gb_per_s, measure
     from nscc_runtime.tradeoff.study_text import keeps_promise, studies_text
 
     files = output_files(options, "calibration", "budget")

@@ -16,9 +16,8 @@ from nscc import html
 from nscc.diagnostics.arguments import wrong_argument
 from nscc.files import write_together
 from nscc.words.container import Container
-from nscc_runtime.decode_table import with_table
 from nscc_runtime.formats import check_ending, endings, file_of
-from nscc_runtime.formats.frame_content import frame_content
+from nscc_runtime.formats.content import frame_content
 from nscc_runtime.frame_file import KEEP, Frame, FrameFile, meta
 from nscc_runtime.light import Light
 from nscc_runtime.merge import light_estimate, readouts
@@ -26,7 +25,7 @@ from nscc_runtime.pieces import Taken
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_file import plan_table
-from nscc_runtime.response import Response
+from nscc_runtime.response import Response, with_table
 from nscc_runtime.run_messages import frame_lines
 
 _SIDE, _MOST = 256, 1024

@@ -25,7 +25,7 @@ With K repeats these arrays have a leading axis K. On request there are also: `l
 rows, cols); `truth_e`, the light of all slots, float64 (rows, cols) of a still or the `light` of a
 clip; `shutter` uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the
 lowest bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols).
-`nscc_runtime.decode_table` describes the arrays `decode_..` for decoders.
+`nscc_runtime.response` describes the arrays `decode_..` for decoders.
 
 Equal frames give equal bytes: the archive contains no times, and its entries have a fixed order."""
 

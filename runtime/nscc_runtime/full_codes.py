@@ -4,7 +4,7 @@ known.
 A full well passes through a program's words, their gain and the registers' knee, and its code is
 below the converter's last code. To find this code, the words are run over steady light of
 increasing brightness, with the sensor's mean values, until a frame would mark saturation
-(`nscc_runtime.effects.marks`). Noise may make a full pixel some standard deviations lower.
+(`nscc_runtime.effects.effect`). Noise may make a full pixel some standard deviations lower.
 
 Light that changes within the frame may fill PIX before a late shutter opens, and bright light may
 fill PIX before its reset level is read. Such a pixel has a lower code, which does not reveal the
@@ -23,9 +23,9 @@ from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Leak, SlowWords, Soft, Well, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.program import AnalysedProgram, analysed
-from nscc_runtime.reference.saturation_marks import Marks
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.reference.words import Marks
 from nscc_runtime.response import converter_e2, shutter_response
 
 Values = NDArray[np.float64]

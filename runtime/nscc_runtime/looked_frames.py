@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene

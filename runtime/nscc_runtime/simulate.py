@@ -16,7 +16,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime import frame_file, run_messages
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.frame_series import gathered

@@ -24,7 +24,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import op
 from nscc.words.container import Container
 from nscc_runtime.effects import named, optional, selected
-from nscc_runtime.effects.counts import LIGHT
+from nscc_runtime.effects.views import LIGHT
 from nscc_runtime.emulator import expose as noiseless
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, poisson

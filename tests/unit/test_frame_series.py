@@ -14,7 +14,7 @@ from plan_cases import case
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime import capture, frame_file, frame_series
-from nscc_runtime.formats.frame_content import frame_content
+from nscc_runtime.formats.content import frame_content
 from nscc_runtime.frame_file import Frame, FrameFile, joined
 
 

@@ -10,7 +10,7 @@ from plan_cases import case, moving_light
 from nscc.diagnostics.arguments import WrongArgument
 from nscc_runtime import capture
 from nscc_runtime.noise import RATE_CAP, key, normals, uniforms
-from nscc_runtime.torch_device import check_device
+from nscc_runtime.python_arguments import check_device
 
 torch = pytest.importorskip("torch")
 

@@ -12,7 +12,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.npy import InvalidArrays, check_size, npy_array, npz_arrays
-from nscc_runtime.scenes.mat_files import mat_array, mat_names
+from nscc_runtime.scenes.light_arrays import mat_array, mat_names
 from nscc_training.problems import listed, unreadable
 
 KEYS = ("image", "video", "truth_e", "light", "orig")

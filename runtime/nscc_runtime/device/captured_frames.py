@@ -18,13 +18,13 @@ from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
-from nscc_runtime.decode_table import with_table
 from nscc_runtime.device.device_chip import DeviceChip
 from nscc_runtime.device.device_errors import wrong_target
 from nscc_runtime.device.objects import target_digest
 from nscc_runtime.frame_file import Frame, FrameFile, Provenance, joined, meta
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.response import with_table
 from nscc_runtime.sensor import Sensor, default_sensor
 
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import Effect, InLoop
+from nscc_runtime.effects.effect import Effect, InLoop, Mark
 from nscc_runtime.effects.full_well import FULL
-from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parts import LitLevel
 
 BLACK_SUN = Effect(

@@ -6,8 +6,7 @@ import math
 
 import numpy as np
 
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.marks import Mark
+from nscc_runtime.effects.effect import Effect, InLoop, Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.counts import LIGHT
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parts import CountedLight
+from nscc_runtime.effects.views import LIGHT, Slots, Values
+
+
+def _count(slots: Slots, light: Values) -> Values:
+    return slots.counted(SHOT.stream, LIGHT, light)
+
 
 SHOT = Effect(
     name="shot",
@@ -16,7 +21,7 @@ SHOT = Effect(
     "buckets), Poisson(sum of rates), is spread over the group's slots by binomial thinning.",
     cost="one Poisson number a pixel and group of slots; the reference adds one binomial a slot",
     applied="when the charge of the slots is drawn, before it falls on PIX",
-    reference={"count": lambda slots, light: slots.counted(SHOT.stream, LIGHT, light)},
+    reference={"count": _count},
     size="rms = sqrt(mean sum of w^2 E), w the weights of the slots' light E, neighbours' included",
     sums=(CountedLight(),),
     words=InLoop(switch="counts_light"),

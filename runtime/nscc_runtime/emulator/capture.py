@@ -23,7 +23,7 @@ import numpy as np
 from nscc.diagnostics.rejection import rejected
 from nscc.words.legality import decoded
 from nscc.words.soundness import faults
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.emulator.array_words import ArrayWords, packed
 from nscc_runtime.interface import Exposure
 from nscc_runtime.pool import in_parts, threads_of

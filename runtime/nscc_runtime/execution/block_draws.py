@@ -10,8 +10,8 @@ import math
 import numpy as np
 
 from nscc_runtime.loop import Bytes, Floats, Ints, compiled, inlined
-from nscc_runtime.noise.counter import bits, unit
-from nscc_runtime.noise.gaussian_fast import normal_fast
+from nscc_runtime.noise.gaussian import normal_fast
+from nscc_runtime.noise.keys import bits, unit
 from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
 
 BLOCK = 1024

@@ -13,7 +13,7 @@ import numpy as np
 
 from nscc_runtime.execution.layout import Keys, Numbers, Sizes
 from nscc_runtime.loop import Floats, Ints, Ints32, Words, Written, compiled
-from nscc_runtime.noise.counter import bits
+from nscc_runtime.noise.keys import bits
 from nscc_runtime.noise.noise_loops import halved, uniform
 from nscc_runtime.noise.poisson_law import poisson_exact
 

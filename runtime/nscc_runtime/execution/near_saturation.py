@@ -16,7 +16,7 @@ from nscc_runtime.effects.selection import Selection
 from nscc_runtime.execution.chip import SimulatedChip, chip_of
 from nscc_runtime.execution.overlap import NEIGHBOURS
 from nscc_runtime.execution.program import AnalysedProgram
-from nscc_runtime.execution.sums import SlotWeights
+from nscc_runtime.execution.sum_loop import SlotWeights
 from nscc_runtime.light import Light
 
 Values = NDArray[np.float64]
@@ -30,17 +30,11 @@ _SLACK = 1.0 - 1e-5
 
 @dataclass(frozen=True, eq=False)
 class NearSaturation:
-    """Pixels that may saturate.
+    """Pixels that may saturate; arrays are (count,).
 
-    Attributes
-    ----------
-    places : int64, shape (count,)
-        Places of the pixels on the chip (row * cols + col), ascending.
-    most_e, own_e : float64, shape (count,)
-        Largest charge on PIX at a read including noise, with and without crosstalk, in electrons.
-    spilt : bool, shape (count,)
-        Whether a pixel is near saturation only because of the light of its neighbours.
-    """
+    `places`: places of the pixels on the chip (row * cols + col), ascending. `most_e`, `own_e`:
+    largest charge on PIX at a read including noise, with and without crosstalk. `spilt`: whether a
+    pixel is near saturation only because of the light of its neighbours."""
 
     places: Places
     most_e: Values

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import CannotHave, Effect, Selection, registered
-from nscc_runtime.effects.counts import LIGHT, THINNED, WITHOUT_LIGHT
 from nscc_runtime.effects.in_loops import device_keys, switches
 from nscc_runtime.effects.parts import (
     Counted,
@@ -25,8 +24,8 @@ from nscc_runtime.effects.parts import (
 from nscc_runtime.effects.parts import (
     Errors as SmallErrors,
 )
+from nscc_runtime.effects.views import LIGHT, THINNED, WITHOUT_LIGHT
 from nscc_runtime.execution.charge_loop import SITES, Away, CountScratch, Sites
-from nscc_runtime.execution.error_loop import ERRORS, ErrorScratch, Lanes
 from nscc_runtime.execution.layout import (
     Fixed,
     Keys,
@@ -45,15 +44,14 @@ from nscc_runtime.execution.loop_words import (
     turns_of,
 )
 from nscc_runtime.execution.pixel_loop import run_pixels
-from nscc_runtime.execution.site_loop import Laying
-from nscc_runtime.execution.sites import Times, needed_places, sites_of
+from nscc_runtime.execution.site_loop import Laying, Times, needed_places, sites_of
+from nscc_runtime.execution.word_loop import ERRORS, ErrorScratch, Lanes
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import key
 from nscc_runtime.noise.keys import base
 from nscc_runtime.pool import in_parts
-from nscc_runtime.reference.capture import Reference
-from nscc_runtime.reference.noise import PART, SUM
+from nscc_runtime.reference.capture import PART, SUM, Reference
 from nscc_runtime.reference.words import START, most_destinations
 
 _MOST_KEPT = 1 << 23
@@ -299,7 +297,11 @@ class Running:
             ),
         }
         for pixel_slice in self._pixel_slices:
-            sites = self._sites(pixel_slice)
+            sites = (
+                self._all_sites
+                if len(self._pixel_slices) == 1
+                else self.wired.laid_out(self._source, self._needed(pixel_slice), self.threads)
+            )
 
             def fill(
                 begin: int, end: int, first: int = pixel_slice.start, sites: Sites = sites
@@ -348,11 +350,6 @@ class Running:
             slice(first, min(first + slice_pixels, count))
             for first in range(0, count, slice_pixels)
         ]
-
-    def _sites(self, pixel_slice: slice) -> Sites:
-        if len(self._pixel_slices) == 1:
-            return self._all_sites
-        return self.wired.laid_out(self._source, self._needed(pixel_slice), self.threads)
 
     @cached_property
     def _all_sites(self) -> Sites:

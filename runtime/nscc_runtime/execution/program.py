@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer, Recent, remembered
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
@@ -17,12 +17,13 @@ from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.execution.overlap import Overlap
 from nscc_runtime.execution.pixel_array import PixelArray
 from nscc_runtime.execution.pixels import LaneWords, Wired
-from nscc_runtime.execution.register_reach import RegisterReach, reach_of
-from nscc_runtime.execution.sums import SlotWeights
-from nscc_runtime.execution.tables import Tables
-from nscc_runtime.method_cache import Recent, remembered
+from nscc_runtime.execution.register_reach import RegisterReach, Tables, reach_of
+from nscc_runtime.execution.sum_loop import SlotWeights
 from nscc_runtime.reference.capture import Reference
 from nscc_runtime.reference.weights import WeightModel
+
+Weights = NDArray[np.float64]
+
 
 Values = NDArray[np.float64]
 

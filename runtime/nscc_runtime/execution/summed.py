@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.counts import LIGHT
 from nscc_runtime.effects.parts import (
     Codes,
     Converter,
@@ -22,6 +21,7 @@ from nscc_runtime.effects.parts import (
     Response,
     WordGain,
 )
+from nscc_runtime.effects.views import LIGHT
 from nscc_runtime.execution.block_draws import BLOCK, ROOM
 from nscc_runtime.execution.chip import SimulatedChip
 from nscc_runtime.execution.frame_loop import (
@@ -32,13 +32,13 @@ from nscc_runtime.execution.frame_loop import (
     convert,
     draw_counts,
 )
-from nscc_runtime.execution.sums import scene_sums
+from nscc_runtime.execution.sum_loop import light_sums
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.pool import in_parts
-from nscc_runtime.reference.noise import SUM
+from nscc_runtime.reference.capture import SUM
 from nscc_runtime.reference.weights import WeightModel
 
 Values = NDArray[np.float64]
@@ -88,7 +88,7 @@ class SummedScene:
         groups = chip.counted if lit else ()
         weights = chip.program.sum_weights(model, chip.leak_rates, groups)
         exchanges = chip.kept_effects.find_part(Exchange) is not None
-        sums = scene_sums(
+        sums = light_sums(
             self.source, chip.array.flat_lanes, (chip.scale, chip.scale_32), weights,
             lit if exchanges else len(weights.slots), chip.exchanged, self.threads,
         )  # fmt: skip

@@ -17,7 +17,7 @@ from nscc_runtime.execution.overlap import NEIGHBOURS
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.noise.on_torch import key_tensor, normals, poisson
-from nscc_runtime.reference.noise import SUM
+from nscc_runtime.reference.capture import SUM
 
 _MOST_BYTES = 1 << 29
 """Largest number of bytes of the tensors in use."""

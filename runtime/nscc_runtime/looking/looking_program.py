@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.in_loops import device_keys, draws_keys
 from nscc_runtime.effects.sensor import Sensor
@@ -45,11 +46,9 @@ from nscc_runtime.looking.path_loop import (
 )
 from nscc_runtime.looking.paths import Paths, paths_of
 from nscc_runtime.loop import Bound
-from nscc_runtime.method_cache import remembered
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
-from nscc_runtime.reference.intervals import Intervals
-from nscc_runtime.reference.looks import WORD_DRAWS
+from nscc_runtime.reference.looks import WORD_DRAWS, Intervals
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.reference.words import most_destinations
 

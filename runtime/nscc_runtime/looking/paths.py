@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from nscc.operations import WordEffect
 from nscc.words.container import Container
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.reference.digital import UNKNOWN, Bits, Digital
 from nscc_runtime.reference.trace import RunningWord, running_words
 

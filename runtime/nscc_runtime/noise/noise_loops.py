@@ -12,8 +12,8 @@ import numpy as np
 
 from nscc_runtime.loop import Bytes, Floats, Ints, Written, compiled, inlined, loop, record
 from nscc_runtime.noise.binomial_law import binomial
-from nscc_runtime.noise.counter import bits, unit
 from nscc_runtime.noise.gaussian import normal
+from nscc_runtime.noise.keys import bits, unit
 from nscc_runtime.noise.poisson_law import (
     INVERSE,
     SEARCH_BELOW,

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.light import Light
+from nscc_runtime.planning.differences import largest
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import MOST_OTHER_STATES
-from nscc_runtime.planning.tail import largest
 
 Values = NDArray[np.float64]
 

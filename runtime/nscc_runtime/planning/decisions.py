@@ -8,13 +8,12 @@ from dataclasses import dataclass, replace
 from nscc_runtime.effects import Effect, Selection, everything, registered
 from nscc_runtime.effects.parts import Codes, Converter
 from nscc_runtime.execution.frames import Path
-from nscc_runtime.planning.choose import MARGIN, Together
-from nscc_runtime.planning.measured_effects import MeasuredEffects
+from nscc_runtime.planning.choose import MARGIN, MeasuredEffects, Together
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import Approximation, Choice, Cost, Decision, Loop
+from nscc_runtime.planning.planned_scene import NONE, Names, Setting, Trial
 from nscc_runtime.planning.prices import SHIPPED
 from nscc_runtime.planning.tolerance import Tolerance
-from nscc_runtime.planning.trial import NONE, Names, Setting, Trial
 
 FROM_GIVEN_PLAN = "taken from the plan given"
 """The reason shown for decisions that were read from a plan made for another scene."""

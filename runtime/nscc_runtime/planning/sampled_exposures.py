@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Counted, Echo, Moving, Response, Saturates
 from nscc_runtime.execution.chip import SimulatedChip
@@ -22,7 +23,6 @@ from nscc_runtime.execution.pixels import KnownCounts, Running
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.light import Light
-from nscc_runtime.method_cache import remembered
 from nscc_runtime.planning.sample import Sample
 from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.reference.charge import Groups

@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import CannotHave, Effect, everything
 from nscc_runtime.execution.frames import Execution
-from nscc_runtime.method_cache import remembered
 from nscc_runtime.planning.differences import Difference, ExposureErrors
+from nscc_runtime.planning.planned_scene import NONE, Move, Names, Setting
 from nscc_runtime.planning.summed_trial import SummedTrial
-from nscc_runtime.planning.trial import NONE, Move, Names, Setting
 
 APPROXIMATE = (
     "counts would have to be spread over the slots of most pixels: the weights of a code's slots "

@@ -9,14 +9,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection
-from nscc_runtime.effects.counts import THINNED
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import OnDevice, Scene, Slots
+from nscc_runtime.effects.views import THINNED, OnDevice, Scene, Slots
 from nscc_runtime.light import Light
-from nscc_runtime.method_cache import remembered
 from nscc_runtime.noise import RATE_CAP, key, poisson, thin
-from nscc_runtime.reference.light_loop import LitSizes, add_light
 
 Charge = NDArray[np.float64]
 
@@ -108,16 +106,9 @@ class _Slots(Slots):
 
     @remembered
     def electrons(self, light: Light) -> Charge:
-        rows, cols = len(self.places) // light.shape[1], light.shape[1]
-        out = np.empty((light.slots, rows, cols))
-        add_light(
-            sizes=LitSizes(
-                slots=light.slots, pixels=light.shape[0] * cols, first=self.rows.start * cols,
-                length=rows * cols,
-            ),
-            light=light.matrix,
-            out=out.reshape(light.slots, -1),
-        )  # fmt: skip
+        out = np.empty((light.slots, len(self.places) // light.shape[1], light.shape[1]))
+        for n in range(light.slots):
+            out[n] = light.slot(n, self.rows)
         return out
 
     def counted(self, stream: int, source: int, rates: Charge) -> Charge:
