@@ -11,7 +11,7 @@ from nscc_runtime.noise import RATE_CAP, poisson
 
 def by_plan(stream: np.uint64, pixels: np.ndarray, rate: np.ndarray) -> np.ndarray:
     """Counts of frames by weighted sums, for rates below the cap."""
-    pixels, rates = np.reshape(pixels, -1), np.reshape(rate, -1)
+    pixels, rates = np.ravel(pixels), np.ravel(rate)
     away = np.zeros((1, len(rates)))
     draw_counts(
         counting=Counting(
