@@ -31,10 +31,10 @@ from loader_twin.loader import Loader
 
 from nscc.operations import op
 from nscc_runtime.device import firmware, tasks
-from nscc_runtime.device.faults import LineFaults
+from nscc_runtime.device.firmware import RunningFirmware
 from nscc_runtime.device.host import Silent, Stalled
 from nscc_runtime.device.objects import Upload, upload_of
-from nscc_runtime.device.serving import Loaded
+from nscc_runtime.device.serving import LineFaults
 
 SESSIONS = 10_000
 LIMIT_LINE_S = 0.50
@@ -50,7 +50,7 @@ def open_files() -> int:
 def outcome(seed: int, core: Lockstep | None) -> str:
     """How one session ended."""
 
-    def started(example: Example) -> Loaded:
+    def started(example: Example) -> RunningFirmware:
         if core is None:
             return python_loader(example)
         core.chip = chip_of(example)

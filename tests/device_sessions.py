@@ -21,11 +21,11 @@ from nscc.chips.target import Target
 from nscc.words.container import Container, Readout
 from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.board import EmulatedChip
-from nscc_runtime.device.faults import LineFaults
+from nscc_runtime.device.firmware import RunningFirmware
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.objects import Upload, upload_of
-from nscc_runtime.device.serving import Loaded
+from nscc_runtime.device.serving import LineFaults
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 
@@ -154,7 +154,7 @@ def uploaded_and_captured(
 
 def session(
     seed: int,
-    loader_of: Callable[[Example], Loaded],
+    loader_of: Callable[[Example], RunningFirmware],
     line_of: type[Simulation] = Simulation,
     slot_us: float = 100.0,
     channels: int = BOTH,
@@ -176,7 +176,7 @@ def session(
 
 def fresh_loader(
     kind: str, chip: EmulatedChip, request: pytest.FixtureRequest, target: Target = TARGET
-) -> Loaded:
+) -> RunningFirmware:
     """A loader that has just started: the Python twin, or the firmware of the fixture `core`."""
     if kind == "python":
         return Loader(target, chip, "nscc-loader 2 (Python)")

@@ -10,10 +10,10 @@ from collections import deque
 from collections.abc import Generator
 from dataclasses import dataclass
 
-from nscc_runtime.device.faults import Accidents, LineFaults, Spoiler
+from nscc_runtime.device.firmware import RunningFirmware
 from nscc_runtime.device.host import Host
 from nscc_runtime.device.packets import Packet
-from nscc_runtime.device.serving import Loaded
+from nscc_runtime.device.serving import Accidents, LineFaults, Spoiler
 
 _PIECE = 256
 _BOOT_S = 0.1
@@ -42,7 +42,12 @@ class Simulation:
     """A host and a loader with `faults` between them. `now` is the virtual time in seconds."""
 
     def __init__(
-        self, host: Host, loader: Loaded, faults: LineFaults | None = None, *, baud: float = 3e6
+        self,
+        host: Host,
+        loader: RunningFirmware,
+        faults: LineFaults | None = None,
+        *,
+        baud: float = 3e6,
     ) -> None:
         self.host, self.loader = host, loader
         self.faults = faults or LineFaults()

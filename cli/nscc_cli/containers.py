@@ -126,7 +126,7 @@ def shutters(file: Path, out: Path, **options: Any) -> None:
     little-endian bit order, its unpacked shape `shutter_shape`, and the pixels' codes
     `codes_FIELD`. A .npy file contains the unpacked array, a .mat file `mask` (rows, cols, N)."""
     from nscc_runtime.formats import check_ending, endings, file_of
-    from nscc_runtime.formats.frame_content import shutter_content
+    from nscc_runtime.formats.content import shutter_content
 
     check_ending(out, endings("arrays"), "shutters")
     from nscc.prove.shutters import shutters_of_pixels

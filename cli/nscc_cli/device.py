@@ -60,7 +60,7 @@ def serve(**options: Any) -> None:
     on SCENE. Press Ctrl-C to stop."""
     from nscc.chips.load import load_target
     from nscc_runtime.device import stand_in
-    from nscc_runtime.device.faults import LineFaults, parse_faults
+    from nscc_runtime.device.serving import LineFaults, parse_faults
     from nscc_runtime.emulator.loops import expose_block
 
     faults = parse_faults(options["fault"]) if options["fault"] else LineFaults()
@@ -96,9 +96,9 @@ def _report(error: Exception) -> None:
 @shared.link_options
 def info(port: str, as_json: bool, baud: int, patience: float) -> None:
     """Print the description of the loader at PORT, its memory, and the program it holds."""
-    from nscc_runtime.device.description import info_json, info_text
     from nscc_runtime.device.device_chip import DeviceChip
     from nscc_runtime.device.link import SerialLink
+    from nscc_runtime.device.messages import info_json, info_text
 
     with SerialLink(port, baud=baud, patience_s=patience) as link:
         device_info = DeviceChip(link).info()

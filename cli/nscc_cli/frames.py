@@ -127,10 +127,10 @@ def write_frame(
     """Write the frame file and the requested picture, plan and timings, and return the paths.
     `response` computes the sensor response for the picture."""
     from nscc.prove.shutters import replayed
-    from nscc_runtime.decode_table import with_table
     from nscc_runtime.formats import file_of
-    from nscc_runtime.formats.frame_content import frame_content
+    from nscc_runtime.formats.content import frame_content
     from nscc_runtime.frame_file import FrameFile
+    from nscc_runtime.response import with_table
 
     with timings.measure("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
@@ -155,10 +155,9 @@ def _picture(
     title: str,
 ) -> Product:  # fmt: skip
     """Return the picture for `--png`; of several frames the first is drawn."""
-    from nscc_runtime.formats.content_sheet import content_sheet
+    from nscc_runtime.formats.content import content_sheet
     from nscc_runtime.merge import readouts
-    from nscc_runtime.pictures.frame_sheet import frame_sheet
-    from nscc_runtime.pictures.image_plane_sheet import image_plane_sheet
+    from nscc_runtime.pictures.images import frame_sheet, image_plane_sheet
     from nscc_runtime.pictures.sheet import png_of
 
     if content.colour and content.light is not None:

@@ -122,7 +122,7 @@ def command(
     title = named if frame is None else f"{frame.name}  ·  {named}"
     products = {out: file_of(out, content, product_name)}
     if png is not None:
-        from nscc_runtime.formats.content_sheet import content_sheet
+        from nscc_runtime.formats.content import content_sheet
         from nscc_runtime.pictures.sheet import png_of
 
         products[png] = png_of(content_sheet, content, title)

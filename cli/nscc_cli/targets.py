@@ -63,7 +63,7 @@ def command(
         if name is None or toml or limits or slots:
             raise click.UsageError("--compare A B needs a program: FILE.nsl")
         from nscc.compare import compare, compared_json, compared_text
-        from nscc_runtime.expected import expected_noise
+        from nscc_runtime.response import expected_noise
 
         targets = [load_target(chip, Path()) for chip in compared]
         comparison = compare(Path(name), targets, level, expected_noise)

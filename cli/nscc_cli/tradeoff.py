@@ -192,7 +192,7 @@ def synthesis(
     Compiles FILEs, or else programs of all classes, from text to proof and without the cache. A
     point is dominated if another point of the same program has no more words and no more time.
     Exits with status 1 if no program fits."""
-    from nscc_runtime.pictures.synthesis import synthesis_diagram
+    from nscc_runtime.pictures.precision import synthesis_diagram
 
     outputs = output_files(places)
     cases = cases_of(files) or builtin_cases()
@@ -223,7 +223,7 @@ def images(file: Path, level: str, **places: Any) -> int:
     Among programs that fit the registers' range, the compiler takes the one with the fewest words.
     Exits with status 1 if no image has a kernel."""
     from nscc.tradeoff.synthesis import image_points
-    from nscc_runtime.pictures.synthesis import images_diagram
+    from nscc_runtime.pictures.precision import images_diagram
 
     outputs = output_files(places)
     points = image_points(file, int(level))

@@ -60,8 +60,7 @@ def command(program: Path | None, **options: Any) -> int:
     from nscc.words.readout import converter_of
     from nscc_runtime.execution.program import analysed
     from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
-    from nscc_runtime.tradeoff.naive import copy_gb_per_s
-    from nscc_runtime.tradeoff.study import StudySettings, measure
+    from nscc_runtime.tradeoff.study import StudySettings, copy_gb_per_s, measure
     from nscc_runtime.tradeoff.study_text import keeps_promise, studies_text
 
     files = output_files(options, "calibration", "budget")

@@ -13,8 +13,7 @@ from pygments.token import Comment, Keyword, Number
 from nscc.editing.costs import hints
 from nscc.editing.document import Document
 from nscc.editing.hover import hover
-from nscc_runtime.pictures.picture_colours import look
-from nscc_runtime.pictures.sheet import WIDTH, png_of
+from nscc_runtime.pictures.sheet import WIDTH, look, png_of
 from nscc_site.lexer import NslLexer
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 
 from PIL import Image
 
-from nscc_runtime.pictures.picture_colours import LOOKS, looking
+from nscc_runtime.pictures.sheet import LOOKS, looking
 from nscc_site.tool import block, grid, said
 
 _THUMBNAIL = (440, 330)

@@ -13,8 +13,7 @@ from docutils import nodes
 from PIL import Image
 
 from nscc.tradeoff.points import Point
-from nscc_runtime.pictures.picture_colours import LOOKS, looking
-from nscc_runtime.pictures.sheet import png_of
+from nscc_runtime.pictures.sheet import LOOKS, looking, png_of
 from nscc_site.editor import editor_picture
 from nscc_site.tool import said
 from nscc_training.tradeoff.diagrams import decoder_diagram

@@ -16,17 +16,16 @@ from nscc import html
 from nscc.diagnostics.arguments import wrong_argument
 from nscc.files import write_together
 from nscc.words.container import Container
-from nscc_runtime.decode_table import with_table
 from nscc_runtime.formats import check_ending, endings, file_of
-from nscc_runtime.formats.frame_content import frame_content
+from nscc_runtime.formats.content import frame_content
 from nscc_runtime.frame_file import KEEP, Frame, FrameFile, meta
 from nscc_runtime.light import Light
-from nscc_runtime.merge import BucketReadout, light_estimate, readouts
+from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.pieces import Taken
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_file import plan_table
-from nscc_runtime.response import Response
+from nscc_runtime.response import Response, with_table
 from nscc_runtime.run_messages import frame_lines
 
 _SIDE, _MOST = 256, 1024
@@ -147,7 +146,7 @@ class Capture(Frame):
         array of float64
             Electrons per second, (buckets, rows, cols); NaN if no neighbour gives a value.
         """
-        estimates = (light_estimate(readout) for readout in self._readouts())
+        estimates = map(light_estimate, readouts(self.container, self.first, self.response))
         return np.stack([np.where(known, light, np.nan) for light, known in estimates])
 
     @property
@@ -229,9 +228,6 @@ class Capture(Frame):
     @property
     def _fidelity(self) -> str:
         return self.exposed.simulated.origin.fidelity
-
-    def _readouts(self) -> list[BucketReadout]:
-        return readouts(self.container, self.first, self.response)
 
     def _codes(self) -> str:
         return f"{self.frame.min()}..{self.frame.max()}" if self.frame.size else "of no bucket"

@@ -137,7 +137,7 @@ def capture(
     if threads is not None:
         require_whole_number(call, "threads", threads, least=1)
     if torch_device is not None:
-        from nscc_runtime.torch_device import check_device
+        from nscc_runtime.python_arguments import check_device
 
         check_device(call, torch_device)
     file = plan_of(call, plan)

@@ -25,7 +25,7 @@ With K repeats these arrays have a leading axis K. On request there are also: `l
 rows, cols); `truth_e`, the light of all slots, float64 (rows, cols) of a still or the `light` of a
 clip; `shutter` uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the
 lowest bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols).
-`nscc_runtime.decode_table` describes the arrays `decode_..` for decoders.
+`nscc_runtime.response` describes the arrays `decode_..` for decoders.
 
 Equal frames give equal bytes: the archive contains no times, and its entries have a fixed order."""
 
@@ -45,7 +45,7 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
-from nscc_runtime.effects import Effect, Selection, everything, marks, registered
+from nscc_runtime.effects import Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
@@ -86,11 +86,7 @@ class Frame:
     @property
     def first(self) -> Frame:
         """The first frame of repeats; a single frame is returned unchanged."""
-        arrays = (self.frame, self.exposure_e, self.valid, self.saturated_by)
-        if self.frame.ndim == 3:
-            return self
-        first_told = {key: values[0] for key, values in self.told.items()}
-        return Frame(*(array[0] for array in arrays), told=first_told)
+        return self if self.frame.ndim == 3 else joined([self], lambda arrays: arrays[0][0])
 
 
 def read_out(
@@ -159,11 +155,6 @@ def check_adc(target: Target) -> None:
         )
 
 
-def stacked(frames: Sequence[Frame]) -> Frame:
-    """Return several frames of one scene as one frame with a leading axis."""
-    return joined(frames, np.stack)
-
-
 def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray[Any]]) -> Frame:
     """Return a frame whose arrays are `join` of the arrays of the frames."""
     return Frame(
@@ -177,12 +168,7 @@ def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray
 
 def repeated(frame: Frame, count: int) -> Frame:
     """Return the frame `count` times with a leading axis: frames without effects are equal."""
-
-    def stack(values: NDArray[Any]) -> NDArray[Any]:
-        return np.broadcast_to(values, (count, *values.shape))
-
-    arrays = (frame.frame, frame.exposure_e, frame.valid, frame.saturated_by)
-    return Frame(*(stack(array) for array in arrays))
+    return joined([frame], lambda arrays: np.broadcast_to(arrays[0], (count, *arrays[0].shape)))
 
 
 @dataclass(frozen=True)
@@ -214,42 +200,36 @@ def unplanned(
     `chosen`: the selected effects. `moving`: whether the scene is sampled. `absent`: effects that
     the chip cannot have, with the reason."""
     nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
+    rows = []
+    for effect in registered():
+        decision = "kept" if effect in chosen else "dropped"
+        reason = "part of --effects all" if effect in chosen else "not in --effects"
+        if effect.name in chosen.forced:
+            reason = "named in --effects"
+        if effect in chosen and not moving and effect.parts_of_kind(Moving):
+            decision, reason = "absent", effect.absent
+        if effect.always:
+            reason = "always applied"
+        if effect.name in absent:
+            decision, reason = "absent", absent[effect.name]
+        rows.append(
+            {
+                "name": effect.name,
+                "kind": effect.kind,
+                "decision": decision,
+                "forced": effect.name in chosen.forced,
+                "reason": reason,
+                **dict.fromkeys(nothing),
+            }
+        )
     return {
         **dict.fromkeys(_UNPLANNED),
         "slot_loop": True,
         "slot_loop_reasons": ["words are executed slot by slot"],
         "sampled_fraction": 0.0,
         "approximations": [],
-        "effects": [
-            {
-                "name": effect.name,
-                "kind": effect.kind,
-                "decision": (
-                    "absent" if effect.name in absent else _decision(effect, chosen, moving)
-                ),
-                "forced": effect.name in chosen.forced,
-                "reason": absent.get(effect.name) or _reason(effect, chosen, moving),
-                **dict.fromkeys(nothing),
-            }
-            for effect in registered()
-        ],
+        "effects": rows,
     }
-
-
-def _decision(effect: Effect, chosen: Selection, moving: bool) -> str:
-    if effect not in chosen:
-        return "dropped"
-    return "kept" if moving or not effect.parts_of_kind(Moving) else "absent"
-
-
-def _reason(effect: Effect, chosen: Selection, moving: bool) -> str:
-    if effect.always:
-        return "always applied"
-    if effect in chosen and not moving and effect.parts_of_kind(Moving):
-        return effect.absent
-    if effect.name in chosen.forced:
-        return "named in --effects"
-    return "part of --effects all" if effect in chosen else "not in --effects"
 
 
 def meta(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from tempfile import TemporaryFile, gettempdir
 from typing import Any
 
@@ -27,7 +27,7 @@ def gathered(frames: Iterable[Frame], count: int) -> Frame:
     no room."""
     rooms: dict[str, NDArray[Any]] = {}
     for number, frame in enumerate(frames):
-        arrays = dict(_named_arrays(frame))
+        arrays = {name: getattr(frame, name) for name in _ARRAYS} | {**frame.told}
         if not rooms:
             mapped = count * sum(values.nbytes for values in arrays.values()) > MOST_BYTES
             rooms = {
@@ -41,11 +41,6 @@ def gathered(frames: Iterable[Frame], count: int) -> Frame:
 
 
 _ARRAYS = ("frame", "exposure_e", "valid", "saturated_by")
-
-
-def _named_arrays(frame: Frame) -> Iterator[tuple[str, NDArray[Any]]]:
-    yield from ((name, getattr(frame, name)) for name in _ARRAYS)
-    yield from frame.told.items()
 
 
 def _room(shape: tuple[int, ...], kind: np.dtype[Any], mapped: bool) -> NDArray[Any]:

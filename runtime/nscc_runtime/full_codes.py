@@ -4,7 +4,7 @@ known.
 A full well passes through a program's words, their gain and the registers' knee, and its code is
 below the converter's last code. To find this code, the words are run over steady light of
 increasing brightness, with the sensor's mean values, until a frame would mark saturation
-(`nscc_runtime.effects.marks`). Noise may make a full pixel some standard deviations lower.
+(`nscc_runtime.effects.effect`). Noise may make a full pixel some standard deviations lower.
 
 Light that changes within the frame may fill PIX before a late shutter opens, and bright light may
 fill PIX before its reset level is read. Such a pixel has a lower code, which does not reveal the
@@ -23,9 +23,9 @@ from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Leak, SlowWords, Soft, Well, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.program import AnalysedProgram, analysed
-from nscc_runtime.reference.saturation_marks import Marks
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.reference.words import Marks
 from nscc_runtime.response import converter_e2, shutter_response
 
 Values = NDArray[np.float64]
@@ -75,7 +75,9 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
 def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int, Values]:
     """Return the smallest codes (buckets, lanes) that may mean saturation, by bit."""
     exposure, marked = _steady(program, lanes)
-    noise_e = _SIGMAS * _noise_e(program)[lanes].T
+    response = shutter_response(program.container, program.sensor, everything())
+    noise_e2 = response.variance_e2 + converter_e2(program.sensor, everything())
+    noise_e = _SIGMAS * np.sqrt(noise_e2)[lanes].T
     sensor, effects = program.sensor, everything()
     begin = (marked != 0).argmax(axis=1)
     codes_by_bit = {}
@@ -91,13 +93,6 @@ def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int,
         least = np.where(first < begin + _ALIKE, least, np.inf)
         codes_by_bit[mark.bit] = np.floor(least / sensor.electrons_per_lsb + sensor.adc_offset_lsb)
     return codes_by_bit
-
-
-def _noise_e(program: AnalysedProgram) -> Values:
-    """Return the standard deviation (lanes, buckets) of a reading without light, in electrons."""
-    sensor, effects = program.sensor, everything()
-    response = shutter_response(program.container, sensor, effects)
-    return np.asarray(np.sqrt(response.variance_e2 + converter_e2(sensor, effects)))
 
 
 def _steady(

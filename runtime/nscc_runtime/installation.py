@@ -13,7 +13,11 @@ def findings() -> Iterator[Finding]:
     """Yield the findings about the runtime. Checking the loops may take some seconds."""
     yield _loops()
     yield _ports()
-    yield _compiler()
+    found = compiler()
+    if found is None:
+        yield Finding(ABSENT, "C++ compiler: `nscc device serve` compiles the firmware with it")
+    else:
+        yield Finding(GOOD, f"C++ compiler: {found} (nscc device serve runs the firmware)")
 
 
 def _loops() -> Finding:
@@ -44,10 +48,3 @@ def _ports() -> Finding:
 def described(text: str) -> str:
     """Return a port's description in parentheses; empty if there is none."""
     return f" ({text})" if text not in ("", "n/a") else ""
-
-
-def _compiler() -> Finding:
-    compiler_path = compiler()
-    if compiler_path is None:
-        return Finding(ABSENT, "C++ compiler: `nscc device serve` compiles the firmware with it")
-    return Finding(GOOD, f"C++ compiler: {compiler_path} (nscc device serve runs the firmware)")

@@ -16,7 +16,7 @@ class Exposure:
     `exposure_e` float64 (buckets, rows, cols): electrons, in the order of `Container.buckets`; +0
     for a pixel that never opens. `valid` bool, the same shape: False where the value is not finite
     or meaningless. `saturated_by` uint8, the same shape: saturation marks
-    (`nscc_runtime.effects.marks`); None if saturation is impossible."""
+    (`nscc_runtime.effects.effect`); None if saturation is impossible."""
 
     exposure_e: NDArray[np.float64]
     valid: NDArray[np.bool_]

@@ -68,7 +68,13 @@ class Statistics:
     def of(cls, light: Light, open_part: NDArray[np.float32]) -> Statistics:
         """Compute the statistics of a scene. `open_part` (rows, cols): fraction of the frame in
         which each pixel is open."""
-        return cls(light, _sizes(light.sum_e, open_part), _course(light))
+        weight, frames = light.frame_weight, light.frames
+        course = np.ones(1)
+        if len(frames) > 1:
+            with np.errstate(over="ignore", invalid="ignore"):
+                course = np.cumsum(weight * frames[:, ::_SOME, ::_SOME].mean(axis=(1, 2)))
+                course /= course[-1] if course[-1] > 0 else 1.0
+        return cls(light, _sizes(light.sum_e, open_part), course)
 
     def resembles(
         self, other_statistics: Statistics, *, saturating: bool = True, least: float = _LESS
@@ -96,17 +102,6 @@ class Statistics:
         follows = plan.allowed is None or plan.allowed.follows
         least = _LESS_OF_PART if follows else _LESS
         return self.resembles(other_statistics, saturating=not plan.drops_saturation, least=least)
-
-
-def _course(light: Light) -> Values:
-    """Return the fraction of all light that is collected by the end of each frame (frames,)."""
-    weight, frames = light.frame_weight, light.frames
-    if len(frames) == 1:
-        return np.ones(1)
-    with np.errstate(over="ignore", invalid="ignore"):
-        course = np.cumsum(weight * frames[:, ::_SOME, ::_SOME].mean(axis=(1, 2)))
-        course /= course[-1] if len(course) and course[-1] > 0 else 1.0
-    return course
 
 
 def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
@@ -220,17 +215,8 @@ class KeptPlans:
 
 @dataclass(frozen=True, eq=False)
 class Turn:
-    """A scene's position among the scenes that share plans.
-
-    Attributes
-    ----------
-    plans : KeptPlans
-        The shared plans.
-    number : int
-        Number of the scene.
-    frames : int
-        Expected largest number of similar frames: choosing effects has to pay within this number.
-    """
+    """Scene `number` of the scenes that share `plans`. `frames`: expected largest number of similar
+    frames; choosing effects has to pay within this number."""
 
     plans: KeptPlans
     number: int

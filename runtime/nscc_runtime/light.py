@@ -11,9 +11,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.light_matrix import LightMatrix
-from nscc_runtime.method_cache import remembered
-from nscc_runtime.sizes_loop import BLOCK, Frames, sum_light
+from nscc_runtime.caches import remembered
+from nscc_runtime.sizes_loop import BLOCK, Frames, LightMatrix, sum_light
 
 _MOST_E = 1e36
 """Sums of float32 are limited to this value, because they may be infinite."""

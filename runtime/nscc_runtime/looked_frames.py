@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
@@ -62,16 +62,8 @@ def film(
     for number in range(count):
         executed = expose(scene, loaded, seeds, number, None)
         loaded = next_planes(container, loaded, executed.planes)
-        yield told_frame(container, executed, sensor, effects, seeds, number)
-
-
-def told_frame(
-    container: Container, executed: Executed, sensor: Sensor, effects: Selection,
-    seeds: tuple[int, int], number: int,
-) -> Frame:  # fmt: skip
-    """Return frame number `number` with converter codes, states and estimated light."""
-    frame = converted(executed.exposure, container.target, sensor, effects, seeds, number)
-    return replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
+        frame = converted(executed.exposure, container.target, sensor, effects, seeds, number)
+        yield replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
 
 
 def exposer(

@@ -46,7 +46,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime import machine_code
-from nscc_runtime.loop_given import WRITTEN, ArrayGroup, LoopParameter, numba_kinds, parameter_of
+from nscc_runtime.loop_given import WRITTEN, ArrayGroup, LoopParameter, parameter_of
 
 _P = ParamSpec("_P")
 _T = TypeVar("_T")
@@ -166,11 +166,6 @@ class Loop(Generic[_P]):
         }
         return {parameter.name: parameter.sized(axes) for parameter in parameters}
 
-    @property
-    def takes(self) -> int:
-        """Number of addresses that the machine code takes."""
-        return sum(len(parameter.arrays) for parameter in self.parameters.values())
-
     @cached_property
     def entry(self) -> Callable[..., None]:
         """The machine code as a function of addresses; it checks nothing."""
@@ -228,10 +223,7 @@ class ObjectFile:
             from nscc_runtime.loop_types import signature
 
             return machine_code.build(
-                (
-                    _for_numba(module_loop.function),
-                    signature(map(numba_kinds, module_loop.parameters.values())),
-                )
+                (_for_numba(module_loop.function), signature(module_loop.parameters.values()))
                 for module_loop in self.loops
             )
 
@@ -240,7 +232,8 @@ class ObjectFile:
     @cached_property
     def linked(self) -> dict[str, Callable[..., None]]:
         """The loops linked into this process, by name."""
-        return machine_code.load(self.code(), {e.name: e.takes for e in self.loops})
+        takes = {e.name: sum(len(p.arrays) for p in e.parameters.values()) for e in self.loops}
+        return machine_code.load(self.code(), takes)
 
     @cached_property
     def name(self) -> str:

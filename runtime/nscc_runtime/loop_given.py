@@ -123,15 +123,6 @@ def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
     )
 
 
-def numba_kinds(
-    parameter: LoopParameter | ArrayGroup,
-) -> tuple[type | None, list[tuple[np.dtype[Any], bool]]]:
-    """Return the NamedTuple class of a parameter or None, and for each array its dtype and whether
-    it is one record, for `nscc_runtime.loop_types.signature`."""
-    together = parameter.kind if isinstance(parameter, ArrayGroup) else None
-    return together, [(array.kind, array.record is not None) for array in parameter.arrays]
-
-
 def _axis(text: str) -> tuple[str, int]:
     """Parse an axis, such as `slots` or `slots+1`, to its name and surplus."""
     name, _, extra = text.partition("+")

@@ -11,6 +11,8 @@ import numpy as np
 from numba import extending as _extending
 from numba import types as _types
 
+from nscc_runtime.loop_given import ArrayGroup, LoopParameter
+
 # numba has no annotations of its own.
 extending: Any = _extending
 types: Any = _types
@@ -29,13 +31,13 @@ def _record(_context: Any, builder: Any, _signature: Any, values: tuple[Any, Any
 extending.lower_builtin(operator.getitem, Records, types.Integer)(_record)
 
 
-def signature(parameters: Iterable[tuple[type | None, list[tuple[np.dtype[Any], bool]]]]) -> Any:
-    """Return the numba signature of a loop. For each parameter: the NamedTuple class or None, and
-    for each of its arrays the dtype and whether it is one record."""
+def signature(parameters: Iterable[LoopParameter | ArrayGroup]) -> Any:
+    """Return the numba signature of a loop."""
     parameter_types = []
-    for together, arrays in parameters:
-        kinds = [_type(*array) for array in arrays]
-        parameter_types.append(kinds[0] if together is None else types.NamedTuple(kinds, together))
+    for parameter in parameters:
+        kinds = [_type(array.kind, array.record is not None) for array in parameter.arrays]
+        together = isinstance(parameter, ArrayGroup)
+        parameter_types.append(types.NamedTuple(kinds, parameter.kind) if together else kinds[0])
     return types.void(*parameter_types)
 
 

@@ -6,16 +6,17 @@ If no folder is writable, every process compiles the loops itself."""
 
 from __future__ import annotations
 
-import contextlib
 import ctypes
 import hashlib
 import os
 import re
-import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from time import perf_counter
 from typing import Any
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.files import write_whole
 
 _DIGEST_BYTES = 32
 _COMPILE_S: list[float] = []
@@ -52,8 +53,8 @@ def object_code(name: str, places: Sequence[Path], build: Callable[[], bytes]) -
     _COMPILE_S.append(perf_counter() - begin)
     for place in places:
         try:
-            _write(place / name, hashlib.sha256(code).digest() + code)
-        except OSError:
+            write_whole(place / name, hashlib.sha256(code).digest() + code)
+        except Rejected:
             continue
         break
     return code
@@ -157,17 +158,3 @@ def _machine(llvm: Any) -> Any:
         jit=True,
         codemodel="jitdefault",
     )
-
-
-def _write(path: Path, data: bytes) -> None:
-    """Write a file completely or not at all: other processes may be reading or writing it."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, temporary = tempfile.mkstemp(dir=path.parent)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        os.replace(temporary, path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)
-        raise

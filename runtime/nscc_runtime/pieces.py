@@ -1,18 +1,29 @@
 """Expose a picture of any size on one chip: piece by piece and colour by colour, then join the
-frames."""
+frames.
+
+Parts of a picture with images and planes overlap by the reach of the program. Outside the margin,
+the joined images and planes are those of a chip whose array has the size of the picture. Reports
+refer to the joined planes."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 from typing import Any
+
+import numpy as np
 
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
-from nscc_runtime.frame_file import joined, stacked
+from nscc.words.legality import picture_words
+from nscc.words.pictures import Pictures
+from nscc.words.reach import Reach, RegisterReaches, reaches_of_frames
+from nscc_runtime.frame_file import Frame, joined
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.light import Light
+from nscc_runtime.neighbours.plane_summary import reported, summary_of
 from nscc_runtime.planless import reason_without_plan
 from nscc_runtime.progress import unseen
 from nscc_runtime.response import Response, response_of
@@ -67,7 +78,7 @@ def simulate_scene(
     listener = listener or Listener()
     placement, exposed = scene[0].placement, container
     if container.pictures is not None and not (len(scene) == 1 and placement.fits_one_array):
-        from nscc_runtime.neighbours.picture_pieces import overlapping, with_planes_for_reports
+        from nscc_runtime.pieces import overlapping, with_planes_for_reports
 
         placement = overlapping(container, placement)
         exposed = with_planes_for_reports(container)
@@ -75,7 +86,14 @@ def simulate_scene(
     numbered: Iterable[tuple[int, Light]] = enumerate(lights)
     piece_listener = listener
     if len(lights) > 1:
-        _refuse_once(request)
+        for name in ("plan", "repeat"):
+            if getattr(request, name) is not None:
+                raise rejected(
+                    "NS0739",
+                    f"--{name} supports one exposure, but this scene needs several",
+                    notes=("parts of a picture, and its colours, are exposed one after the other",),
+                    helps=(f"leave --{name} out, or --fit tiles and --color",),
+                )
         request = _for_all(container, lights, sensor, request)
         piece_listener = replace(listener, progress=unseen)
         numbered = listener.progress(numbered, "exposing pieces", len(lights))
@@ -124,12 +142,12 @@ def _joined(
         for k in range(0, len(pieces), piece_count)
     ]
     if container.pictures is not None:
-        from nscc_runtime.neighbours.picture_pieces import with_reports
+        from nscc_runtime.pieces import with_reports
 
         frames = [with_reports(frame, container, placement) for frame in frames]
     worst = max(pieces, key=lambda piece: (piece.plan.predicted_e or 0.0) if piece.plan else 0.0)
     broken = next((piece.broken for piece in pieces if piece.broken), None)
-    frame = frames[0] if colours == 1 else stacked(frames)
+    frame = frames[0] if colours == 1 else joined(frames, np.stack)
     origin = replace(worst.origin, program_sha256=digest_of(container))
     return replace(worst, frame=frame, origin=origin, broken=broken)
 
@@ -178,13 +196,63 @@ def _for_all(
     )
 
 
-def _refuse_once(request: Request) -> None:
-    """Raise Rejected (NS0739) for options that support one exposure only."""
-    for name in ("plan", "repeat"):
-        if getattr(request, name) is not None:
-            raise rejected(
-                "NS0739",
-                f"--{name} supports one exposure, but this scene needs several",
-                notes=("parts of a picture, and its colours, are exposed one after the other",),
-                helps=(f"leave --{name} out, or --fit tiles and --color",),
+def overlapping(container: Container, placement: Placement) -> Placement:
+    """Return the placement whose arrays overlap by the reach of the program's outputs.
+
+    Raises Rejected (NS0542) if the parts cannot be joined to the images of one large array."""
+    pictures, codes = _pictures(container), container.pixel_codes
+    words = (op for op, _ in picture_words(container))
+    reaches = RegisterReaches(container.target, words)
+    reach = Reach().joined(*(reaches.of(pictures.registers[name]) for name in pictures.outputs))
+    overlap = (reach.up, reach.down), (reach.left, reach.right)
+    if placement.arrays == (1, 1) or reach == Reach():
+        return placement
+    reason = ""
+    if codes is not None and (codes != codes[0, 0]).any():
+        reason = "its pixels have different codes, which must continue across the parts"
+    if any(sum(pair) >= side for pair, side in zip(overlap, placement.array, strict=True)):
+        reason = "its images depend on pixels as far away as the size of the array"
+    if reason:
+        raise rejected(
+            "NS0542",
+            "this program does not support a picture in several parts",
+            notes=(reason,),
+            helps=("use --fit crop or scale",),
+            status=1,
+        )
+    return replace(placement, overlap=overlap)
+
+
+def with_planes_for_reports(container: Container) -> Container:
+    """Return the program with reported planes read out in place of its reports."""
+    pictures = _pictures(container)
+    return replace(container, pictures=replace(pictures, reads=pictures.outputs, reports=()))
+
+
+def with_reports(frame: Frame, container: Container, placement: Placement) -> Frame:
+    """Return the joined frame of `with_planes_for_reports` as a frame of `container`.
+
+    The arrays of the frame have the size of the picture, and repeats a leading axis."""
+    pictures = _pictures(container)
+    shape = container.target.rows, container.target.cols
+    hidden = {f"plane_{report.plane}" for report in pictures.reports}
+    hidden -= {f"plane_{name}" for name in pictures.reads}
+    told = {key: values for key, values in frame.told.items() if key not in hidden}
+    for report in pictures.reports:
+        planes = frame.told[f"plane_{report.plane}"]
+        repeats = planes.reshape(-1, *planes.shape[-2:])
+        all_reaches = islice(reaches_of_frames(container), len(repeats))
+        arrays = [
+            reported(
+                report, summary_of(bits & ~placement.repeated(reaches[report.plane].margin(shape)))
             )
+            for bits, reaches in zip(repeats, all_reaches, strict=True)
+        ]
+        for key, values in arrays[0].items():
+            told[key] = values if planes.ndim == 2 else np.stack([each[key] for each in arrays])
+    return replace(frame, told=told)
+
+
+def _pictures(container: Container) -> Pictures:
+    assert container.pictures is not None
+    return container.pictures

@@ -11,21 +11,36 @@ estimates, decode tables, calibration and the codes of full pixels are computed 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from math import sqrt
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
-from nscc_runtime.container_cache import OfContainer
+from nscc.words.readout import converter_of
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.parts import CountedDark, WordGain
+from nscc_runtime.effects.parts import (
+    Converter,
+    CountedDark,
+    CountedLight,
+    Errors,
+    Leak,
+    LitLevel,
+    Part,
+    SlowWords,
+    WordGain,
+)
 from nscc_runtime.effects.parts import Response as PixelGain
-from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.frame_file import FrameFile
 from nscc_runtime.reference.trace import analog_words, retention_us
 from nscc_runtime.reference.weights import Backward, WeightModel, backward
+from nscc_runtime.sensor import Sensor, default_sensor
 
 Values = NDArray[np.float64]
 
@@ -152,3 +167,98 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
     gain = np.where(response.seen_s > 0, response.gain(open_s), 1.0)
     gain, zero_e = (values[lanes].transpose(2, 0, 1) for values in (gain, response.bias_e))
     return replace(plain, gain=gain, zero_e=zero_e)
+
+
+_KNOWN: tuple[type[Part], ...] = (
+    Converter, CountedDark, CountedLight, Errors, Leak, LitLevel, SlowWords, WordGain,
+)  # fmt: skip
+"""Kinds of effects whose variance follows from the words, or is known to the reader. The plan
+states the size of other effects."""
+
+
+def with_table(file: FrameFile, container: Container) -> FrameFile:
+    """Return the file with the arrays that decoders need."""
+    arrays = decode_arrays(container, Sensor(file.meta["sensor"]), file.meta["plan"])
+    return replace(file, kept_arrays={**file.kept_arrays, **arrays})
+
+
+def decode_arrays(
+    container: Container, sensor: Sensor, plan: Mapping[str, Any] | None
+) -> dict[str, NDArray[Any]]:
+    """Return the arrays that decoders need, by their keys in a frame file. Without saturation, an
+    exposure is bias + sum over slots of gain * shutter * light, and noise. All three depend only on
+    the pixel's shutter and follow from the words.
+
+    They are empty if pixels have no codes, if pixels look, or if the words open no shutters.
+    `decode_row` (rows, cols): the shutter of each pixel, as a row of the other arrays.
+    `decode_shutter` uint8 (shutters, buckets, ceil(N / 8)): packed along N, the first slot in the
+    lowest bit. `decode_slot_us` float64 (N,): slot lengths. `decode_gain`, `decode_bias_e`,
+    `decode_variance_e2` float32 (shutters, buckets): an exposure is bias + gain * (sum of the light
+    of open slots), with this variance plus the variance of photon counts. `plan`: the plan in a
+    frame's meta; None for frames of a chip, which has every effect."""
+    if container.pixel_codes is None or container.machine is not None:
+        return {}
+    kept_effects = everything()
+    if plan is not None:
+        names = frozenset(row["name"] for row in plan["effects"] if row["decision"] == "kept")
+        kept_effects = Selection(names & kept_effects.on, frozenset())
+    try:
+        shutters = open_shutters(container)
+        response = shutter_response(container, sensor, kept_effects)
+    except Rejected:
+        return {}
+    lanes = container.table.shutter_of_code[container.pixel_codes]
+    used, row = np.unique(lanes, return_inverse=True)
+    small = next(t for t in (np.uint8, np.uint16, np.uint32) if len(used) - 1 <= np.iinfo(t).max)
+    gain = response.gain(shutters @ container.slot_s)
+    variance_e2 = (
+        response.variance_e2 + converter_e2(sensor, kept_effects) + _planned_e2(kept_effects, plan)
+    )
+    # Beyond float32 a variance is infinite: such a code says nothing about the light.
+    with np.errstate(over="ignore"):
+        tables = [
+            values[used].astype(np.float32) for values in (gain, response.bias_e, variance_e2)
+        ]
+    return {
+        "decode_row": row.reshape(lanes.shape).astype(small),
+        "decode_shutter": np.packbits(shutters[used], axis=-1, bitorder="little"),
+        "decode_slot_us": np.array(container.slot_us, np.float64),
+        "decode_gain": tables[0],
+        "decode_bias_e": tables[1],
+        "decode_variance_e2": tables[2],
+    }
+
+
+def _planned_e2(kept_effects: Selection, plan: Mapping[str, Any] | None) -> float:
+    """Return the variance of effects whose size only the plan states, in square electrons."""
+    known = set().union(*(kept_effects.names(kind) for kind in _KNOWN))
+    plan_effects = [] if plan is None else plan["effects"]
+    return sum(
+        (row["predicted_rms_e"] or 0.0) ** 2 for row in plan_effects
+        if row["decision"] == "kept" and row["name"] not in known and row["kind"] != "after"
+    )  # fmt: skip
+
+
+def expected_noise(
+    container: Container, sensor: Sensor | None = None
+) -> tuple[float, float] | None:
+    """Return the RMS noise in electrons, over pixels and buckets: in the dark, and at half a full
+    well.
+
+    It includes photons, dark current, resets, reads, analog words and the converter, with the
+    values of `sensor` (None: the target's defaults). It is relative to the light that a pixel
+    collects while it is open. Returns None for a program without pixels, or whose shutters depend
+    on more than codes."""
+    sensor = sensor or default_sensor(converter_of(container))
+    arrays = decode_arrays(container, sensor, None) if container.machine is None else {}
+    if not arrays:
+        return None
+    row = arrays["decode_row"]
+    used = np.bincount(row.reshape(-1), minlength=len(arrays["decode_gain"]))
+    opened = np.unpackbits(arrays["decode_shutter"], axis=-1).any(axis=-1)
+    weight = opened * used[:, None]
+    if not weight.any():
+        return None
+    gain = arrays["decode_gain"].astype(np.float64)
+    dark_e2 = float(np.average(arrays["decode_variance_e2"] / gain**2, weights=weight))
+    return sqrt(dark_e2), sqrt(dark_e2 + sensor.full_well_e / 2)

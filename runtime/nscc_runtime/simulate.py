@@ -16,7 +16,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime import frame_file, run_messages
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.frame_series import gathered
@@ -344,11 +344,7 @@ def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listen
     return frame
 
 
-def _sha256(container: Container) -> str:
-    return sha256(to_bytes(container)).hexdigest()
-
-
-digest_of = OfContainer(_sha256)
+digest_of = OfContainer(lambda container: sha256(to_bytes(container)).hexdigest())
 """The SHA-256 digest that identifies a program in frames and plans."""
 
 

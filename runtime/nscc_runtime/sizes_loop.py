@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
-from nscc_runtime.loop import Floats, Floats32, Ints, Written, compiled, loop, record
+from nscc_runtime.loop import Floats, Floats32, Ints, Ints32, Written, compiled, loop, record
+
+
+class LightMatrix(NamedTuple):
+    """The frames and weights of `nscc_runtime.light.Light`, with its names."""
+
+    frames: Annotated[Floats32, "frames pixels"]
+    row_start: Annotated[Ints, "slots+1"]
+    frame_index: Annotated[Ints32, "entries"]
+    weight: Annotated[Floats, "entries"]
+
 
 MEAN, SQUARE, EIGHTH, LARGEST, STEPS = 0, 1, 2, 3, 8
 OPEN = 4

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 from typing import Protocol
 from zlib import adler32, crc32
 
@@ -26,6 +26,23 @@ MOST_READS = 8
 _KEPT = 1 << 17
 _SMALLEST_CHUNK = 16
 _ZEROS = bytes(32)
+
+
+def packed_info(info: messages.Info) -> bytes:
+    """The body of a description: its fixed part, then its texts, each after its length."""
+    *fixed, name, firmware = astuple(info)
+    texts = (name.encode()[:60], firmware.encode()[:60])
+    return info.layout.pack(*fixed) + b"".join(bytes([len(text)]) + text for text in texts)
+
+
+def declared(body: bytes) -> messages.Declare:
+    """The entries of a DECLARE. Raises ValueError for another length."""
+    size, layout = messages.Declare.layout.size, messages.ObjectEntry.layout
+    first, count = messages._fields(messages.Declare.layout, body[:size])
+    if len(body) != size + count * layout.size:
+        raise ValueError(f"{count} entries in {len(body)} bytes")
+    entries = (messages.ObjectEntry(*fields) for fields in layout.iter_unpack(body[size:]))
+    return messages.Declare(first, tuple(entries))
 
 
 class Board(Protocol):
@@ -154,7 +171,7 @@ class Loader:
         self._reads.clear()
         program = None if self.intake.refusal else self.intake.program
         begin = program.begin if program else None
-        return messages.Info(
+        info = messages.Info(
             version=VERSION,
             state=self._shown_state,
             most_data=MOST_DATA,
@@ -179,7 +196,8 @@ class Loader:
             label=begin.label if begin else _ZEROS,
             target_name=self.target.name,
             firmware=self.firmware,
-        ).pack()
+        )
+        return packed_info(info)
 
     @property
     def _shown_state(self) -> LoaderState:
@@ -212,7 +230,7 @@ class Loader:
         return self._progress()
 
     def _declare(self, packet: Packet) -> bytes:
-        self.intake.declare(messages.Declare.unpack(packet.body))
+        self.intake.declare(declared(packet.body))
         return self._progress()
 
     def _data(self, packet: Packet) -> bytes:

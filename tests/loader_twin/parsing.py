@@ -40,8 +40,7 @@ from nscc_runtime.device.objects import (
     WORD,
     ObjectKind,
 )
-from nscc_runtime.device.recorded_pictures import IMAGE
-from nscc_runtime.device.recording import container_of
+from nscc_runtime.device.recording import IMAGE, container_of
 
 
 @dataclass(eq=False)

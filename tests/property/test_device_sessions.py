@@ -8,7 +8,7 @@ import pytest
 from device_lockstep import Lockstep
 from device_sessions import Example, chip_of, examples, python_loader, sanitized, session
 
-from nscc_runtime.device.serving import Loaded
+from nscc_runtime.device.firmware import RunningFirmware
 
 pytestmark = pytest.mark.xdist_group("firmware")
 HALF = 100
@@ -32,7 +32,7 @@ def core() -> Iterator[Lockstep]:
 
 
 def test_sessions_with_the_firmware(core: Lockstep) -> None:
-    def started(example: Example) -> Loaded:
+    def started(example: Example) -> RunningFirmware:
         core.chip = chip_of(example)
         core.announce()
         return core

@@ -6,12 +6,13 @@ import math
 import struct
 
 import numpy as np
+from drawn_counts import by_plan, by_reference
 from hypothesis import given
 from hypothesis import strategies as st
 
 from nscc_runtime.noise import RATE_CAP, key, normals, poisson, thin, uniforms
 from nscc_runtime.noise.binomial_law import binomial
-from nscc_runtime.noise.poisson_law import poisson_exact, poisson_fast
+from nscc_runtime.noise.poisson_law import poisson_exact
 
 STEP = 2.0**-53
 
@@ -35,29 +36,27 @@ any_unit = st.one_of(units, tails)
 @given(any_unit, st.one_of(drawable, common), st.one_of(drawable, common))
 def test_counts_never_decrease_in_the_rate(u, a, b):
     low, high = sorted((a, b))
-    for sampler in (poisson_exact, poisson_fast):
-        assert sampler(u, low) <= sampler(u, high)
+    assert poisson_exact(u, low) <= poisson_exact(u, high)
 
 
 @given(any_unit, common, st.integers(1, 40))
 def test_counts_never_decrease_in_rates_that_are_neighbours(u, rate, steps):
     higher = rate + steps * math.ulp(rate)
-    for sampler in (poisson_exact, poisson_fast):
-        assert sampler(u, rate) <= sampler(u, higher)
+    assert poisson_exact(u, rate) <= poisson_exact(u, higher)
 
 
 @given(any_unit, any_unit, st.one_of(drawable, common))
 def test_counts_never_decrease_in_the_uniform_number(a, b, rate):
     low, high = sorted((a, b))
-    for sampler in (poisson_exact, poisson_fast):
-        assert sampler(low, rate) <= sampler(high, rate)
+    assert poisson_exact(low, rate) <= poisson_exact(high, rate)
 
 
-@given(any_unit, st.floats(9.0, 20.0), st.floats(9.0, 20.0))
-def test_the_fast_sampler_is_in_order_about_its_crossover(u, a, b):
-    low, high = sorted((a, b))
-    assert poisson_fast(u, low) <= poisson_fast(u, high)
-    assert abs(poisson_fast(u, low) - poisson_exact(u, low)) <= 1
+@given(st.integers(0, 2**40), st.floats(9.0, 20.0), st.floats(9.0, 20.0))
+def test_counts_of_plans_are_in_order_about_their_crossover(place, a, b):
+    rates, places = np.array(sorted((a, b))), np.full(2, place)
+    low, high = by_plan(key(1, 2), places, rates)
+    assert low <= high
+    assert abs(low - by_reference(key(1, 2), places, rates)[0]) <= 1
 
 
 @given(any_unit, st.integers(0, 10**9), units, units)
@@ -72,10 +71,10 @@ def test_binomial_counts_never_decrease_in_the_trials(u, a, b, p):
     assert binomial(u, float(low), p) <= binomial(u, float(high), p)
 
 
-@given(st.lists(any_float, min_size=1, max_size=30), st.booleans(), st.integers(0, 2**64 - 1))
-def test_any_bits_give_whole_counts_or_are_flagged(values, exact, seed):
+@given(st.lists(any_float, min_size=1, max_size=30), st.integers(0, 2**64 - 1))
+def test_any_bits_give_whole_counts_or_are_flagged(values, seed):
     rate = np.array(values)
-    counts, valid = poisson(key(seed, 1), np.arange(len(values)), rate, exact=exact)
+    counts, valid = poisson(key(seed, 1), np.arange(len(values)), rate)
     assert np.array_equal(valid, ~np.isnan(rate))
     assert np.all(counts == np.floor(counts))
     assert np.all((counts >= 0) & (counts <= RATE_CAP + 10 * math.sqrt(RATE_CAP)))
@@ -103,15 +102,13 @@ def test_pixels_in_any_order_and_pieces(data):
     first = data.draw(st.integers(0, 2**40))
     order = np.array(data.draw(st.permutations(range(n))))
     cut = data.draw(st.integers(0, n))
-    exact = data.draw(st.booleans())
     stream = key(data.draw(st.integers(0, 2**64 - 1)), 3)
     pixels = first + np.arange(n)
     rate = np.array(data.draw(st.lists(common, min_size=n, max_size=n)))
-    whole = poisson(stream, pixels, rate, exact=exact)[0]
-    assert np.array_equal(poisson(stream, pixels[order], rate[order], exact=exact)[0], whole[order])
+    whole = poisson(stream, pixels, rate)[0]
+    assert np.array_equal(poisson(stream, pixels[order], rate[order])[0], whole[order])
     pieces = [
-        poisson(stream, pixels[part], rate[part], exact=exact)[0]
-        for part in (slice(cut), slice(cut, None))
+        poisson(stream, pixels[part], rate[part])[0] for part in (slice(cut), slice(cut, None))
     ]
     assert np.array_equal(np.concatenate(pieces), whole)
     shares = np.array([0.2, 0.5, 0.3])

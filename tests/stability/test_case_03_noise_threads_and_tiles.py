@@ -6,10 +6,11 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from drawn_counts import by_plan, by_reference
 from reference_programs import BUMPS, program
 
 from nscc_runtime import capture
-from nscc_runtime.noise import key, normals, poisson, thin
+from nscc_runtime.noise import key, normals, thin
 
 ROWS, COLS = 96, 130
 STREAM = key(123, 4, 1, 2, 3)
@@ -21,8 +22,7 @@ SHARES = np.array([3.0, 0.0, 1.0, 0.25, 1e-6])
 def drawn(part):
     """Everything that is drawn for one tile: (rows, cols, values)."""
     pixels, rates = PIXELS[part], RATES[part]
-    fast, _ = poisson(STREAM, pixels, rates, exact=False)
-    exact, _ = poisson(STREAM, pixels, rates, exact=True)
+    fast, exact = by_plan(STREAM, pixels, rates), by_reference(STREAM, pixels, rates)
     spread = thin(STREAM, pixels.reshape(-1), exact.reshape(-1), SHARES)
     layers = [normals(STREAM, pixels), fast, exact, *spread.T.reshape(-1, *pixels.shape)]
     return np.stack(layers, axis=-1)

@@ -14,7 +14,7 @@ from reference_programs import sensor_of
 
 from nscc.words.container import Container
 from nscc_runtime import capture
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import selected
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import Reference, scene_of

@@ -14,7 +14,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.npy import InvalidArrays
 from nscc_runtime.scenes import picture_size
 from nscc_runtime.scenes.clips import open_clip
-from nscc_runtime.scenes.mat_files import mat_array, mat_arrays
+from nscc_runtime.scenes.light_arrays import mat_array, mat_arrays
 from nscc_runtime.scenes.picture_files import open_pages
 from nscc_training.array_files import read_picture_or_clip, real_array
 

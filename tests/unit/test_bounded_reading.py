@@ -17,7 +17,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import file_sha256, read_whole
 from nscc.npy import InvalidArrays, npz_arrays
 from nscc_runtime.scenes import picture_size
-from nscc_runtime.scenes.mat_files import mat_arrays
+from nscc_runtime.scenes.light_arrays import mat_arrays
 from nscc_runtime.scenes.picture_files import read_picture
 from nscc_training.array_files import read_picture_or_clip
 from nscc_training.codes_files import load_codes

@@ -15,9 +15,8 @@ import nscc
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.looking_chart import course_sheet
-from nscc_runtime.pictures.picture_colours import DARK, looking
-from nscc_runtime.steady_light import courses, thresholds
+from nscc_runtime.pictures.looking_chart import course_sheet, courses, thresholds
+from nscc_runtime.pictures.sheet import DARK, looking
 
 ROOT = Path(__file__).parents[2]
 LOOKING = ("float_pixel", "auto_exposure", "first_light", "spike")

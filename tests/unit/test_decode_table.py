@@ -11,11 +11,11 @@ from nscc_command import invoke
 from plan_cases import CASES, case
 from reference_programs import sensor_of
 
-from nscc_runtime.decode_table import decode_arrays
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import unplanned
 from nscc_runtime.light import Light
 from nscc_runtime.reference import frames
+from nscc_runtime.response import decode_arrays
 
 ROWS, COLS, REPEATS = 16, 24, 60
 SHORT = {"b latch", "c accumulate", "d edges", "two buckets"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.device.faults import EXAMPLE, Accidents, LineFaults, Spoiler, parse_faults
+from nscc_runtime.device.serving import EXAMPLE, Accidents, LineFaults, Spoiler, parse_faults
 
 
 def test_the_example_is_read() -> None:

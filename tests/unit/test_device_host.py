@@ -18,17 +18,17 @@ from device_sessions import (
 )
 from device_simulation import Simulation
 from emulator_programs import container_of, target_of
-from loader_twin.loader import Loader
+from loader_twin.loader import Loader, packed_info
 from loader_twin.parsing import Held
 
 from nscc.operations import op
 from nscc_runtime.device import tasks
-from nscc_runtime.device.faults import LineFaults
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Contested, Implausible, RequestRefused, Silent, Stalled
 from nscc_runtime.device.messages import Channel, Hello, Info, LoaderFault, UploadProgress
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Packet, PacketKind, Unpacker
+from nscc_runtime.device.serving import LineFaults
 from nscc_runtime.light import Light
 
 LARGE = target_of((256, 256))
@@ -354,7 +354,7 @@ def test_what_a_loader_says_of_a_frame_is_what_the_host_reckons() -> None:
 def test_what_a_loader_calls_itself_cannot_steer_a_terminal() -> None:
     said = hello_of(python_loader(examples()[0]))
     info = replace(said, firmware="\x1b[2J\x07ok", target_name="a\nb")
-    found = Info.unpack(info.pack())
+    found = Info.unpack(packed_info(info))
     assert (found.firmware, found.target_name) == ("\ufffd[2J\ufffdok", "a\ufffdb")
 
 

@@ -14,6 +14,7 @@ from device_sessions import BOTH, TARGET, chip_of, examples, python_loader, sani
 
 from nscc.operations import Op, op, pair
 from nscc.words.encoding import encode
+from nscc_runtime.device.firmware import RunningFirmware
 from nscc_runtime.device.messages import (
     DATA,
     Begin,
@@ -39,7 +40,6 @@ from nscc_runtime.device.objects import (
     upload_of,
 )
 from nscc_runtime.device.packets import REPLY, Packet, PacketKind, Unpacker
-from nscc_runtime.device.serving import Loaded
 
 pytestmark = pytest.mark.xdist_group("firmware")
 EXAMPLE = examples()[0]
@@ -50,7 +50,7 @@ ZEROS = bytes(32)
 class Talk:
     """Sends packets to a loader and gives back what it says, at once."""
 
-    def __init__(self, loader: Loaded) -> None:
+    def __init__(self, loader: RunningFirmware) -> None:
         self.loader = loader
         self.unpacker = Unpacker()
         self.sequence = 0

@@ -34,10 +34,10 @@ from nscc.words.readout import converter_of
 from nscc_runtime.device import tasks
 from nscc_runtime.device.board import ExecutedFrame
 from nscc_runtime.device.device_chip import channels_of, frame_of
+from nscc_runtime.device.firmware import RunningFirmware
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.objects import upload_of
-from nscc_runtime.device.serving import Loaded
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
@@ -124,7 +124,7 @@ def core() -> Iterator[Lockstep]:
     assert loader.close() == 0, "a sanitizer complained"
 
 
-def filmed(loader: Loaded, container: Container, count: int) -> list[Frame]:
+def filmed(loader: RunningFirmware, container: Container, count: int) -> list[Frame]:
     """Frames of a loader, as the host makes them."""
     host, program = new_host(1), upload_of(container, bytes(32))
     target = container.target

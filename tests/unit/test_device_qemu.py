@@ -28,6 +28,7 @@ from device_sessions import (
 from nscc.operations import op
 from nscc.words.encoding import encode
 from nscc_runtime.device import qemu, tasks
+from nscc_runtime.device.firmware import RunningFirmware
 from nscc_runtime.device.measured_times import measured
 from nscc_runtime.device.messages import CaptureReply, CaptureRequest, Channel, LoaderState
 from nscc_runtime.device.objects import (
@@ -41,7 +42,6 @@ from nscc_runtime.device.objects import (
     Upload,
 )
 from nscc_runtime.device.packets import PacketKind, Unpacker
-from nscc_runtime.device.serving import Loaded
 from nscc_runtime.light import Light
 
 pytestmark = pytest.mark.skipif(
@@ -53,12 +53,12 @@ CORES: tuple[qemu.Core, ...] = ("m0", "m4")
 
 
 @pytest.fixture(params=CORES)
-def started(request: pytest.FixtureRequest) -> Iterator[Callable[[Example], Loaded]]:
+def started(request: pytest.FixtureRequest) -> Iterator[Callable[[Example], RunningFirmware]]:
     """An emulated board; what starts its loader anew for an example."""
     core: qemu.Core = request.param
     with qemu.Emulated(qemu.built(TARGET, core), chip_of(examples(SLOT_US)[0]), core) as board:
 
-        def start(example: Example) -> Loaded:
+        def start(example: Example) -> RunningFirmware:
             board.chip = chip_of(example)
             board.announce()
             return board
@@ -67,7 +67,7 @@ def started(request: pytest.FixtureRequest) -> Iterator[Callable[[Example], Load
 
 
 def test_faulty_sessions_end_with_the_right_frame(
-    started: Callable[[Example], Loaded],
+    started: Callable[[Example], RunningFirmware],
 ) -> None:
     for seed in range(2):
         right, line = session(seed, started, RealTime, SLOT_US, Channel.CODES)
@@ -91,7 +91,7 @@ def without_a_breath(launches: int) -> Upload:
 
 
 def test_a_frame_without_a_breath_is_cancelled_at_once(
-    started: Callable[[Example], Loaded],
+    started: Callable[[Example], RunningFirmware],
 ) -> None:
     """By the board's own clock; the frame would take a second and more."""
     host = new_host(1)
@@ -158,7 +158,7 @@ class Wire:
 
     path = "wire"
 
-    def __init__(self, board: Loaded) -> None:
+    def __init__(self, board: RunningFirmware) -> None:
         self.host = new_host(5)
         self.line = RealTime(self.host, board)
 
@@ -169,7 +169,7 @@ class Wire:
 
 @pytest.mark.slow
 def test_a_hundred_faulty_sessions_end_with_the_right_frame(
-    started: Callable[[Example], Loaded],
+    started: Callable[[Example], RunningFirmware],
 ) -> None:
     for seed in range(4, 104):
         right, line = session(seed, started, RealTime, SLOT_US, Channel.CODES)

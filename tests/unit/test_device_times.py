@@ -17,8 +17,8 @@ from loader_twin.loader import Loader
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device import firmware
+from nscc_runtime.device.firmware import RunningFirmware
 from nscc_runtime.device.measured_times import MeasuredTimes, measured
-from nscc_runtime.device.serving import Loaded
 from nscc_runtime.light import Light
 
 CHIP = replace(
@@ -38,7 +38,7 @@ class Wire:
 
     path = "wire"
 
-    def __init__(self, loader: Loaded) -> None:
+    def __init__(self, loader: RunningFirmware) -> None:
         self.host = new_host(5)
         self.line = Simulation(self.host, loader)
 

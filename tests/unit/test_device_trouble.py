@@ -206,11 +206,12 @@ def test_a_chip_exposes_and_shows_its_upload() -> None:
 
     wire: Any = Wire()
     chip = DeviceChip(wire, progress=progress)
-    exposure = chip.expose(EXAMPLE.container, None)
+    chip.upload(EXAMPLE.container)
+    frame = chip.capture(EXAMPLE.container).frame
     codes = TARGET.rows * TARGET.cols
-    columns = exposure.exposure_e.transpose(0, 2, 1)
+    columns = frame.exposure_e.transpose(0, 2, 1)
     assert columns.tobytes() == EXAMPLE.frame[codes:]
-    assert exposure.valid.all()
+    assert frame.valid.all()
     steps = len(EXAMPLE.upload.stream) // 1024
     assert seen == [("uploading", steps, steps)]
 

@@ -9,7 +9,7 @@ from reference_programs import sensor_of
 
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.leakage import leak_per_s
-from nscc_runtime.execution import sums
+from nscc_runtime.execution import sum_loop as sums
 from nscc_runtime.execution.chip import SimulatedChip
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.light import Light
@@ -29,7 +29,7 @@ def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
     scales, weights = (scale, scale.astype(np.float32)), rng.uniform(-1, 1, (4, slots, 3))
     # Weights that are none, and the same for all lanes.
     weights[0, 1], weights[1, 2], weights[3, 0] = 0.0, 0.25, 0.5
-    found = sums.scene_sums(light, lanes, scales, sums.SlotWeights(weights), 2, fraction)
+    found = sums.light_sums(light, lanes, scales, sums.SlotWeights(weights), 2, fraction)
     dense = light.dense().astype(np.float64) * scale.reshape(shape)
     flow = np.zeros_like(dense)
     for axis in (1, 2):
@@ -41,7 +41,7 @@ def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
         wanted = (weight[:, lanes] * slot.reshape(slots, -1)).sum(axis=0)
         np.testing.assert_allclose(each, wanted, rtol=1e-5, atol=1e-5)
     for threads in (2, 5):
-        again = sums.scene_sums(
+        again = sums.light_sums(
             light, lanes, scales, sums.SlotWeights(weights), 2, fraction, threads
         )
         assert again.tobytes() == found.tobytes()
@@ -52,9 +52,9 @@ def test_large_tables_are_taken_in_turns(monkeypatch: pytest.MonkeyPatch) -> Non
     light = Light.of_clip(rng.random((6, 4, 5), dtype=np.float32))
     lanes, scale = rng.integers(0, 3, 20).astype(np.int32), rng.random(20)
     scales, weights = (scale, scale.astype(np.float32)), rng.random((5, 6, 3))
-    whole = sums.scene_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.02)
+    whole = sums.light_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.02)
     monkeypatch.setattr(sums, "_MOST_ENTRIES", 6 * 3 * 2)
-    parts = sums.scene_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.02)
+    parts = sums.light_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.02)
     assert parts.tobytes() == whole.tobytes()
 
 
@@ -88,18 +88,18 @@ def test_slots_that_share_frames_and_frames_that_share_slots() -> None:
     )
     lanes, scale = rng.integers(0, 2, 10).astype(np.int32), np.ones(10)
     scales, weights = (scale, scale.astype(np.float32)), [rng.random((4, 2)) for _ in range(3)]
-    found = sums.scene_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.0)
+    found = sums.light_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.0)
     slots = light.dense().reshape(4, 10)
     expected = [(weight[:, lanes] * slots).sum(axis=0) for weight in weights]
     np.testing.assert_allclose(found, expected, rtol=1e-6)
     many = Light.of_clip(rng.random((12, 2, 5)).astype(np.float32))
     alike = [np.repeat(weight[:3], 4, axis=0) for weight in weights]
-    found = sums.scene_sums(many, lanes, scales, sums.SlotWeights(alike), 1, 0.01)
+    found = sums.light_sums(many, lanes, scales, sums.SlotWeights(alike), 1, 0.01)
     assert sums.SlotWeights(alike).of_frames(many).alike.tolist() == [4, 3, 2, 1] * 3
     parts = []
     for k in range(12):
         single = sums.SlotWeights([each * (np.arange(12) == k)[:, None] for each in alike])
-        parts.append(sums.scene_sums(many, lanes, scales, single, 1, 0.01))
+        parts.append(sums.light_sums(many, lanes, scales, single, 1, 0.01))
     np.testing.assert_allclose(found, np.sum(parts, axis=0), rtol=1e-12)
 
 
@@ -109,7 +109,7 @@ def test_a_lane_that_there_is_not_is_refused() -> None:
     scales, weights = (np.ones(3), np.ones(3, np.float32)), sums.SlotWeights([np.ones((2, 2))])
     for lane in (2, -1):
         with pytest.raises(ValueError, match="lane"):
-            sums.scene_sums(light, np.full(3, lane, np.int32), scales, weights, 1, 0.0)
+            sums.light_sums(light, np.full(3, lane, np.int32), scales, weights, 1, 0.0)
 
 
 @pytest.mark.parametrize("spread", [0.0, 0.1, 0.3])

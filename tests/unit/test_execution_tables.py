@@ -13,11 +13,10 @@ from nscc.words.container import Container
 from nscc_runtime.effects import named, selected
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.execution.program import AnalysedProgram
-from nscc_runtime.execution.register_reach import reach_of
-from nscc_runtime.execution.tables import Tables, WeightModel
+from nscc_runtime.execution.register_reach import Tables, reach_of
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose
-from nscc_runtime.reference.weights import ByName
+from nscc_runtime.reference.weights import ByName, WeightModel
 from nscc_runtime.sensor import Sensor
 
 ROWS, COLS = 6, 9

@@ -14,8 +14,8 @@ from plan_cases import case
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime import capture, frame_file, frame_series
-from nscc_runtime.formats.frame_content import frame_content
-from nscc_runtime.frame_file import Frame, FrameFile, stacked
+from nscc_runtime.formats.content import frame_content
+from nscc_runtime.frame_file import Frame, FrameFile, joined
 
 
 def _frames(count: int) -> Iterator[Frame]:
@@ -30,7 +30,7 @@ def _frames(count: int) -> Iterator[Frame]:
 @pytest.mark.parametrize("most", [0, 1 << 28])
 def test_a_film_is_its_frames_stacked(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(frame_series, "MOST_BYTES", most)
-    found, wanted = frame_series.gathered(_frames(5), 5), stacked(list(_frames(5)))
+    found, wanted = frame_series.gathered(_frames(5), 5), joined(list(_frames(5)), np.stack)
     for name in ("frame", "exposure_e", "valid", "saturated_by"):
         values = getattr(found, name)
         assert type(values) is np.ndarray
@@ -84,7 +84,7 @@ def test_no_copy_of_a_film_is_made_for_its_file(
 
 def test_frames_of_a_film_are_shown_one_by_one(tmp_path: Path) -> None:
     """Buckets side by side, and what is no number dark."""
-    frame = stacked(list(_frames(3)))
+    frame = joined(list(_frames(3)), np.stack)
     frame.exposure_e[1, 0, 2, 3] = np.nan
     program = case("two buckets", 8, rows=3, cols=4)
     file = FrameFile(frame, {}, {}, {})

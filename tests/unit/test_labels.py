@@ -13,7 +13,7 @@ from matplotlib.path import Path
 
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
-from nscc_runtime.pictures.picture_colours import look
+from nscc_runtime.pictures.sheet import look
 
 PLACES = st.tuples(st.floats(0, 1), st.floats(0, 1))
 LINES = st.lists(st.lists(PLACES, min_size=1, max_size=6), min_size=1, max_size=9)

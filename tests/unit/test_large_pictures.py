@@ -15,9 +15,9 @@ from PIL import Image
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.scenes import picture_size
 from nscc_runtime.scenes.exposure import BUILTIN
-from nscc_runtime.scenes.large_pictures import reduced
 from nscc_runtime.scenes.load import laid_scene
 from nscc_runtime.scenes.picture_files import open_pages, read_picture
+from nscc_runtime.scenes.picture_light import reduced
 from nscc_runtime.scenes.placement import FITS
 
 ROWS, COLS = 60, 90

@@ -25,8 +25,8 @@ from nscc_runtime.planning.look_trial import LookTrial
 from nscc_runtime.planning.make import measured_again
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import MOST_OTHER_STATES
+from nscc_runtime.planning.planned_scene import Setting
 from nscc_runtime.planning.scenes import LookingPixels, planning_of
-from nscc_runtime.planning.trial import Setting
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.looks import LookingReference
 from nscc_runtime.sensor import default_sensor

@@ -13,7 +13,7 @@ from nscc.operations import NEIGHBOURS, STEERING, Op, op, pair
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc_runtime.effects import selected
-from nscc_runtime.neighbours.picture_words import PictureWords
+from nscc_runtime.neighbours.pictured_program import PictureWords
 from nscc_runtime.neighbours.pixels import ArrayPixels
 from nscc_runtime.sensor import default_sensor
 

@@ -10,8 +10,7 @@ from noise_oracle import uniform_of
 from scipy import stats
 
 from nscc_runtime.noise import key, normals, uniforms
-from nscc_runtime.noise.counter import unit
-from nscc_runtime.noise.keys import philox
+from nscc_runtime.noise.keys import philox, unit
 
 # Counter, key and result, from the file kat_vectors of the authors' library Random123.
 KNOWN = (

@@ -30,13 +30,11 @@ from nscc.words.container import Container, DecodeTable
 from nscc_runtime.effects import selected
 from nscc_runtime.merge import BucketReadout
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.frame_sheet import frame_sheet
 from nscc_runtime.pictures.gate_sheet import gate_sheet
-from nscc_runtime.pictures.image_plane_sheet import image_plane_sheet
-from nscc_runtime.pictures.images import Image, image_sheet
+from nscc_runtime.pictures.images import Image, frame_sheet, image_plane_sheet, image_sheet
 from nscc_runtime.pictures.looking_chart import course_sheet
-from nscc_runtime.pictures.picture_colours import LOOKS, MARKERS, Look, contrast, look, looking
 from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
+from nscc_runtime.pictures.sheet import LOOKS, MARKERS, Look, contrast, look, looking
 from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 from nscc_runtime.planning.plan import Plan

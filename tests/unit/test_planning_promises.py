@@ -16,8 +16,8 @@ from reference_programs import sensor_of
 import nscc_runtime
 from nscc.words.container import Container
 from nscc_runtime.light import Light
+from nscc_runtime.planning.differences import Worst, largest, worst_measured
 from nscc_runtime.planning.plan_file import plan_text, read_plan
-from nscc_runtime.planning.tail import Worst, largest, worst_measured
 from nscc_runtime.sensor import Sensor
 
 SLOTS, SIDE = 8, 48

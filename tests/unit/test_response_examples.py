@@ -21,7 +21,7 @@ from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.looking.ends import looked_response, row_of
+from nscc_runtime.looked_light import looked_response, row_of
 from nscc_runtime.reference import frames
 from nscc_runtime.response import ShutterResponse, shutter_response
 

@@ -25,7 +25,7 @@ from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc.words.readout import converter_of
 from nscc.words.stream import DRAIN, Stream, schedule
-from nscc_runtime.expected import expected_noise
+from nscc_runtime.response import expected_noise
 from nscc_runtime.sensor import default_sensor
 
 CHIP = replace(load_target("dual-tap", Path()), rows=6, cols=11, name="small")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from drawn_counts import by_plan
 from plan_cases import case, moving_light
 
 from nscc.diagnostics.arguments import WrongArgument
 from nscc_runtime import capture
-from nscc_runtime.noise import RATE_CAP, key, normals, poisson, uniforms
-from nscc_runtime.torch_device import check_device
+from nscc_runtime.noise import RATE_CAP, key, normals, uniforms
+from nscc_runtime.python_arguments import check_device
 
 torch = pytest.importorskip("torch")
 
@@ -33,11 +34,11 @@ def test_counts_are_those_of_the_loops() -> None:
 
     places = np.arange(20_000)
     rates = np.geomspace(1e-3, 1e7, len(places))
-    rates[:3] = -1.0, np.nan, 1e15
+    rates[:2] = -1.0, np.nan
     stream = key(9, 1)
     given = on_torch.key_tensor([stream], "cpu"), torch.from_numpy(places)
     found = on_torch.poisson(*given, torch.from_numpy(rates), RATE_CAP).numpy()[0]
-    wanted, _ = poisson(stream, places, rates, exact=False)
+    wanted = by_plan(stream, places, rates)
     assert (found == wanted).mean() > 0.9999
     np.testing.assert_allclose(found, wanted, atol=1.0, rtol=1e-9)
 

@@ -23,8 +23,6 @@ from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.sensor import default_sensor
-from nscc_runtime.tradeoff import naive
-from nscc_runtime.tradeoff.naive import Naive, copy_gb_per_s, floor_ms
 from nscc_runtime.tradeoff.study import (
     DRAWN,
     ELECTRONS,
@@ -34,10 +32,13 @@ from nscc_runtime.tradeoff.study import (
     REFERENCE,
     SUMMED,
     WITH_PLANNING,
+    Naive,
     NamedLight,
     Study,
     StudySettings,
+    copy_gb_per_s,
     error,
+    floor_ms,
     measure,
 )
 from nscc_runtime.tradeoff.study_text import keeps_promise, studies_text
@@ -174,7 +175,7 @@ def test_naive_ways(program: AnalysedProgram, monkeypatch: pytest.MonkeyPatch) -
     assert abs((away**2).mean() - 1) < 5 * np.sqrt(2.2 / away.size), "and its variance"
     assert np.array_equal(drawn.exposure_e, np.rint(drawn.exposure_e))
     assert not np.array_equal(drawn.exposure_e, ready.drawn(2).exposure_e)
-    monkeypatch.setattr(naive, "_MOST_BYTES", 0)
+    monkeypatch.setattr("nscc_runtime.tradeoff.study._MOST_BYTES", 0)
     by_slot = Naive(program, light)
     np.testing.assert_array_equal(by_slot.summed().exposure_e, summed.exposure_e)
     np.testing.assert_array_equal(by_slot.drawn(1).exposure_e, drawn.exposure_e)

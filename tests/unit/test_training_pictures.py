@@ -14,8 +14,8 @@ pytest.importorskip("torch")
 
 from nscc.tradeoff.points import Point
 from nscc_runtime.pictures import sheet
+from nscc_runtime.pictures.precision import images_diagram, synthesis_diagram
 from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
-from nscc_runtime.pictures.synthesis import images_diagram, synthesis_diagram
 from nscc_training.tradeoff.diagrams import decoder_diagram, joint_diagram, sensor_diagram
 from nscc_training.tradeoff.joint import STAGES, Joint
 from nscc_training.tradeoff.sensor import SensorStudyResult

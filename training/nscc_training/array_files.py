@@ -15,7 +15,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.files import reads
 from nscc.npy import MOST_BYTES, InvalidArrays, check_size, npy_array, npz_arrays
-from nscc_runtime.scenes.mat_files import mat_array, mat_names
+from nscc_runtime.scenes.light_arrays import mat_array, mat_names
 from nscc_training.problems import listed, unreadable
 
 KEYS = ("image", "video", "truth_e", "light", "orig")

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import npz_arrays
-from nscc_runtime.scenes.mat_files import mat_arrays
+from nscc_runtime.scenes.light_arrays import mat_arrays
 from nscc_training.problems import unreadable
 
 Codes = Mapping[str, NDArray[np.int64]]

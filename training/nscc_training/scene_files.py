@@ -17,8 +17,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes import clips
 from nscc_runtime.scenes.clips import read_clip
 from nscc_runtime.scenes.colour import Transfer, grey
-from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, clip_white, read_mat
-from nscc_runtime.scenes.mat_files import mat_shapes
+from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, clip_white, mat_shapes, read_mat
 from nscc_runtime.scenes.picture_files import PICTURES, size_of
 
 _PICKED = re.compile(r"(.+)#(\d+(?:,\d+)*)/([1-9]\d*)")

@@ -11,8 +11,7 @@ import numpy as np
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.pictures.picture_colours import look
-from nscc_runtime.pictures.sheet import head, panels
+from nscc_runtime.pictures.sheet import head, look, panels
 from nscc_runtime.sensor import load_sensor
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.demo.expose import camera

@@ -19,11 +19,10 @@ from nscc.diagnostics.rejection import rejected
 from nscc.files import read_whole, reads
 from nscc.npy import MOST_BYTES, InvalidArrays, npz_arrays
 from nscc_runtime.formats import Content
-from nscc_runtime.formats.content_sheet import content_sheet
+from nscc_runtime.formats.content import content_sheet
 from nscc_runtime.frame_arrays import checked_meta, frame_meta
 from nscc_runtime.frame_file import Frame
-from nscc_runtime.pictures.image_plane_sheet import image_plane_sheet
-from nscc_runtime.pictures.images import Image, image_sheet
+from nscc_runtime.pictures.images import Image, image_plane_sheet, image_sheet
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.pictures.tone import fitted
 from nscc_runtime.scenes.clips import CLIPS, read_clip

@@ -38,10 +38,6 @@ class DarkFit:
             return self.offsets
         return self.offsets + self.currents * exposure_s
 
-    def mean_at(self, exposure_s: float | None) -> float:
-        """Return the mean code of good pixels without light after `exposure_s` (None: 0 s)."""
-        return self.offset + (self.current or 0.0) * (exposure_s or 0.0)
-
 
 def dark_of(
     levels: Sequence[Level], level_moments: Sequence[LevelMoments], good_mask: Mask

@@ -125,7 +125,14 @@ def calibrated(
     good_mask = good_pixels(light, dim)
     flat_moments = [moments(level, good_mask) for level in light]
     dark_moments = [moments(level, good_mask) for level in dim]
-    _refuse_exchanged(flat_moments, dark_moments)
+    brightest = max(level.mean for level in flat_moments)
+    darkest = min(level.mean for level in dark_moments)
+    if brightest <= darkest:
+        raise rejected(
+            "NS0759",
+            f"the darks (mean {darkest:.4g}) are not darker than the flats (mean {brightest:.4g})",
+            helps=("give flats first, and darks after --dark",),
+        )
     dark = dark_of(dim, dark_moments, good_mask)
     offset = None if dark is None else (dark.offset, dark.offset_se)
     curve = transfer(flat_moments, dark_moments, offset, top_code, crosstalk)
@@ -141,24 +148,22 @@ def calibrated(
         **_dark(curve, dark, good_mask),
         **_prnu(spread, curve, _fits(dark, flat_moments)),
         **_range(curve, flat_moments, top_code),
-        **_linear(flat_moments, dark, full),
     }
+    line = linearity(flat_moments, dark, full)
+    quantities |= (
+        _unknown(line, "linearity_error")
+        if isinstance(line, str)
+        else _quantities(
+            f"mean absolute deviation of {line.levels} levels from the line over time",
+            linearity_error=(line.error_percent, line.error_se),
+        )
+    )
     count = int(np.count_nonzero(good_mask))
     return Calibration(
         quantities, curve, tuple(flat_moments), tuple(dark_moments), count,
         int(np.count_nonzero(valid_pixels((*light, *dim)))) - count,
         (good_mask.shape[0], good_mask.shape[1]),
     )  # fmt: skip
-
-
-def _refuse_exchanged(flats: Sequence[LevelMoments], darks: Sequence[LevelMoments]) -> None:
-    light, dim = max(level.mean for level in flats), min(level.mean for level in darks)
-    if light <= dim:
-        raise rejected(
-            "NS0759",
-            f"the darks (mean {dim:.4g}) are not darker than the flats (mean {light:.4g})",
-            helps=("give flats first, and darks after --dark",),
-        )
 
 
 def _gain(curve: Transfer, known_crosstalk: float | None) -> dict[str, Quantity]:
@@ -298,13 +303,3 @@ def _range(curve: Transfer, flats: Sequence[LevelMoments], top_code: int) -> dic
         remark = "the brightest flat saturates in part"
     in_electrons = (highest / curve.gain, None)
     return _quantities(remark, "at least", saturation_lsb=(highest, None), full_well=in_electrons)
-
-
-def _linear(
-    flats: Sequence[LevelMoments], dark: DarkFit | None, full: float
-) -> dict[str, Quantity]:
-    line = linearity(flats, dark, full)
-    if isinstance(line, str):
-        return _unknown(line, "linearity_error")
-    remark = f"mean absolute deviation of {line.levels} levels from the line over time"
-    return _quantities(remark, linearity_error=(line.error_percent, line.error_se))

@@ -25,7 +25,7 @@ from nscc.files import reads
 from nscc.npy import npy_header, npz_arrays
 from nscc_runtime.frame_arrays import checked_meta, frame_meta
 from nscc_runtime.scenes.errors import size
-from nscc_runtime.scenes.mat_files import mat_arrays, mat_shapes
+from nscc_runtime.scenes.light_arrays import mat_arrays, mat_shapes
 
 Codes = NDArray[np.uint16]
 
@@ -73,11 +73,17 @@ def load_stack(source: str, top_code: int) -> Stack:
             values, from_meta = _ours(name, values, meta)
             origin = json.dumps([meta.get(key) for key in _SAME_PROGRAM])
             time_s = from_meta if time_s is None else time_s
-            valid = _valid(arrays, values.shape)
+            frame_valid = arrays.get("valid")
+            if frame_valid is not None and frame_valid.size == np.prod(values.shape):
+                is_valid = frame_valid.reshape(values.shape).astype(np.bool_)
+                valid = np.asarray(is_valid.all(axis=0))
         elif path.suffix.lower() == ".mat" and values.ndim == 3:
             values = np.moveaxis(values, 2, 0)
         if time_s is None and TIME_KEY in arrays:
-            time_s = _time_of_key(name, arrays[TIME_KEY])
+            with suppress(ValueError, TypeError):
+                time_s = float(np.asarray(arrays[TIME_KEY], np.float64).reshape(())) * 1e-6
+            if time_s is None or not _is_time(time_s * 1e6):
+                raise _wrong_time(name, f"`{TIME_KEY}`")
     else:
         key, values = "the picture", _pictures(path)
     codes = _codes(name, key, values, top_code)
@@ -114,14 +120,6 @@ def _timed(source: str) -> tuple[Path, float | None]:
     if not _is_time(seconds * 1e6):
         raise _wrong_time(source, f"{match[2]}{match[3]}")
     return Path(match[1]), seconds
-
-
-def _time_of_key(name: str, value: NDArray[Any]) -> float:
-    with suppress(ValueError, TypeError):
-        seconds = float(np.asarray(value, np.float64).reshape(())) * 1e-6
-        if _is_time(seconds * 1e6):
-            return seconds
-    raise _wrong_time(name, f"`{TIME_KEY}`")
 
 
 def _is_time(us: float) -> bool:
@@ -230,14 +228,6 @@ def _ours(
     if isinstance(times[0], bool) or not _is_time(times[0]):
         raise _wrong_time(name, f"`open_us` of its meta is {times[0]}"[:80])
     return shaped[:, 0], times[0] * 1e-6
-
-
-def _valid(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.bool_] | None:
-    """Return a mask (rows, cols) of pixels valid in all frames of the file; None without a mask."""
-    valid = arrays.get("valid")
-    if valid is None or valid.size != np.prod(shape):
-        return None
-    return np.asarray(valid.reshape(shape).astype(np.bool_).all(axis=0))
 
 
 def _pictures(path: Path) -> NDArray[Any]:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.calibrate.frame_stacks import Codes, Stack
+from nscc_runtime.calibrate.frame_stacks import Stack
 
 Map = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -115,7 +115,15 @@ def level_of(stack: Stack, top_code: int) -> Level:
         beside / (count - 1) + removed, below / (count - 1) + removed,
         np.count_nonzero(codes == 0, axis=0), np.count_nonzero(codes == top_code, axis=0),
     )  # fmt: skip
-    _refuse_twice(codes, level)
+    # Frames with little noise may be equal by chance.
+    noisy = not variance.mean() < QUIET
+    if noisy and len({frame.tobytes() for frame in codes}) < count:
+        raise rejected(
+            "NS0757",
+            f"'{stack.name}' has the same frame more than once",
+            notes=("noise is the difference between frames: a copy makes it look smaller",),
+            helps=("give each frame once; frames of the emulator need different seeds",),
+        )
     return level
 
 
@@ -159,16 +167,3 @@ def _rounding(variance: float, spread: float) -> tuple[float, float]:
     noise = max(variance - 1 / 12, 0.0)
     amplitude = np.exp(-2 * np.pi**2 * (noise + spread)) / np.sqrt(2)
     return float(amplitude / np.pi), float(amplitude * (4 * noise + np.pi**-2))
-
-
-def _refuse_twice(codes: Codes, level: Level) -> None:
-    """Raise NS0757 if a level contains a frame twice, which would underestimate its noise."""
-    if level.variance.mean() < QUIET:
-        return  # frames with little noise may be equal by chance
-    if len({frame.tobytes() for frame in codes}) < len(codes):
-        raise rejected(
-            "NS0757",
-            f"'{level.name}' has the same frame more than once",
-            notes=("noise is the difference between frames: a copy makes it look smaller",),
-            helps=("give each frame once; frames of the emulator need different seeds",),
-        )

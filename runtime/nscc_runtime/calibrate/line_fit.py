@@ -104,12 +104,6 @@ def root(variance: float, error: float) -> tuple[float, float]:
     return value, sqrt(max(variance, 0.0) + error) - value if error > 0 else 0.0
 
 
-def robust_scale(values: Vector) -> tuple[float, float]:
-    """Return the median, and the standard deviation estimated by the median absolute deviation."""
-    middle = float(np.median(values))
-    return middle, 1.4826 * float(np.median(np.abs(values - middle)))
-
-
 def surface(values: Map, good_mask: Mask) -> Map:
     """Return the quadratic surface (rows, cols), with six parameters, fitted to the good pixels."""
     rows, cols = values.shape

@@ -8,7 +8,7 @@ import numpy as np
 
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.calibrate.levels import Level, Mask, moments
-from nscc_runtime.calibrate.line_fit import robust_scale, surface
+from nscc_runtime.calibrate.line_fit import surface
 from nscc_runtime.scenes.errors import size
 
 OUTLIER = 12.0
@@ -99,7 +99,9 @@ def _outliers(level: Level, good_mask: Mask, flat: bool) -> Mask:
     values = level.mean_map
     if flat:
         values = values - surface(values, good_mask)
-    middle, scale = robust_scale(values[good_mask])
+    middle = float(np.median(values[good_mask]))
+    # The standard deviation, estimated by the median absolute deviation.
+    scale = 1.4826 * float(np.median(np.abs(values[good_mask] - middle)))
     noise = float(np.sqrt(level.variance[good_mask].mean() / level.frames))
     far: Mask = np.abs(values - middle) > OUTLIER * max(scale, noise, _LEAST_SCALE)
     return np.asarray(far & good_mask)

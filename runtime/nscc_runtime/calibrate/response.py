@@ -85,7 +85,7 @@ def linearity(
             "it takes flats of one light and three exposure times or more between 5 % and 95 % of "
             f"saturation, there {'is' if len(set(time)) == 1 else 'are'} {len(set(time))}"
         )
-    signal = np.array([level.mean - dark.mean_at(level.exposure_s) for level in inside])
+    signal = np.array([m.mean for m in inside]) - (dark.offset + (dark.current or 0.0) * time)
     for t in set(time):
         same = signal[time == t]
         if np.ptp(same) > _SAME * same.mean():

@@ -20,7 +20,6 @@ from nscc_runtime.device.objects import packed_plane
 if TYPE_CHECKING:
     from nscc.chips.target import Target
     from nscc.words.container import Container
-    from nscc_runtime.interface import Exposure
     from nscc_runtime.light import Light
     from nscc_runtime.sensor import Sensor
 
@@ -64,7 +63,16 @@ class EmulatedChip:
             self._light = (container.slot_us, self.scene(container.slot_us))
         light = self._light[1]
         if container.pictures is None:
-            exact, planes = self._executed(container, light)
+            if looks(container):
+                from nscc_runtime.reference.looks import executed
+
+                looked = executed(container, light, self.sensor, self.device_seed)
+                exact, planes = looked.exposure, looked.planes
+            else:
+                from nscc_runtime.emulator import expose
+
+                exact = expose(container, light, device_seed=self.device_seed)
+                planes = container.planes()
             frame = read_out(exact, self.target, self._converting(container))
             codes, exposures = [*frame.frame], [*frame.exposure_e]
             sent_planes = [planes[name] for name in container.state_planes]
@@ -116,19 +124,6 @@ class EmulatedChip:
             + program_sensor.adc_offset_lsb
             - common.adc_offset_lsb,
         )
-
-    def _executed(
-        self, container: Container, light: Light
-    ) -> tuple[Exposure, Mapping[str, NDArray[np.bool_]]]:
-        """Return the exposure without effects, and the digital registers after the frame."""
-        if looks(container):
-            from nscc_runtime.reference.looks import executed
-
-            executed_frame = executed(container, light, self.sensor, self.device_seed)
-            return executed_frame.exposure, executed_frame.planes
-        from nscc_runtime.emulator import expose
-
-        return expose(container, light, device_seed=self.device_seed), container.planes()
 
 
 def in_columns(frame: NDArray[Any]) -> bytes:

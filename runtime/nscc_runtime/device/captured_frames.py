@@ -10,19 +10,21 @@ from pathlib import Path
 from time import monotonic, sleep
 from typing import Any
 
+import numpy as np
+
 from nscc.chips.load import load_target, target_names
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
-from nscc_runtime.decode_table import with_table
 from nscc_runtime.device.device_chip import DeviceChip
 from nscc_runtime.device.device_errors import wrong_target
 from nscc_runtime.device.objects import target_digest
-from nscc_runtime.frame_file import Frame, FrameFile, Provenance, meta, stacked
+from nscc_runtime.frame_file import Frame, FrameFile, Provenance, joined, meta
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.response import with_table
 from nscc_runtime.sensor import Sensor, default_sensor
 
 
@@ -39,7 +41,7 @@ def exposed(
     most = repeat or 1
     shots = (chip.capture(container) for _ in range(most))
     frames = [shot.frame for shot in progress(shots, "exposing", most)]
-    frame = stacked(frames) if repeat else frames[0]
+    frame = joined(frames, np.stack) if repeat else frames[0]
     sensor = chip.sensor or default_sensor(converter_of(container))
     return frame, device_meta(chip, frame, sensor, container, light)
 

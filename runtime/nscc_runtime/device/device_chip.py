@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from random import SystemRandom
@@ -29,11 +30,15 @@ from nscc_runtime.device.messages import (
     LoaderState,
     plane_bytes,
 )
-from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
-from nscc_runtime.device.plane_reports import device_reports, split_reports
+from nscc_runtime.device.objects import (
+    Upload,
+    device_reports,
+    split_reports,
+    unpacked_plane,
+    upload_of,
+)
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
-from nscc_runtime.interface import Exposure
 from nscc_runtime.looked_light import told_by
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor, default_sensor
@@ -41,7 +46,6 @@ from nscc_runtime.sensor import Sensor, default_sensor
 if TYPE_CHECKING:
     from nscc.chips.target import Target
     from nscc.words.container import Container
-    from nscc_runtime.light import Light
 
 _STEP = 1024
 """Number of bytes per step of a progress bar."""
@@ -70,12 +74,6 @@ class DeviceChip:
         self._reaches: dict[str, Reach] = {}
         self.label = bytes(32)
         """SHA-256 of the container whose frames the device exposes."""
-
-    def expose(self, container: Container, light: Light | None = None) -> Exposure:
-        """Expose one frame of `container`. `light` is ignored: the device sees its own scene."""
-        self.upload(container)
-        shot = self.capture(container)
-        return Exposure(shot.frame.exposure_e, shot.frame.valid, shot.frame.saturated_by)
 
     @property
     def effects(self) -> Selection:
@@ -210,7 +208,10 @@ def frame_of(
     else:
         exposure = (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb
         if container is not None and container.machine is None and container.pictures is None:
-            saturated_by |= _full(codes, container, sensor)
+            from nscc_runtime.full_codes import marked_by_codes
+
+            with suppress(Rejected):  # NS0442: words that open no shutters
+                saturated_by |= marked_by_codes(codes, container, sensor)
     frame = Frame(codes, exposure, np.isfinite(exposure), saturated_by)
     if container is not None and container.pictures is not None:
         return _pictured(frame, data, channels, container, sensor, reaches)
@@ -264,15 +265,3 @@ def _planes_at_end(
         name: unpacked_plane(data[end - size : end], shape)
         for name, end in zip(names, ends, strict=True)
     }
-
-
-def _full(
-    codes: NDArray[np.uint8], container: Container, sensor: Sensor
-) -> NDArray[np.uint8] | np.uint8:
-    """Return the saturation marks that codes imply; 0 if the program's words open no shutters."""
-    from nscc_runtime.full_codes import marked_by_codes
-
-    try:
-        return marked_by_codes(codes, container, sensor)
-    except Rejected:  # NS0442: words that open no shutters
-        return np.uint8(0)

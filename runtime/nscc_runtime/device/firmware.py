@@ -9,6 +9,7 @@ import os
 import shutil
 import subprocess
 import tempfile
+from atexit import register
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from contextlib import suppress
@@ -19,9 +20,10 @@ from select import select
 from struct import Struct
 from typing import TYPE_CHECKING, NamedTuple, Self
 
+from nscc.cache.store import cache_folder
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.files import write_together
 from nscc_runtime.device.board import in_background
-from nscc_runtime.device.kept_loaders import cached_folder, is_whole, keep, passing_folder
 from nscc_runtime.device.recording import BoardJob, Recording
 from nscc_runtime.device.target_header import target_header
 
@@ -119,6 +121,45 @@ def _compile(command: list[str], header: str) -> bytes:
             lines = result.stderr.strip().splitlines() or [command[0]]
             raise NotBuilt(next((line for line in lines if "error" in line), lines[0]))
         return out.read_bytes()
+
+
+def _digest_of(place: Path) -> Path:
+    """Return the path of the file with the SHA-256 of a cached loader."""
+    return place.with_name(f"{place.name}.sha256")
+
+
+def is_whole(place: Path) -> bool:
+    """Return whether a cached loader is intact and executable."""
+    try:
+        digest = sha256(place.read_bytes()).hexdigest().encode()
+        return _digest_of(place).read_bytes() == digest and os.access(place, os.X_OK)
+    except OSError:
+        return False
+
+
+def keep(place: Path, image: bytes) -> None:
+    """Store a loader with its SHA-256. Raises Rejected if the folder is not writable."""
+    write_together({_digest_of(place): sha256(image).hexdigest().encode(), place: image})
+    place.chmod(0o755)
+
+
+def cached_folder() -> Path:
+    """Return the cache folder of loaders, or a temporary folder for this process."""
+    cache = cache_folder()
+    if cache is not None:
+        folder = cache / "firmware"
+        with suppress(OSError):
+            folder.mkdir(parents=True, exist_ok=True)
+            if os.access(folder, os.W_OK):
+                return folder
+    return passing_folder()
+
+
+def passing_folder() -> Path:
+    """Return a temporary folder that is removed when this process ends."""
+    folder = tempfile.mkdtemp(prefix="nscc-firmware-")
+    register(shutil.rmtree, folder, ignore_errors=True)
+    return Path(folder)
 
 
 class Firmware:

@@ -46,12 +46,11 @@ class Stalled(Exception):
     """The loader replies, but the task makes no progress."""
 
 
+@dataclass(eq=False)
 class Implausible(Exception):
     """A loader's reply about a frame contradicts the program."""
 
-    def __init__(self, captured: CaptureReply) -> None:
-        super().__init__()
-        self.captured = captured
+    captured: CaptureReply
 
 
 class Contested(Exception):

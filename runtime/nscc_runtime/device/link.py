@@ -48,15 +48,12 @@ class SerialLink:
         """Close the port. If the task is unfinished, stop the device first."""
         if self._port is not None and kind is not None and self.host.info is not None:
             with suppress(Exception):
-                self._goodbye()
+                until = monotonic() + _GOODBYE_S
+                self.host.start(self.host.cancel(), monotonic())
+                while self.host.running and self._port is not None and monotonic() < until:
+                    self._turn()
         if self._port is not None:
             self._port.close()
-
-    def _goodbye(self) -> None:
-        until = monotonic() + _GOODBYE_S
-        self.host.start(self.host.cancel(), monotonic())
-        while self.host.running and self._port is not None and monotonic() < until:
-            self._turn()
 
     def run(self, work: Callable[[], Task[Result]]) -> Result:
         """Run the task `work` to its end, despite interruptions of the line; return its result."""

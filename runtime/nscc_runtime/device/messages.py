@@ -5,7 +5,8 @@ invalid body comes from another version of the protocol, or an attacker."""
 
 from __future__ import annotations
 
-from dataclasses import astuple, dataclass
+import json
+from dataclasses import asdict, astuple, dataclass
 from enum import IntEnum, IntFlag
 from struct import Struct, error
 from typing import Any, ClassVar, Self
@@ -149,12 +150,6 @@ class Info(_Body):
     firmware: str
     layout = Struct("<BBHIIIIIIIIIIHH32s32s32s")
 
-    def pack(self) -> bytes:
-        """Return the bytes of the body, followed by its texts, each after its length."""
-        *fixed, name, firmware = astuple(self)
-        texts = (name.encode()[:60], firmware.encode()[:60])
-        return self.layout.pack(*fixed) + b"".join(bytes([len(text)]) + text for text in texts)
-
     @classmethod
     def unpack(cls, body: bytes) -> Self:
         fixed = _fields(cls.layout, body[: cls.layout.size])
@@ -205,20 +200,6 @@ class Declare(_Body):
     def pack(self) -> bytes:
         head = self.layout.pack(self.first, len(self.entries))
         return head + b"".join(entry.pack() for entry in self.entries)
-
-    @classmethod
-    def unpack(cls, body: bytes) -> Self:
-        first, count = _fields(cls.layout, body[: cls.layout.size])
-        packed = body[cls.layout.size :]
-        if len(packed) != count * ObjectEntry.layout.size:
-            raise ValueError(f"{count} entries in {len(body)} bytes")
-        return cls(
-            first,
-            tuple(
-                ObjectEntry(*entry_fields)
-                for entry_fields in ObjectEntry.layout.iter_unpack(packed)
-            ),
-        )
 
 
 MOST_ENTRIES = 26
@@ -317,3 +298,33 @@ DATA = Struct("<I")
 """Body of DATA: the position of the bytes that follow."""
 FRAME = Struct("<QI")
 """Body of the reply to READ: number of the capture and offset of the bytes that follow."""
+
+
+def info_text(info: Info, status: Status) -> str:
+    """Return a loader's description, one property per line."""
+    state = (
+        LoaderState(info.state).name.lower() if info.state in set(LoaderState) else str(info.state)
+    )
+    holds = f"program {info.label.hex()}" if any(info.program) else "no program"
+    return "\n".join(
+        [
+            f"loader     {info.firmware}, protocol {info.version}",
+            f"target     {info.target_name}, {info.rows} x {info.cols} pixels, "
+            f"table {info.target.hex()[:16]}",
+            f"holds      {holds} ({state})",
+            f"room       {info.most_words} words, {info.most_kernels} kernels, "
+            f"{info.most_rows} rows of schedule, {info.most_frame} bytes of frame",
+            f"line       {info.window} bytes ahead, {info.most_data} a packet; "
+            f"{status.packets} packets received, {status.damaged} damaged",
+            f"up         {status.uptime_us / 1e6:.1f} s",
+            "",
+        ]
+    )
+
+
+def info_json(info: Info, status: Status) -> str:
+    """Return a loader's description as JSON, with digests in hexadecimal."""
+    values = {**asdict(info), "status": asdict(status)}
+    for name in ("target", "program", "label"):
+        values[name] = values[name].hex()
+    return json.dumps(values, indent=2) + "\n"

@@ -36,8 +36,10 @@ from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container, state_registers, with_picture_words
 from nscc.words.legality import refuse_planes
-from nscc_runtime.device.messages import Begin, ObjectEntry
-from nscc_runtime.device.plane_reports import device_reports, report_bytes
+from nscc.words.reach import Reach, film_reaches
+from nscc_runtime.caches import OfContainer
+from nscc_runtime.device.messages import Begin, ObjectEntry, plane_bytes
+from nscc_runtime.neighbours.plane_summary import NO_BOX, PlaneSummary
 
 MOST_TIMES = (1 << 16) - 1
 MOST_LAUNCHES = 1 << 20
@@ -160,7 +162,9 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
     levels = [(AS_IT_IS if level is None else level,) for *_, level in rows]
     sets_in = any(level != (AS_IT_IS,) for level in levels)
-    schedule = SCHEDULE_HEAD.pack(container.slots, grace_ns(target), 0)
+    # The time of the loop, whose clock may have a resolution of one microsecond.
+    grace_ns = min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
+    schedule = SCHEDULE_HEAD.pack(container.slots, grace_ns, 0)
     schedule += _counted(RUN, runs) + _counted(ROW, [row[:3] for row in rows])
     number_of = target.digital_registers.index
     sent = (name for name in state_registers(container) if name not in reported)
@@ -171,7 +175,11 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
     if reported:
         report_rows = [(number_of(name), most, *reach) for name, (most, reach) in reported.items()]
         objects.append(Object(ObjectKind.REPORTS, 0, _counted(_REPORT, report_rows)))
-    objects.append(Object(ObjectKind.KERNELS, 0, _kernels(container)))
+    lengths = [len(kernel.words) for kernel in container.kernels]
+    words = [word for kernel in container.kernels for word in kernel.words]
+    kernels = COUNT.pack(len(lengths)) + np.array(lengths, "<u4").tobytes()
+    kernels += np.array(words, "<u4").reshape(-1, 5).tobytes()
+    objects.append(Object(ObjectKind.KERNELS, 0, kernels))
     if sets_in:
         objects.append(Object(ObjectKind.LEVELS, 0, _counted(LEVEL, levels)))
     objects.append(Object(ObjectKind.SCHEDULE, 0, schedule))
@@ -184,7 +192,7 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
         target_digest(target),
         label,
         tuple(objects),
-        words=sum(len(kernel.words) for kernel in container.kernels),
+        words=len(words),
         kernels=len(container.kernels),
         rows=len(rows),
         runs=len(runs),
@@ -212,12 +220,6 @@ def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
     return flat.view(np.bool_).reshape(shape)
 
 
-def grace_ns(target: Target) -> int:
-    """Return the tolerance of launches in nanoseconds. It covers the time of the loop, whose clock
-    may have a resolution of one microsecond."""
-    return min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
-
-
 def _readouts(container: Container) -> list[tuple[int, bool, float]]:
     """Return for each register that a device converts: number, whether it is an image, gain."""
     registers, by_bucket = container.target.analog_registers, container.readouts
@@ -234,16 +236,6 @@ def _counted(layout: Struct, rows: Sequence[tuple[float, ...]]) -> bytes:
     return COUNT.pack(len(rows)) + b"".join(layout.pack(*row) for row in rows)
 
 
-def _kernels(container: Container) -> bytes:
-    lengths = [len(kernel.words) for kernel in container.kernels]
-    words = [word for kernel in container.kernels for word in kernel.words]
-    return (
-        COUNT.pack(len(lengths))
-        + np.array(lengths, "<u4").tobytes()
-        + np.array(words, "<u4").reshape(-1, 5).tobytes()
-    )
-
-
 def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
     """Yield schedule rows (advance, kernel, times, level or None), merging equal launches."""
     at = 0
@@ -255,3 +247,54 @@ def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
         times = len(list(same))
         for launched in range(0, times, MOST_TIMES):
             yield advance, kernel, min(times - launched, MOST_TIMES), level
+
+
+_COORDINATES = 4
+_SUMMARY = Struct("<I4H")
+
+
+def report_bytes(most: int) -> int:
+    """Return the number of bytes of a report of at most `most` coordinates: the coordinates (u16 x,
+    u16 y) of the first bits of a plane that are 1, then the u32 number of bits and the u16
+    coordinates of the box around them. Coordinates that do not exist are 0xFFFF."""
+    return _COORDINATES * most + _SUMMARY.size
+
+
+@OfContainer
+def device_reports(container: Container) -> dict[str, tuple[int, Reach]]:
+    """Return the reports that need fewer bytes than their planes, by register: the most
+    coordinates, and the margin of the plane.
+
+    Planes that are read are sent anyway, and a margin that changes from frame to frame is known to
+    the host only."""
+    pictures, target = container.pictures, container.target
+    if pictures is None or not pictures.reports:
+        return {}
+    film = film_reaches(container)
+    if film is None or len(film) > 1:
+        return {}
+    reported: dict[str, tuple[int, Reach]] = {}
+    for report in pictures.reports:
+        register = pictures.registers[report.plane]
+        most = max(report.most, reported.get(register, (0,))[0])
+        reported[register] = most, film[0][report.plane]
+    read = {pictures.registers[name] for name in pictures.reads}
+    size = plane_bytes(target.rows * target.cols)
+    return {
+        name: (most, reach) for name, (most, reach) in reported.items()
+        if name not in read and report_bytes(most) < size
+    }  # fmt: skip
+
+
+def split_reports(
+    reports: dict[str, tuple[int, Reach]], data: bytes
+) -> tuple[bytes, dict[str, PlaneSummary]]:
+    """Return the bytes of a frame before its reports, and the summaries of planes by register."""
+    summaries: dict[str, PlaneSummary] = {}
+    for register, (most, _) in reversed(reports.items()):
+        data, report = data[: -report_bytes(most)], data[-report_bytes(most) :]
+        places = np.frombuffer(report, "<u2", 2 * most).reshape(most, 2)
+        count, *box = _SUMMARY.unpack_from(report, _COORDINATES * most)
+        places = places[: min(count, most)]
+        summaries[register] = count, box if count else NO_BOX, places.astype(np.int32)
+    return data, summaries

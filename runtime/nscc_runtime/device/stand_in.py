@@ -12,8 +12,8 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.device import firmware, qemu
 from nscc_runtime.device.board import EmulatedChip
-from nscc_runtime.device.faults import LineFaults
-from nscc_runtime.device.serving import Loaded, StandInServer
+from nscc_runtime.device.firmware import RunningFirmware
+from nscc_runtime.device.serving import LineFaults, StandInServer
 from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import Sensor
 
@@ -42,7 +42,7 @@ def emulated_chip(
 
 
 def serve(
-    loader: Loaded,
+    loader: RunningFirmware,
     faults: LineFaults,
     *,
     opened: Callable[[str], None],
@@ -65,7 +65,7 @@ def serve(
 @contextmanager
 def loaded(
     machine: Machine, target: Target, chip: EmulatedChip, say: Callable[[str], None]
-) -> Iterator[Loaded]:
+) -> Iterator[RunningFirmware]:
     """Run the firmware, compiled for a machine, in its own process.
 
     `qemu` and `qemu-m0` are an emulated Cortex-M4 and Cortex-M0. `say` is called with a text that

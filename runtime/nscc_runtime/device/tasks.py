@@ -174,7 +174,12 @@ class _Sender:
 
     def _acknowledge(self, sequence: int, progress: UploadProgress) -> None:
         if not self._ours(sequence):
-            self._acknowledge_late(sequence, progress)
+            late_since = self.given_up.pop(sequence, None)
+            if late_since is not None:  # the line is slower than estimated
+                self.host.timed(self.host.now - late_since)
+                self.wait = max(self.wait, self.host.wait_s)
+                if progress.failures == self.failures and progress.position > self.acknowledged:
+                    self._advance(progress.position)
             return
         while True:
             number, position, cost, since = self.sent.popleft()
@@ -197,15 +202,6 @@ class _Sender:
             # One more packet in flight per acknowledgement: twice as many after a round trip.
             self.window = min(self.window + cost, self.most)
             self._advance(progress.position)
-
-    def _acknowledge_late(self, sequence: int, progress: UploadProgress) -> None:
-        """Process an acknowledgement after its timeout: the line is slower than estimated."""
-        since = self.given_up.pop(sequence, None)
-        if since is not None:
-            self.host.timed(self.host.now - since)
-            self.wait = max(self.wait, self.host.wait_s)
-            if progress.failures == self.failures and progress.position > self.acknowledged:
-                self._advance(progress.position)
 
     def _advance(self, position: int) -> None:
         self.acknowledged = max(self.acknowledged, position)

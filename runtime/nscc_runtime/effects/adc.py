@@ -7,8 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from nscc.chips.target import Target
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.marks import Mark
+from nscc_runtime.effects.effect import Effect, InLoop, Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Codes
 from nscc_runtime.effects.sensor import Sensor

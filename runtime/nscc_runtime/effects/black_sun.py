@@ -2,16 +2,9 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import Effect, InLoop
+from nscc_runtime.effects.effect import Effect, InLoop, Mark
 from nscc_runtime.effects.full_well import FULL
-from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parts import LitLevel
-from nscc_runtime.effects.views import Pixels, Values, Word
-
-
-def _level_charge(_pixels: Pixels, charge: Values, _word: Word) -> Values:
-    return charge
-
 
 BLACK_SUN = Effect(
     name="black_sun",
@@ -25,7 +18,7 @@ BLACK_SUN = Effect(
     applied="to PIX as a source, at the boundary of its reset",
     absent="no word reads the level of a reset at its boundary, or there is no charge",
     parameters=(FULL,),
-    reference={"level": _level_charge},
+    reference={"level": lambda _pixels, charge, _word: charge},
     size="rms and mean of what falls between a reset and the word that reads its level, which "
     "is subtracted; at most a full well",
     sums=(LitLevel(),),

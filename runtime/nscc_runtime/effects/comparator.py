@@ -10,7 +10,7 @@ from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
 from nscc_runtime.effects.full_well import FULL
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Pixels, Places, Values, Word
+from nscc_runtime.effects.views import Places, Values
 from nscc_runtime.noise import key, normals
 
 SPREAD = parameter(
@@ -35,15 +35,6 @@ def offset_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
     return np.asarray(SPREAD(sensor) * FULL(sensor) * z)
 
 
-def _off(pixels: Pixels, total: Values, word: Word) -> Values:
-    return total + pixels.fixed(offset_e)
-
-
-def _noisy(pixels: Pixels, total: Values, word: Word) -> Values:
-    size_e = SIGMA(pixels.sensor) * FULL(pixels.sensor)
-    return total + size_e * pixels.error("comparator_noise", word)
-
-
 COMPARATOR_OFFSET = Effect(
     name="comparator_offset",
     stream=17,
@@ -53,7 +44,7 @@ COMPARATOR_OFFSET = Effect(
     "a standard normal number of the device for each pixel.",
     cost="one normal number a pixel and a sum a comparison",
     parameters=(SPREAD, FULL),
-    reference={"compare": _off},
+    reference={"compare": lambda pixels, total, _word: total + pixels.fixed(offset_e)},
     words=InLoop(
         "compares_off",
         {"compare_offset": lambda sensor: SPREAD(sensor) * FULL(sensor)},
@@ -72,7 +63,12 @@ COMPARATOR_NOISE = Effect(
     "standard normal number of its own for each pixel and word.",
     cost="one normal number a comparison that a pixel depends on",
     parameters=(SIGMA, FULL),
-    reference={"compare": _noisy},
+    reference={
+        "compare": lambda pixels, total, word: (
+            total
+            + SIGMA(pixels.sensor) * FULL(pixels.sensor) * pixels.error("comparator_noise", word)
+        )
+    },
     words=InLoop(
         "compares_noisy",
         {"compare_noise": lambda sensor: SIGMA(sensor) * FULL(sensor)},

@@ -7,7 +7,7 @@ import numpy as np
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Exchange
-from nscc_runtime.effects.views import Slots, Values
+from nscc_runtime.effects.views import Values
 
 FRACTION = parameter(
     "crosstalk_fraction", "light", 0.005, "1", 0, 0.2,
@@ -27,10 +27,6 @@ def smeared(charge: Values, fraction: float) -> Values:
     return np.asarray(charge + fraction * flow)
 
 
-def _smear(slots: Slots, charge: Values) -> Values:
-    return smeared(charge, FRACTION(slots.sensor))
-
-
 CROSSTALK = Effect(
     name="crosstalk",
     stream=14,
@@ -42,7 +38,7 @@ CROSSTALK = Effect(
     cost="five reads a sample; a halo of one pixel around each tile",
     applied="to the charge of every slot, drawn, before it falls on PIX",
     parameters=(FRACTION,),
-    reference={"neighbours": _smear},
+    reference={"neighbours": lambda slots, charge: smeared(charge, FRACTION(slots.sensor))},
     size="rms and mean of c sum S laplacian(E), dark charge included, and of the noise of the "
     "counts that pass between pixels; worst at saturated and moving edges",
     sums=(Exchange(FRACTION, smeared),),

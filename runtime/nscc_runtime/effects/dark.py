@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.counts import WITHOUT_LIGHT
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import MOST_E, parameter
 from nscc_runtime.effects.parts import CountedDark
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.spread import log_normal, log_variance
-from nscc_runtime.effects.views import Places, Slots, Values
+from nscc_runtime.effects.views import WITHOUT_LIGHT, Places, Slots, Values
 from nscc_runtime.noise import key, normals
 
 CURRENT = parameter(

@@ -4,12 +4,6 @@ from __future__ import annotations
 
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parts import SlowWords
-from nscc_runtime.effects.views import Word
-
-
-def _ends(word: Word) -> float:
-    return word.after_us
-
 
 DEAD_TIME = Effect(
     name="dead_time",
@@ -21,7 +15,7 @@ DEAD_TIME = Effect(
     "reset loses it. After the last slot the light goes on as in that slot.",
     cost="a factor for each code; a slot loop in the reference",
     applied="between the words of a boundary",
-    reference={"time": _ends},
+    reference={"time": lambda word: word.after_us},
     size="rms and mean of what falls meanwhile, and of its counts: read and reset every slot: "
     "lost fraction x rms L; edges: each moves by its words' time; without that in the "
     "level of a reset",

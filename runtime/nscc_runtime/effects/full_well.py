@@ -4,21 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.marks import Mark
+from nscc_runtime.effects.effect import Effect, InLoop, Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Well
-from nscc_runtime.effects.views import Pixels, Values
 
 FULL = parameter(
     "full_well_e", "range", None, "e", 0, MOST_E, "charge that PIX holds above its reset level",
     TARGET, low_excluded=True,
 )  # fmt: skip
-
-
-def _clip_to_well(pixels: Pixels, charge: Values) -> Values:
-    # NaN stays NaN.
-    return np.asarray(np.minimum(charge, FULL(pixels.sensor)))
 
 
 FULL_WELL = Effect(
@@ -32,7 +25,10 @@ FULL_WELL = Effect(
     applied="to PIX whenever charge falls on it",
     absent="no pixel comes near it",
     parameters=(FULL,),
-    reference={"well": _clip_to_well},
+    reference={
+        # NaN stays NaN.
+        "well": lambda pixels, charge: np.minimum(charge, FULL(pixels.sensor))
+    },
     size="rms and mean of the charge that is lost, of pixels that come near the well",
     sums=(Well(FULL),),
     words=InLoop("holds", {"well": FULL}),

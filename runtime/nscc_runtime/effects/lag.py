@@ -5,16 +5,11 @@ from __future__ import annotations
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Echo
-from nscc_runtime.effects.views import Slots, Values
 
 FRACTION = parameter(
     "lag_fraction", "light", 0.002, "1", 0, 1,
     "part of the previous frame's light that comes again in the same slot", place=1,
 )  # fmt: skip
-
-
-def _again(slots: Slots, light: Values) -> Values:
-    return light + FRACTION(slots.sensor) * slots.electrons(slots.scene.previous)
 
 
 LAG = Effect(
@@ -27,7 +22,11 @@ LAG = Effect(
     cost="none for the same scene; else one more sum over the slots",
     applied="to the light of every slot",
     parameters=(FRACTION,),
-    reference={"light": _again},
+    reference={
+        "light": lambda slots, light: (
+            light + FRACTION(slots.sensor) * slots.electrons(slots.scene.previous)
+        )
+    },
     size="rms and mean of l times the light of the frame before, the same scene",
     sums=(Echo(FRACTION),),
     words=InLoop(numbers={"echo": FRACTION}),

@@ -9,7 +9,7 @@ from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Leak
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.spread import log_normal, log_variance
-from nscc_runtime.effects.views import Pixels, Places, Values
+from nscc_runtime.effects.views import Places, Values
 from nscc_runtime.noise import key, normals
 
 TAU = parameter(
@@ -28,10 +28,6 @@ def leak_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
     return np.asarray(log_normal(SPREAD(sensor), z) / TAU(sensor))
 
 
-def _remaining_fraction(pixels: Pixels, seconds: float) -> Values:
-    return np.asarray(np.exp(-pixels.fixed(leak_per_s) * seconds))
-
-
 LEAKAGE = Effect(
     name="leakage",
     stream=9,
@@ -43,7 +39,7 @@ LEAKAGE = Effect(
     cost="weights of age for each code; none a slot",
     applied="to every analog register at the end of each slot and before its readout",
     parameters=(TAU, SPREAD),
-    reference={"hold": _remaining_fraction},
+    reference={"hold": lambda pixels, seconds: np.exp(-pixels.fixed(leak_per_s) * seconds)},
     size="rms and mean of sum S E (1 - exp(-age / tau)), tau of each pixel, and of its counts",
     sums=(Leak(leak_per_s, TAU, SPREAD),),
     words=InLoop(

@@ -8,7 +8,7 @@ from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Response
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Places, Slots, Values
+from nscc_runtime.effects.views import Places, Values
 from nscc_runtime.noise import key, normals
 
 SPREAD = parameter(
@@ -23,10 +23,6 @@ def response(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
     return np.asarray(np.maximum(1.0 + SPREAD(sensor) * z, 0.0))
 
 
-def _uneven(slots: Slots, light: Values) -> Values:
-    return light * slots.fixed(response)
-
-
 PRNU = Effect(
     name="prnu",
     stream=2,
@@ -37,7 +33,7 @@ PRNU = Effect(
     cost="one product a pixel",
     applied="to the light of every slot, before it is counted",
     parameters=(SPREAD,),
-    reference={"response": _uneven},
+    reference={"response": lambda slots, light: light * slots.fixed(response)},
     size="rms and mean of the light that the pixels' own factors add or take, about p rms(L)",
     sums=(Response(response),),
     words=InLoop("uneven", {"uneven": SPREAD}, "uneven"),

@@ -5,13 +5,8 @@ from __future__ import annotations
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import MOST_E, parameter
 from nscc_runtime.effects.parts import Errors
-from nscc_runtime.effects.views import Pixels, Values, Word
 
 SIGMA = parameter("read_noise_e", "noise", 10.0, "e", 0, MOST_E, "of one read of PIX")
-
-
-def _add_read_noise(pixels: Pixels, level: Values, word: Word) -> Values:
-    return level + SIGMA(pixels.sensor) * pixels.error("read", word)
 
 
 READ = Effect(
@@ -25,7 +20,11 @@ READ = Effect(
     applied="to PIX as a source of an analog word",
     absent="this sensor has none",
     parameters=(SIGMA,),
-    reference={"reads": _add_read_noise},
+    reference={
+        "reads": lambda pixels, level, word: (
+            level + SIGMA(pixels.sensor) * pixels.error("read", word)
+        )
+    },
     size="rms = sigma sqrt(reads), reads weighted with their squared coefficients: a reset "
     "level that is subtracted k times counts k^2",
     sums=(Errors("reads", SIGMA),),

@@ -6,12 +6,11 @@ import math
 
 import numpy as np
 
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.marks import Mark
+from nscc_runtime.effects.effect import Effect, InLoop, Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Pixels, Values
+from nscc_runtime.effects.views import Values
 from nscc_runtime.loop import compiled
 
 LOWEST = parameter(
@@ -77,10 +76,6 @@ def _half_slope_loss_e(sensor: Sensor) -> float:
     return (half - math.tanh(half)) * (_high(sensor) - _linear(sensor))
 
 
-def _soften(pixels: Pixels, value: Values) -> Values:
-    return soft(value, pixels.sensor)
-
-
 REGISTER = Effect(
     name="register",
     stream=8,
@@ -92,7 +87,7 @@ REGISTER = Effect(
     applied="to every result of a bus word",
     absent="no pixel comes near it",
     parameters=(LOWEST, HIGHEST, KNEE),
-    reference={"registers": _soften},
+    reference={"registers": lambda pixels, value: soft(value, pixels.sensor)},
     size="rms and mean of what is lost by the largest partial sums, of pixels that come near "
     "the knee; of those that noise alone takes there, what a frame loses to it",
     sums=(Soft(_linear, _compute_loss_e),),

@@ -5,16 +5,11 @@ from __future__ import annotations
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import MOST_E, parameter
 from nscc_runtime.effects.parts import Errors
-from nscc_runtime.effects.views import Pixels, Values, Word
 
 SIGMA = parameter(
     "reset_noise_e", "noise", 40.0, "e", 0, MOST_E,
     "of one reset of PIX; sqrt(kTC) of 10 fF at 300 K", place=1,
 )  # fmt: skip
-
-
-def _add_reset_noise(pixels: Pixels, level: Values, word: Word) -> Values:
-    return level + SIGMA(pixels.sensor) * pixels.error("reset", word)
 
 
 RESET = Effect(
@@ -28,7 +23,11 @@ RESET = Effect(
     applied="to PIX by every rpix",
     absent="this sensor has none",
     parameters=(SIGMA,),
-    reference={"resets": _add_reset_noise},
+    reference={
+        "resets": lambda pixels, level, word: (
+            level + SIGMA(pixels.sensor) * pixels.error("reset", word)
+        )
+    },
     size="rms = sigma sqrt(resets), resets weighted with their squared coefficients",
     sums=(Errors("resets", SIGMA),),
     words=InLoop("reset_errors", {"reset_error": SIGMA}),

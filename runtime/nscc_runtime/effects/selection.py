@@ -11,12 +11,11 @@ from typing import Any, TypeVar
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
-from nscc_runtime.effects.effect import RESERVED, Effect
-from nscc_runtime.effects.marks import Mark
+from nscc_runtime.caches import remembered
+from nscc_runtime.effects.effect import RESERVED, Effect, Mark
 from nscc_runtime.effects.parts import Converter, Errors, Part
 from nscc_runtime.effects.registry import always_on, by_name, optional, registered
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.method_cache import remembered
 
 P = TypeVar("P", bound=Part)
 

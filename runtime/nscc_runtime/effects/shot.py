@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.counts import LIGHT
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parts import CountedLight
-from nscc_runtime.effects.views import Slots, Values
+from nscc_runtime.effects.views import LIGHT, Slots, Values
 
 
 def _count(slots: Slots, light: Values) -> Values:

@@ -11,9 +11,15 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
-from nscc_runtime.method_cache import remembered
+
+LIGHT, WITHOUT_LIGHT = 0, 1
+"""Numbers of the sources of charge."""
+THINNED = 2
+"""Added to a source number for the key that distributes counts over the slots of a group."""
+
 
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
@@ -74,7 +80,7 @@ class Slots(Where, ABC):
 
     @abstractmethod
     def counted(self, stream: int, source: int, rates: Values) -> Values:
-        """Return Poisson counts of mean `rates`. `source`: see `nscc_runtime.effects.counts`."""
+        """Return Poisson counts of mean `rates`. `source`: see `nscc_runtime.effects.views`."""
 
 
 class Pixels(Where, ABC):

@@ -23,9 +23,8 @@ import numpy as np
 from nscc.diagnostics.rejection import rejected
 from nscc.words.legality import decoded
 from nscc.words.soundness import faults
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.emulator.array_words import ArrayWords, packed
-from nscc_runtime.emulator.taps import sorted_light
 from nscc_runtime.interface import Exposure
 from nscc_runtime.pool import in_parts, threads_of
 
@@ -53,7 +52,7 @@ def expose(
     run (`nscc.words.legality`). Raises ValueError for an inconsistent container or light."""
     check(container, light)
     if container.target.streamed:
-        return sorted_light(container, light)
+        return _sorted_light(container, light)
     from nscc_runtime.emulator.loops import PixelBlock, expose_block
 
     table, program = _decoded(container)
@@ -62,7 +61,11 @@ def expose(
     pixels = light.shape[0] * light.shape[1]
     exposure = np.empty((len(ordered), pixels), np.float64)
     block = min(BLOCK, (pixels + 63) // 64 * 64)
-    _check_matrix(light)
+    starts, index = light.row_start, light.frame_index
+    if starts[0] != 0 or np.any(np.diff(starts) < 0):
+        raise ValueError("the rows of the light's matrix are out of order")
+    if index.size and not (index.min() >= 0 and index.max() < len(light.frames)):
+        raise ValueError("the light's matrix names a frame that does not exist")
     frames, registers = len(light.frames), len(table.analog)
     run = expose_block.bound(
         program=program,
@@ -101,6 +104,24 @@ def expose(
     return Exposure(shaped, np.isfinite(shaped))
 
 
+def _sorted_light(container: Container, light: Light) -> Exposure:
+    """Return the exposure of a chip without logic: for each bucket the light that its tap collects,
+    times the tap's gain, in float64.
+
+    Raises ValueError for a container without planes. Other errors must be checked before."""
+    sent = container.stream
+    if sent is None:
+        raise ValueError("a container without planes")
+    exposure = np.zeros((len(container.buckets), *light.shape))
+    for slot in range(container.slots):
+        fallen = light.slot(slot).astype(np.float64)
+        place = sent.place(slot, light.shape[1])
+        for bucket in range(len(exposure)):
+            exposure[bucket] += np.where(place == bucket, fallen, 0.0)
+    exposure *= np.array([readout.gain for readout in container.readouts])[:, None, None]
+    return Exposure(exposure, np.isfinite(exposure))
+
+
 @OfContainer
 def _decoded(container: Container) -> tuple[ArrayWords, EmulatedProgram]:
     """Return a program's words and codes for the loop. The schedule must be sound
@@ -129,15 +150,6 @@ def _decoded(container: Container) -> tuple[ArrayWords, EmulatedProgram]:
 
 
 _faults = OfContainer(faults)
-
-
-def _check_matrix(light: Light) -> None:
-    """Raise ValueError for an inconsistent matrix of a light: the loop does not check it."""
-    starts, index = light.row_start, light.frame_index
-    if starts[0] != 0 or np.any(np.diff(starts) < 0):
-        raise ValueError("the rows of the light's matrix are out of order")
-    if index.size and not (index.min() >= 0 and index.max() < len(light.frames)):
-        raise ValueError("the light's matrix names a frame that does not exist")
 
 
 def check(container: Container, light: Light) -> None:

@@ -10,8 +10,8 @@ import math
 import numpy as np
 
 from nscc_runtime.loop import Bytes, Floats, Ints, compiled, inlined
-from nscc_runtime.noise.counter import bits, unit
-from nscc_runtime.noise.gaussian_fast import normal_fast
+from nscc_runtime.noise.gaussian import normal_fast
+from nscc_runtime.noise.keys import bits, unit
 from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
 
 BLOCK = 1024
@@ -151,8 +151,8 @@ def counted(
 ) -> None:  # fmt: skip
     """Replace the rates values[i] by Poisson counts drawn at places[first + i].
 
-    The counts equal those of `nscc_runtime.noise.poisson_law.poisson_fast` for the same uniform
-    numbers. Rates are clipped to `top`."""
+    For rates below SEARCH_BELOW they equal those of `nscc_runtime.noise.poisson_law.search`, else
+    `quantile` rounded down, and at least the count at SEARCH_BELOW. Rates are clipped to `top`."""
     count, low, middle, high = stop - first, 0, 0, 0
     for i in range(count):
         rate = values[i] if values[i] > 0.0 else 0.0

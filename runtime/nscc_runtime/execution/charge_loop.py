@@ -13,7 +13,7 @@ import numpy as np
 
 from nscc_runtime.execution.layout import Keys, Numbers, Sizes
 from nscc_runtime.loop import Floats, Ints, Ints32, Words, Written, compiled
-from nscc_runtime.noise.counter import bits
+from nscc_runtime.noise.keys import bits
 from nscc_runtime.noise.noise_loops import halved, uniform
 from nscc_runtime.noise.poisson_law import poisson_exact
 
@@ -55,12 +55,6 @@ class CountScratch(NamedTuple):
     heap: Written[Floats]
     stamps: Written[Ints]
     places: Written[Ints]
-
-
-@compiled
-def stream_key(base: np.uint64, frame: int, group: np.uint64) -> np.uint64:
-    """Return the random key of a group of slots in a frame, from its first half `base`."""
-    return bits(base, frame, group)
 
 
 @compiled
@@ -171,20 +165,10 @@ def streams_of(sizes: Sizes, keys: Keys, group_ids: Words, streams: Words) -> No
     count = sizes.groups
     for group in range(count):
         name = group_ids[group]
-        streams[group] = stream_key(keys.count_light, sizes.frame, name)
-        streams[count + group] = stream_key(keys.thin_light, sizes.frame, name)
-        streams[2 * count + group] = stream_key(keys.count_dark, sizes.frame, name)
-        streams[3 * count + group] = stream_key(keys.thin_dark, sizes.frame, name)
-
-
-@compiled
-def _heaps_at(sizes: Sizes, place: int) -> int:
-    """Return the number of a site's heap; neighbouring sites have different heaps."""
-    if not sizes.exchanges or sizes.counts_known:
-        return 0
-    row, col = place // sizes.cols, place % sizes.cols
-    heap_number: int = (row % 3) * sizes.kept_cols + col % sizes.kept_cols
-    return heap_number
+        streams[group] = bits(keys.count_light, sizes.frame, name)
+        streams[count + group] = bits(keys.thin_light, sizes.frame, name)
+        streams[2 * count + group] = bits(keys.count_dark, sizes.frame, name)
+        streams[3 * count + group] = bits(keys.thin_dark, sizes.frame, name)
 
 
 @compiled
@@ -193,7 +177,11 @@ def _charge_of_site(
     counts: CountScratch,
 ) -> float:  # fmt: skip
     """Return the charge of a site in the slots `begin` to `stop` - 1."""
-    heap_number = 2 * _heaps_at(sizes, place)
+    heap_number = 0
+    if sizes.exchanges and not sizes.counts_known:
+        # Neighbouring sites have different heaps.
+        row, col = place // sizes.cols, place % sizes.cols
+        heap_number = 2 * ((row % 3) * sizes.kept_cols + col % sizes.kept_cols)
     total = _charge_of_source(sizes, numbers, LIT, place, begin, stop, sites, counts, heap_number)
     if sizes.counts_dark:
         total += _charge_of_source(

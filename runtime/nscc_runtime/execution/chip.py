@@ -11,7 +11,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.counts import LIGHT, WITHOUT_LIGHT
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects.parts import (
     Counted,
     CountedDark,
@@ -26,11 +26,10 @@ from nscc_runtime.effects.parts import (
     WordGain,
 )
 from nscc_runtime.effects.selection import Selection
-from nscc_runtime.effects.views import Device
+from nscc_runtime.effects.views import LIGHT, WITHOUT_LIGHT, Device
 from nscc_runtime.execution.overlap import weights_beside
 from nscc_runtime.execution.pixel_array import PixelArray
 from nscc_runtime.execution.program import AnalysedProgram
-from nscc_runtime.method_cache import remembered
 
 T = TypeVar("T")
 Values = NDArray[np.float64]

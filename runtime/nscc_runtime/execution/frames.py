@@ -19,7 +19,7 @@ from nscc_runtime.effects.parts import Counted, Saturates
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.chip import SimulatedChip, chip_of
 from nscc_runtime.execution.near_saturation import near_saturation
-from nscc_runtime.execution.pixels import KnownCounts, Running, Wired
+from nscc_runtime.execution.pixels import KnownCounts, Running
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.summed import LoopConverter, SummedScene
 from nscc_runtime.frame_file import Frame, check_adc, converted
@@ -37,23 +37,14 @@ Path = Literal["sums", "words", "reference"]
 class Execution:
     """How a frame is exposed, and with which effects.
 
-    Attributes
-    ----------
-    path : {"sums", "words", "reference"}
-        "sums": weighted sums over slots, except that pixels near saturation run through their
-        words. "words": all pixels run through their words. "reference": slot by slot.
-    kept_effects : Selection
-        The effects that are simulated.
-    near_effects : Selection
-        The effects that are simulated for pixels near saturation on the path "sums". If
-        `kept_effects` contains no effect that saturates, no pixel runs through its words.
-    requested_effects : Selection
-        All effects that the user did not force off. They decide which pixels are near saturation,
-        and the weights of the noise of words.
-    exact : bool
-        Whether pixels near saturation draw counts and split them between slots like the reference.
-        Otherwise they use the counts of sums.
-    """
+    `path`: "sums": weighted sums over slots, except that pixels near saturation run through their
+    words. "words": all pixels run through their words. "reference": slot by slot. `kept_effects`
+    are simulated; `near_effects` are simulated for pixels near saturation on the path "sums". If
+    `kept_effects` contains no effect that saturates, no pixel runs through its words.
+    `requested_effects`: all effects that the user did not force off. They decide which pixels are
+    near saturation, and the weights of the noise of words. `exact`: whether pixels near saturation
+    draw counts and split them between slots like the reference; otherwise they use the counts of
+    sums."""
 
     path: Path
     kept_effects: Selection
@@ -151,17 +142,13 @@ class ExecutedScene:
         near_places = near_pixels(self.program, self.light, self.device_seed, self.execution)
         if not len(near_places):
             return None
-        return Running(
-            self._wired(self.execution.near_effects), self.light, near_places, self.threads
-        )
+        wired = self.program.wired(self.execution.near_effects, self.device_seed)
+        return Running(wired, self.light, near_places, self.threads)
 
     @cached_property
     def _all_by_words(self) -> Running:
-        wired = self._wired(self.execution.kept_effects)
+        wired = self.program.wired(self.execution.kept_effects, self.device_seed)
         return Running(wired, self.light, self.program.array.places, self.threads)
-
-    def _wired(self, effects: Selection) -> Wired:
-        return self.program.wired(effects, self.device_seed)
 
     def _exposure(self, exposure: Values, marked: Marked) -> Exposure:
         shape = len(exposure), *self.light.shape

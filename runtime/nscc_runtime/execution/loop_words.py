@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
-from nscc_runtime.effects.in_loops import device_keys, figures, switches
+from nscc_runtime.effects.in_loops import figures, switches
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.layout import (
     ACTS,
@@ -18,7 +18,6 @@ from nscc_runtime.execution.layout import (
     LoopProgram,
     LoopWord,
     Numbers,
-    OnDevice,
     Readouts,
     Switches,
 )
@@ -98,40 +97,21 @@ def switches_of(container: Container, effects: Selection) -> Switches:
     )
 
 
-def device_of(device_seed: int) -> OnDevice:
-    """Return the random keys of a device's fixed patterns."""
-    return OnDevice(**device_keys(OnDevice, device_seed))
+def turns_of(
+    entries: NDArray[Any], acts: NDArray[np.bool_], start: NDArray[np.int64]
+) -> tuple[NDArray[np.bool_], NDArray[np.uint8]]:
+    """Return a mask (words,) of resets without effect, because PIX is reset again before it is
+    read, and the flags of each word: `ACTS` and `SEEN` (the charge before it is read before a
+    reset).
 
-
-class Turns:
-    """The resets and reads of PIX among the words of lanes. The words of lane l are at start[l] to
-    start[l + 1] - 1. A turn is a word that reads or resets PIX."""
-
-    def __init__(
-        self, entries: NDArray[Any], acts: NDArray[np.bool_], start: NDArray[np.int64]
-    ) -> None:
-        self._acts, self._count = acts, len(entries)
-        self._resets = acts & entries["resets"].astype(bool)
-        self._turns = self._resets | acts & entries["reads_pix"].astype(bool)
-        self._end = np.repeat(start[1:], np.diff(start))
-
-    @property
-    def unread(self) -> NDArray[np.bool_]:
-        """Mask (words,) of resets without effect: PIX is reset again before it is read."""
-        return np.asarray(self._resets & self._then(self._resets, 1))
-
-    @property
-    def flags(self) -> NDArray[np.uint8]:
-        """Flags of each word: `ACTS` and `SEEN` (the charge before it is read before a reset)."""
-        is_read = self._then(self._turns & ~self._resets, 0)
-        return np.asarray(ACTS * self._acts + SEEN * is_read, np.uint8)
-
-    def _then(self, kind: NDArray[np.bool_], after: int) -> NDArray[np.bool_]:
-        """Return for each word whether the next turn of its lane, at least `after` words later, is
-        in `kind`."""
-        if not self._count:
-            return np.zeros(0, np.bool_)
-        turn_index = np.where(self._turns, np.arange(self._count), self._count)
-        coming = np.minimum.accumulate(turn_index[::-1])[::-1]
-        coming = np.append(coming, np.full(after, self._count))[after:]
-        return np.asarray((coming < self._end) & kind[np.minimum(coming, self._count - 1)])
+    The words of lane l are at start[l] to start[l + 1] - 1. A turn is a word that reads or resets
+    PIX."""
+    count, end = len(entries), np.repeat(start[1:], np.diff(start))
+    resets = acts & entries["resets"].astype(bool)
+    turns = resets | acts & entries["reads_pix"].astype(bool)
+    turn_index = np.where(turns, np.arange(count), count)
+    coming = np.minimum.accumulate(turn_index[::-1])[::-1]
+    following = np.append(coming, count)[1:]
+    is_reset = (following < end) & np.append(resets, False)[following]
+    is_read = (coming < end) & np.append(turns & ~resets, False)[coming]
+    return resets & is_reset, np.asarray(ACTS * acts + SEEN * is_read, np.uint8)

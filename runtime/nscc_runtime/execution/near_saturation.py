@@ -16,7 +16,7 @@ from nscc_runtime.effects.selection import Selection
 from nscc_runtime.execution.chip import SimulatedChip, chip_of
 from nscc_runtime.execution.overlap import NEIGHBOURS
 from nscc_runtime.execution.program import AnalysedProgram
-from nscc_runtime.execution.sums import SlotWeights
+from nscc_runtime.execution.sum_loop import SlotWeights
 from nscc_runtime.light import Light
 
 Values = NDArray[np.float64]
@@ -30,17 +30,11 @@ _SLACK = 1.0 - 1e-5
 
 @dataclass(frozen=True, eq=False)
 class NearSaturation:
-    """Pixels that may saturate.
+    """Pixels that may saturate; arrays are (count,).
 
-    Attributes
-    ----------
-    places : int64, shape (count,)
-        Places of the pixels on the chip (row * cols + col), ascending.
-    most_e, own_e : float64, shape (count,)
-        Largest charge on PIX at a read including noise, with and without crosstalk, in electrons.
-    spilt : bool, shape (count,)
-        Whether a pixel is near saturation only because of the light of its neighbours.
-    """
+    `places`: places of the pixels on the chip (row * cols + col), ascending. `most_e`, `own_e`:
+    largest charge on PIX at a read including noise, with and without crosstalk. `spilt`: whether a
+    pixel is near saturation only because of the light of its neighbours."""
 
     places: Places
     most_e: Values
@@ -134,17 +128,13 @@ class _Search:
         for frame, weight in zip(frames, of_frames.swapaxes(0, 1), strict=True):
             seen_e += weight.take(lanes, axis=1) * frame.take(places)
         seen_e *= self.chip.scale[places]
+        row, col = np.divmod(places, self.light.shape[1])
+        below, right = row + 1 < self.light.shape[0], col + 1 < self.light.shape[1]
+        neighbours = (row > 0).astype(np.int64) + below + (col > 0) + right
         dark_e = self.chip.current[places] * dark_s[:, lanes]
-        given_fraction = self.chip.exchanged * _neighbours(places, *self.light.shape)
+        given_fraction = self.chip.exchanged * neighbours
         most_e = np.maximum(seen_e, (1.0 - given_fraction) * seen_e + self._gained_e[places])
         return _reaching(most_e + dark_e), _reaching(seen_e + dark_e)
-
-
-def _neighbours(places: Places, rows: int, cols: int) -> Places:
-    """Return the number of neighbours (2 to 4) of each pixel."""
-    row, col = np.divmod(places, cols)
-    beside: Places = (row > 0).astype(np.int64) + (row + 1 < rows) + (col > 0) + (col + 1 < cols)
-    return beside
 
 
 def _of_lanes(chip: SimulatedChip) -> tuple[SlotWeights, Values, Values]:
@@ -153,15 +143,12 @@ def _of_lanes(chip: SimulatedChip) -> tuple[SlotWeights, Values, Values]:
     program = chip.program
     held_weights = () if program.reach.held_weights is None else program.reach.held_weights
     weights = np.stack([program.tables.seen_slots(), *held_weights]).astype(np.float64)
-    limit = _reached(_SLACK * chip.saturation_e.min(axis=0))
+    least_e = np.maximum(_SLACK * chip.saturation_e.min(axis=0), 0.0)
+    # The smallest mean charge whose upper bound (see `_reaching`) is the limit.
+    limit = ((np.sqrt(_SIGMAS**2 + 4.0 * least_e) - _SIGMAS) / 2.0) ** 2
     return SlotWeights(weights), program.slot_s @ weights, limit
 
 
 def _reaching(charge_e: Values) -> Values:
     """Return an upper bound of counts whose mean is `charge_e`."""
     return np.asarray(charge_e + _SIGMAS * np.sqrt(charge_e))
-
-
-def _reached(limit: Values) -> Values:
-    """Return the smallest mean charge whose upper bound reaches `limit`."""
-    return ((np.sqrt(_SIGMAS**2 + 4.0 * np.maximum(limit, 0.0)) - _SIGMAS) / 2.0) ** 2

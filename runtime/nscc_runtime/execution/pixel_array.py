@@ -8,10 +8,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.caches import Recent
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.light import Light
-from nscc_runtime.method_cache import Recent
 
 Places = NDArray[np.int64]
 
@@ -24,14 +24,9 @@ _LARGE = 1 << 14
 class PixelArray:
     """The lanes and the places of some pixels.
 
-    Attributes
-    ----------
-    lanes : int32, shape (rows, cols)
-        The lane of each pixel: the number of its code, which determines its shutter.
-    places : int64, shape (rows * cols,)
-        The place of each pixel on the chip, row * columns + column. Random numbers and fixed
-        patterns are keyed by place, so a tile has the same random numbers as the whole array.
-    """
+    `lanes` (rows, cols): the number of each pixel's code, which determines its shutter. `places`
+    (rows * cols,): the place of each pixel on the chip, row * columns + column. Random numbers and
+    fixed patterns are keyed by place, so a tile has the same random numbers as the whole array."""
 
     lanes: NDArray[np.int32]
     places: Places
@@ -60,11 +55,10 @@ class PixelArray:
 
     def device(self, sensor: Sensor, device_seed: int) -> Device:
         """Return the fixed patterns of these pixels on a chip; the last result is cached."""
-        key = sensor, device_seed
-        if key not in self._devices:
-            self._devices.clear()
-            self._devices[key] = Device(sensor=sensor, device_seed=device_seed, places=self.places)
-        return self._devices[key]
+        return self._devices.of(
+            (sensor, device_seed),
+            lambda: Device(sensor=sensor, device_seed=device_seed, places=self.places),
+        )
 
     @cached_property
     def recent(self) -> Recent:
@@ -72,8 +66,8 @@ class PixelArray:
         return Recent(_RECENT if self.lanes.size <= _LARGE else _RECENT // 4)
 
     @cached_property
-    def _devices(self) -> dict[tuple[Sensor, int], Device]:
-        return {}
+    def _devices(self) -> Recent:
+        return Recent(1)
 
 
 def tile_places(corners: Places, side: int, shape: tuple[int, int]) -> Places:

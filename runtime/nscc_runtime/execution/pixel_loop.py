@@ -19,14 +19,6 @@ from nscc_runtime.execution.charge_loop import (
     least_charge,
     streams_of,
 )
-from nscc_runtime.execution.error_loop import (
-    READS,
-    RESETS,
-    WORDS,
-    ErrorScratch,
-    Lanes,
-    draw_errors,
-)
 from nscc_runtime.execution.layout import (
     ACTS,
     SEEN,
@@ -44,8 +36,14 @@ from nscc_runtime.execution.layout import (
 )
 from nscc_runtime.execution.word_loop import (
     ADDED,
+    READS,
+    RESETS,
+    WORDS,
+    ErrorScratch,
+    Lanes,
     add,
     begin,
+    draw_errors,
     fill,
     read_out,
     reset,

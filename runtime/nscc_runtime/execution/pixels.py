@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import CannotHave, Effect, Selection, registered
-from nscc_runtime.effects.counts import LIGHT, THINNED, WITHOUT_LIGHT
-from nscc_runtime.effects.in_loops import switches
+from nscc_runtime.effects.in_loops import device_keys, switches
 from nscc_runtime.effects.parts import (
     Counted,
     CountedDark,
@@ -25,8 +24,8 @@ from nscc_runtime.effects.parts import (
 from nscc_runtime.effects.parts import (
     Errors as SmallErrors,
 )
+from nscc_runtime.effects.views import LIGHT, THINNED, WITHOUT_LIGHT
 from nscc_runtime.execution.charge_loop import SITES, Away, CountScratch, Sites
-from nscc_runtime.execution.error_loop import ERRORS, ErrorScratch, Lanes
 from nscc_runtime.execution.layout import (
     Fixed,
     Keys,
@@ -38,23 +37,21 @@ from nscc_runtime.execution.layout import (
     WordResult,
 )
 from nscc_runtime.execution.loop_words import (
-    Turns,
-    device_of,
     numbers_of,
     program_of,
     readouts_of,
     switches_of,
+    turns_of,
 )
 from nscc_runtime.execution.pixel_loop import run_pixels
-from nscc_runtime.execution.site_loop import Laying
-from nscc_runtime.execution.sites import Times, needed_places, sites_of
+from nscc_runtime.execution.site_loop import Laying, Times, needed_places, sites_of
+from nscc_runtime.execution.word_loop import ERRORS, ErrorScratch, Lanes
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import key
 from nscc_runtime.noise.keys import base
 from nscc_runtime.pool import in_parts
-from nscc_runtime.reference.capture import Reference
-from nscc_runtime.reference.noise import PART, SUM
+from nscc_runtime.reference.capture import PART, SUM, Reference
 from nscc_runtime.reference.words import START, most_destinations
 
 _MOST_KEPT = 1 << 23
@@ -96,8 +93,8 @@ class LaneWords:
         drawn = np.asarray(draws.any(axis=(1, 3)))
         lane, word = np.nonzero((acts | drawn).T)
         program = program_of(container, reference.words, range(container.slots))
-        turns = Turns(program.words[word], acts[word, lane], _starts(lane, lanes))
-        needed_places = ~turns.unread | drawn[word, lane]
+        unread, _ = turns_of(program.words[word], acts[word, lane], _starts(lane, lanes))
+        needed_places = ~unread | drawn[word, lane]
         lane, word = lane[needed_places], word[needed_places]
         start = _starts(lane, lanes)
         # For long frames these arrays are among the largest of planning, so free each one early.
@@ -111,7 +108,7 @@ class LaneWords:
             of_pixel=np.require(reference.groups.lane, np.int32, ["C"]),
             start=start,
             word=word.astype(np.int32),
-            flags=Turns(program.words[word], acts[word, lane], start).flags,
+            flags=turns_of(program.words[word], acts[word, lane], start)[1],
             weights=weights,
         )
         return cls(reference, program, listed, groups, ids.astype(np.uint64))
@@ -183,7 +180,7 @@ class Wired:
 
     @cached_property
     def _device(self) -> OnDevice:
-        return device_of(self.device_seed)
+        return OnDevice(**device_keys(OnDevice, self.device_seed))
 
     @cached_property
     def loop(self) -> Bound:
@@ -300,7 +297,11 @@ class Running:
             ),
         }
         for pixel_slice in self._pixel_slices:
-            sites = self._sites(pixel_slice)
+            sites = (
+                self._all_sites
+                if len(self._pixel_slices) == 1
+                else self.wired.laid_out(self._source, self._needed(pixel_slice), self.threads)
+            )
 
             def fill(
                 begin: int, end: int, first: int = pixel_slice.start, sites: Sites = sites
@@ -349,11 +350,6 @@ class Running:
             slice(first, min(first + slice_pixels, count))
             for first in range(0, count, slice_pixels)
         ]
-
-    def _sites(self, pixel_slice: slice) -> Sites:
-        if len(self._pixel_slices) == 1:
-            return self._all_sites
-        return self.wired.laid_out(self._source, self._needed(pixel_slice), self.threads)
 
     @cached_property
     def _all_sites(self) -> Sites:

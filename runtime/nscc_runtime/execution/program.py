@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer, Recent, remembered
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
@@ -17,13 +17,13 @@ from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.execution.overlap import Overlap
 from nscc_runtime.execution.pixel_array import PixelArray
 from nscc_runtime.execution.pixels import LaneWords, Wired
-from nscc_runtime.execution.register_reach import RegisterReach, reach_of
-from nscc_runtime.execution.sums import SlotWeights
-from nscc_runtime.execution.tables import Tables
-from nscc_runtime.method_cache import Recent, remembered
+from nscc_runtime.execution.register_reach import RegisterReach, Tables, reach_of
+from nscc_runtime.execution.sum_loop import SlotWeights
 from nscc_runtime.reference.capture import Reference
-from nscc_runtime.reference.charge import Groups
 from nscc_runtime.reference.weights import WeightModel
+
+Weights = NDArray[np.float64]
+
 
 Values = NDArray[np.float64]
 
@@ -74,12 +74,6 @@ class AnalysedProgram:
     def pixels(self) -> LaneWords:
         """The words for the loop over single pixels, with decay of digital registers."""
         return LaneWords.of(self.reference)
-
-    def reference_at(self, array: PixelArray, effects: Selection) -> Reference:
-        """Return the reference for some pixels of the chip, under some effects."""
-        whole_chip = Reference.of(self.container, self.sensor, effects)
-        lane = array.lanes.astype(np.intp)
-        return replace(whole_chip, groups=Groups(whole_chip.groups.of_slot, lane, array.places))
 
     def wired(self, effects: Selection, device_seed: int) -> Wired:
         """Return the words of pixels on a chip under some effects, bound to the loop; cached."""

@@ -11,8 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import Selection
-from nscc_runtime.effects.counts import LIGHT, count_key
 from nscc_runtime.effects.parts import (
     Codes,
     Converter,
@@ -23,6 +21,7 @@ from nscc_runtime.effects.parts import (
     Response,
     WordGain,
 )
+from nscc_runtime.effects.views import LIGHT
 from nscc_runtime.execution.block_draws import BLOCK, ROOM
 from nscc_runtime.execution.chip import SimulatedChip
 from nscc_runtime.execution.frame_loop import (
@@ -33,13 +32,13 @@ from nscc_runtime.execution.frame_loop import (
     convert,
     draw_counts,
 )
-from nscc_runtime.execution.sums import scene_sums
+from nscc_runtime.execution.sum_loop import light_sums
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.pool import in_parts
-from nscc_runtime.reference.noise import SUM
+from nscc_runtime.reference.capture import SUM
 from nscc_runtime.reference.weights import WeightModel
 
 Values = NDArray[np.float64]
@@ -89,7 +88,7 @@ class SummedScene:
         groups = chip.counted if lit else ()
         weights = chip.program.sum_weights(model, chip.leak_rates, groups)
         exchanges = chip.kept_effects.find_part(Exchange) is not None
-        sums = scene_sums(
+        sums = light_sums(
             self.source, chip.array.flat_lanes, (chip.scale, chip.scale_32), weights,
             lit if exchanges else len(weights.slots), chip.exchanged, self.threads,
         )  # fmt: skip
@@ -123,8 +122,11 @@ class SummedScene:
         array, groups = self.chip.array, self.chip.counted
         away = np.empty((len(groups), array.lanes.size))
         # Computed before the threads start: cached properties of one object wait for each other.
-        keys = self._keys(seed, frame) if groups else []
-        sources = [*zip(keys, self.rates, strict=bool(groups))]
+        sources = [
+            (np.array([key(seed, stream, source, frame, g) for g in groups], np.uint64), rates)
+            for (stream, source), rates in zip(self.chip.sources, self.rates, strict=True)
+            if groups
+        ]
 
         def run(begin: int, end: int) -> None:
             values, scratch, pending_rates = np.empty(BLOCK), np.empty(ROOM), np.empty(BLOCK)
@@ -167,14 +169,6 @@ class SummedScene:
         in_parts(run, rows, self.threads)
         return exposure
 
-    def _keys(self, seed: int, frame: int) -> list[NDArray[np.uint64]]:
-        """Return the random keys of the counted groups for each source."""
-        groups = self.chip.counted
-        return [
-            np.array([count_key(seed, stream, source, frame, group) for group in groups], np.uint64)
-            for stream, source in self.chip.sources
-        ]
-
 
 def _adding(chip: SimulatedChip) -> Bound:
     """Return the loop `add_up`, bound to the arguments that do not depend on the scene."""
@@ -203,7 +197,8 @@ class LoopConverter:
         target = chip.program.container.target
         converters, codes = kept_effects.having(Converter), kept_effects.having(Codes)
         known = {effect.name for effect, _ in (*converters, *codes)}
-        if not _after(kept_effects) <= known:
+        after = {e.name for at in ("converter", "codes") for e, _ in kept_effects.acting(at)}
+        if not after <= known:
             return None
         mark = kept_effects.marking("codes")
         ((_, code),) = codes
@@ -249,8 +244,3 @@ class LoopConverter:
             valid.reshape(frame_shape),
             marked.reshape(frame_shape),
         )
-
-
-def _after(kept_effects: Selection) -> set[str]:
-    """Return the names of effects that act after the exposure."""
-    return {effect.name for at in ("converter", "codes") for effect, _ in kept_effects.acting(at)}

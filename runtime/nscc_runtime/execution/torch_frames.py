@@ -13,12 +13,11 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.counts import count_key
 from nscc_runtime.execution.overlap import NEIGHBOURS
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.noise.on_torch import key_tensor, normals, poisson
-from nscc_runtime.reference.noise import SUM
+from nscc_runtime.reference.capture import SUM
 
 _MOST_BYTES = 1 << 29
 """Largest number of bytes of the tensors in use."""
@@ -58,7 +57,7 @@ class OnTorch:
         sources = zip(self.summed.chip.sources, self.summed.rates, strict=True)
         for (stream, source), rates in sources:
             keys = [
-                count_key(seed, stream, source, frame, group)
+                key(seed, stream, source, frame, group)
                 for frame in frames for group in groups
             ]  # fmt: skip
             stream_keys = key_tensor(keys, self.device).reshape(shape[:2])

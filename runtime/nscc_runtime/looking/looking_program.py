@@ -15,13 +15,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import CannotHave, Selection, everything
-from nscc_runtime.effects.in_loops import draws_keys
+from nscc_runtime.effects.in_loops import device_keys, draws_keys
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
-from nscc_runtime.execution.layout import Fixed, LoopProgram, RegisterContents, WordResult
+from nscc_runtime.execution.layout import (
+    Fixed,
+    LoopProgram,
+    OnDevice,
+    RegisterContents,
+    WordResult,
+)
 from nscc_runtime.execution.loop_words import (
-    device_of,
     numbers_of,
     program_of,
     readouts_of,
@@ -40,11 +46,9 @@ from nscc_runtime.looking.path_loop import (
 )
 from nscc_runtime.looking.paths import Paths, paths_of
 from nscc_runtime.loop import Bound
-from nscc_runtime.method_cache import remembered
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
-from nscc_runtime.reference.intervals import Intervals
-from nscc_runtime.reference.looks import WORD_DRAWS
+from nscc_runtime.reference.looks import WORD_DRAWS, Intervals
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.reference.words import most_destinations
 
@@ -164,7 +168,7 @@ class LookingProgram:
         return run_paths.bound(
             switches=switches_of(self.container, effects),
             numbers=numbers_of(self.container, self.sensor, effects),
-            device=device_of(seeds[1]),
+            device=OnDevice(**device_keys(OnDevice, seeds[1])),
             keys=PathKeys(**draws_keys(PathKeys, seeds[0], WORD_DRAWS)),
             program=self.loop_words(paths, intervals.starts),
             segments=Segments(paths.start, paths.acting, paths.following),

@@ -44,8 +44,8 @@ from nscc_runtime.loop import (
     loop,
     record,
 )
-from nscc_runtime.noise.counter import bits
 from nscc_runtime.noise.gaussian import normal
+from nscc_runtime.noise.keys import bits
 from nscc_runtime.noise.noise_loops import uniform
 
 BLOCK = 512

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from nscc.operations import WordEffect
 from nscc.words.container import Container
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.reference.digital import UNKNOWN, Bits, Digital
 from nscc_runtime.reference.trace import RunningWord, running_words
 
@@ -55,7 +55,11 @@ class Paths:
     def of(cls, container: Container, retention_us: float = inf) -> Paths:
         """Return the paths of a container with a state machine. Raises Pathless if they cannot be
         followed. A digital register reads 0 if no word wrote it for more than `retention_us`."""
-        starts = _starts(container)
+        assert container.machine is not None
+        by_node, nodes = start_bits(container), int(container.machine.first[1])
+        bits = np.array([*by_node.values()], np.int8).reshape(-1, nodes)
+        # All combinations of bits with which a frame can start, by loaded register.
+        starts = dict(zip(by_node, np.unique(bits, axis=1), strict=True))
         walk = _PathReplay(container, starts, retention_us)
         words = walk.run()
         return _alive(container, words, walk, starts)
@@ -83,16 +87,14 @@ class Paths:
         return first[at]
 
 
-def _paths_of(container: Container, retention_us: float) -> Paths | str:
+@OfContainer
+def paths_of(container: Container, retention_us: float) -> Paths | str:
+    """Return the paths of a container with a state machine, or a text with the reason why there are
+    none. Digital registers keep their values for `retention_us`."""
     try:
         return Paths.of(container, retention_us)
     except Pathless as why:
         return str(why)
-
-
-paths_of = OfContainer(_paths_of)
-"""Return the paths of a container with a state machine, or a text with the reason why there are
-none. Arguments: container, microseconds for which digital registers keep their values."""
 
 
 def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.int64]:
@@ -101,14 +103,6 @@ def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray
     for k, name in enumerate(sorted(bits)):
         numbers |= bits[name].astype(np.int64) << k
     return numbers
-
-
-def _starts(container: Container) -> dict[str, Bits]:
-    """Return all combinations of bits with which a frame can start, by loaded register."""
-    assert container.machine is not None
-    by_node, nodes = start_bits(container), int(container.machine.first[1])
-    bits = np.array([*by_node.values()], np.int8).reshape(-1, nodes)
-    return dict(zip(by_node, np.unique(bits, axis=1), strict=True))
 
 
 def start_bits(container: Container) -> dict[str, Bits]:

@@ -13,21 +13,89 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
+from nscc.operations import Op
 from nscc.words.container import Container, state_registers
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures
 from nscc.words.reach import Reach, beyond_reaches, reaches_of_frames
-from nscc_runtime.container_cache import OfContainer
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.emulator.array_loop import run_array_words
+from nscc_runtime.emulator.array_words import ArrayWords, packed, unpacked
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.neighbours.picture_words import ArrayContents, PictureWords
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.neighbours.plane_summary import PlaneSummary, reported, summary_of
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.sensor import default_sensor
+
+
+@dataclass(frozen=True, eq=False)
+class ArrayContents:
+    """The contents of registers after the words, by name.
+
+    `register`: analog registers (rows, cols) in electrons. `cut_by`: their saturation marks.
+    `planes`: digital registers (rows, plane words)."""
+
+    register: Mapping[str, NDArray[np.float64]]
+    cut_by: Mapping[str, NDArray[np.uint8]]
+    planes: Mapping[str, NDArray[np.uint64]]
+
+    def bit(self, name: str) -> NDArray[np.bool_]:
+        """Return a digital register (rows, cols)."""
+        return unpacked(self.planes[name], next(iter(self.register.values())).shape[1])
+
+    def hold(self, seconds: float) -> None:
+        """Do nothing: registers without effects do not decay."""
+
+
+class PictureWords:
+    """Words in their order, each with its steps of IN or None, prepared for arrays of a target."""
+
+    def __init__(self, target: Target, words: Iterable[tuple[Op, int | None]]) -> None:
+        self._target, self._table = target, ArrayWords(target)
+        in_e, words_with_in = 0.0, list[tuple[Op, float]]()
+        for op, level in words:
+            in_e = in_e if level is None else level * target.electrons_per_step
+            words_with_in.append((op, in_e))
+        self._table.append(words_with_in)
+        self._words, self._operands = self._table.table
+
+    def run(
+        self,
+        shape: tuple[int, int],
+        exposed: Mapping[str, NDArray[np.float64]],
+        exposed_by: Mapping[str, NDArray[np.uint8]],
+        code: Mapping[str, NDArray[np.bool_]],
+    ) -> ArrayContents:
+        """Return the contents of registers after the words.
+
+        Before the words, registers hold `exposed` (electrons) with the marks `exposed_by`, and the
+        bits of `code`, all (pixels,). All other registers hold 0."""
+        (rows, cols), table, names = shape, self._table, self._target.analog_registers
+        length, last = cols + 1, len(names) * (rows + 1)
+        array = table.shape(rows, cols, length, len(names), RANGE_BIT)
+        # Groups of 64 pixels may extend beyond the last row.
+        values = np.zeros((last + 5) * length + 64)
+        marks = np.zeros(values.shape, np.uint8)
+        planes = np.zeros((len(table.digital), rows, array.plane_words), np.uint64)
+        register, cut_by = (
+            dict(zip(names, inner.reshape(-1, rows + 1, length)[:, :-1, :cols], strict=True))
+            for inner in (values[length:][: last * length], marks[length:][: last * length])
+        )
+        for name, exposure in exposed.items():
+            register[name][:] = exposure.reshape(shape)
+            cut_by[name][:] = exposed_by[name].reshape(shape)
+        for name, plane in code.items():
+            planes[table.digital[name]] = packed(plane.reshape(shape))
+        run_array_words(
+            shape=array, words=self._words, operands=self._operands, values=values, marks=marks,
+            planes=planes, marked=np.array([any(by.any() for by in exposed_by.values())], np.int64),
+        )  # fmt: skip
+        return ArrayContents(register, cut_by, dict(zip(table.digital, planes, strict=True)))
+
 
 Told = dict[str, NDArray[Any]]
 Planes = dict[str, NDArray[np.bool_]]
@@ -61,7 +129,9 @@ class PicturedProgram:
     def film(self, lights: Iterable[Light], seed: int, device_seed: int) -> Iterator[Frame]:
         """Yield a frame of each light; states go on from frame to frame."""
         check_adc(self.container.target)
-        kept_bits = self._start_bits(self.container.target.rows * self.container.target.cols)
+        pictures, pixels = self.pictures, self.container.target.rows * self.container.target.cols
+        # The host loads the bits of states before the first frame.
+        kept_bits = {pictures.registers[s.name]: np.full(pixels, s.start) for s in pictures.states}
         all_reaches = reaches_of_frames(self.container, _beyond_reaches(self.container))
         for number, light in enumerate(lights):
             reaches, seeds = next(all_reaches), (seed, device_seed)
@@ -77,25 +147,16 @@ class PicturedProgram:
         `kept_bits` are the bits that the previous frame left; a register without them contains its
         code bits. `seeds`: seed of the noise, and of the device. `reaches`: see
         `told_of_planes`."""
+        container, pictures = self.container, self.pictures
         exposure = self._exposed(light, *seeds, number)
         pixels = self._computed(exposure, seeds, number, kept_bits)
         frame = self._frame_of(pixels, exposure, seeds, number, reaches)
-        return frame, self._bits_of_next_frame(pixels)
-
-    def _start_bits(self, pixels: int) -> Planes:
-        """Return the bits of states that the host loads before the first frame."""
-        registers = self.pictures.registers
-        return {registers[s.name]: np.full(pixels, s.start) for s in self.pictures.states}
-
-    def _bits_of_next_frame(self, pixels: ArrayPixels | ArrayContents) -> Planes:
-        """Return the bits of states for the words of the next frame. They are 0 if exposure and
-        readouts take longer than registers keep their bits."""
-        container, pictures = self.container, self.pictures
-        names = [pictures.registers[state.name] for state in pictures.states]
+        # Bits of states are 0 if exposure and readouts take longer than registers keep them.
         values_read = sum(name not in pictures.planes for name in pictures.reads)
         between_us = sum(container.slot_us) + values_read * container.target.readout_us
         is_kept = between_us <= retention_us(self.effects, self.sensor)
-        return {name: pixels.bit(name).reshape(-1) & is_kept for name in names}
+        names = [pictures.registers[state.name] for state in pictures.states]
+        return frame, {name: pixels.bit(name).reshape(-1) & is_kept for name in names}
 
     def _exposed(self, light: Light, seed: int, device_seed: int, number: int) -> Exposure:
         if self.effects.noiseless:

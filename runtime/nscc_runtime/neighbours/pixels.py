@@ -105,7 +105,9 @@ class ArrayPixels(WordPixels):
         result = self.total(word) / -word.op.operation.divisor
         cut = self._cut(word.op)
         for index, name in enumerate(word.op.destinations):
-            value = self._written(result, word, index, name)
+            value, register = result, "NEWS" if name in NEIGHBOURS else name
+            for written in self.at("words"):
+                value = written(self, value, word, index, error_sign(register, self.container))
             by = self._with_range(cut, value)
             for bends in self.at("registers"):
                 value = bends(self, value)
@@ -144,14 +146,6 @@ class ArrayPixels(WordPixels):
             if by is not self._uncut or self.cut_by[name] is not self._uncut:
                 by = np.where(here, by, self.cut_by[name])
         self.register[name], self.cut_by[name] = value, by
-
-    def _written(self, result: Values, word: RunningWord, index: int, name: str) -> Values:
-        """Return the value that a word writes: its exact result with the effects of words."""
-        register = "NEWS" if name in NEIGHBOURS else name
-        for written in self.at("words"):
-            sign = error_sign(register, self.container)
-            result = written(self, result, word, index, sign)
-        return result
 
     def _neighbour_values(self, op: Op) -> None:
         """Run DNEWS: write the OR of the bits of those neighbours that the pixel chooses."""

@@ -37,17 +37,13 @@ def normals(key: np.uint64, pixels: Pixels) -> Floats:
     return out
 
 
-def poisson(
-    key: np.uint64, pixels: Pixels, rate: Floats, *, exact: bool
-) -> tuple[Floats, NDArray[np.bool_]]:
+def poisson(key: np.uint64, pixels: Pixels, rate: Floats) -> tuple[Floats, NDArray[np.bool_]]:
     """Return Poisson counts with mean `rate` (shape of `pixels`), and where they are valid.
 
     Rates below 0 count as 0, rates above `RATE_CAP` as `RATE_CAP`. For a NaN rate the count is 0
-    and not valid. Counts never decrease with the rate. Both samplers of
-    `nscc_runtime.noise.poisson_law` invert the distribution function at `uniforms` of the same key
-    and pixel. With `exact`, `poisson_exact` is used. Otherwise rates from 10 on use the formula of
-    `poisson_fast`, whose total variation distance from the Poisson distribution is at most 2e-4.
-    Raises ValueError for a rate of another shape."""
+    and not valid. Counts never decrease with the rate: they are the inverse of the distribution
+    function (`nscc_runtime.noise.poisson_law`) at `uniforms` of the same key and pixel. Raises
+    ValueError for a rate of another shape."""
     if np.shape(rate) != np.shape(pixels):
         raise ValueError(f"rates {np.shape(rate)} for pixels {np.shape(pixels)}")
     from nscc_runtime.noise.noise_loops import BLOCK, Counts, fill_poisson
@@ -55,7 +51,7 @@ def poisson(
     places, out = _places(pixels), np.empty(np.shape(pixels))
     valid = np.empty(np.shape(pixels), np.bool_)
     fill_poisson(
-        counts=Counts(count=places.size, key=key, exact=exact, cap=RATE_CAP),
+        counts=Counts(count=places.size, key=key, cap=RATE_CAP),
         pixels=places,
         rate=_floats(rate).reshape(-1),
         out=out.reshape(-1),

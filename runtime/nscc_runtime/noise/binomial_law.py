@@ -12,7 +12,7 @@ import numpy as np
 
 from nscc_runtime.loop import compiled
 from nscc_runtime.noise.gaussian import normal
-from nscc_runtime.noise.poisson_law import deviance, stirling_error
+from nscc_runtime.noise.poisson_law import INVERSE, SEARCHED, deviance, stirling_error
 
 SEARCH_BELOW = 10.0
 """Below this mean (of the rarer outcome) the search starts from 0."""
@@ -20,9 +20,6 @@ SEARCH_BELOW = 10.0
 EXACT_BELOW = 1e8
 """Variance from which on only the formula is used. It differs from the search with a probability of
 about 1e-15 n p, by rounding."""
-
-_SEARCHED = 80
-_INVERSE = np.array([0.0, *(1.0 / k for k in range(1, _SEARCHED))])
 
 
 @compiled
@@ -77,8 +74,8 @@ def _search(u: float, n: float, p: float) -> float:
     odds = p / (1.0 - p)
     mass = math.exp(n * _log1p(-p))
     total, k = mass, 0
-    while u > total and k < _SEARCHED - 1 and k < n:
-        mass *= (n - k) * odds * _INVERSE[k + 1]
+    while u > total and k < SEARCHED - 1 and k < n:
+        mass *= (n - k) * odds * INVERSE[k + 1]
         if total + mass == total:
             break
         total += mass

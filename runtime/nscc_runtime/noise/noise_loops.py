@@ -12,17 +12,13 @@ import numpy as np
 
 from nscc_runtime.loop import Bytes, Floats, Ints, Written, compiled, inlined, loop, record
 from nscc_runtime.noise.binomial_law import binomial
-from nscc_runtime.noise.counter import bits, unit
 from nscc_runtime.noise.gaussian import normal
+from nscc_runtime.noise.keys import bits, unit
 from nscc_runtime.noise.poisson_law import (
     INVERSE,
     SEARCH_BELOW,
     SEARCHED,
-    SETTLED_ABOVE,
     poisson_exact,
-    poisson_fast,
-    quantile,
-    search,
 )
 
 _Places = Annotated[Ints, "count"]
@@ -47,18 +43,6 @@ def _drawable(rate: float, cap: float) -> float:
     if rate > 0.0:
         return rate if rate < cap else cap
     return 0.0
-
-
-@compiled
-def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> None:
-    """Replace the uniform numbers out[i] by Poisson counts that `quantile` approximates. There are
-    no branches, so LLVM vectorises the loops. Rates below SEARCH_BELOW count as SEARCH_BELOW."""
-    for i in range(first, stop):
-        out[i] = normal(out[i])
-    for i in range(first, stop):
-        known = rate[i] if rate[i] > SEARCH_BELOW else SEARCH_BELOW
-        x = np.floor(quantile(out[i], known if known < top else top))
-        out[i] = x if x > 0.0 else 0.0
 
 
 @compiled
@@ -115,11 +99,10 @@ def fill_normals(draws: Draws, pixels: _Places, out: _Drawn) -> None:
 
 @record
 class Counts:
-    """Options of `fill_poisson`: rates above `cap` count as `cap`; `exact` is 0 or 1."""
+    """Options of `fill_poisson`: rates above `cap` count as `cap`."""
 
     count: int
     key: np.uint64
-    exact: int
     cap: float
 
 
@@ -131,33 +114,19 @@ def fill_poisson(
 ) -> None:  # fmt: skip
     """Set out[i] to a Poisson count of rate[i], drawn at pixels[i], and valid[i] to whether rate[i]
     is a number. Arguments from `rates` on are working memory for `BLOCK` pixels each."""
-    count, top, stream = counts.count, counts.cap, counts.key
-    for first in range(0, count, BLOCK):
-        stop = min(first + BLOCK, count)
-        low, search_count = 0, 0
+    for first in range(0, counts.count, BLOCK):
+        stop = min(first + BLOCK, counts.count)
+        search_count = 0
         for i in range(first, stop):
             valid[i] = rate[i] == rate[i]
-            low += not rate[i] >= SETTLED_ABOVE
             search_count += not rate[i] >= SEARCH_BELOW
         for i in range(first, stop):
-            out[i] = uniform(stream, pixels[i])
+            out[i] = uniform(counts.key, pixels[i])
         if search_count == stop - first:
             _searched(rate, first, stop, out, rates, total, mass, drawn)
-        elif counts.exact:
-            for i in range(first, stop):
-                out[i] = poisson_exact(out[i], _drawable(rate[i], top))
-        elif low == stop - first:
-            for i in range(first, stop):
-                known, u = _drawable(rate[i], top), out[i]
-                # The search is inlined into this loop; the whole sampler would remain a call.
-                out[i] = search(u, known) if known < SEARCH_BELOW else poisson_fast(u, known)
         else:
-            _formula(rate, top, first, stop, out)
-            # The uniform numbers are overwritten; those needed again are recomputed.
-            for i in range(first, stop if low else first):
-                if not rate[i] >= SETTLED_ABOVE:
-                    u = uniform(stream, pixels[i])
-                    out[i] = poisson_fast(u, _drawable(rate[i], top))
+            for i in range(first, stop):
+                out[i] = poisson_exact(out[i], _drawable(rate[i], counts.cap))
 
 
 @compiled

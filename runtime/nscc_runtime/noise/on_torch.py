@@ -1,7 +1,7 @@
 """The keyed random numbers of `nscc_runtime.noise.arrays` as tensors on any torch device.
 
 Uniform numbers are identical, normal numbers agree to 1e-12, and counts equal those of
-`nscc_runtime.noise.poisson_law.poisson_fast` except where rounding decides."""
+`nscc_runtime.execution.frame_loop.draw_counts` except where rounding decides."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def key_tensor(keys: Sequence[np.uint64], device: torch.device | str) -> torch.T
 def uniforms(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
     """Return the uniform number of each key (..) at each place: float64 (.., places).
 
-    This is Philox4x32-10 like `nscc_runtime.noise.counter`; 32-bit products overflow in int64 with
+    This is Philox4x32-10 like `nscc_runtime.noise.keys`; 32-bit products overflow in int64 with
     the same bits as in uint64."""
     keys = keys[..., None]
     k, m = keys & _MASK, (keys >> 32) & _MASK

@@ -1,6 +1,6 @@
 """Poisson counts from one uniform number: the inverse of the distribution function.
 
-The counts of both samplers never decrease with the uniform number for a fixed rate, nor with the
+The counts never decrease with the uniform number for a fixed rate, nor with the
 rate for a fixed uniform number. So a small change of the rate is a small change of the counts. This
 holds up to rounding: if u is within about 1e-13 of a step of the distribution function, the order
 of rates that differ by less than that may be reversed. Rates are finite and at least 0; u lies in
@@ -16,10 +16,10 @@ from nscc_runtime.loop import compiled, inlined
 from nscc_runtime.noise.gaussian import normal
 
 SEARCH_BELOW = 10.0
-"""Below this rate both samplers search from 0 upwards."""
+"""Below this rate counts are searched from 0 upwards."""
 
 SETTLED_ABOVE = 16.0
-"""Rate from which on the fast formula is never below the search at SEARCH_BELOW."""
+"""Rate from which on `quantile` rounded down is never below the search at SEARCH_BELOW."""
 
 EXACT_BELOW = 1e6
 """Rate from which on only the formula is used. It differs from the search with a probability of
@@ -177,17 +177,3 @@ def poisson_exact(u: float, rate: float) -> float:
         if x - k <= error or x - k >= 1.0 - error:
             return _walk(u, rate, k)
     return max(k, 0.0)
-
-
-@compiled
-def poisson_fast(u: float, rate: float) -> float:
-    """Return the Poisson count with mean `rate` for a uniform number u in (0, 1), as plans use it:
-    exact below SEARCH_BELOW, `quantile` rounded down above.
-
-    The total variation distance from the Poisson distribution is below 2e-4 from rate 10 on, and 0
-    below."""
-    if rate < SEARCH_BELOW:
-        return search(u, rate)
-    k = max(math.floor(quantile(normal(u), rate)), 0.0)
-    # The formula's error at the crossover must not give a larger rate a smaller count.
-    return max(k, search(u, SEARCH_BELOW)) if rate < SETTLED_ABOVE else k

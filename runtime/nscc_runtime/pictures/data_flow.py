@@ -13,8 +13,7 @@ import numpy as np
 
 from nscc.words import pictures as p
 from nscc.words.container import Container
-from nscc_runtime.pictures.picture_colours import look
-from nscc_runtime.pictures.sheet import place
+from nscc_runtime.pictures.sheet import look, place
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

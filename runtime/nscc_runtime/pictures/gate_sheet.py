@@ -11,8 +11,7 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from nscc_runtime.pictures.picture_colours import look
-from nscc_runtime.pictures.sheet import blank, head, place
+from nscc_runtime.pictures.sheet import blank, head, look, place
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -121,7 +120,9 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
     for node, until in score.until.items():
         row = score.row[nodes[node]["register"]]
         if nodes[node]["kind"] == "plane":
-            holder = _short(nodes[node]["holder"])
+            holder = nodes[node]["holder"]
+            if len(holder) > _HOLDER:  # names of contents differ at the end
+                holder = "…" + holder[1 - _HOLDER :]
             axes.text(-1.6, row, holder, size=6.5, color=look().faint, ha="right", va="center")
         bar_left, bar_right = max(score.column.get(node, -1) + 0.5, first), min(until + 0.5, end)
         if bar_left < bar_right:
@@ -182,8 +183,3 @@ def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> 
                   clip_on=False, marker="v", markersize=4, markevery=[1])  # fmt: skip
         edge = score.network.nodes[node]["edge"]
         axes.text(x, row + 1.2, edge, size=6.5, color=look().ink, ha="center", va="top")
-
-
-def _short(holder: str) -> str:
-    """Return the end of a long text, because names of contents differ at the end."""
-    return holder if len(holder) <= _HOLDER else "…" + holder[1 - _HOLDER :]

@@ -1,4 +1,4 @@
-"""Draw images side by side, with a title above each and a note below."""
+"""Draw images side by side, with a title above each and a note below, for frames."""
 
 from __future__ import annotations
 
@@ -7,10 +7,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.merge import BucketReadout, light_estimate
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.picture_colours import look
+from nscc_runtime.pictures.sheet import look
+from nscc_runtime.pictures.tone import fitted
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -61,3 +65,53 @@ def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None 
         )  # fmt: skip
     sheet.head(figure, title, "")
     return figure
+
+
+def frame_sheet(readouts: Sequence[BucketReadout], title: str) -> Figure:
+    """Draw, for every bucket, the frame as read out and the tone-mapped light."""
+    rows = []
+    for readout in readouts:
+        light, usable = light_estimate(readout)
+        tone = fitted("log", light[usable])
+        window = f"{readout.window[0]} x {readout.window[1]}"
+        around = "each pixel" if window == "1 x 1" else f"unsaturated pixels in {window}"
+        saturated = np.count_nonzero(readout.saturated) / readout.saturated.size
+        readout_texts = f"{readout.name}: as read out", f"8 bit, {saturated:.1%} saturated"
+        light_texts = (
+            f"{readout.name}: light a second",
+            f"electrons / open time of {around}, log scale",
+        )
+        rows.append((Image(readout.frame, *readout_texts), Image(tone(light), *light_texts)))
+    return image_sheet(rows, title)
+
+
+_COLUMNS = 2
+
+
+def image_plane_sheet(frame: Frame, buckets: Sequence[str], title: str) -> Figure:
+    """Draw buckets, images (0.5th to 99.5th percentile), planes in black and white, and events.
+
+    `buckets` are the names of the frame's buckets."""
+    arrays = frame.told
+    shown = [
+        Image(codes, f"{name}", "bucket, as read out")
+        for name, codes in zip(buckets, frame.frame[: len(buckets)], strict=True)
+    ]
+    for key, values in arrays.items():
+        kind, _, name = key.partition("_")
+        if kind == "plane":
+            text = f"plane, {np.count_nonzero(values) / values.size:.1%} are 1"
+            shown.append(Image((values * 255).astype(np.uint8), name, text))
+        elif kind == "image" and f"image_codes_{name}" in arrays:
+            low, high = (float(value) for value in np.percentile(values, (0.5, 99.5)))
+            share = np.clip((values - low) / max(high - low, 1e-30), 0.0, 1.0)
+            grey = np.rint(255 * share).astype(np.uint8)
+            shown.append(Image(grey, name, f"image, {low:.4g} to {high:.4g} electrons"))
+        elif key.startswith("report_events_") and f"{key}_count" in arrays:
+            points = values[values[:, 0] >= 0]
+            grey = np.zeros(arrays["margin"].shape, np.uint8)
+            grey[points[:, 1], points[:, 0]] = 255
+            name = key.removeprefix("report_events_")
+            shown.append(Image(grey, name, f"{len(points)} events reported"))
+    rows = [shown[k : k + _COLUMNS] for k in range(0, len(shown), _COLUMNS)]
+    return image_sheet(rows, title)

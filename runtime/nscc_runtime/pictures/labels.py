@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.pictures.picture_colours import look
+from nscc_runtime.pictures.sheet import look
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

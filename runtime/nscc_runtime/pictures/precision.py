@@ -9,13 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
-from nscc_runtime.pictures.picture_colours import look
+from nscc_runtime.pictures.sheet import look
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -104,7 +105,11 @@ def precision_diagram(
     labels = []
     heights: dict[str, list[float]] = {}
     for panel in problems:
-        heights.setdefault(panel.error, []).extend(_heights(panel, reading))
+        panel_heights = heights.setdefault(panel.error, [])
+        for line in reading.lines(panel.points).values():
+            panel_heights.extend(point.error for point in line)
+            panel_heights.extend([line[0].bound] if line[0].bound else [])
+        panel_heights.extend(guide.error for guide in panel.guides if guide.error)
     for number, (axes, panel) in enumerate(zip(grid, problems, strict=True)):
         _set_errors(axes, heights[panel.error] or [1.0], reading.linear)
         axes.set_xscale("log")
@@ -132,14 +137,6 @@ def precision_diagram(
     ]
     sheet.head(figure, title, note, handles)
     return figure
-
-
-def _heights(panel: Panel, reading: PointReading) -> list[float]:
-    """Return all values on a panel's error axis."""
-    lines = reading.lines(panel.points)
-    heights = [point.error for line_points in lines.values() for point in line_points]
-    heights += [line_points[0].bound for line_points in lines.values() if line_points[0].bound]
-    return heights + [guide.error for guide in panel.guides if guide.error]
 
 
 def _draw(
@@ -198,3 +195,33 @@ def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> None:
         axes.set_yscale("log")
         axes.set_ylim(least / margin, most * margin)
     sheet.round_ticks(axes.yaxis)
+
+
+def images_diagram(points: Sequence[Point]) -> Figure:
+    """Draw, for each image of `nscc.tradeoff.synthesis`, noise against time, a line per kernel."""
+    groups = groupby(points, key=lambda point: point.case)
+    panels = [Panel(case, "errors of one word", list(group)) for case, group in groups]
+    return precision_diagram(
+        panels, "Programs of words for kernels",
+        "standard deviation of the error that the words add (numbers: words; hollow: dominated) "
+        "against their time",
+        PointReading("time, us", 1e3, text=lambda point: point.setting.partition(" ")[0]),
+    )  # fmt: skip
+
+
+def synthesis_diagram(points: Sequence[Point], words: str, repeats: int, device: str) -> Figure:
+    """Draw, for each program of `nscc.tradeoff.synthesis`, words against time, one line per
+    lowering.
+
+    `words` names the words that are counted. `repeats` compilations were timed on `device`."""
+    panels = [
+        Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
+    ]
+    levels = " ".join(sorted({point.setting for point in points}))
+    times = "one compilation" if repeats == 1 else f"median and range of {repeats} compilations"
+    return precision_diagram(
+        panels, "What compile time buys",
+        f"{words} at {levels} (numbers; hollow: dominated) against {times}, from text to proof, "
+        f"on {device}",
+        PointReading("time, s", 1e-3, text=lambda point: point.setting.removeprefix("-O")),
+    )  # fmt: skip

@@ -13,7 +13,7 @@ from nscc.words.shutters import Shutters, shutters_of
 from nscc_runtime.merge import tile_of
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.data_flow import DataFlow
-from nscc_runtime.pictures.picture_colours import look
+from nscc_runtime.pictures.sheet import look
 from nscc_runtime.scenes.shapes import Field
 
 if TYPE_CHECKING:
@@ -44,7 +44,10 @@ def shutter_sheet(container: Container, title: str) -> Figure:
 
     shutters = shutters_of(container)
     count, lanes = len(shutters.rows), len(container.buckets)
-    chosen = _chosen(count)
+    # All rows, or some at equal distances, including first and last.
+    chosen = np.arange(count)
+    if count > _MOST_ROWS:
+        chosen = np.rint(np.linspace(0, count - 1, _CHOSEN_ROWS)).astype(np.int64)
     places = np.linspace(0.08, 0.9, count) if count > 1 else np.array([0.35])
     colours: Field = colormaps[sheet.SCALE](places)[:, :3]
     chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
@@ -100,13 +103,6 @@ def unit(us: float) -> tuple[float, str]:
     if us >= 1e3:
         return 1e-3, "ms"
     return (1.0, "µs") if us >= 1 else (1e3, "ns")
-
-
-def _chosen(count: int) -> NDArray[np.int64]:
-    """Return the rows of a chart: all, or some at equal distances, including first and last."""
-    if count <= _MOST_ROWS:
-        return np.arange(count)
-    return np.rint(np.linspace(0, count - 1, _CHOSEN_ROWS)).astype(np.int64)
 
 
 def _draw_chart(

@@ -11,8 +11,8 @@ import numpy as np
 
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, halo, place_labels
-from nscc_runtime.pictures.picture_colours import look
 from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
+from nscc_runtime.pictures.sheet import look
 from nscc_runtime.tradeoff import study as studied
 from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, Study
 from nscc_runtime.tradeoff.study_text import SLACK

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
-from nscc_runtime.pictures.picture_colours import look
+from nscc_runtime.pictures.sheet import look
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -85,7 +86,12 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
     if not filled_panels:
         raise ValueError("no points to draw")
     names = list(dict.fromkeys(name for panel in filled_panels for name in panel.lines))
-    scales = _scales(filled_panels)
+    values: dict[tuple[str, str], list[Place]] = {}
+    for panel in filled_panels:
+        for across, upwards in chain.from_iterable(panel.lines.values()):
+            values.setdefault(("x", panel.across), []).append(across)
+            values.setdefault(("y", panel.upwards), []).append(upwards)
+    scales = {key: _Scale.of(axis_values) for key, axis_values in values.items()}
     columns = min(_COLUMNS, len(filled_panels))
     figure, grid = sheet.panels(
         len(filled_panels), (sheet.WIDTH / max(columns, 1.4), _HEIGHT), columns
@@ -109,17 +115,6 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
     ]
     sheet.head(figure, title, note, handles)
     return figure
-
-
-def _scales(panels: Sequence[Lines]) -> dict[tuple[str, str], _Scale]:
-    """Return the scales by ("x" or "y", label)."""
-    values: dict[tuple[str, str], list[Place]] = {}
-    for panel in panels:
-        for points in panel.lines.values():
-            for across, upwards in points:
-                values.setdefault(("x", panel.across), []).append(across)
-                values.setdefault(("y", panel.upwards), []).append(upwards)
-    return {key: _Scale.of(axis_values) for key, axis_values in values.items()}
 
 
 def _draw(

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.light import Light
+from nscc_runtime.planning.differences import largest
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import MOST_OTHER_STATES
-from nscc_runtime.planning.tail import largest
 
 Values = NDArray[np.float64]
 
@@ -128,7 +128,8 @@ def audit(
     reference simulates. `frames`: requested number of frames; at least 2 and at most 8 are
     compared, more if frames have few pixels."""
     rows = compared_rows(slots, light.total_e())
-    count, pooled = compared_frames(frames, light.shape)
+    pooled = min(max(1, math.ceil(_POOLED / max(1, light.shape[0] * light.shape[1]))), 64)
+    count = max(_FEWEST_FRAMES, min(frames, _MOST_FRAMES)) * pooled
     runs, mine, full, other_states_by_frame = [*bands(rows)], [], [], []
     for frame in range(count):
         frame_pair = compare(frame, runs)
@@ -149,13 +150,6 @@ def audit(
     error = math.sqrt(other_states * (1.0 - other_states) / pixels)
     report = replace(report, other_states=other_states, other_states_mc_error=error)
     return replace(report, holds=report.breach(plan) is None)
-
-
-def compared_frames(frames: int, shape: tuple[int, int]) -> tuple[int, int]:
-    """Return the number of frames of `shape` (rows, cols) to compare, and the number of consecutive
-    frames whose errors are averaged."""
-    pooled = min(max(1, math.ceil(_POOLED / max(1, shape[0] * shape[1]))), 64)
-    return max(_FEWEST_FRAMES, min(frames, _MOST_FRAMES)) * pooled, pooled
 
 
 def compared(mine: Values, full: Values, weight: Values, pooled: int, plan: Plan) -> Audit:

@@ -5,17 +5,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from nscc_runtime.effects import Effect, Selection, registered
+from nscc_runtime.effects import Effect, Selection, everything, registered
 from nscc_runtime.effects.parts import Codes, Converter
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.frames import Path
-from nscc_runtime.planning.choose import MARGIN, Together
-from nscc_runtime.planning.measured_effects import MeasuredEffects
+from nscc_runtime.planning.choose import MARGIN, MeasuredEffects, Together
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import Approximation, Choice, Cost, Decision, Loop
+from nscc_runtime.planning.planned_scene import NONE, Names, Setting, Trial
 from nscc_runtime.planning.prices import SHIPPED
 from nscc_runtime.planning.tolerance import Tolerance
-from nscc_runtime.planning.trial import NONE, Names, Setting, Trial
 
 FROM_GIVEN_PLAN = "taken from the plan given"
 """The reason shown for decisions that were read from a plan made for another scene."""
@@ -213,21 +211,13 @@ def _after_exposure(effect: Effect, trial: Trial, demands: Demands) -> Decision:
     forced = not effect.always and effect.name in demands.forced
     on = effect in demands.effects or (demands.effects.auto and not forced)
     reason = demands.reason if forced else "always applied, after the exposure"
-    rms_e = _readout_e(effect, trial.sensor)
+    code_e = everything().require_part(Codes).electrons(trial.sensor)
+    rms_e = code_e / math.sqrt(12.0) if effect.parts_of_kind(Codes) else None
+    for converter in effect.parts_of_kind(Converter):
+        rms_e = converter.sigma_lsb(trial.sensor) * code_e
     return Decision(
         effect.name, effect.kind, "kept" if on else "dropped", forced, reason, rms_e, 0.0, None, 0.0
     )
-
-
-def _readout_e(effect: Effect, sensor: Sensor) -> float | None:
-    """Return the RMS change of codes by an effect of the readout, in electrons; None if the effect
-    is neither converter noise nor rounding."""
-    from nscc_runtime.effects import everything
-
-    code_e = everything().require_part(Codes).electrons(sensor)
-    for converter in effect.parts_of_kind(Converter):
-        return converter.sigma_lsb(sensor) * code_e
-    return code_e / math.sqrt(12.0) if effect.parts_of_kind(Codes) else None
 
 
 def _cost(trial: Trial, setting: Setting, planning_ms: float) -> Cost:

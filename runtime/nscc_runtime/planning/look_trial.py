@@ -14,6 +14,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Effect, Selection, everything, registered
 from nscc_runtime.effects.parts import Fading, Moving
 from nscc_runtime.effects.sensor import Sensor
@@ -25,15 +26,13 @@ from nscc_runtime.interface import Executed
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import next_planes
 from nscc_runtime.looking.looking_program import BEFORE_WORDS, LookingProgram
-from nscc_runtime.method_cache import remembered
 from nscc_runtime.planning.differences import Difference, ExposureErrors
+from nscc_runtime.planning.planned_scene import NONE, Move, Names, Setting, Trial
 from nscc_runtime.planning.prices import SHIPPED
 from nscc_runtime.planning.sample import Sample, sample_of
-from nscc_runtime.planning.trial import NONE, Move, Names, Setting, Trial
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
-from nscc_runtime.reference.intervals import Intervals
-from nscc_runtime.reference.looks import LookingReference
+from nscc_runtime.reference.looks import Intervals, LookingReference
 
 Bits = NDArray[np.bool_]
 Values = NDArray[np.float64]

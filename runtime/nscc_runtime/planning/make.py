@@ -1,7 +1,7 @@
 """Make a plan for a scene, in five steps.
 
 1. `sample`: draw pixels of the scene, weighted by the number of pixels that each represents.
-2. `measured_effects`: drop each effect alone, on these pixels with the same random numbers.
+2. `choose`: drop each effect alone, on these pixels with the same random numbers.
 3. `choose`: find the sets of effects that save most time, if their errors add up to less than the
    tolerance.
 4. `choose`: drop all effects of a set at once and compare with the truth. If the error plus two
@@ -20,14 +20,14 @@ from nscc_runtime.planning.choose import (
     MARGIN,
     Limits,
     choose_cheapest,
+    measure_effects,
     measure_together,
     tried_together,
 )
 from nscc_runtime.planning.decisions import FROM_GIVEN_PLAN, Demands, planned, unmeasured
-from nscc_runtime.planning.measured_effects import measure_effects
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import MOST_OTHER_STATES
-from nscc_runtime.planning.planned_scene import PlannedScene
+from nscc_runtime.planning.planned_scene import NONE, Names, PlannedScene, Setting, Trial
 from nscc_runtime.planning.tolerance import (
     DEFAULT,
     OPTION_MAX,
@@ -37,7 +37,6 @@ from nscc_runtime.planning.tolerance import (
     noise_part,
     tolerance_of,
 )
-from nscc_runtime.planning.trial import NONE, Names, Setting, Trial
 
 MANY = 1000
 """Default number of frames that share a plan."""
@@ -88,9 +87,10 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     if reason is not None:
         allowed = _known(scene, request.tolerance)
         path, why = scene.exact_path(allowed)
-        demands = Demands(
-            effects, forced, allowed, _known_max(scene, request), str(request.tolerance)
-        )
+        most = None
+        if request.tolerance_max is not None:
+            most = tolerance_of(request.tolerance_max, scene.sensor, scene, OPTION_MAX)
+        demands = Demands(effects, forced, allowed, most, str(request.tolerance))
         return unmeasured(trial, demands, path, why, reason)
     allowed, most = allowed_on(scene, request.tolerance, request.tolerance_max)
     demands = Demands(effects, forced, allowed, most)
@@ -214,8 +214,3 @@ def _known(scene: PlannedScene, tolerance: ToleranceInput) -> Tolerance | None:
         check_tolerance(tolerance, scene.sensor)
         return None
     return tolerance_of(tolerance, scene.sensor, scene)
-
-
-def _known_max(scene: PlannedScene, request: PlanRequest) -> Tolerance | None:
-    most = request.tolerance_max
-    return None if most is None else tolerance_of(most, scene.sensor, scene, OPTION_MAX)

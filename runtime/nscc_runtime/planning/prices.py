@@ -11,12 +11,12 @@ from typing import Literal
 
 import numpy as np
 
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Counted, Exchange
 from nscc_runtime.execution.charge_loop import SITES
 from nscc_runtime.execution.layout import ACTS
 from nscc_runtime.execution.program import AnalysedProgram
-from nscc_runtime.method_cache import remembered
 
 Beside = Literal["sums", "all", "nothing"]
 """How the other pixels are simulated while one pixel runs through its words."""

@@ -7,12 +7,13 @@ their words on the whole array."""
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Counted, Echo, Moving, Response, Saturates
 from nscc_runtime.execution.chip import SimulatedChip
@@ -22,9 +23,9 @@ from nscc_runtime.execution.pixels import KnownCounts, Running
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.light import Light
-from nscc_runtime.method_cache import remembered
 from nscc_runtime.planning.sample import Sample
-from nscc_runtime.reference.capture import scene_of
+from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.charge import Groups
 
 Values = NDArray[np.float64]
 
@@ -98,10 +99,12 @@ class SampledExposures:
     def by_reference(self, effects: Selection) -> Values:
         """Return exposures (buckets, pixels) of all sampled pixels by the reference."""
         exposures = [np.empty((len(self.program.container.buckets), 0))]
+        whole_chip = Reference.of(self.program.container, self.program.sensor, effects)
         for array, light, inner in self._arrays.values():
             if not len(inner):
                 continue
-            reference = self.program.reference_at(array, effects)
+            groups = Groups(whole_chip.groups.of_slot, array.lanes.astype(np.intp), array.places)
+            reference = replace(whole_chip, groups=groups)
             scene = scene_of(self.program.container, light)
             for number in self._numbers(0):
                 exposed = reference.expose(scene, SEED, self.device_seed, number, self.threads)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
@@ -26,17 +27,15 @@ from nscc_runtime.looked_frames import Planes, exposer, frames, looking_program_
 from nscc_runtime.looking.looking_program import LookingProgram
 from nscc_runtime.looking.path_loop import run_paths
 from nscc_runtime.loop import Loop
-from nscc_runtime.method_cache import remembered
 from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.audit import Audit, Compared, audit
 from nscc_runtime.planning.look_trial import LOOKS, LookTrial, same_states
 from nscc_runtime.planning.make import still_fits
 from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.planned_scene import PlannedScene
+from nscc_runtime.planning.planned_scene import NONE, Names, PlannedScene, Trial
 from nscc_runtime.planning.prices import Work
 from nscc_runtime.planning.summed_trial import SummedTrial
 from nscc_runtime.planning.tolerance import Tolerance, mean_signal_e
-from nscc_runtime.planning.trial import NONE, Names, Trial
 from nscc_runtime.planning.word_trial import (
     APPROXIMATE,
     ReferenceTrial,
@@ -44,8 +43,7 @@ from nscc_runtime.planning.word_trial import (
 )
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, scene_of
-from nscc_runtime.reference.intervals import Intervals
-from nscc_runtime.reference.looks import LookingReference
+from nscc_runtime.reference.looks import Intervals, LookingReference
 
 _SURELY = 0.4
 """If nothing is measured, the variance of counts that sums neglect may make up this fraction of the

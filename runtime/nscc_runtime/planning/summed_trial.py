@@ -11,6 +11,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Effect, Selection, everything, registered
 from nscc_runtime.effects.parts import (
     Counted,
@@ -29,12 +30,11 @@ from nscc_runtime.execution.near_saturation import NearSaturation, near_saturati
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.summed import APPROXIMATIONS
 from nscc_runtime.light import Light
-from nscc_runtime.method_cache import remembered
 from nscc_runtime.planning.differences import Difference, ExposureErrors, WeightedPixels
+from nscc_runtime.planning.planned_scene import NONE, NOTHING, Move, Names, Setting, Trial
 from nscc_runtime.planning.prices import SHIPPED, Work
 from nscc_runtime.planning.sample import TILES, Sample, near_sampled, sample_of
 from nscc_runtime.planning.sampled_exposures import SampledExposures
-from nscc_runtime.planning.trial import NONE, NOTHING, Move, Names, Setting, Trial
 
 Values = NDArray[np.float64]
 

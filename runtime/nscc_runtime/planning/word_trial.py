@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from nscc_runtime.effects import Effect, everything
+from nscc_runtime.caches import remembered
+from nscc_runtime.effects import CannotHave, Effect, everything
 from nscc_runtime.execution.frames import Execution
-from nscc_runtime.method_cache import remembered
 from nscc_runtime.planning.differences import Difference, ExposureErrors
+from nscc_runtime.planning.planned_scene import NONE, Move, Names, Setting
 from nscc_runtime.planning.summed_trial import SummedTrial
-from nscc_runtime.planning.trial import NONE, Move, Names, Setting, slow_reason
 
 APPROXIMATE = (
     "counts would have to be spread over the slots of most pixels: the weights of a code's slots "
@@ -120,8 +120,12 @@ class ReferenceTrial(WordTrial):
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
         """Return the reasons for the reference: effects that only it has, or inaccurate sums."""
-        slow = [e for e in self.requested_effects.effects if e.name in self.slow - self.absent]
-        return tuple(map(slow_reason, slow)) or (APPROXIMATE,)
+        slow = [
+            f"{e.name}: only the reference has it ({e.words.reason})"
+            for e in self.requested_effects.effects
+            if e.name in self.slow - self.absent and isinstance(e.words, CannotHave)
+        ]
+        return tuple(slow) or (APPROXIMATE,)
 
     def frame_ns(self, setting: Setting) -> tuple[float, float]:
         return self.work.reference_ns, 0.0

@@ -9,14 +9,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection
-from nscc_runtime.effects.counts import count_key, thinning_key
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import OnDevice, Scene, Slots
+from nscc_runtime.effects.views import THINNED, OnDevice, Scene, Slots
 from nscc_runtime.light import Light
-from nscc_runtime.method_cache import remembered
-from nscc_runtime.noise import RATE_CAP, poisson, thin
-from nscc_runtime.reference.light_loop import LitSizes, add_light
+from nscc_runtime.noise import RATE_CAP, key, poisson, thin
 
 Charge = NDArray[np.float64]
 
@@ -108,16 +106,9 @@ class _Slots(Slots):
 
     @remembered
     def electrons(self, light: Light) -> Charge:
-        rows, cols = len(self.places) // light.shape[1], light.shape[1]
-        out = np.empty((light.slots, rows, cols))
-        add_light(
-            sizes=LitSizes(
-                slots=light.slots, pixels=light.shape[0] * cols, first=self.rows.start * cols,
-                length=rows * cols,
-            ),
-            light=light.matrix,
-            out=out.reshape(light.slots, -1),
-        )  # fmt: skip
+        out = np.empty((light.slots, len(self.places) // light.shape[1], light.shape[1]))
+        for n in range(light.slots):
+            out[n] = light.slot(n, self.rows)
         return out
 
     def counted(self, stream: int, source: int, rates: Charge) -> Charge:
@@ -128,9 +119,7 @@ class _Slots(Slots):
         counted = np.zeros(rates.shape)
         if self.of_slot is None or self.lanes is None:
             for n, slot_rates in enumerate(rates):
-                counted[n], is_valid = poisson(
-                    count_key(*named, n), self.places, slot_rates, exact=True
-                )
+                counted[n], is_valid = poisson(key(*named, n), self.places, slot_rates)
                 self.valid &= is_valid
             return counted.reshape(shape)
         rates = np.clip(np.nan_to_num(rates, nan=0.0, posinf=RATE_CAP), 0.0, RATE_CAP)
@@ -138,7 +127,12 @@ class _Slots(Slots):
             among = group == self.of_slot[self.lanes].T
             shares = np.where(among, rates, 0.0)
             total = shares.sum(axis=0)
-            counts, is_valid = poisson(count_key(*named, group), self.places, total, exact=True)
+            counts, is_valid = poisson(key(*named, group), self.places, total)
             self.valid &= is_valid
-            counted += thin(thinning_key(*named, group), self.places, counts, shares.T).T
+            counted += thin(
+                key(self.seed, stream, THINNED + source, self.frame, group),
+                self.places,
+                counts,
+                shares.T,
+            ).T
         return counted.reshape(shape)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.operations import OPERATIONS, WordEffect
+from nscc.operations import OPERATIONS, Op, WordEffect
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Errors
@@ -21,15 +21,138 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.noise import key, uniforms
 from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.charge import Fallen
-from nscc_runtime.reference.resets import Resets
-from nscc_runtime.reference.saturation_marks import Marks
 from nscc_runtime.reference.trace import RunningWord
 from nscc_runtime.reference.weights import error_sign
 
+Full = NDArray[np.uint8]
 Values = NDArray[np.float64]
+
+ADDED, SUBTRACTED, LEVEL = 1, 2, 4
+
+
+class Marks:
+    """Saturation marks of some pixels, by register and PIX; arrays are (pixels,).
+
+    `full`: bits that tell whether the content includes a full PIX with positive sign (ADDED), with
+    negative sign (SUBTRACTED), or in a reset level (LEVEL). `lost`: electrons that registers lost.
+    """
+
+    def __init__(
+        self, effects: Selection, sensor: Sensor, registers: Iterable[str], pixels: int
+    ) -> None:
+        self.effects, self.sensor = effects, sensor
+        self.mark = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
+        self.full = {name: np.zeros(pixels, np.uint8) for name in registers}
+        self.lost = {name: np.zeros(pixels) for name in registers}
+
+    def fill(self, full: NDArray[np.bool_]) -> None:
+        """Mark PIX as full where the mask is True."""
+        self.full["PIX"] = self.full["PIX"] | full.astype(np.uint8) * np.uint8(ADDED)
+
+    def fallen(self, pixels: Pixels, charge: Values) -> Values:
+        """Return the charge of PIX after saturation; mark PIX as full where charge is lost."""
+        for effect, clip in self.effects.acting("well"):
+            charge_before, charge = charge, clip(pixels, charge)
+            if "well" in effect.marks:
+                self.fill(charge < charge_before)
+        return charge
+
+    def clip_register(self, pixels: Pixels, value: Values, lost_e: Values) -> tuple[Values, Values]:
+        """Return a register's value after saturation, and the electrons lost including `lost_e`."""
+        for effect, clip in self.effects.acting("registers"):
+            value_before, value = value, clip(pixels, value)
+            if "registers" in effect.marks:
+                lost_e = lost_e + np.abs(value_before - value)
+        return value, lost_e
+
+    def empty(self, acting: NDArray[np.bool_]) -> None:
+        """Clear the marks of PIX where it is reset."""
+        self.full["PIX"] = np.where(acting, np.uint8(0), self.full["PIX"])
+
+    def gathered(
+        self, op: Op, unseen: NDArray[np.bool_], lit: NDArray[np.bool_]
+    ) -> tuple[Full, Values]:
+        """Return the marks and lost electrons that a bus word's result inherits from its sources.
+
+        `unseen`: where the word does not read the charge of PIX. `lit`: where it reads a reset
+        level with light."""
+        full, lost_e = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
+        for name in op.sources:
+            source_full = self.full[name]
+            if name == "PIX":
+                source_full = np.where(unseen, np.uint8(0), source_full)
+                source_full = source_full | np.where(
+                    lit & (source_full != 0), np.uint8(LEVEL), np.uint8(0)
+                )
+            full |= source_full
+            lost_e = lost_e + self.lost[name]
+        return inverted(full), lost_e / op.operation.divisor
+
+    def write(self, name: str, acting: NDArray[np.bool_], full: Full, lost_e: Values) -> None:
+        """Set the marks and lost electrons of a register where `acting`."""
+        self.full[name] = np.where(acting, full, self.full[name])
+        self.lost[name] = np.where(acting, lost_e, self.lost[name])
+
+    def read_out(self, name: str, gain: float) -> NDArray[np.uint8]:
+        """Return the bits of `saturated_by` (pixels,) of a register's readout."""
+        full = inverted(self.full[name]) if gain < 0 else self.full[name]
+        bits = np.zeros_like(full)
+        for at, is_marked in (
+            ("well", full & ADDED), ("subtracted", full & SUBTRACTED), ("level", full & LEVEL)
+        ):  # fmt: skip
+            mark = self.mark[at]
+            if mark is not None:
+                bits |= np.where(is_marked, np.uint8(mark.bit), np.uint8(0))
+        mark = self.mark["registers"]
+        if mark is not None:
+            exceeds = self.lost[name] > mark.least_e(self.sensor)
+            bits |= np.where(exceeds, np.uint8(mark.bit), np.uint8(0))
+        return bits
+
+
+def inverted(full: Full) -> Full:
+    """Return the marks of the negated value: ADDED and SUBTRACTED are exchanged."""
+    exchanged = (full & ADDED) * SUBTRACTED | (full & SUBTRACTED) // SUBTRACTED
+    return np.asarray(exchanged | full & LEVEL, np.uint8)
+
+
 Bits = NDArray[np.bool_]
+
+
+class Resets:
+    """The reset levels of some pixels; arrays are (pixels,). Boundaries are rising numbers."""
+
+    def __init__(self, effects: Selection, pixels: int) -> None:
+        self._leaving, self._letting_in = effects.at("resets"), effects.at("level")
+        self._level_e, self._last = np.zeros(pixels), np.full(pixels, -1.0)
+
+    def reset(self, pixels: Pixels, acting: Bits, word: Word, boundary: float) -> None:
+        """Set the reset level of the pixels in `acting`."""
+        level = np.zeros_like(self._level_e)
+        for change in self._leaving:
+            level = change(pixels, level, word)
+        self._level_e = np.where(acting, level, self._level_e)
+        self._last = np.where(acting, boundary, self._last)
+
+    def unseen(self, boundary: float) -> Bits:
+        """Return a mask of pixels where words do not read the charge of PIX: PIX was reset at this
+        boundary, and no effect lets light into the level."""
+        return np.asarray((self._last == boundary) & (not self._letting_in))
+
+    def lit(self, boundary: float) -> Bits:
+        """Return a mask of pixels where words read the reset level plus light since the reset."""
+        return np.asarray((self._last == boundary) & bool(self._letting_in))
+
+    def read_level(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:
+        """Return the value that a word reads from PIX when PIX contains `charge`."""
+        charge_and_level = np.where(self.unseen(boundary), 0.0, charge)
+        for lit in self._letting_in:
+            charge_and_level = np.where(self._last == boundary, lit(pixels, charge, word), charge)
+        return charge_and_level + self._level_e
+
+
 Marked = tuple[Values, NDArray[np.uint8]]
-"""Exposures (buckets, pixels) in electrons, and saturation marks (`nscc_runtime.effects.marks`)."""
+"""Exposures (buckets, pixels) in electrons, and saturation marks."""
 
 CELLS = 1 << 21
 """Largest number of slots x pixels that are processed at once, in about ten arrays of that size."""

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from nscc_runtime.scenes.crop import parse_crop
 from nscc_runtime.scenes.exposure import ExposureLevel, parse_exposure
 from nscc_runtime.scenes.load import PlacedLight, laid_scene, light_of_array, load_scene
-from nscc_runtime.scenes.placement import FITS, Fit, Placement
+from nscc_runtime.scenes.placement import FITS, Fit, Placement, parse_crop
 from nscc_runtime.scenes.scene import Scene
 
 __all__ = [

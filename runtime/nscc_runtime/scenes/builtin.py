@@ -7,12 +7,119 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import exposure as exposures
 from nscc_runtime.scenes.exposure import BUILTIN, ExposureLevel
+from nscc_runtime.scenes.shapes import Field, fractal, noise, smooth
+
+_SUN = (0.66, 0.37)
+"""Position of the sun, in fractions of width and height."""
+_SUN_LEVEL = 6000.0
+_DARKEST = 0.03
+"""Luminance of the deepest shadow. Pictures of any size range from it to `_SUN_LEVEL`."""
+_SHORE = 0.63
+_TREES = ((0.045, 0.36), (0.125, 0.47), (0.2, 0.57), (0.93, 0.5), (0.985, 0.42))
+"""Position of the stem and of the tip of each pine, in fractions of width and height."""
+
+
+def landscape(rows: int, cols: int) -> NDArray[np.float32]:
+    """Return relative luminance (rows, cols) from 0.03 to 6000, equal on every machine."""
+    x = (np.arange(cols) + 0.5) / cols
+    y = (np.arange(rows) + 0.5) / rows
+    pixel = 1.0 / rows
+    picture = _sky(x, y)
+    for number, (height, roughness, level) in enumerate(
+        ((0.46, 0.20, 3.0), (0.53, 0.15, 0.9), (0.585, 0.08, 0.28))
+    ):
+        _ridge(picture, x, y, (height, roughness, level), 20 + 7 * number, pixel)
+    _lake(picture, x, y)
+    _bank(picture, x, y, pixel)
+    # At any size, one pixel is the sun, and one of the bank is the deepest shadow.
+    picture[np.argmin(np.abs(y - _SUN[1])), np.argmin(np.abs(x - _SUN[0]))] = _SUN_LEVEL
+    if picture.size > 1:
+        picture[-1, 0] = _DARKEST
+    return picture.astype(np.float32)
+
+
+def _sky(x: Field, y: Field) -> Field:
+    distance2 = ((x - _SUN[0]) ** 2)[None, :] + ((y - _SUN[1]) ** 2)[:, None]
+    clouds = smooth(0.42, 0.75, fractal(x * 3.0, y * 11.0, 3, 4))
+    glow = 420.0 / (1.0 + distance2 / 0.0016) + 34.0 / (1.0 + distance2 / 0.04)
+    air = (4.0 + 16.0 * y * y)[:, None]
+    # Clouds catch the light near the sun and hide the sky away from it.
+    veiled = (air + glow) * (1.0 - 0.55 * clouds) + clouds * glow * 0.8
+    return veiled + _SUN_LEVEL * (1.0 - smooth(0.0009, 0.0013, distance2))
+
+
+def _ridge(
+    picture: Field, x: Field, y: Field, shape: tuple[float, float, float], seed: int, pixel: float
+) -> None:
+    height, roughness, level = shape
+    outline = height + roughness * (0.55 - fractal(x * 3.2 + seed, np.array([seed + 0.5]), seed, 6))
+    land = smooth(-0.5 * pixel, 0.5 * pixel, y[:, None] - outline)
+    slopes = 0.55 + 0.9 * fractal(x * 14.0, y * 20.0, seed + 3, 4)
+    haze = 1.0 + 1.6 / (1.0 + ((x - _SUN[0]) / 0.18) ** 2)
+    picture += (level * slopes * haze - picture) * land
+
+
+def _lake(picture: Field, x: Field, y: Field) -> None:
+    """Draw the lake, which mirrors the scene above the shore, broken by waves."""
+    below = np.flatnonzero(y >= _SHORE)
+    if len(below) == 0 or below[0] == 0:
+        return
+    depth = y[below] - _SHORE
+    waves = fractal(x * 7.0, 3.0 / (depth + 0.03), 61, 3)
+    rows = len(y)
+    mirrored = _SHORE - depth[:, None] * 1.25 + (waves - 0.5) * (0.02 + 0.22 * depth[:, None])
+    source = np.clip((mirrored * rows).astype(np.int64), 0, int(below[0]) - 1)
+    mirror = picture[source, np.arange(len(x))[None, :]]
+    width = 0.012 + 0.13 * depth[:, None]
+    path = 1.0 / (1.0 + ((x - _SUN[0]) / width) ** 2)
+    glitter = smooth(0.56, 0.78, noise(x * 60.0, 9.0 / (depth + 0.045), 71) * 0.6 + waves * 0.4)
+    shade = 0.12 + 0.2 * waves
+    picture[below] = np.minimum(mirror, 300.0) * shade + 0.05 + 900.0 * path * path * glitter
+
+
+def _bank(picture: Field, x: Field, y: Field, pixel: float) -> None:
+    """Draw the near bank with its pines, and a hut with a lit window."""
+    edge = 0.91 + 0.06 * fractal(x * 5.0, np.array([0.5]), 81, 5) - 0.1 * smooth(0.7, 1.0, x)
+    bank = smooth(-0.5 * pixel, 0.5 * pixel, y[:, None] - edge)
+    for stem, tip in _TREES:
+        bank = np.maximum(bank, _pine(x, y, stem, tip, pixel))
+    bank = np.maximum(bank, _hut(x, y, pixel))
+    ground = _DARKEST * (1.0 + 4.0 * fractal(x * 30.0, y * 30.0, 91, 3))
+    picture += (ground - picture) * bank
+    lit = _box(x, y, (0.80, 0.825, 0.812, 0.84), pixel)
+    picture += (70.0 - picture) * lit
+
+
+def _pine(x: Field, y: Field, stem: float, tip: float, pixel: float) -> Field:
+    height = 0.97 - tip
+    along = (y - tip) / height
+    boughs = along * 9.0
+    reach = 0.17 * height * along * (0.45 + 0.55 * (boughs - np.floor(boughs)))
+    inside = np.where(along > 0.0, reach, -pixel)[:, None] - np.abs(x - stem)[None, :]
+    return smooth(-0.5 * pixel, 0.5 * pixel, inside)
+
+
+def _hut(x: Field, y: Field, pixel: float) -> Field:
+    roof = np.abs(x - 0.81)[None, :] * 0.7 + 0.755 - y[:, None]
+    walls = _box(x, y, (0.765, 0.855, 0.78, 0.9), pixel)
+    eaves = _box(x, y, (0.745, 0.875, 0.74, 0.80), pixel)
+    return np.maximum(walls, eaves * smooth(-0.5 * pixel, 0.5 * pixel, -roof))
+
+
+def _box(x: Field, y: Field, sides: tuple[float, float, float, float], pixel: float) -> Field:
+    x0, x1, y0, y1 = sides
+    across = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(x - x0, x1 - x))
+    down = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(y - y0, y1 - y))
+    result: Field = across[None, :] * down[:, None]
+    return result
+
 
 NAMES = ("hdr", "motion", "flat", "dark")
 
@@ -42,7 +149,7 @@ def load_builtin(
             share = _clip_share(spec, arguments[0]) if arguments else 1.0
             return motion(slot_us, rows, cols, exposure or BUILTIN, spec, share)
         case "hdr":
-            from nscc_runtime.scenes.builtin_hdr import landscape
+            from nscc_runtime.scenes.builtin import landscape
 
             frame = landscape(rows, cols)
             exposure_level: ExposureLevel | None = exposure or BUILTIN

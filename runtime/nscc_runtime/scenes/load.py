@@ -20,7 +20,6 @@ from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import exposure, light_arrays, timing
 from nscc_runtime.scenes.colour import Transfer
-from nscc_runtime.scenes.crop import Window
 from nscc_runtime.scenes.errors import refuse_no_light
 from nscc_runtime.scenes.exposure import ExposureLevel, checked_white
 from nscc_runtime.scenes.pages import Pages
@@ -28,6 +27,7 @@ from nscc_runtime.scenes.picture_light import picture_light
 from nscc_runtime.scenes.placement import (
     Fit,
     Placement,
+    Window,
     changes,
     few_bits,
     in_colour,

@@ -28,9 +28,16 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
         for name in sorted(set(names).difference(pictures))
         if not name.startswith(".")
         and Path(name).stem not in stems
-        and (_is_picture(name) or (place is not None and _counts(name, split_names[0], place)))
+        and (
+            (guess_type(name, strict=False)[0] or "").startswith("image/")
+            or (place is not None and _counts(name, split_names[0], place))
+        )
     ]
-    sentences = [f"{_listed(unread)}: unsupported format"] if unread else []
+    sentences = []
+    if unread:
+        listed = ", ".join(name[:60] for name in unread[:_SHOWN])
+        more = f" and {len(unread) - _SHOWN} more" if len(unread) > _SHOWN else ""
+        sentences.append(f"{listed}{more}: unsupported format")
     if place is not None:
         read = {int(split_name[place]) for split_name in split_names}
         # Numbers of unread files are reported already.
@@ -79,11 +86,6 @@ def _counts(name: str, like: list[str], place: int) -> bool:
     )
 
 
-def _is_picture(name: str) -> bool:
-    kind = guess_type(name, strict=False)[0]
-    return kind is not None and kind.startswith("image/")
-
-
 def _gaps(numbers: Sequence[int]) -> str:
     """Return the numbers missing from a sequence of constant step, as text; empty without gaps, or
     if the numbers are not such a sequence (for example times)."""
@@ -96,8 +98,3 @@ def _gaps(numbers: Sequence[int]) -> str:
     gaps = (n for a, b in pairwise(numbers) for n in range(a + step, b, step))
     shown = ", ".join(str(number) for number in islice(gaps, _SHOWN))
     return shown + (f" and {count - _SHOWN} more" if count > _SHOWN else "")
-
-
-def _listed(names: Sequence[str]) -> str:
-    shown = ", ".join(name[:60] for name in names[:_SHOWN])
-    return shown + (f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else "")

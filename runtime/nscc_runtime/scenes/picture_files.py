@@ -22,19 +22,25 @@ from nscc.files import reads
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.errors import Path_or_name, damaged, unsupported
 from nscc_runtime.scenes.exr_pictures import exr_pages
-from nscc_runtime.scenes.large_pictures import large_pages
 from nscc_runtime.scenes.numbering import frames_missing, missing_frames
 from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
-from nscc_runtime.scenes.picture_heads import png_head, read_radiance
+from nscc_runtime.scenes.picture_light import large_pages
 from nscc_runtime.scenes.picture_size import (
+    png_head,
+    read_radiance,
     refuse_huge,
     refuse_size,
     stated_size,
     without_pillow_limit,
 )
-from nscc_runtime.scenes.raw_pictures import RAW, raw_pages, raw_size
 from nscc_runtime.scenes.tiff_pictures import tiff_pages, tiff_size
 
+RAW = (".arw", ".cr2", ".dng", ".nef")
+"""Endings of raw files of cameras."""
+_RAW_NOTE = (
+    "is a raw file: linear light, black and white level applied, colours as the camera has them",
+    "convert it to .tiff or .exr if you need the colours of a standard",
+)
 LINEAR = (".exr", ".hdr", ".pfm", *RAW)
 _HEIF = (".heic", ".heif")
 DISPLAY = (".avif", ".bmp", ".heic", ".heif", ".jpeg", ".jpg", ".png", ".tif", ".tiff", ".webp")
@@ -79,13 +85,8 @@ def open_pages(path: Path, large: bool = False) -> Pages:
 
 
 def read_picture(path: Path) -> NDArray[Any]:
-    """Read the only picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue.
-
-    Raises
-    ------
-    Rejected
-        Like `open_pages`, and NS0732 for a file of several pictures.
-    """
+    """Read the only picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue. Raises
+    Rejected like `open_pages`, and NS0732 for a file of several pictures."""
     pages = open_pages(path)
     if pages.count != 1:
         raise unsupported(
@@ -195,6 +196,32 @@ def _radiance_pages(path: Path) -> Pages:
     return _single_picture_pages(path, lambda data: read_radiance(path, data, decoded))
 
 
+def _raw_size(path: Path) -> tuple[int, int]:
+    """Return rows and columns of the picture in a raw file, without decoding it."""
+    import rawpy
+
+    with rawpy.imread(str(path)) as raw:
+        return int(raw.sizes.height), int(raw.sizes.width)
+
+
+def _raw_pages(path: Path) -> Pages:
+    """Open the picture of a raw file: uint16, 65535 at the camera's white level. No curve, no
+    colour balance and no brightening are applied. Raises ImportError without rawpy."""
+    import rawpy
+
+    def read() -> Iterator[NDArray[Any]]:
+        with rawpy.imread(str(path)) as raw:
+            refuse_size(path, raw.sizes.raw_height, raw.sizes.raw_width)
+            picture = raw.postprocess(
+                gamma=(1, 1), no_auto_bright=True, no_auto_scale=False, output_bps=16,
+                user_wb=[1, 1, 1, 1], output_color=rawpy.ColorSpace.raw,
+                highlight_mode=rawpy.HighlightMode.Clip,
+            )  # fmt: skip
+            yield np.asarray(picture)
+
+    return Pages(1, read, notes=(_RAW_NOTE,))
+
+
 _READERS: dict[str, Callable[[Path], Pages]] = {
     ".exr": exr_pages,
     ".hdr": _radiance_pages,
@@ -202,11 +229,11 @@ _READERS: dict[str, Callable[[Path], Pages]] = {
     **dict.fromkeys((".tif", ".tiff"), tiff_pages),
     **dict.fromkeys(_HEIF, _heif_pages),
     **dict.fromkeys((".avif", ".bmp", ".jpeg", ".jpg", ".webp"), _pillow_pages),
-    **dict.fromkeys(RAW, raw_pages),
+    **dict.fromkeys(RAW, _raw_pages),
 }
 _SIZES: dict[str, Callable[[Path], tuple[int, int] | None]] = {
     **dict.fromkeys((".tif", ".tiff"), tiff_size),
-    **dict.fromkeys(RAW, raw_size),
+    **dict.fromkeys(RAW, _raw_size),
 }
 
 
@@ -216,14 +243,9 @@ def files_of(
     """Return the pictures of a folder in natural order (2 before 10).
 
     Hidden files, and files that belong to no sequence of frames, are ignored. With `skip`, `warn`
-    is called with a message about missing frames.
-
-    Raises
-    ------
-    Rejected
-        NS0735 for a folder without pictures, NS0739 for a folder of linear and display pictures,
-        NS0776 if frames are missing: files that are not read, or gaps in the numbering.
-    """
+    is called with a message about missing frames. Raises NS0735 for a folder without pictures,
+    NS0739 for a folder of linear and display pictures, NS0776 if frames are missing: files that are
+    not read, or gaps in the numbering."""
     try:
         names = sorted(entry.name for entry in folder.iterdir() if entry.is_file())
     except OSError as error:

@@ -18,7 +18,6 @@ from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.scenes.colour import CURVES, Transfer, white_of
-from nscc_runtime.scenes.crop import Window
 from nscc_runtime.scenes.errors import Path_or_name, size
 
 Fit = Literal["crop", "scale", "tiles"]
@@ -26,6 +25,59 @@ FITS: tuple[Fit, ...] = get_args(Fit)
 
 MOST_PIXELS = 1 << 26
 """Largest number of pixels of a picture in pieces: a frame needs about 30 bytes per pixel."""
+
+
+@dataclass(frozen=True)
+class Window:
+    """The size of the array, and the position (row, column) of its top left corner in pictures. If
+    `corner` is None, the array is centred."""
+
+    rows: int
+    cols: int
+    corner: tuple[int, int] | None = None
+
+    def place(self, have: tuple[int, int], name: Path_or_name) -> tuple[int, int]:
+        """Return row and column of the top left corner in a picture of size `have`.
+
+        If the margins of a centred window cannot be equal, the smaller ones are above and to the
+        left. Raises Rejected (NS0734) if the window does not fit."""
+        need = (self.rows, self.cols)
+        if have[0] < need[0] or have[1] < need[1]:
+            raise rejected(
+                "NS0734",
+                f"the scene '{name}' is {size(have)}, smaller than the array of {size(need)}",
+                notes=(
+                    "sizes are rows x columns; without --fit pictures are cropped but not scaled",
+                ),
+                helps=("use a larger picture, `--fit scale`, or a target with a smaller array",),
+                data={"scene": list(have), "array": list(need)},
+            )
+        if self.corner is None:
+            return (have[0] - need[0]) // 2, (have[1] - need[1]) // 2
+        first_row, first_col = self.corner
+        if not (0 <= first_row <= have[0] - need[0] and 0 <= first_col <= have[1] - need[1]):
+            raise rejected(
+                "NS0734",
+                f"--crop {first_row},{first_col} puts the array of {size(need)} outside the scene "
+                f"'{name}' of {size(have)}",
+                notes=("--crop R,C is the row and column of the top left corner",),
+                helps=(f"R may be 0 to {have[0] - need[0]} here, C 0 to {have[1] - need[1]}",),
+                data={"scene": list(have), "array": list(need), "crop": [first_row, first_col]},
+            )
+        return first_row, first_col
+
+
+def parse_crop(text: str) -> tuple[int, int]:
+    """Parse `R,C` as two whole numbers. Raises Rejected (NS0739) for other texts."""
+    numbers = text.split(",")
+    if len(numbers) == 2 and all(p.strip().isdecimal() and len(p.strip()) < 10 for p in numbers):
+        return int(numbers[0]), int(numbers[1])
+    raise rejected(
+        "NS0739",
+        f"invalid corner '{text[:60]}' for --crop",
+        notes=("--crop R,C: the row and column of the top left corner, from 0",),
+        helps=("for instance --crop 120,300",),
+    )
 
 
 @dataclass(frozen=True)
@@ -139,19 +191,15 @@ def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float
     """Return the light (rows, cols) of the exposed picture on all arrays."""
     exposed = light.astype(np.float32)
     if exposed.shape != placement.size:
-        exposed = _resized(exposed, placement.size)
+        import cv2
+
+        smaller = placement.size[0] <= light.shape[0] and placement.size[1] <= light.shape[1]
+        how = cv2.INTER_AREA if smaller else cv2.INTER_LINEAR
+        resized = cv2.resize(exposed, placement.size[::-1], interpolation=how)
+        exposed = np.asarray(resized, np.float32)
     (rows, cols), (down, across) = placement.array, placement.arrays
     margin = [(0, down * rows - exposed.shape[0]), (0, across * cols - exposed.shape[1])]
     return np.pad(exposed, margin, mode="symmetric")
-
-
-def _resized(light: NDArray[np.float32], new_size: tuple[int, int]) -> NDArray[np.float32]:
-    """Return light at a new size: means over the area of new pixels, or linear interpolation."""
-    import cv2
-
-    smaller = new_size[0] <= light.shape[0] and new_size[1] <= light.shape[1]
-    how = cv2.INTER_AREA if smaller else cv2.INTER_LINEAR
-    return np.asarray(cv2.resize(light, new_size[::-1], interpolation=how), np.float32)
 
 
 def in_colour(stored: NDArray[Any]) -> bool:

@@ -12,10 +12,9 @@ from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes.bracket import parse_times
 from nscc_runtime.scenes.colour import Transfer
-from nscc_runtime.scenes.crop import parse_crop
 from nscc_runtime.scenes.exposure import parse_exposure
 from nscc_runtime.scenes.load import FramesAre, PlacedLight, laid_scene
-from nscc_runtime.scenes.placement import Fit, no_colours
+from nscc_runtime.scenes.placement import Fit, no_colours, parse_crop
 
 
 @dataclass(frozen=True)

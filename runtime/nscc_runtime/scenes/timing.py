@@ -150,12 +150,7 @@ def only_frame(name: Path_or_name, stored: Iterator[NDArray[Any]], first: int) -
     for have, picture in enumerate(stored, 1):
         if have > first:
             return picture
-    raise no_such_frame(name, have, first)
-
-
-def no_such_frame(name: Path_or_name, have: int, first: int) -> Rejected:
-    """Return the error NS0735 for a clip that ends before the frame used as a still."""
-    return rejected(
+    raise rejected(
         "NS0735",
         f"the clip '{name}' has {have} frame{'' if have == 1 else 's'}, so frame "
         f"{first} does not exist",

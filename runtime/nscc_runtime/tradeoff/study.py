@@ -1,14 +1,17 @@
-"""Measure the error of the emulator relative to the reference, and the time of a frame."""
+"""Measure the error of the emulator relative to the reference, and the time of a frame, beside two
+simple numpy implementations of an exposure."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cached_property, partial
+from time import perf_counter
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nscc.tradeoff.points import Point
 from nscc.tradeoff.rows import Rows
@@ -16,7 +19,8 @@ from nscc.tradeoff.stopwatch import Stopwatch
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight
 from nscc_runtime.execution.program import AnalysedProgram
-from nscc_runtime.frame_file import Frame
+from nscc_runtime.frame_file import Frame, read_out
+from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import PlanRequest, allowed_on, make_plan
 from nscc_runtime.planning.plan import Plan
@@ -24,7 +28,89 @@ from nscc_runtime.planning.scenes import FixedShutters
 from nscc_runtime.planning.tolerance import Tolerance
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import scene_of
-from nscc_runtime.tradeoff.naive import Naive, floor_ms
+
+_MOST_BYTES = 1 << 28
+"""Light and shutters of all slots are prepared as arrays before timing, unless they are larger than
+this; then they are computed slot by slot."""
+_COPIED_BYTES = 1 << 26
+_COPIES = 25
+
+
+@dataclass(frozen=True, eq=False)
+class Naive:
+    """Two simple exposures of a scene with a program's shutters, both read out without noise."""
+
+    program: AnalysedProgram
+    light: Light
+
+    def summed(self) -> Frame:
+        """Return a frame that sums the light over the open slots in float32, without effects."""
+        total = self._dark(np.float32)
+        with np.errstate(over="ignore"):
+            for light, opened in self._slots():
+                for bucket, open_pixels in zip(total, opened, strict=True):
+                    np.add(bucket, light, out=bucket, where=open_pixels)
+        return self._read(total)
+
+    def drawn(self, seed: int) -> Frame:
+        """Return a frame that sums numpy's Poisson counts over the open slots, without other
+        effects.
+
+        Raises ValueError for light beyond the range of numpy, about 9e18 electrons per slot."""
+        random = np.random.default_rng(seed)
+        total = self._dark(np.float64)
+        for light, opened in self._slots():
+            charge = random.poisson(light)
+            for bucket, open_pixels in zip(total, opened, strict=True):
+                np.add(bucket, charge, out=bucket, where=open_pixels)
+        return self._read(total)
+
+    def _dark(self, kind: type[np.floating]) -> NDArray[np.floating]:
+        return np.zeros((len(self.program.container.buckets), *self.light.shape), kind)
+
+    def _read(self, total: NDArray[np.floating]) -> Frame:
+        exposure = Exposure(total.astype(np.float64, copy=False), np.ones(total.shape, np.bool_))
+        return read_out(exposure, self.program.container.target, self.program.sensor)
+
+    def _slots(self) -> Iterator[tuple[NDArray[np.float32], NDArray[np.bool_]]]:
+        """Yield the light (rows, cols) and the open pixels (buckets, rows, cols) slot by slot."""
+        if self._ready is not None:
+            yield from zip(*self._ready, strict=True)
+        else:
+            for n in range(self.light.slots):
+                yield self.light.slot(n), self._opened(n)
+
+    @cached_property
+    def _ready(self) -> tuple[NDArray[np.float32], NDArray[np.bool_]] | None:
+        buckets, slots = len(self.program.container.buckets), self.light.slots
+        if slots * (4 + buckets) * self.light.frames[0].size > _MOST_BYTES:
+            return None
+        return self.light.dense(), np.stack([self._opened(n) for n in range(slots)])
+
+    def _opened(self, n: int) -> NDArray[np.bool_]:
+        groups = self.program.reference.groups
+        buckets = np.arange(len(self.program.container.buckets))[:, None]
+        opened = groups.of_slot[:, n] >> buckets & 1
+        return opened.astype(np.bool_)[:, groups.lane]
+
+
+def copy_gb_per_s() -> float:
+    """Return the memory traffic in GB/s of copying more than the caches hold, the best of some
+    runs."""
+    source = np.ones(_COPIED_BYTES // 8)
+    target = np.zeros_like(source)
+    best_s = np.inf
+    for _ in range(_COPIES):
+        begin = perf_counter()
+        np.copyto(target, source)
+        best_s = min(best_s, perf_counter() - begin)
+    return 2 * source.nbytes / best_s / 1e9
+
+
+def floor_ms(light: Light, gb_per_s: float) -> float:
+    """Return the milliseconds for reading a stored scene once at this speed."""
+    return light.frames.nbytes / gb_per_s / 1e6
+
 
 REFERENCE, OTHER_DRAWS, SUMMED, DRAWN = "reference", "reference redrawn", "f32", "per-slot"
 PLANNED, WITH_PLANNING = "planned", "planned with planning"
@@ -159,17 +245,16 @@ class _Bench:
         self.naive = Naive(self.program, self.scene.light)
         ((counting, _),) = everything().having(CountedLight)
         self.counted = counting.name
-        self.budget, *allowed = map(
-            self._allowed, (self.settings.budget, *self.settings.tolerances)
+        on_light = self._on(self.scene.light)
+        self.budget, *allowed = (
+            allowed_on(on_light, tolerance, None)[0]
+            for tolerance in (self.settings.budget, *self.settings.tolerances)
         )
         by_name = {tolerance.name: tolerance for tolerance in allowed}
         self.tolerances = sorted(by_name.values(), key=lambda tolerance: tolerance.electrons)
         rows, cols = self.scene.light.shape
         pooled = math.ceil(_POOLED / max(1, rows * cols))
         self.frames = max(self.settings.frames, min(pooled, _MOST_POOLED))
-
-    def _allowed(self, tolerance: str | float) -> Tolerance:
-        return allowed_on(self._on(self.scene.light), tolerance, None)[0]
 
     def _on(self, light: Light) -> FixedShutters:
         program, seed = self.program, self.settings.device_seed

@@ -18,10 +18,10 @@ from nscc.npy import InvalidArrays
 from nscc.pipeline import Options
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
-from nscc_runtime.decode_table import decode_arrays
 from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.frame_file import meta
 from nscc_runtime.light import Light
+from nscc_runtime.response import decode_arrays
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.frame_reading import are_lengths, number_of, read_dark, undarkened

@@ -20,12 +20,12 @@ from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
-from nscc_runtime.decode_table import with_table
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.frame_file import FrameFile, meta
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.machine_code import working_s
 from nscc_runtime.pieces import Taken, simulate_scene
+from nscc_runtime.response import with_table
 from nscc_runtime.scenes import Fit, PlacedLight, Scene
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener, Request

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.scenes.mat_files import mat_arrays
+from nscc_runtime.scenes.light_arrays import mat_arrays
 from nscc_training.measures import frame_scores
 from nscc_training.metrics import WINDOW
 from nscc_training.problems import one_line

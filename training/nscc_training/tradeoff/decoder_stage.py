@@ -10,11 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.tradeoff.points import Point
-from nscc_runtime.decode_table import with_table
 from nscc_runtime.frame_file import FrameFile, meta
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.merge import light_estimate, readouts
-from nscc_runtime.response import response_of
+from nscc_runtime.response import response_of, with_table
 from nscc_runtime.simulate import Simulated
 from nscc_training.tradeoff.bench import PERCENT, Bench, StageResult, rms_percent
 

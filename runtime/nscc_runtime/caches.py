@@ -1,14 +1,20 @@
-"""Cache the results of methods in their object, by their arguments."""
+"""Cache the results of methods in their object, and the analyses of a program for as long as the
+program exists."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
 from functools import wraps
-from typing import Any, Concatenate, ParamSpec, TypeVar, cast
+from threading import Lock
+from typing import Any, Concatenate, Generic, ParamSpec, TypeVar, cast
+
+from nscc.words.container import Container
+from nscc_runtime.pool import after_fork
 
 S = TypeVar("S")
 P = ParamSpec("P")
 R = TypeVar("R")
+T = TypeVar("T")
 
 
 def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S, P], R]:
@@ -46,3 +52,29 @@ class Recent:
         for oldest in [*self._found][: -self._most]:
             self._found.pop(oldest, None)
         return cast(R, result)
+
+
+_ANALYSES = "_analyses"
+"""The attribute of a container that stores its analyses. Analyses refer to the container, so
+storing them anywhere else would keep the container alive."""
+
+
+class OfContainer(Generic[P, T]):
+    """A function `make(container, ..)` whose results are cached for each container and equal
+    arguments. The arguments must be positional and hashable."""
+
+    def __init__(self, make: Callable[Concatenate[Container, P], T]) -> None:
+        self._make = make
+        self._renew()
+        after_fork(self._renew)  # a thread of the parent process may have held the lock
+
+    def _renew(self) -> None:
+        self._making = Lock()
+
+    def __call__(self, container: Container, *key: P.args, **named: P.kwargs) -> T:
+        with self._making:  # threads that share a program wait for a single analysis
+            analyses: dict[Any, Any] = vars(container).setdefault(_ANALYSES, {})
+            if (self, key) not in analyses:
+                analyses[self, key] = self._make(container, *key, **named)
+            analysis: T = analyses[self, key]
+            return analysis
