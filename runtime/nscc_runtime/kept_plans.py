@@ -215,8 +215,17 @@ class KeptPlans:
 
 @dataclass(frozen=True, eq=False)
 class Turn:
-    """Scene `number` of the scenes that share `plans`. `frames`: expected largest number of similar
-    frames; choosing effects has to pay within this number."""
+    """A scene's position among the scenes that share plans.
+
+    Attributes
+    ----------
+    plans : KeptPlans
+        The shared plans.
+    number : int
+        Number of the scene.
+    frames : int
+        Expected largest number of similar frames: choosing effects has to pay within this number.
+    """
 
     plans: KeptPlans
     number: int

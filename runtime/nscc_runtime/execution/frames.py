@@ -37,14 +37,23 @@ Path = Literal["sums", "words", "reference"]
 class Execution:
     """How a frame is exposed, and with which effects.
 
-    `path`: "sums": weighted sums over slots, except that pixels near saturation run through their
-    words. "words": all pixels run through their words. "reference": slot by slot. `kept_effects`
-    are simulated; `near_effects` are simulated for pixels near saturation on the path "sums". If
-    `kept_effects` contains no effect that saturates, no pixel runs through its words.
-    `requested_effects`: all effects that the user did not force off. They decide which pixels are
-    near saturation, and the weights of the noise of words. `exact`: whether pixels near saturation
-    draw counts and split them between slots like the reference; otherwise they use the counts of
-    sums."""
+    Attributes
+    ----------
+    path : {"sums", "words", "reference"}
+        "sums": weighted sums over slots, except that pixels near saturation run through their
+        words. "words": all pixels run through their words. "reference": slot by slot.
+    kept_effects : Selection
+        The effects that are simulated.
+    near_effects : Selection
+        The effects that are simulated for pixels near saturation on the path "sums". If
+        `kept_effects` contains no effect that saturates, no pixel runs through its words.
+    requested_effects : Selection
+        All effects that the user did not force off. They decide which pixels are near saturation,
+        and the weights of the noise of words.
+    exact : bool
+        Whether pixels near saturation draw counts and split them between slots like the reference.
+        Otherwise they use the counts of sums.
+    """
 
     path: Path
     kept_effects: Selection

@@ -30,11 +30,17 @@ _SLACK = 1.0 - 1e-5
 
 @dataclass(frozen=True, eq=False)
 class NearSaturation:
-    """Pixels that may saturate; arrays are (count,).
+    """Pixels that may saturate.
 
-    `places`: places of the pixels on the chip (row * cols + col), ascending. `most_e`, `own_e`:
-    largest charge on PIX at a read including noise, with and without crosstalk. `spilt`: whether a
-    pixel is near saturation only because of the light of its neighbours."""
+    Attributes
+    ----------
+    places : int64, shape (count,)
+        Places of the pixels on the chip (row * cols + col), ascending.
+    most_e, own_e : float64, shape (count,)
+        Largest charge on PIX at a read including noise, with and without crosstalk, in electrons.
+    spilt : bool, shape (count,)
+        Whether a pixel is near saturation only because of the light of its neighbours.
+    """
 
     places: Places
     most_e: Values

@@ -31,8 +31,13 @@ neighbour, and these neighbours."""
 class Overlap:
     """The weight of the counts of one group of slots in the exposures of other pixels.
 
-    `seconds` (N, lanes, buckets): length of each slot times its weight. `inverse_seconds` (N,
-    lanes): 1 / (total seconds of the group's slots) in these slots; 0 elsewhere."""
+    Attributes
+    ----------
+    seconds : float64, shape (N, lanes, buckets)
+        Length of each slot times its weight.
+    inverse_seconds : float64, shape (N, lanes)
+        1 / (total seconds of the group's slots) in these slots; 0 elsewhere.
+    """
 
     seconds: Values
     inverse_seconds: Values

@@ -24,9 +24,14 @@ _LARGE = 1 << 14
 class PixelArray:
     """The lanes and the places of some pixels.
 
-    `lanes` (rows, cols): the number of each pixel's code, which determines its shutter. `places`
-    (rows * cols,): the place of each pixel on the chip, row * columns + column. Random numbers and
-    fixed patterns are keyed by place, so a tile has the same random numbers as the whole array."""
+    Attributes
+    ----------
+    lanes : int32, shape (rows, cols)
+        The lane of each pixel: the number of its code, which determines its shutter.
+    places : int64, shape (rows * cols,)
+        The place of each pixel on the chip, row * columns + column. Random numbers and fixed
+        patterns are keyed by place, so a tile has the same random numbers as the whole array.
+    """
 
     lanes: NDArray[np.int32]
     places: Places

@@ -27,15 +27,30 @@ Arrays = Mapping[str, NDArray[Any]]
 class Content:
     """The content of an output file, in the form that every file format accepts.
 
-    `arrays`: the arrays of an .npz file. An .npy file contains `main()`, or the first array if
-    None. `light`: a picture (rows, cols) or a clip (T, rows, cols) in `unit`, with a last axis of
-    red, green, blue if `colour`; None if the content is neither. `moving`: whether it is a clip.
-    `codes`: codes of the converter, uint8, with the shape of `light`, shown unless `tone` is set.
-    `write_npz`: writes the .npz file if it contains more than `arrays`. `benchmark`: returns the
-    arrays of a .mat file. `tone`, `usual`: the requested (or None) and the default tone curve.
-    `white`: the light shown as white; None for a percentile. `picture`: turns `light` or `codes` of
-    other shapes into a picture. It is called for one frame of a clip at a time, because a clip may
-    be larger than memory."""
+    Attributes
+    ----------
+    arrays : mapping of str to array
+        The arrays of an .npz file. An .npy file contains `main()`, or the first array if None.
+    light : array, optional
+        A picture (rows, cols) or a clip (T, rows, cols) in `unit`, with a last axis of red, green,
+        blue if `colour`. None if the content is neither picture nor clip.
+    moving, colour : bool
+        Whether `light` is a clip, and whether it has colours.
+    codes : array, optional
+        Codes of the converter, uint8, with the shape of `light`. They are shown unless `tone` is
+        set.
+    write_npz : callable, optional
+        Writes the .npz file if it contains more than `arrays`.
+    benchmark : callable, optional
+        Returns the arrays of a .mat file.
+    tone, usual : str
+        The requested tone curve (None if not requested), and the default tone curve.
+    white : float, optional
+        The light shown as white; None for a percentile.
+    picture : callable
+        Turns `light` or `codes` of other shapes into a picture. It is called for one frame of a
+        clip at a time, because a clip may be larger than memory.
+    """
 
     arrays: Arrays
     light: NDArray[Any] | None = None

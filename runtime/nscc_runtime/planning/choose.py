@@ -26,12 +26,21 @@ Values = NDArray[np.float64]
 class MeasuredEffects:
     """The measured errors of dropping effects on a scene.
 
-    `alone`: the error of dropping each measured effect alone, by its name. `products_e2` (outputs,
-    1 + effects, 1 + effects): mean products of these errors over the scene; row and column 0 belong
-    to the effects that the user forced off. `approximations`: the error of the approximations of
-    sums with every effect; None if it is 0 or was not measured. `near_saturation`: whether effects
-    were also measured on pixels near saturation. `forced`: the error of the effects that the user
-    forced off."""
+    Attributes
+    ----------
+    alone : dict of str to Difference
+        The error of dropping each measured effect alone, by the name of the effect.
+    products_e2 : float64, shape (outputs, 1 + effects, 1 + effects)
+        Mean products of these errors over the scene, in square electrons. Row and column 0 belong
+        to the effects that the user forced off.
+    approximations : Difference or None
+        The error of the approximations of sums with every effect; None if it is 0 or was not
+        measured.
+    near_saturation : bool
+        Whether effects were also measured on pixels near saturation.
+    forced : Difference
+        The error of the effects that the user forced off.
+    """
 
     alone: dict[str, Difference]
     products_e2: Values

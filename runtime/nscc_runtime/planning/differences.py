@@ -18,11 +18,17 @@ _NO_NUMBER_E = 1e30
 
 @dataclass(frozen=True, eq=False)
 class WeightedPixels:
-    """A weighted sample of the `scene_pixels` pixels of a scene.
+    """A weighted sample of the pixels of a scene.
 
-    `weight` (pixels,): number of pixels of the scene that each sampled pixel represents. `cluster`
-    (pixels,): cluster number, ascending. Pixels of a cluster are adjacent and were drawn
-    together."""
+    Attributes
+    ----------
+    weight : float64, shape (pixels,)
+        Number of pixels of the scene that each sampled pixel represents.
+    cluster : int64, shape (pixels,)
+        Cluster number, ascending. Pixels of a cluster are adjacent and were drawn together.
+    scene_pixels : int
+        Number of pixels of the scene.
+    """
 
     weight: Values
     cluster: NDArray[np.int64]

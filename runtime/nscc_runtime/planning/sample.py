@@ -43,13 +43,22 @@ _GOLDEN = 0.6180339887498949
 class Sample(WeightedPixels):
     """The sampled pixels of a scene.
 
-    `corners` (tiles, 2): row and column of the upper left pixel of each tile of `side` x `side`
-    pixels; `side` is 0 if the whole scene is measured. `places` (pixels,): index of each sampled
-    pixel in the flattened scene: pixels far from saturation, tile by tile, then pixels near
-    saturation. A pixel occurs once per exposure. `frame` (pixels,): the number of the exposure,
-    below `frames`. `inner` (far pixels,): indices of the pixels far from saturation in the array of
-    all tiles side by side. `drawn_near`: number of sampled pixels near saturation whose weight is
-    above 1."""
+    Attributes
+    ----------
+    corners : int64, shape (tiles, 2)
+        Row and column of the upper left pixel of each tile of `side` x `side` pixels.
+    side : int
+        Side of a tile; 0 if the whole scene is measured.
+    places : int64, shape (pixels,)
+        Index of each sampled pixel in the flattened scene: pixels far from saturation, tile by
+        tile, then pixels near saturation. A pixel occurs once per exposure.
+    frame : int64, shape (pixels,)
+        The number of the exposure, below `frames`.
+    inner : int64, shape (far pixels,)
+        Indices of the pixels far from saturation in the array of all tiles side by side.
+    drawn_near : int
+        Number of sampled pixels near saturation whose weight is above 1.
+    """
 
     side: int
     corners: Places
@@ -98,8 +107,19 @@ def near_sampled(near_count: int, scene_pixels: int) -> int:
 def sample_of(
     total_e: Values, near_pixels: NearSaturation, full_well_e: float, tiles: int = TILES
 ) -> Sample:
-    """Draw the sample of a scene, deterministically. `total_e` (rows, cols): total charge of each
-    pixel in a frame. `tiles`: number of tiles to draw."""
+    """Draw the sample of a scene, deterministically.
+
+    Parameters
+    ----------
+    total_e : float64, shape (rows, cols)
+        Total charge of each pixel in a frame, in electrons.
+    near_pixels : NearSaturation
+        The pixels near saturation.
+    full_well_e : float
+        Full well, in electrons.
+    tiles : int
+        Number of tiles to draw.
+    """
     rows, cols = total_e.shape
     contrasts = contrasts_of(total_e, full_well_e)
     near_chance = chances(contrasts, np.empty(0, np.int64)).reshape(-1)

@@ -46,15 +46,31 @@ def bracket_files(spec: str) -> list[Path]:
 
 
 def merged_bracket(files: Sequence[Path], times: Sequence[float] | None) -> NDArray[np.float32]:
-    """Merge photos of one size, with integer samples of 8 or 16 bits, to linear light, (R, C) grey
-    or (R, C, 3) red, green, blue, by the method of Debevec and Malik (SIGGRAPH 1997).
+    """Merge photos to linear light by the method of Debevec and Malik (SIGGRAPH 1997).
 
     The camera response is known: the curve that the file names, or the curve of its format. Light
     is the exponential of a weighted mean of log light; samples near black and near white have the
-    smallest weights. One photo is held in memory at a time. `times`: exposure times in seconds;
-    None for those of the photos' EXIF, each times its ISO speed over the square of its f-number.
-    Raises NS0777 for photos without exposure times, with samples of another type, or all of one
-    time, and the errors of `read_folder`."""
+    smallest weights. One photo is held in memory at a time.
+
+    Parameters
+    ----------
+    files : sequence of Path
+        Photos of one size with integer samples, 8 or 16 bits each.
+    times : sequence of float, optional
+        Exposure times in seconds. None for those of the photos' EXIF, each times its ISO speed over
+        the square of its f-number.
+
+    Returns
+    -------
+    array
+        (R, C) grey or (R, C, 3) red, green, blue.
+
+    Raises
+    ------
+    Rejected
+        NS0777 for photos without exposure times, with samples of another type, or all of one time;
+        and the errors of `read_folder`.
+    """
     reads(*files)
     exposures = [*times] if times is not None else [_exif_exposure(path) for path in files]
     log_exposures = [float(np.float32(np.log(exposure))) for exposure in exposures]

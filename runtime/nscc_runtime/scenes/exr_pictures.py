@@ -20,9 +20,13 @@ _LAYERS_SHOWN = 6
 
 
 def exr_pages(path: Path) -> Pages:
-    """Open the pictures of an OpenEXR file, one for each part with a picture. Raises
-    UnsupportedPicture if no part contains colours or luminance, or if a part contains several
-    layers with them."""
+    """Open the pictures of an OpenEXR file, one for each part with a picture.
+
+    Raises
+    ------
+    UnsupportedPicture
+        If no part contains colours or luminance, or if a part contains several layers with them.
+    """
     import OpenEXR
 
     pictures: list[NDArray[Any]] = []

@@ -85,8 +85,13 @@ def open_pages(path: Path, large: bool = False) -> Pages:
 
 
 def read_picture(path: Path) -> NDArray[Any]:
-    """Read the only picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue. Raises
-    Rejected like `open_pages`, and NS0732 for a file of several pictures."""
+    """Read the only picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue.
+
+    Raises
+    ------
+    Rejected
+        Like `open_pages`, and NS0732 for a file of several pictures.
+    """
     pages = open_pages(path)
     if pages.count != 1:
         raise unsupported(

@@ -35,16 +35,33 @@ def picture_light(
     size: tuple[int, int] | None = None,
     warn: Callable[[Diagnostic], object] = lambda _: None,
 ) -> NDArray[np.float64]:
-    """Convert a stored picture, (R, C) grey or (R, C, 3) red, green, blue, to linear light (rows,
-    cols).
+    """Convert a stored picture to linear light (rows, cols).
 
-    `name`: name of the picture in messages. `channel`: 0 to 2 for red, green or blue; None for the
-    luminance. `white`: the sample value of white; None for `white_of` the type. `window`: rows and
-    columns to convert; other pixels may have any value. `size`: rows and columns that the caller
-    reduces the light to. A picture of more than `MOST_PIXELS` is returned in this size, because its
-    light needs 8 bytes per pixel. `warn` is called with a warning (NS0740) about samples slightly
-    below 0, which are set to 0. Raises Rejected: NS0733 for numbers that are not real, NS0736 for
-    values that cannot be light."""
+    Parameters
+    ----------
+    stored : array
+        (R, C) grey or (R, C, 3) red, green, blue.
+    transfer : {"linear", "srgb", "pq", "hlg"}
+        The transfer curve of the samples.
+    name : str
+        Name of the picture in messages.
+    channel : int, optional
+        0 to 2 for red, green or blue; None for the luminance.
+    white : float, optional
+        The sample value of white; None for `white_of` the type.
+    window : tuple of slice, optional
+        Rows and columns to convert. Other pixels may have any value.
+    size : tuple of int, optional
+        Rows and columns that the caller reduces the light to. A picture of more than `MOST_PIXELS`
+        is returned in this size, because its light needs 8 bytes per pixel.
+    warn : callable, optional
+        Called with a warning (NS0740) about samples slightly below 0, which are set to 0.
+
+    Raises
+    ------
+    Rejected
+        NS0733 for numbers that are not real, NS0736 for values that cannot be light.
+    """
     check_type(name, "picture", stored.dtype)
     rows, cols = window or (slice(0, len(stored)), slice(0, stored.shape[1]))
     with np.errstate(invalid="ignore", over="ignore"):  # the census reports invalid values
@@ -75,8 +92,14 @@ def large_pages(path: Path) -> Pages | None:
 
     Pillow needs 4 bytes per pixel while it decodes a picture. Rows are copied in bands, so a
     picture of `MOST_LARGE_PIXELS` needs at most 1.4 GB, or 1.6 GB if its EXIF orientation rotates
-    it. Returns None for smaller pictures, deeper samples, files of several pictures, and pictures
-    that Pillow does not identify: the reader of their format opens or refuses them."""
+    it.
+
+    Returns
+    -------
+    Pages or None
+        None for smaller pictures, deeper samples, files of several pictures, and pictures that
+        Pillow does not identify: the reader of their format opens or refuses them.
+    """
     from PIL import Image, ImageOps, UnidentifiedImageError
 
     try:
@@ -105,9 +128,23 @@ def large_pages(path: Path) -> Pages | None:
 
 
 def reduced(bands: Iterator[NDArray[np.float64]], rows: int, size: tuple[int, int]) -> NDArray[Any]:
-    """Reduce a picture of `rows` rows, given as bands (band rows, cols) of consecutive rows, to the
-    mean over the area that each new pixel covers. A pixel on the border of two areas counts for
-    both, in proportion to its overlap."""
+    """Reduce a picture, given as bands of consecutive rows, by means over areas.
+
+    Parameters
+    ----------
+    bands : iterator of array
+        Light, each (band rows, cols).
+    rows : int
+        Number of rows of all bands together.
+    size : tuple of int
+        Rows and columns of the result, at most those of the picture.
+
+    Returns
+    -------
+    array
+        Light of shape `size`, float64: the mean over the area that each new pixel covers. A pixel
+        on the border of two areas counts for both, in proportion to its overlap.
+    """
     import cv2
 
     means = np.zeros(size)

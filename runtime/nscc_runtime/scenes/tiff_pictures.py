@@ -29,8 +29,13 @@ Tags = Mapping[int, Any]
 
 
 def tiff_pages(path: Path) -> Pages:
-    """Open the pages of a TIFF file, without thumbnails and masks. Raises UnsupportedPicture for a
-    page with samples of a kind that neither library decodes."""
+    """Open the pages of a TIFF file, without thumbnails and masks.
+
+    Raises
+    ------
+    UnsupportedPicture
+        If a page has samples of a kind that neither library decodes.
+    """
     directories = _directories(path)
     chosen = _shown(directories)
     for index in chosen:
