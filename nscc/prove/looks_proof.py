@@ -107,15 +107,26 @@ class Looks(ReplayPixels):
             if looks:
                 self.node = machine.steps[self.node, self.outcome].astype(np.int64)
                 self.outcome = np.zeros_like(self.node)
-                buckets, readouts = self.container.buckets, self.container.readouts
-                self._merge({r.register: buckets.index(r.bucket) for r in readouts})
+                self._merge(self._readouts())
             if boundary < slots:
-                resets = machine.resets[self.node, boundary]
-                self.since = np.where(resets, 0.0, self.since) + light_e[boundary]
-                # The content of a register stays constant, so its rest shrinks as exposures grow.
-                self.due += machine.opens[self.node, :, boundary] * light_e[boundary]
-                self.analog["PIX"][:, 0] += light_e[boundary]
+                self._fall(boundary, float(light_e[boundary]))
         self.end_frame()
+        self._check_end()
+        self._next_frame()
+
+    def _readouts(self) -> dict[str, int]:
+        """Return the index of the bucket that is read out of each analog register."""
+        buckets = self.container.buckets
+        return {r.register: buckets.index(r.bucket) for r in self.container.readouts}
+
+    def _fall(self, slot: int, light_e: float) -> None:
+        """Apply the program's resets and the light of a slot."""
+        self.since = np.where(self.machine.resets[self.node, slot], 0.0, self.since) + light_e
+        # The content of a register stays constant, so its rest shrinks as exposures grow.
+        self.due += self.machine.opens[self.node, :, slot] * light_e
+        self.analog["PIX"][:, 0] += light_e
+
+    def _check_end(self) -> None:
         gains = {readout.bucket: readout for readout in self.container.readouts}
         for bucket, name in enumerate(self.container.buckets):
             if name not in gains:
@@ -133,7 +144,9 @@ class Looks(ReplayPixels):
         for register, bits in self.code_bits(encoding).items():
             if register not in states and self.read(register) != bits:
                 raise ReplayError(WRONG_CODE)
-        # The kept states define the initial nodes of the next frame.
+
+    def _next_frame(self) -> None:
+        """Set the initial nodes of the next frame from the kept states."""
         machine = self.machine
         kept_states = [k for k, state in enumerate(machine.states) if state.is_kept]
         keys = np.column_stack((machine.behaviour, machine.values[:, kept_states])).tolist()
@@ -149,25 +162,20 @@ class Looks(ReplayPixels):
         for number in self.pending:
             comparison = comparisons[number]
             level_e = comparison.level * self.target.electrons_per_step
-            bucket = None if comparison.signal == LIGHT else comparison.signal
-            signal_e = self.since if bucket is None else self.due[:, bucket]
             for above in (False, True):
-                value = total if above else -total
-                if self._amounts_to(value, bucket, signal_e - level_e).all():
+                if self._is(total if above else -total, comparison.signal, level_e):
                     self.pending.remove(number)
-                    count = self.lanes
-                    self.transitions += 2 * count
-                    if self.transitions > MOST_LANES:
-                        raise ReplayError(f"the proof needs more than {MOST_LANES} transitions")
-                    self.choose(np.tile(np.arange(count), 2))
-                    self.outcome |= np.repeat([0, 1], count) << number
-                    no = (1 << count) - 1
-                    yes = no << count
-                    return (yes, no) if above else (no, yes)
+                    return self._follow_both(number, above)
         raise ReplayError(
             f"`{word}` compares a sum that is not a signal and its level, at boundary "
             f"{self._boundary}"
         )
+
+    def _is(self, value: Values, signal: int, level_e: float) -> bool:
+        """Return whether a value (lanes, parts) is exactly signal - level in every lane."""
+        if signal == LIGHT:
+            return bool(self._amounts_to(value, None, self.since - level_e).all())
+        return bool(self._amounts_to(value, signal, self.due[:, signal] - level_e).all())
 
     def _amounts_to(
         self, value: Values, bucket: int | None, expected_e: Values
@@ -182,6 +190,18 @@ class Looks(ReplayPixels):
         return (np.abs(value[:, 0] - expected_e) <= TOLERANCE * self.full_e) & (
             owed_once | self.exact
         )
+
+    def _follow_both(self, number: int, above: bool) -> Bits:
+        """Double the lanes; return FLAG, which is 1 if comparison `number` is `above`."""
+        count = self.lanes
+        self.transitions += 2 * count
+        if self.transitions > MOST_LANES:
+            raise ReplayError(f"the proof needs more than {MOST_LANES} transitions")
+        self.choose(np.tile(np.arange(count), 2))
+        self.outcome |= np.repeat([0, 1], count) << number
+        no = (1 << count) - 1
+        yes = no << count
+        return (yes, no) if above else (no, yes)
 
     def _merge(self, readouts: Mapping[str, int]) -> None:
         """Merge equal lanes.
