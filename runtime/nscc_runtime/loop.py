@@ -241,7 +241,9 @@ class ObjectFile:
         known: dict[FunctionType, str] = {}
         for module_loop in self.loops:
             _depend(module_loop.function, known)
-        parameter_texts = [repr([*module_loop.parameters.values()]) for module_loop in self.loops]
+        parameter_texts = [
+            f"{module_loop.name} {[*module_loop.parameters.values()]}" for module_loop in self.loops
+        ]
         stem = "-".join(self.module.split(".")[-2:])
         return machine_code.name(stem, [*known.values(), *parameter_texts])
 

@@ -206,6 +206,10 @@ def test_the_files_name_hangs_on_constants_and_called_functions(monkeypatch):
     with monkeypatch.context() as patch:
         patch.setitem(scaled.function.__globals__, "product", other)
         assert name() != before
+    with monkeypatch.context() as patch:
+        # Loops are found by their names in the object code.
+        patch.setattr(scaled, "name", "renamed")
+        assert name() != before
     assert name() == before
 
 
