@@ -17,7 +17,7 @@ from device_sessions import (
 )
 from hypothesis import given
 from hypothesis import strategies as st
-from loader_twin.loader import Loader
+from loader_twin.loader import Loader, packed_info
 
 from nscc.operations import OPERATIONS
 from nscc.words.encoding import encode, matching
@@ -266,10 +266,10 @@ replies = st.one_of(
         LoaderFailure.pack
     ),
     st.just(
-        Info(
+        packed_info(Info(
             2, 0, 1024, 16384, 3, Capability.EXACT, 1024, 99, 99, 99, 1 << 20, 512, 99, 6, 10,
             target_digest(TARGET), ZEROS, ZEROS, "scamp5", "an enemy",
-        ).pack()
+        ))
     ),
 )  # fmt: skip
 

@@ -10,7 +10,6 @@ import pytest
 from improve_oracle import chip, random_solution, words_of
 from lowering_oracle import program_from
 
-import nscc.logic.improve as package
 from nscc.logic.cubes import Budget
 from nscc.logic.generate import GENERATORS
 from nscc.logic.improve.balance import balance
@@ -22,7 +21,7 @@ from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
 from nscc.lower.exposure_plan import levels, plan_exposure
-from nscc.lower.gates import apart
+from nscc.lower.refinery import Refinery, apart
 from nscc.lower.timeline import timeline
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
@@ -399,7 +398,7 @@ def test_an_improvement_that_raises_is_left_out_and_named(monkeypatch):
     text = "nsl 1 frame 16 slots of 1ms code a : 0..15 open when a <= n and n < a + 4"
     options = Options(level=2, cache=False)
     improved = run_passes(Source("p.nsl", text), Path(), options)
-    monkeypatch.setattr(package, "refine", broken)
+    monkeypatch.setattr(Refinery, "best", broken)
     kept = run_passes(Source("p.nsl", text), Path(), options)
     assert "NS0504" not in [d.code for d in improved.diagnostics]
     (warning,) = (d for d in kept.diagnostics if d.code == "NS0504")

@@ -17,11 +17,11 @@ from nscc.words.container import Container
 from nscc_runtime.effects import optional, registered, selected
 from nscc_runtime.light import Light
 from nscc_runtime.planning.decisions import Demands, why_kept
+from nscc_runtime.planning.differences import Worst
 from nscc_runtime.planning.make import measured_again
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import Decision
 from nscc_runtime.planning.scenes import planning_of
-from nscc_runtime.planning.tail import Worst
 from nscc_runtime.planning.tolerance import Tolerance
 from nscc_runtime.sensor import Sensor
 
