@@ -57,8 +57,12 @@ def _axes(figure: Figure, axes: Axes) -> Iterator[str]:
         ticks = [t for t in axis.get_major_ticks() if low <= t.get_loc() <= high]
         labels = [t.label1.get_text() for t in ticks]
         yield f"axis {axis.get_scale()} {_numbers([low, high])} {axis.label.get_text()!r} {labels}"
-        grid = any(line.get_visible() for line in axis.get_gridlines())
-        yield f"ticks {_numbers([t.get_loc() for t in ticks])} {'with grid' if grid else 'no grid'}"
+        grid = {
+            f"grid {_colour(line.get_color())} {line.get_linewidth():g}"
+            for line in axis.get_gridlines()
+            if line.get_visible()
+        }
+        yield " ".join([f"ticks {_numbers([t.get_loc() for t in ticks])}", *sorted(grid)])
     for artist in axes.get_children():
         if artist.get_visible():
             yield from _mark(artist)
