@@ -205,3 +205,16 @@ def test_what_is_no_video_is_refused(tmp_path: Path, data: bytes) -> None:
     (tmp_path / "v.mp4").write_bytes(data)
     with pytest.raises(Rejected, match="NS0732"):
         open_clip(tmp_path / "v.mp4")
+
+
+def test_a_video_without_a_frame_that_decodes_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "v.mov"
+    half = np.full((ROWS // 2, COLS // 2), 128, np.uint8)
+    luma = np.full((ROWS, COLS), 90, np.uint8)
+    write(path, [[luma, half, half]] * 3, codec="mpeg4", form="yuv420p")
+    data = path.read_bytes()
+    index, samples = data.index(b"moov"), data.index(b"mdat") + 4
+    assert samples < index
+    path.write_bytes(data[:samples] + bytes(index - 4 - samples) + data[index - 4 :])
+    with pytest.raises(Rejected, match="NS0732"):
+        frames_of(path)
