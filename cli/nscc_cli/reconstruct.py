@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -192,6 +191,8 @@ def classify(
     classes, messages = classified(run, frame, force=force, dark=dark, trust_code=trust_code)
     say(messages)
     if as_json:
+        import json
+
         click.echo(json.dumps(classes))
         return
     width = max(map(len, classes))

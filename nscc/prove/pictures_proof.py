@@ -126,8 +126,8 @@ class PictureReplay:
                     at: forms.sum((gain, forms.exposure(readout.bucket, *at))) for at in places
                 }
             else:
-                held = f"what {name} held"
-                self.analog[name] = {at: {(held, *at): forms.diagrams.one} for at in places}
+                before_frame = f"what {name} held"
+                self.analog[name] = {at: {(before_frame, *at): forms.diagrams.one} for at in places}
         for name in (*target.digital_registers, "FLAG", "SELECT", "bus"):
             self.digital[name] = {at: forms.diagrams.new_variable(at) for at in places}
         pictures = container.pictures

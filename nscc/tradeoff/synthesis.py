@@ -1,5 +1,4 @@
-"""Tradeoffs of compiled words: words per frame against compile time for each level, lowering and
-program; and for an image, the time of its words against the noise that they add."""
+"""The compile-time tradeoff: words per frame against time, for each level, lowering and program."""
 
 from __future__ import annotations
 
@@ -16,9 +15,6 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.report import report
 from nscc.limits.families import bits_rule, book_rule, bump_rule, program_text, start_rule
 from nscc.lower.exposure_plan import Lowering
-from nscc.neighbours.programs import exact_taps, noise_gain
-from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
-from nscc.neighbours.table import WordForms
 from nscc.pipeline import LEVELS, Compiled, Options, run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
@@ -26,7 +22,6 @@ from nscc.syntax.parse import read_source
 from nscc.tradeoff.points import Point
 from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import Stopwatch
-from nscc.words.pictures import Filtered, subexpressions
 
 Count = Literal["all", "logic"]
 """Which words to count: all words of a frame, or only those that decode codes."""
@@ -192,28 +187,3 @@ def compiled_or_not(way: CompileVariant) -> Compiled | Diagnostic:
         if not last.code.startswith(DOES_NOT_FIT):
             raise
         return last
-
-
-def image_points(path: Path, level: int) -> list[Point]:
-    """Return a point for each program that `level` of optimisation finds for a file's kernels.
-
-    A point is the standard deviation of the result's error, as a multiple of the error of one word,
-    and the time of the words in milliseconds. Raises Rejected if the file does not compile."""
-    container = run_passes(read_source(path), path.parent, Options(level=level)).container
-    assert container is not None
-    pictures, target = container.pictures, container.target
-    synthesis = Synthesis(STEPS_OF_LEVEL[level], WordForms.choices(target)[0])
-    points: dict[Point, None] = {}
-    for item in pictures.items if pictures else ():
-        for node in subexpressions(item.node):
-            if not isinstance(node, Filtered):
-                continue
-            assert pictures is not None
-            taps = exact_taps(pictures.weights_by_name[node.kernel].taps)
-            for ranged in synthesis.variants(taps):
-                words = len(ranged.program)
-                setting = f"{words} words, peak gain {float(ranged.peak):g}"
-                noise = round(noise_gain(ranged.program), 6)
-                ms = words * target.analog_word_us / 1000
-                points[Point(item.name, node.kernel, setting, noise, "words", (ms,))] = None
-    return list(points)

@@ -5,9 +5,12 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from itertools import pairwise
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from concurrent.futures import ThreadPoolExecutor
 
 THREADS = "nscc"
 """Prefix of the names of threads that work on a part of a task and must not divide it further."""
@@ -25,6 +28,8 @@ def threads_of(threads: int | None) -> int:
 
 @cache
 def _pool(threads: int) -> ThreadPoolExecutor:
+    from concurrent.futures import ThreadPoolExecutor  # commands that list effects start none
+
     return ThreadPoolExecutor(threads, thread_name_prefix=THREADS)
 
 

@@ -12,7 +12,7 @@ from PIL import Image
 from nscc.emit.picture_report import picture_report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
-from nscc.tradeoff.synthesis import image_points
+from nscc.tradeoff.images import image_points
 
 TEXT = (
     "nsl 3\nframe 1 slots of 1ms\nopen when true\n"

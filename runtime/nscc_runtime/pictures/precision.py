@@ -198,7 +198,7 @@ def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> None:
 
 
 def images_diagram(points: Sequence[Point]) -> Figure:
-    """Draw, for each image of `nscc.tradeoff.synthesis`, noise against time, a line per kernel."""
+    """Draw, for each image of `nscc.tradeoff.images`, noise against time, a line per kernel."""
     groups = groupby(points, key=lambda point: point.case)
     panels = [Panel(case, "errors of one word", list(group)) for case, group in groups]
     return precision_diagram(
