@@ -178,6 +178,13 @@ sensor_options = section(
     ),
 )
 
+measured_options = together(
+    option("--seed", type=SEED, default=0, help="Seed of the frames' noise."),
+    option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns."),
+    pixels_option, scene_options, sensor_options, build_options,
+)  # fmt: skip
+"""Options of tradeoffs that measure frames of a program."""
+
 csv_options = section(
     OUTPUT,
     option("--csv", "csv_path", type=OUT, help="Write the CSV file here."),

@@ -23,7 +23,7 @@ from nscc.tradeoff.synthesis import (
 from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of
-from nscc_cli.options import COUNT, PATH, SEED, some_option, tradeoff_options
+from nscc_cli.options import COUNT, PATH, some_option, tradeoff_options
 from nscc_cli.programs import compile_options
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_compiling
 from nscc_cli.tradeoff_emulator import command as emulator
@@ -42,12 +42,7 @@ _LEVELS = [str(level) for level in LEVELS]
 @some_option("--stages", STAGES, "NAME,..", "Stages to measure.")
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O to compare.", default="0,1,2")
 @shared.repeats_option(3)
-@click.option("--seed", type=SEED, default=0, help="Seed of the frames' noise.")
-@click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
-@shared.pixels_option
-@shared.scene_options
-@shared.sensor_options
-@shared.build_options
+@shared.measured_options
 @shared.trust_code_option
 @shared.tradeoff_options
 def joint(program: Path, **options: Any) -> int:
@@ -222,7 +217,7 @@ def images(file: Path, level: str, **places: Any) -> int:
     Noise is the standard deviation of the error that a kernel's words add, relative to one word.
     Among programs that fit the registers' range, the compiler takes the one with the fewest words.
     Exits with status 1 if no image has a kernel."""
-    from nscc.tradeoff.synthesis import image_points
+    from nscc.tradeoff.images import image_points
     from nscc_runtime.pictures.precision import images_diagram
 
     outputs = output_files(places)

@@ -13,7 +13,7 @@ from nscc.tradeoff.stopwatch import processor_name
 from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import OUT, PATH, SEED
+from nscc_cli.options import OUT, PATH
 from nscc_cli.programs import compile_options, load_program
 from nscc_cli.support import CommonCommand, progress, say
 from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
@@ -39,12 +39,7 @@ if TYPE_CHECKING:
               help="Number of frames for measuring errors; more if they have few "
                    "pixels.")  # fmt: skip
 @shared.repeats_option(5)
-@click.option("--seed", type=SEED, default=0, help="Seed of the frames' noise.")
-@click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
-@shared.pixels_option
-@shared.scene_options
-@shared.sensor_options
-@shared.build_options
+@shared.measured_options
 @shared.section(shared.OUTPUT, click.option(
     "-o", "out", type=OUT, metavar="OUT",
     help="Write OUT.csv, OUT.png, OUT_calibration.png and OUT_budget.png.",
@@ -91,8 +86,8 @@ def command(program: Path | None, **options: Any) -> int:
             files, rows, (points, device), png=(study_diagram, studies, repeats, device),
             calibration=(promise_diagram, studies), budget=(budget_diagram, studies),
         )  # fmt: skip
-    kept = (keeps_promise(plan) for study in studies for plan in study.measured_plans)
-    return 0 if all(kept) else 1
+    promises_kept = (keeps_promise(plan) for study in studies for plan in study.measured_plans)
+    return 0 if all(promises_kept) else 1
 
 
 def _refuse(container: Container) -> None:

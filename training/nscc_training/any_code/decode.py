@@ -19,7 +19,7 @@ from nscc_training.any_code.stages import (
     schedule,
     stage,
     started_still,
-    still_stage,
+    still_stages,
 )
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.measured import Measured
@@ -96,8 +96,7 @@ def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tens
     measured = measured.over(unit)
     light = started_still(measured)
     with bf16_where_multiplied():
-        for sigma in schedule(count, still=True):
-            light = still_stage(measured, shipped("still"), light, sigma)
+        *_, light = still_stages(measured, shipped("still"), light, count)
     return light * unit.reshape(-1, 1, 1)
 
 

@@ -16,7 +16,7 @@ from nscc_training.any_code.stages import (
     schedule,
     stage,
     started_still,
-    still_stage,
+    still_stages,
 )
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.decoders.declared import DecoderTask
@@ -71,9 +71,8 @@ class AnyCode(nn.Module):
         masks = masks if masks.ndim == 5 else masks.unsqueeze(0)
         measured = Measured(slots * frame, masks, variance, frame >= 1)
         if self.still:
-            light = started_still(measured)
-            for sigma in schedule(self.stages, still=True):
-                light = still_stage(measured, self.denoiser, light, sigma)
+            start = started_still(measured)
+            *_, light = still_stages(measured, self.denoiser, start, self.stages)
             return light
         with torch.no_grad():
             unit = white(measured)

@@ -6,7 +6,7 @@ open."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from math import log
 
 import numpy as np
@@ -109,6 +109,15 @@ def still_stage(
     level = light.new_full((len(light),), sigma)
     denoised = denoiser(coded_light(light).unsqueeze(1), _planes(measured), level)[:, 0]
     return light_of(denoised)
+
+
+def still_stages(
+    measured: Measured[Tensor], denoiser: Denoiser, light: Tensor, count: int
+) -> Iterator[Tensor]:
+    """Yield the light after each of `count` stages that begin with an estimate of `light`."""
+    for sigma in schedule(count, still=True):
+        light = still_stage(measured, denoiser, light, sigma)
+        yield light
 
 
 def coded_light(light: Tensor) -> Tensor:

@@ -17,7 +17,7 @@ from nscc_training.any_code.stages import (
     schedule,
     stage,
     started_still,
-    still_stage,
+    still_stages,
 )
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.curves import MU, srgb
@@ -176,12 +176,9 @@ def _of_codes(
 def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int) -> Tensor:
     with torch.no_grad():
         truth, measured, _ = measured_lesson(lesson, generator)
-        light = started_still(measured)
-    losses = []
-    for sigma in schedule(stages, still=True):
-        light = still_stage(measured, decoder.denoiser, light, sigma)
-        losses.append(_still_loss(light, truth[:, 0]))
-    return torch.stack(losses).mean()
+        start = started_still(measured)
+    lights = still_stages(measured, decoder.denoiser, start, stages)
+    return torch.stack([_still_loss(light, truth[:, 0]) for light in lights]).mean()
 
 
 def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
