@@ -232,8 +232,8 @@ def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Enc
         covers[predicate] = tuple(direct), False
         if len(direct) > 1:
             # The complement costs one more gate.
-            other = cover(complement, predicate, vectors, problem.everything, budget)
-            if len(other) + 1 < len(direct):
-                covers[predicate] = tuple(other), True
+            of_complement = cover(complement, predicate, vectors, problem.everything, budget)
+            if len(of_complement) + 1 < len(direct):
+                covers[predicate] = tuple(of_complement), True
     cubes, inverted = zip(*(covers[predicate] for predicate in predicates), strict=True)
     return Encoding(name, planes, cubes, inverted)

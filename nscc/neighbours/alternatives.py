@@ -34,12 +34,12 @@ def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
     """Return the images with divided values that several kernels share; None if there are none.
 
     A divided value is an item before the first item that reads it; `/` is part of its name."""
-    found: dict[str, list[int]] = {}
+    divisors_by_name: dict[str, list[int]] = {}
     for expression in pictures.expressions.values():
         for name, divisor in _divisors(expression, pictures.weights_by_name):
-            found.setdefault(name, []).append(divisor)
+            divisors_by_name.setdefault(name, []).append(divisor)
     # Values that at least two kernels read, and nothing else (which has the divisor 1).
-    least = {name: min(of_name) for name, of_name in found.items() if len(of_name) > 1}
+    least = {name: min(of_name) for name, of_name in divisors_by_name.items() if len(of_name) > 1}
     divisors = {name: divisor for name, divisor in least.items() if divisor > 1}
     if not divisors:
         return None

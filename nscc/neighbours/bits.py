@@ -216,16 +216,22 @@ class BitWords:
                     line = self._stepped(line, register, (right, 0))
                 if (x, 0) in offsets:
                     yield (x, 0), line
-                for down in (1, -1):
-                    cell = line
-                    for y in range(1, 1 + max((down * b for a, b in offsets if a == x), default=0)):
-                        cell = self._stepped(cell, line, (0, down))
-                        if (x, down * y) in offsets:
-                            yield (x, down * y), cell
-                    if cell != line:
-                        self.give((cell, None))
+                yield from self._column(line, x, offsets)
             if line != register:
                 self.give((line, None))
+
+    def _column(
+        self, line: str, x: int, offsets: Collection[Offset]
+    ) -> Iterator[tuple[Offset, str]]:
+        """Yield the offsets above and below column `x` of the row, with their registers."""
+        for down in (1, -1):
+            cell = line
+            for y in range(1, 1 + max((down * b for a, b in offsets if a == x), default=0)):
+                cell = self._stepped(cell, line, (0, down))
+                if (x, down * y) in offsets:
+                    yield (x, down * y), cell
+            if cell != line:
+                self.give((cell, None))
 
     def _stepped(self, register: str, first: str, step: Offset) -> str:
         """Shift the bit of `register` by one step, and free `register` unless it is `first`."""

@@ -37,8 +37,8 @@ STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
 """Number of kernels that a search may decompose, by level of optimisation."""
 _MOST_KEPT = 6
 _MOST_DEPTH = 7
-_MOST_HALVED = 2
-"""Most sources of a word that halves."""
+_MOST_SOURCES, _MOST_HALVED = 4, 2
+"""Most sources of a word, and of a word that halves."""
 _MOST_ADDED = 12
 """Kernels of more weights are added one by one only if there is no other program."""
 
@@ -242,7 +242,7 @@ def _joined(first: Program, second: Program) -> Iterator[Program]:
         sources = tuple(
             name for source in word.sources for name in (inputs if source == "x" else (source,))
         )
-        if len(sources) > (_MOST_HALVED if word.halves else 4):
+        if len(sources) > (_MOST_HALVED if word.halves else _MOST_SOURCES):
             return
         words.append(BusWord(word.destinations, sources))
     yield tuple(words)
@@ -267,7 +267,8 @@ def _places_to_add(program: Program, directed_sources: int) -> list[int]:
         and word.destinations[0] not in _NEWS
         and word.destinations[0] in program[-1].sources
         and read.count(word.destinations[0]) == 1
-        and len(word.sources) < (directed_sources if NEIGHBOURS.keys() & word.sources else 4)
+        and len(word.sources)
+        < (directed_sources if NEIGHBOURS.keys() & word.sources else _MOST_SOURCES)
     ]
 
 

@@ -49,11 +49,13 @@ class WordForms:
                 words.append(word)
                 continue
             inverted, copy = f"{number}i", f"{number}c"
-            far = tuple(name for name in word.sources if name in NEIGHBOURS)
-            near = tuple(name for name in word.sources if far and name not in NEIGHBOURS)
-            words.append(BusWord((inverted,), far or word.sources))
+            neighbours = tuple(name for name in word.sources if name in NEIGHBOURS)
+            own_registers = tuple(
+                name for name in word.sources if neighbours and name not in NEIGHBOURS
+            )
+            words.append(BusWord((inverted,), neighbours or word.sources))
             words.append(BusWord((copy,), (inverted,)))
-            words.append(BusWord(word.destinations, (*near, copy)))
+            words.append(BusWord(word.destinations, (*own_registers, copy)))
         return tuple(words)
 
 

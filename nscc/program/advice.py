@@ -87,8 +87,8 @@ def judge_looked_names(
         if state.sense:
             continue
         name, place = state.name, declared.states[state.name].name.span
-        others = {other: step for other, step in looking.nexts.items() if other != name}
-        without_its_own = [*rules, *replace(looking, nexts=others).expressions]
+        nexts = {state: step for state, step in looking.nexts.items() if state != name}
+        without_its_own = [*rules, *replace(looking, nexts=nexts).expressions]
         if name not in declared.nexts:
             problems.note(
                 "NS0355", f"`{name}` always keeps its start value", place, "no `next` changes it"

@@ -33,17 +33,17 @@ def make_books(
     `slots` is the meaning of N: if it failed, row lengths are not checked and every book is None.
     Reports rows of wrong length or with other digits (NS0310) and errors of files (NS0313, NS0314,
     NS0315)."""
-    made: dict[str, Digits | None] = {}
+    digits_by_book: dict[str, Digits | None] = {}
     for name, book in books.items():
         if isinstance(book, BookInline):
-            made[name] = _inline(book, slots, problems)
+            digits_by_book[name] = _inline(book, slots, problems)
             continue
         try:
-            made[name] = _from_file(book, slots, base)
+            digits_by_book[name] = _from_file(book, slots, base)
         except Rejected as wrong:
             problems.adopt(wrong, book.path.span)
-            made[name] = None
-    return made
+            digits_by_book[name] = None
+    return digits_by_book
 
 
 def _inline(book: BookInline, slots: Meaning, problems: Problems) -> Digits | None:

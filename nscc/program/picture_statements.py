@@ -86,8 +86,8 @@ class PictureMaker:
             elif name.text not in (*self.declared.refused, *reader.failed):
                 self.problems.unknown("an image, a plane or a bucket", name.text, name.span, kinds)
         reads = tuple(names)
-        found = [self._report(statement, reader) for statement in self.declared.reports]
-        reports = tuple(report for report in found if report is not None)
+        read_reports = [self._report(statement, reader) for statement in self.declared.reports]
+        reports = tuple(report for report in read_reports if report is not None)
         limits = self._limits()
         if not (reads or reports) and not self.problems.has_errors():
             self.problems.error(

@@ -13,11 +13,11 @@ def findings() -> Iterator[Finding]:
     """Yield the findings about the runtime. Checking the loops may take some seconds."""
     yield _loops()
     yield _ports()
-    found = compiler()
-    if found is None:
+    compiler_path = compiler()
+    if compiler_path is None:
         yield Finding(ABSENT, "C++ compiler: `nscc device serve` compiles the firmware with it")
     else:
-        yield Finding(GOOD, f"C++ compiler: {found} (nscc device serve runs the firmware)")
+        yield Finding(GOOD, f"C++ compiler: {compiler_path} (nscc device serve runs the firmware)")
 
 
 def _loops() -> Finding:

@@ -277,16 +277,16 @@ def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
         segments[max(last, item.segment)].append(gate)
         used |= item.reads | 1 << item.destination
     spare = used >> (frame.planes + frame.states) & ((1 << frame.scratch) - 1)
-    parts = {
+    written_segments = {
         place: tuple(tuple(segment) for segment in segments if segment)
         for place, segments in segments_at.items()
     }
     return replace(
         solution,
         scratch=max(spare.bit_length(), 1 if solution.state_in_flag else 0),
-        opening=parts[OPENING],
-        answers=tuple(parts[i] for i in range(len(solution.answers))),
-        closing=parts[CLOSING],
+        opening=written_segments[OPENING],
+        answers=tuple(written_segments[i] for i in range(len(solution.answers))),
+        closing=written_segments[CLOSING],
     )
 
 

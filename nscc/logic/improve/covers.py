@@ -40,8 +40,8 @@ def cover(
         uncovered &= ~best[1]
     if len(chosen) > 2:
         for source in list(chosen):
-            others = [content for register, content in chosen if register != source[0]]
-            if not target & ~union(others):
+            other_contents = [content for register, content in chosen if register != source[0]]
+            if not target & ~union(other_contents):
                 chosen.remove(source)
     if limit is not None and len(chosen) > limit:
         exact = _within(target, sources, limit)

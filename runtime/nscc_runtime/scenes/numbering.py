@@ -36,8 +36,8 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
     sentences = []
     if unread:
         listed = ", ".join(name[:60] for name in unread[:_SHOWN])
-        more = f" and {len(unread) - _SHOWN} more" if len(unread) > _SHOWN else ""
-        sentences.append(f"{listed}{more}: unsupported format")
+        rest_text = f" and {len(unread) - _SHOWN} more" if len(unread) > _SHOWN else ""
+        sentences.append(f"{listed}{rest_text}: unsupported format")
     if place is not None:
         read = {int(split_name[place]) for split_name in split_names}
         # Numbers of unread files are reported already.

@@ -212,8 +212,10 @@ def coded_frame(
     exposure_e = read * number_of(meta, "electrons_per_lsb")
     value_e = (exposure_e - bias_e) / gain
     plan = meta.get("plan")
-    kept = [] if plan is None else [e["name"] for e in plan["effects"] if e["decision"] == "kept"]
-    if plan is None or "shot" in kept:  # only simulations can lack photon noise
+    kept_effects = (
+        [] if plan is None else [e["name"] for e in plan["effects"] if e["decision"] == "kept"]
+    )
+    if plan is None or "shot" in kept_effects:  # only simulations can lack photon noise
         variance_e2 = variance_e2 + np.maximum(exposure_e, 0)
     return CodedFrame(
         value_e.astype(np.float32),

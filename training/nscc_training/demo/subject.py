@@ -34,7 +34,7 @@ _CUT = 4.0
 
 @dataclass(frozen=True)
 class Subject:
-    """A scene before its exposure is chosen: a still or a clip, of which a part may be `chosen`."""
+    """A scene before its exposure is chosen, a still or a clip. `chosen`: the part that is used."""
 
     scene: Scene
     still: bool

@@ -33,7 +33,7 @@ Returns electrons and seconds."""
 
 @dataclass(frozen=True)
 class Validation:
-    """The loss, and the means of metrics as JSON values, of which the first is the score."""
+    """The loss, and the means of metrics as JSON values; the first mean is the score."""
 
     loss: float
     means: dict[str, float | str]

@@ -191,9 +191,9 @@ def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
     return flat_keys
 
 
-def _problem(message: str, part: str, key: str, source: Source, help_text: str) -> Diagnostic:
+def _problem(message: str, grid_part: str, key: str, source: Source, help_text: str) -> Diagnostic:
     """Return the error NS0832 at a key of a part."""
-    return _schema({}).problem(_CODES.wrong_value, message, part, key, source, help_text)
+    return _schema({}).problem(_CODES.wrong_value, message, grid_part, key, source, help_text)
 
 
 def _kinds(
@@ -259,7 +259,7 @@ def _points(
             runs = points_by_part.get(point.values[RUN], [])
             if not runs or runs[0].kind != "train":
                 message = f"[{grid_part}]: unknown part [{point.values[RUN][:60]}] of kind train"
-                trains = [part for part, kind in kinds.items() if kind == "train"]
+                trains = [train for train, kind in kinds.items() if kind == "train"]
                 help_text = f"such parts are {', '.join(trains)}" if trains else "add such a part"
                 problem = _problem(message, grid_part, RUN, source, help_text)
                 problems[grid_part, RUN, message] = problem

@@ -96,7 +96,7 @@ def program_keys() -> tuple[Key, ...]:
 
 
 def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
-    """Return the error in values of `program_keys`, of which the grid has `named`."""
+    """Return the error in values of `program_keys`. `named`: keys that the grid states."""
     sources = [name for name in SOURCES if name in values]
     if len(sources) != 1:
         have = " and ".join(sources) or "none of them"

@@ -155,10 +155,10 @@ def measure(
     }
     measures = (
         (
-            f"{asked.kind}, {asked.method}, {asked.slots}",
-            partial(_measured, asked, benches[asked.kind]),
+            f"{configuration.kind}, {configuration.method}, {configuration.slots}",
+            partial(_measured, configuration, benches[configuration.kind]),
         )
-        for asked in progress(todo)
+        for configuration in progress(todo)
     )
     return SensorStudyResult(*points_of(measures, rows), target.name)
 
