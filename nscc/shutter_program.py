@@ -42,7 +42,7 @@ from nscc.program.program import Codes
 from nscc.prove.shutters import replayed
 from nscc.source import Source
 from nscc.words.container import Container
-from nscc.words.file import read_container
+from nscc.words.file import read_container, to_bytes
 
 _DEFAULTS = Options()
 
@@ -286,8 +286,6 @@ class ShutterProgram:
     def _product(self, kind: str, out: Path, ending: str) -> dict[Path, bytes]:
         """Return the contents of the product `kind` and of the files that belong to it, by path."""
         if kind == "icw":
-            from nscc.words.file import to_bytes
-
             return {out: to_bytes(self.container)}
         if kind == "asm":
             from nscc.words.disassembly import disassemble

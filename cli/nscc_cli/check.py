@@ -10,7 +10,7 @@ from typing import Any
 
 import click
 
-from nscc.compiler import CHECK
+from nscc.compiler import CHECK, files_of
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.summary import summary
 from nscc.program.problems import counted
@@ -63,8 +63,6 @@ def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
 
 def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
     """Check now and after each change; return the last exit status when the user stops it."""
-    from nscc.compiler import files_of
-
     if session().message_format == "sarif":
         raise click.UsageError(
             "--watch runs forever, but a SARIF log is a single document: use json"

@@ -17,7 +17,7 @@ from nscc.program.problems import counted
 from nscc.prove.proof import Proof
 from nscc.stream.passes import Sending
 from nscc.words.container import Container
-from nscc.words.stream import DRAIN
+from nscc.words.stream import DRAIN, schedule
 
 PLANES_FORMAT = "nscc-planes-1"
 
@@ -113,8 +113,6 @@ def planes_bytes(container: Container) -> bytes:
 
     docs/targets.md lists its keys. Raises Rejected (NS0511) if the pixels have no codes, which
     determine the planes."""
-    from nscc.words.stream import schedule
-
     sent, target = container.stream, container.target
     if sent is None:
         raise rejected(

@@ -38,6 +38,7 @@ from nscc_runtime.python_arguments import (
     ProgramLike,
     SensorLike,
     changes_of,
+    check_device,
     container_of,
     effects_of,
     laid_of,
@@ -137,8 +138,6 @@ def capture(
     if threads is not None:
         require_whole_number(call, "threads", threads, least=1)
     if torch_device is not None:
-        from nscc_runtime.python_arguments import check_device
-
         check_device(call, torch_device)
     file = plan_of(call, plan)
     request = Request.of(

@@ -78,8 +78,6 @@ def simulate_scene(
     listener = listener or Listener()
     placement, exposed = scene[0].placement, container
     if container.pictures is not None and not (len(scene) == 1 and placement.fits_one_array):
-        from nscc_runtime.pieces import overlapping, with_planes_for_reports
-
         placement = overlapping(container, placement)
         exposed = with_planes_for_reports(container)
     lights = [piece for laid in scene for piece in placement.pieces(laid.light)]
@@ -142,8 +140,6 @@ def _joined(
         for k in range(0, len(pieces), piece_count)
     ]
     if container.pictures is not None:
-        from nscc_runtime.pieces import with_reports
-
         frames = [with_reports(frame, container, placement) for frame in frames]
     worst = max(pieces, key=lambda piece: (piece.plan.predicted_e or 0.0) if piece.plan else 0.0)
     broken = next((piece.broken for piece in pieces if piece.broken), None)

@@ -149,8 +149,6 @@ def load_builtin(
             share = _clip_share(spec, arguments[0]) if arguments else 1.0
             return motion(slot_us, rows, cols, exposure or BUILTIN, spec, share)
         case "hdr":
-            from nscc_runtime.scenes.builtin import landscape
-
             frame = landscape(rows, cols)
             exposure_level: ExposureLevel | None = exposure or BUILTIN
         case "flat":

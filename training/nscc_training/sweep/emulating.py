@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
@@ -143,8 +143,6 @@ def _bench(values: Values) -> Figures:
     )  # fmt: skip
     study = measure(settings)
     if study.refused:
-        from nscc.diagnostics.diagnostic import Rejected
-
         raise Rejected(Diagnostic(study.refused[0].code, study.refused[0].reason))
     [point] = study.points
     return {"psnr_db": point.error, "shortest_slot_us": round(point.time_ms * 1e3, 6)}

@@ -9,7 +9,7 @@ from typing import Any
 from nscc.files import write_whole
 from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
-from nscc_training.protocols import NAMES, PROCEDURAL
+from nscc_training.protocols import NAMES, PROCEDURAL, load_protocol
 from nscc_training.scene_files import folders_of
 from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
 from nscc_training.sweep.point_programs import axis, sensor_changes, sensor_keys
@@ -99,7 +99,6 @@ def _result(values: Values) -> dict[str, Any]:
     from nscc_training.evaluation.methods import CLIPS
     from nscc_training.evaluation.subjects import evaluate
     from nscc_training.protocol_scenes.file_scenes import files_of
-    from nscc_training.protocols import load_protocol
 
     data, subject = Path(values["data"]), values.get("subject", "")
     if values["protocol"] == "sci8" and subject in CLIPS:
