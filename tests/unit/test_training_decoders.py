@@ -198,6 +198,12 @@ def test_narrower_decoders(name: str) -> None:
     assert made.shape == (1, 16, 32, 32)
 
 
+@pytest.mark.parametrize("name", ["unet2d", "unet3d", "fcnet", "unrolled"])
+def test_wider_decoders_are_as_wide_as_asked(name: str) -> None:
+    one, wide = (parameter_count(make_decoder(name, "small", CLIP, w)) for w in (1.0, 1.5))
+    assert 1.4 * one < wide < 2.4 * one
+
+
 def test_ones_own_decoder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "mine_of_tests.py").write_text(
         "import torch\n"

@@ -14,9 +14,10 @@ from nscc_training.decoders.declared import DECODERS, SIZES, Decoder, DecoderTas
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 
 SMALL = 600_000
-"""Largest number of parameters of a small decoder."""
+"""Largest number of parameters of a small decoder of width 1; it grows with the square of a larger
+width."""
 _PARTS = 24
-"""Widths of a small decoder that exceeds SMALL are reduced in steps of 1/24."""
+"""Channels of a small decoder with more parameters are reduced in steps of 1/24."""
 
 
 def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) -> nn.Module:
@@ -82,16 +83,16 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
         raise ValueError(f"{name} has one width: leave decoder.width at 1")
     if declared.fixed_channels or size != "small":
         return _built(declared, size, task, width)
-    count = 0
+    count, most = 0, int(SMALL * max(1.0, width) ** 2)
     for numerator in range(_PARTS, 0, -1):
         narrowed = width * numerator / _PARTS
         with torch.device("meta"):
             count = parameter_count(_built(declared, size, task, narrowed))
-        if count <= SMALL:
+        if count <= most:
             return _built(declared, size, task, narrowed)
     rows, cols = task.tile
     raise ValueError(
-        f"a small {name} has at most {SMALL:,} parameters, and {count:,} at its narrowest for "
+        f"a small {name} has at most {most:,} parameters, and {count:,} at its narrowest for "
         f"{task.slots} slots and a tile of {rows} x {cols}: take fewer slots, a smaller tile, "
         "another decoder or the size paper"
     )
