@@ -7,17 +7,19 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any, NamedTuple, TypeVar
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from typing_extensions import TypeAliasType
 
 from nscc_runtime import loop as loops
 from nscc_runtime import machine_code
 from nscc_runtime.compile_ahead import modules
 from nscc_runtime.emulator.loops import expose_block
 from nscc_runtime.loop import Floats, Ints, Written, compiled, loop, object_file, record
+from nscc_runtime.loop_given import LoopParameter
 
 
 @record
@@ -300,3 +302,12 @@ def test_an_object_file_that_cannot_be_written_leaves_nothing(
     assert machine_code.object_code("loops.o", [tmp_path], lambda: b"code") == b"code"
     assert not [*tmp_path.iterdir()]
     assert machine_code.read_object_file("loops.o", [tmp_path]) is None
+
+
+def test_array_types_of_numpy_before_and_since_2_5() -> None:
+    """`NDArray` was a generic array, and is an alias whose argument is the type of numbers."""
+    number = TypeVar("number", bound=np.generic)
+    array: Any = np.ndarray[tuple[Any, ...], np.dtype[number]]
+    alias: Any = TypeAliasType("alias", array, type_params=(number,))
+    for kind in (array, alias):
+        assert LoopParameter.of("codes", kind[np.uint8]).kind == np.uint8
