@@ -268,14 +268,15 @@ def test_weights_that_do_not_fit_are_refused(init: str, name: str) -> None:
 
 def test_what_a_run_knows_of_the_dark_is_not_taken_twice() -> None:
     """One that learned under effects: a place's mean is its own, a pixel's difference is not."""
-    folder = load_run(RUNS / "stills/class-b/learned-from-2x2/unet2d/every-effect/seed0")
+    folder = load_run(RUNS / "stills/class-b/128-32-32-2/unet2d/every-effect/seed0")
     size = (folder.setup.target.rows, folder.setup.target.cols)
     generator = np.random.default_rng(5)
     codes = generator.integers(20, 90, (1, *size)).astype(np.uint8)
     meta = {"sensor_sha256": sensor_sha256(folder.setup.sensor)}
     shutters = laid(folder.setup.encoder.hard(), *size).numpy().astype(bool)
     read = FrameRead(codes, np.zeros(codes.shape, bool), meta, shutters)
-    known = np.tile(generator.random(folder.setup.encoder.spec.tile) * 3, (64, 64))
+    rows, cols = folder.setup.encoder.spec.tile
+    known = np.tile(generator.random((rows, cols)) * 3, (size[0] // rows, size[1] // cols))
     spot = known.copy()
     spot[100, 100] += 40
     made = [
