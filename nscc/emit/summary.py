@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nscc.emit.report import looks_lines
-from nscc.emit.sending_report import rate_text, stream_rows
 from nscc.lower.fit import ledger
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
@@ -40,10 +38,14 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
         ),
     ]
     if program.machine is not None:
+        from nscc.emit.report import looks_lines
+
         names = tuple(bucket.name for bucket in program.buckets)
         looks = looks_lines(program.machine, names, program.target)
         rows += [("looks" * (not k), text) for k, text in enumerate(looks)]
     if compiled.sending is not None and proof is not None:
+        from nscc.emit.sending_report import stream_rows
+
         return [*rows, *stream_rows(compiled.sending, proof)]
     if lowered is None or proof is None:
         return rows
@@ -92,6 +94,8 @@ def _codes_text(program: Program) -> str:
 def cost_text(compiled: Compiled) -> str:
     """Return the cost of words, or of bit planes, in two lines."""
     if compiled.sending is not None:
+        from nscc.emit.sending_report import rate_text
+
         sending = compiled.sending
         return (
             f"  planes {len(sending.loadings)} a frame, {sending.bits_a_frame} bits, "

@@ -6,23 +6,34 @@ import traceback
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from math import inf
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.logic import (
-    encodings,
-    events,
-    halved_bumps,
-    nested_demands,
-    paired_bumps,
-    states,
-    windows,
-)
-from nscc.logic.cascade import cascade
+from nscc.lazy import LazyFunctions
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 from nscc.logic.replay import fault
 from nscc.plugins import Group, added, unusable
+
+_MODULES = (
+    "cascade", "encodings", "events", "halved_bumps", "nested_demands", "paired_bumps", "states",
+    "windows",
+)  # fmt: skip
+if TYPE_CHECKING:
+    from nscc.logic import (
+        cascade,
+        encodings,
+        events,
+        halved_bumps,
+        nested_demands,
+        paired_bumps,
+        states,
+        windows,
+    )
+else:  # `check` calls few of them
+    cascade, encodings, events, halved_bumps, nested_demands, paired_bumps, states, windows = (
+        LazyFunctions(f"nscc.logic.{name}") for name in _MODULES
+    )
 
 # Search steps of a generator at each level; a step is a cofactor of a truth vector of up to 512
 # shutters.
@@ -105,7 +116,7 @@ GENERATORS: dict[str, Generator] = {
     "gray_index": _emitted("equality", encodings.gray_index),
     "state_register": _generator_of("equality", states.state_register),
     "state_in_flag": _generator_of("equality", states.state_in_flag),
-    "cascade": _generator_of("cascade", cascade),
+    "cascade": _generator_of("cascade", cascade.cascade),
     "covered_fields": _emitted("cover", encodings.covered_fields),
     "covered_levels": _emitted("cover", encodings.covered_levels),
     "covered_both_polarities": _emitted("cover", encodings.covered_both_polarities),

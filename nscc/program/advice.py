@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import prod
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,16 +15,18 @@ from nscc.chips.target import Target
 from nscc.program.classes import Recognised
 from nscc.program.evaluate import Books
 from nscc.program.expressions import Checked, names_in
-from nscc.program.looking import Looking
 from nscc.program.names import LOOKS, Declarations, Rule
-from nscc.program.open_time import Untold
 from nscc.program.problems import Problems, counted, printable
 from nscc.program.program import Field
 from nscc.program.table import CodeArray
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
-from nscc.words.machine import StateMachine
+
+if TYPE_CHECKING:
+    from nscc.program.looking import Looking
+    from nscc.program.open_time import Untold
+    from nscc.words.machine import StateMachine
 
 
 def judge_looking(

@@ -14,9 +14,9 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.operations import STEERING
 from nscc.source import Source, Span
 from nscc.words.container import DecodeTable
-from nscc.words.machine import StateMachine
 
 if TYPE_CHECKING:
+    from nscc.words.machine import StateMachine
     from nscc.words.pictures import Pictures
 
 

@@ -21,7 +21,6 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.operations import Op
-from nscc.prove.looks_proof import Looks
 from nscc.prove.pixels import (
     TOLERANCE,
     WRONG_CODE,
@@ -35,7 +34,6 @@ from nscc.source import Source, Span
 from nscc.words.container import Container
 from nscc.words.legality import target_fault
 from nscc.words.readout import converter_of, preparation_of
-from nscc.words.stream import schedule
 
 
 class Replay(ReplayPixels):
@@ -208,8 +206,13 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
         if fault is not None:
             reason = f"the target does not support the word `{operation}`: {fault}"
             return Proof(codes, slots, 0, Failure(reason, 0))
-    looks = container.machine is not None
-    replay = Looks(container, kernels) if looks else Replay(container, kernels)
+    replay: Looks | Replay
+    if container.machine is None:
+        replay = Replay(container, kernels)
+    else:
+        from nscc.prove.looks_proof import Looks
+
+        replay = Looks(container, kernels)
     noise = Noise(LIGHT_SEED)
     failure = None
     for frame in range(1, FRAMES + 1):
@@ -292,6 +295,8 @@ def prove_stream(container: Container) -> Proof:
 
 def _times(container: Container) -> Failure | None:
     """Return the failure if planes overlap or act too early, else None."""
+    from nscc.words.stream import schedule
+
     free_us, load_us = -np.inf, container.target.plane_load_us
     end_us = np.cumsum(container.slot_us)
     slack = 1e-6 * load_us

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.words.machine import StateMachine, StatePlanes
-from nscc.words.stream import Stream
 
 if TYPE_CHECKING:
+    from nscc.words.machine import StateMachine, StatePlanes
     from nscc.words.pictures import Pictures
+    from nscc.words.stream import Stream
 
 Word = tuple[int, int, int, int, int]
 """One instruction word (ICW): five 32-bit integers in the chip's format."""
