@@ -81,6 +81,9 @@ class Covers:
             return Cover(_fewest(positive, values, predicate), (), 0.0)
         if most_cubes < 1:
             return None
+        outside = self.everything & ~predicate
+        if most_cubes == 1 and outside & ~union(v for v in values if not v & uncovered):
+            return None  # a cube that contains all of `uncovered` reads only values that are 0 there
         # A single register is not used for lasting cubes.
         cubes = self._candidates(values, ahead if most_cubes > 1 else ahead[:1], uncovered)
         chosen = cubes and _select(cubes, uncovered, most_cubes, self.budget)
@@ -145,23 +148,21 @@ class Covers:
                 again |= covered & v
                 covered |= v
             alone = covered & ~again
-            needed = alone & outside
-            may_go = []
+            needed, gained = alone & outside, alone & uncovered
+            may_go, most, gone = [], -1, 0
             for literal in free:
                 v = literal[0]
                 if v & needed:
                     required.append(literal[1])
                     twice |= once & v
                     once |= v
-                else:
-                    may_go.append(literal)
-            if not may_go:
-                return tuple(sorted(required)), self.everything & ~covered
-            gained, most, gone = alone & uncovered, -1, 0
-            for place, (v, _) in enumerate(may_go):
+                    continue
                 count = (v & gained).bit_count()
                 if count > most:
-                    most, gone = count, place
+                    most, gone = count, len(may_go)
+                may_go.append(literal)
+            if not may_go:
+                return tuple(sorted(required)), self.everything & ~covered
             del may_go[gone]
             free = may_go
 

@@ -7,8 +7,9 @@ complements are computed in scratch registers."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import count
 from math import inf
 
 from nscc.logic.cover import Cover, Covers
@@ -60,12 +61,14 @@ class Board:
     def copy(self) -> Board:
         return replace(self, values=dict(self.values), gates=list(self.gates))
 
-    def fresh(self, excluded: Collection[str] = ()) -> str:
-        """Return an unused scratch register that is not among `excluded`."""
-        number = 0
-        while f"t{number}" in self.values or f"t{number}" in excluded:
-            number += 1
-        return f"t{number}"
+    def fresh(self) -> str:
+        """Return an unused scratch register."""
+        return next(self.unused_scratch())
+
+    def unused_scratch(self, excluded: str = "") -> Iterator[str]:
+        """Yield the unused scratch registers, except `excluded`."""
+        scratch = (f"t{number}" for number in count())
+        return (name for name in scratch if name not in self.values and name != excluded)
 
     def keep(self, name: str) -> None:
         """Copy a register, or FLAG, to a scratch register."""
@@ -87,12 +90,16 @@ class Board:
     def tells(self, vectors: Iterable[int]) -> bool:
         """Return whether the contents distinguish the lanes inside each vector from those
         outside."""
-        groups = [self.everything]
-        for v in self.values.values():
-            groups = [p for group in groups for p in (group & v, group & ~v) if p]
-        return all(
-            not group & vector or not group & ~vector for vector in vectors for group in groups
-        )
+        return all(map(self._tells, vectors))
+
+    def _tells(self, vector: int) -> bool:
+        mixed = [self.everything]  # groups of lanes with equal contents, inside and outside
+        for v in (self.everything, *self.values.values()):
+            halves = [half for group in mixed for half in (group & v, group & ~v)]
+            mixed = [half for half in halves if half & vector not in (0, half)]
+            if not mixed:
+                return True
+        return False
 
     def make(self, target: int, destination: str, most: float = inf) -> GateSequence | None:
         """Return the shortest gate sequence that writes `target` to a register, of at most `most`
@@ -144,7 +151,9 @@ class Board:
         first = {v: name for name, v in reversed(self.values.items()) if v}
         names, values = list(first.values()), list(first)
         fewest = None
-        for sequence in self._covers(names, values, target, destination):
+        # A word for each cube, and one for their OR unless a single cube is all.
+        most_cubes = int(max(1, min(most - 1, _MOST_CUBES)))
+        for sequence in self._covers(names, values, target, destination, most_cubes):
             fewest = sequence.words if fewest is None else min(fewest, sequence.words)
             yield sequence
             if sequence.price == (1, 0):
@@ -155,16 +164,21 @@ class Board:
                 if self.everything & ~v not in first:
                     names.append(f"~{name}")
                     values.append(self.everything & ~v)
-            yield from self._covers(names, values, target, destination)
+            yield from self._covers(names, values, target, destination, most_cubes)
 
     def _covers(
-        self, names: Sequence[str], values: Sequence[int], vector: int, destination: str
+        self,
+        names: Sequence[str],
+        values: Sequence[int],
+        vector: int,
+        destination: str,
+        most_cubes: int,
     ) -> Iterator[GateSequence]:
         for inverted in (False, True):
             target = self.everything & ~vector if inverted else vector
             covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))
             try:
-                cover = covers.find(values, [True] * len(values), [target], _MOST_CUBES)
+                cover = covers.find(values, [True] * len(values), [target], most_cubes)
             except GaveUp:
                 continue
             if cover is not None:
@@ -181,9 +195,10 @@ class Board:
         gates = Gates(self.machine)
         scratch_values: dict[str, int] = {}
         complements: dict[int, str] = {}
+        names_left = self.unused_scratch(destination)
 
         def scratch(vector: int) -> str:
-            name = self.fresh((*scratch_values, destination))
+            name = next(names_left)
             scratch_values[name] = vector
             return name
 

@@ -90,7 +90,7 @@ class _Solver:
         # its mask.
         unused = self.target.masked_register is not None and not self.holders
         room = len(self.target.digital_registers) - unused - len(self.holders) - len(self.states)
-        for moment in self.plan.moments:
+        for moment in reversed(self.plan.moments):  # most states, so most scratch, at the end
             moment_items = tuple(_Moment(self, moment).items())
             if moment_items:
                 items[moment.boundary] = moment_items
@@ -104,7 +104,7 @@ class _Solver:
         planes = tuple(contents[f"p{i}"] for i in range(len(self.holders)))
         return LookingSolution(
             self.encoding, planes, tuple(self.holders), tuple(self.states), self.registers,
-            scratch, items,
+            scratch, dict(reversed(items.items())),
         )  # fmt: skip
 
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
