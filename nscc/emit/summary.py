@@ -87,7 +87,9 @@ def _codes_text(program: Program) -> str:
     if program.mode == "fixed":
         excludes_legal_codes = legal is not None and legal > count
         return f"{count} in use" + (f" of {legal} legal" if excludes_legal_codes else "")
-    used = count if program.pixel_codes is None else len(np.unique(program.pixel_codes))
+    used = count
+    if program.pixel_codes is not None:
+        used = int(np.count_nonzero(np.bincount(program.pixel_codes.ravel())))
     return f"{count} legal" + (f", {used} in use" if used < count else "")
 
 

@@ -149,7 +149,8 @@ class Covers:
                 covered |= v
             alone = covered & ~again
             needed, gained = alone & outside, alone & uncovered
-            may_go, most, gone = [], -1, 0
+            may_go: list[tuple[int, int]] = []
+            most, gone = -1, 0
             for literal in free:
                 v = literal[0]
                 if v & needed:
