@@ -34,6 +34,7 @@ ROOMS = (
         "html",
         "npy",
         "operations",
+        "record",
         "requirements",
         "source",
         "truth",
