@@ -83,9 +83,7 @@ class Covers:
             return None
         outside = self.everything & ~predicate
         if most_cubes == 1 and outside & ~union(v for v in values if not v & uncovered):
-            return (
-                None  # a cube that contains all of `uncovered` reads only values that are 0 there
-            )
+            return None  # one cube for all of `uncovered` reads only values that are 0 there
         # A single register is not used for lasting cubes.
         cubes = self._candidates(values, ahead if most_cubes > 1 else ahead[:1], uncovered)
         chosen = cubes and _select(cubes, uncovered, most_cubes, self.budget)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 from math import gcd
 
 from nscc.neighbours.addition import additions, halvings_of
@@ -69,12 +69,15 @@ def rows(forms: WordForms) -> dict[_Key, Program]:
 
 @dataclass(frozen=True)
 class Ranged:
-    """A program and the largest gain of its values.
-
-    `peak`: the largest sum of the positive, or of the negated negative weights of any value."""
+    """A program and the largest gain of its values."""
 
     program: Program
-    peak: Fraction
+
+    @cached_property
+    def peak(self) -> int:
+        """The largest sum of the positive, or of the negated negative weights of any value, at
+        least 1, in units of 1 / UNIT."""
+        return max((_peak(taps) for taps in values_of(self.program)), default=UNIT)
 
 
 class Synthesis:
@@ -102,12 +105,12 @@ class Synthesis:
         if len(taps) <= _MOST_ADDED or not candidates:
             candidates += additions(taps, self.forms)
         assert all(kernel_of(program) == dict(taps) for program in candidates)
-        return [_ranged(program) for program in candidates]
+        return list(map(Ranged, candidates))
 
     def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
         key = frozenset(taps.items())
         if taps == IDENTITY:
-            return [Ranged((), Fraction(1))]
+            return [Ranged(())]
         at_depth, known = self._known.get(key, (0, []))
         if at_depth >= depth:
             return known
@@ -116,9 +119,9 @@ class Synthesis:
         self.steps -= 1
         self._known[key] = depth, known
         candidates = [
-            _ranged(self.forms.allowed(program)) for program in self._candidates(taps, key, depth)
+            Ranged(self.forms.allowed(program)) for program in self._candidates(taps, key, depth)
         ]
-        best = _best([*known, *candidates])
+        best = _best([*known, *candidates], _peak(taps))
         self._known[key] = depth, best
         return best
 
@@ -144,11 +147,9 @@ class Synthesis:
                 first = rows(self.forms).get(frozenset(added((-1, line)).items()), ())
                 for second in self._programs_of_part(across, depth - 1):
                     yield from _joined(first, second)
-        for factor in factors_within(self.forms, _box(taps)[1]):
-            quotient = quotient_of(taps, factor)
-            if quotient is not None and quotient != IDENTITY:
-                for remaining in self._programs(quotient, depth - 1):
-                    yield chained(factor.program, remaining.program)
+        for factor, quotient in quotients(taps, self.forms):
+            for remaining in self._programs(quotient, depth - 1):
+                yield chained(factor.program, remaining.program)
         yield from self._with_centre(added((-1, taps)), depth)
         yield from self._with_centre_woven_in(taps, depth)
 
@@ -288,19 +289,19 @@ class Factor:
     """A kernel of at least two weights that may divide other kernels, with its program.
 
     `lead`: offset of the last weight, ordered by column, then row. `size`: numbers of columns and
-    rows, minus 1. `corner`: the smallest column and row. `total`: the sum of the weights."""
+    rows, minus 1. `corner`: the smallest column and row. `values`: as `_values_at_signs`."""
 
     taps: Taps
     program: Program
     lead: Offset
     size: Offset
     corner: Offset
-    total: int
+    values: tuple[int, ...]
 
     @classmethod
     def of(cls, taps: Taps, program: Program) -> Factor:
         corner, size = _box(taps)
-        return cls(taps, program, max(taps), size, corner, sum(taps.values()))
+        return cls(taps, program, max(taps), size, corner, _values_at_signs(taps))
 
 
 def _box(taps: Taps) -> tuple[Offset, Offset]:
@@ -323,14 +324,30 @@ def factors_within(forms: WordForms, size: Offset) -> tuple[Factor, ...]:
     return tuple(f for f in factors(forms) if f.size[0] <= size[0] and f.size[1] <= size[1])
 
 
-def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
-    """Return the kernel whose product with `factor` is `taps`, or None.
+def _values_at_signs(taps: Taps) -> tuple[int, ...]:
+    """Return the kernel's polynomial where x and y are 1 or -1: products have their product."""
+    sums = [0, 0, 0, 0]
+    for (x, y), weight in taps.items():
+        sums[x & 1 | (y & 1) << 1] += weight
+    a, b, c, d = sums
+    return a + b + c + d, a - b + c - d, a + b - c - d, a - b - c + d
 
-    `factor` has at most as many columns and rows as `taps`."""
-    total = sum(taps.values())
-    if total * UNIT % factor.total if factor.total else total:
-        return None
-    corner, size = _box(taps)
+
+def quotients(taps: Taps, forms: WordForms) -> Iterator[tuple[Factor, Polynomial]]:
+    """Yield the factors that divide a kernel, with the quotients."""
+    box, values = _box(taps), [value * UNIT for value in _values_at_signs(taps)]
+    for factor in factors_within(forms, box[1]):
+        for value, divisor in zip(values, factor.values, strict=True):
+            if value % divisor if divisor else value:
+                break
+        else:
+            quotient = _quotient_of(taps, factor, *box)
+            if quotient is not None and quotient != IDENTITY:
+                yield factor, quotient
+
+
+def _quotient_of(taps: Taps, factor: Factor, corner: Offset, size: Offset) -> Polynomial | None:
+    """Return the kernel whose product with `factor` is `taps`, or None."""
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]
     first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
     lead_weight = factor.taps[factor.lead]
@@ -357,9 +374,8 @@ def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
 # --- choosing -------------------------------------------------------------------------------------
 
 
-def _ranged(program: Program) -> Ranged:
-    peak = max((max(_weights_by_sign(taps)) for taps in values_of(program)), default=UNIT)
-    return Ranged(program, Fraction(max(peak, UNIT), UNIT))
+def _peak(taps: Taps) -> int:
+    return max(UNIT, *_weights_by_sign(taps))
 
 
 def gains(taps: Taps) -> tuple[Fraction, Fraction]:
@@ -374,13 +390,17 @@ def _weights_by_sign(taps: Taps) -> tuple[int, int]:
     return added_weight, added_weight - total
 
 
-def _best(candidates: list[Ranged]) -> list[Ranged]:
-    """Return the shortest program, and longer programs that each have a smaller peak."""
+def _best(candidates: list[Ranged], least_peak: int) -> list[Ranged]:
+    """Return the shortest program, and longer programs that each have a smaller peak.
+
+    No program has a peak below `least_peak`."""
     best: list[Ranged] = []
-    for candidate in sorted(
-        candidates, key=lambda candidate: (len(candidate.program), candidate.peak)
-    ):
+    for candidate in sorted(candidates, key=lambda candidate: len(candidate.program)):
+        if best and best[-1].peak == least_peak:
+            break
         if not best or candidate.peak < best[-1].peak:
+            if best and len(candidate.program) == len(best[-1].program):
+                best.pop()
             best.append(candidate)
     return best[:_MOST_KEPT]
 
