@@ -5,12 +5,16 @@ shortest programs; it keeps a longer program only if its intermediate values are
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, lru_cache
 from math import gcd
 
+from nscc.cache.digest import digest, package_digest
+from nscc.cache.results import from_json, to_json
+from nscc.cache.store import Store
 from nscc.neighbours.addition import additions, halvings_of
 from nscc.neighbours.programs import (
     IDENTITY,
@@ -80,11 +84,16 @@ class Ranged:
         return max((_peak(taps) for taps in values_of(self.program)), default=UNIT)
 
 
-class Synthesis:
-    """Finds programs for kernels; decomposes at most `steps` kernels for each."""
+_Programs = tuple[tuple[tuple[tuple[str, ...], tuple[str, ...]], ...], ...]
 
-    def __init__(self, steps: int, forms: WordForms) -> None:
-        self.most_steps, self.forms = steps, forms
+
+class Synthesis:
+    """Finds programs for kernels; decomposes at most `steps` kernels for each.
+
+    Programs that an earlier compilation found come from `store`."""
+
+    def __init__(self, steps: int, forms: WordForms, store: Store | None = None) -> None:
+        self.most_steps, self.forms, self.store = steps, forms, store
         self.steps = 0
         self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
         self._variants: dict[_Key, list[Ranged]] = {}
@@ -93,19 +102,42 @@ class Synthesis:
         """Return programs for a kernel, the shortest first; each is proved to compute it."""
         key = frozenset(taps.items())
         if key not in self._variants:
-            self.steps = self.most_steps
-            programs = self._proved(taps)
-            self._variants[key] = sorted(programs, key=lambda ranged: len(ranged.program))
+            # The kernel and its inverse share a search, which no other kernel affects.
+            kernels = sorted([dict(taps), added((-1, taps))], key=lambda each: sorted(each.items()))
+            for each, programs in zip(kernels, self._stored(kernels), strict=True):
+                variants = [Ranged(program) for program in sorted(programs, key=len)]
+                self._variants[frozenset(each.items())] = variants
         return self._variants[key]
 
-    def _proved(self, taps: Taps) -> list[Ranged]:
+    def _stored(self, kernels: list[Polynomial]) -> Sequence[Sequence[Program]]:
+        if self.store is None:
+            return self._found(kernels)
+        items = [sorted(taps.items()) for taps in kernels]
+        key = digest((package_digest("nscc.neighbours"), items, self.most_steps, self.forms))
+        with suppress(KeyError, ValueError):
+            read = from_json(tuple[_Programs, ...], self.store.read(key) or b"")
+            stored = [[tuple(BusWord(*w) for w in program) for program in each] for each in read]
+            for taps, programs in zip(kernels, stored, strict=True):
+                if not programs or any(kernel_of(program) != taps for program in programs):
+                    raise ValueError("programs of other kernels")
+            return stored
+        found = self._found(kernels)
+        self.store.write(key, to_json(tuple(map(tuple, found))))
+        return found
+
+    def _found(self, kernels: list[Polynomial]) -> list[list[Program]]:
+        self._known.clear()
+        return [self._proved(taps) for taps in kernels]
+
+    def _proved(self, taps: Taps) -> list[Program]:
+        self.steps = self.most_steps
         candidates = [ranged.program for ranged in self._programs(dict(taps), _MOST_DEPTH)]
         if not self.forms.news_keeps:
             candidates = list(filter(reads_news_once, candidates))
         if len(taps) <= _MOST_ADDED or not candidates:
             candidates += additions(taps, self.forms)
         assert all(kernel_of(program) == dict(taps) for program in candidates)
-        return list(map(Ranged, candidates))
+        return candidates
 
     def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
         key = frozenset(taps.items())
