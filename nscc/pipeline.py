@@ -22,6 +22,7 @@ from nscc.lower.lowered import Choice, Lowered, assemble, lay_out
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, proof_too_large, prove, prove_stream
+from nscc.record import Record
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File
@@ -55,8 +56,7 @@ class Options:
     max_words_per_slot: int | None = None
 
 
-@dataclass(frozen=True)
-class Job:
+class Job(Record):
     """The context of all passes: the text, options, the folder for relative paths, and stored
     search results."""
 
@@ -191,8 +191,7 @@ def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
     return proof, [proof_too_large(name, job.source, place_of(job.source, name))]
 
 
-@dataclass(frozen=True)
-class Pass:
+class Pass(Record):
     """A compiler pass.
 
     `run` takes the previous value and the job, and returns the new value and its diagnostics.

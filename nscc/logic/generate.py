@@ -14,6 +14,7 @@ from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 from nscc.logic.replay import fault
 from nscc.plugins import Group, added, unusable
+from nscc.record import Record
 
 _MODULES = (
     "cascade", "encodings", "events", "halved_bumps", "nested_demands", "paired_bumps", "states",
@@ -149,8 +150,7 @@ def added_generators() -> dict[str, Generator]:
     return generators
 
 
-@dataclass(frozen=True)
-class GeneratorFault:
+class GeneratorFault(Record):
     """An unexpected exception of a generator."""
 
     generator: str

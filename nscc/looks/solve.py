@@ -15,12 +15,12 @@ from nscc.looks.encode import LooksEncoding, ValueBits
 from nscc.looks.looking_plan import LookingPlan, Moment
 from nscc.lower.exposure_plan import RESET
 from nscc.operations import Op, op
+from nscc.record import Record
 from nscc.truth import columns, vector
 from nscc.words.machine import LIGHT, Comparison
 
 
-@dataclass(frozen=True, slots=True)
-class SetIn:
+class SetIn(Record):
     """An instruction to set IN to `level` steps."""
 
     level: int
@@ -240,24 +240,26 @@ class _Moment:
                 if sequence is not None:
                     board.take(sequence, (name, v))
         sequence = board.load(v)
-        if sequence is not None and sequence.gates:
-            self._save_flag(later, sequence.scratch)
+        if sequence and sequence.gates and self._save_flag(later, sequence.scratch):
             sequence = board.load(v)
         if sequence is None:
             raise GaveUp("the registers do not tell the lanes of a look apart")
         board.take(sequence, (FLAG, v))
         self.emitted += board.pop_gates()
 
-    def _save_flag(self, later: Sequence[int], written: Sequence[tuple[str, int]]) -> None:
-        """Add a copy of FLAG to a scratch register if `later` vectors depend on FLAG."""
+    def _save_flag(self, later: Sequence[int], written: Sequence[tuple[str, int]]) -> bool:
+        """Add a copy of FLAG to a scratch register and return True if `later` vectors depend on
+        FLAG."""
         board = self.board
         if FLAG not in board.values:
-            return
+            return False
         without = board.copy()
         del without.values[FLAG]
         without.values.update(written)
-        if not without.tells([*later, *self.new_values.values()]):
-            board.keep(FLAG)
+        if without.tells([*later, *self.new_values.values()]):
+            return False
+        board.keep(FLAG)
+        return True
 
 
 def renamed(gates: Sequence[Item]) -> list[Item]:

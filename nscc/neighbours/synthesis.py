@@ -36,6 +36,7 @@ from nscc.neighbours.programs import (
 )
 from nscc.neighbours.table import ROWS, WordForms
 from nscc.operations import NEIGHBOURS
+from nscc.record import Record
 
 STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
 """Number of kernels that a search may decompose, by level of optimisation."""
@@ -316,8 +317,7 @@ def _woven(first: Program, second: Program, places: list[int]) -> Program:
     return (*b, *words)
 
 
-@dataclass(frozen=True)
-class Factor:
+class Factor(Record):
     """A kernel of at least two weights that may divide other kernels, with its program.
 
     `lead`: offset of the last weight, ordered by column, then row. `size`: numbers of columns and

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import prod
 from typing import TYPE_CHECKING
 
@@ -19,6 +19,7 @@ from nscc.program.names import LOOKS, Declarations, Rule
 from nscc.program.problems import Problems, counted, printable
 from nscc.program.program import Field
 from nscc.program.table import CodeArray
+from nscc.record import Record
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
@@ -138,8 +139,7 @@ def shutters_in_the_dark(machine: StateMachine) -> NDArray[np.bool_]:
     return shutters
 
 
-@dataclass(frozen=True)
-class Excess:
+class Excess(Record):
     """The largest factor of a machine's size: its place (None for fields), a label, and helps."""
 
     place: Span | None

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.operations import STEERING
+from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.words.container import DecodeTable
 
@@ -52,8 +53,7 @@ class SlotGrid:
     count_span: Span
 
 
-@dataclass(frozen=True)
-class BucketRule:
+class BucketRule(Record):
     """A bucket: its name and the place of its rule."""
 
     name: str

@@ -83,7 +83,11 @@ def lex(source: Source) -> Tokens:
             picture_token := _of_picture(tokens, token, statement, level)
         ):
             token, end = picture_token, span_of(picture_token).end
-        elif _awaits_level(tokens) and (amount := level.match(source.text, start)):
+        elif (
+            statement == "sense"
+            and _awaits_level(tokens)
+            and (amount := level.match(source.text, start))
+        ):
             end = amount.end()
             token = Token("LEVEL", amount.group(), start, end_pos=end)
         tokens.lark_tokens.append(token)

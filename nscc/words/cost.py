@@ -8,14 +8,14 @@ from math import fsum
 
 from nscc.chips.target import Target
 from nscc.operations import Op, Phase
+from nscc.record import Record
 from nscc.words.container import Container, StoredKernel, Word
 from nscc.words.encoding import matching
 
 _CLOCK_CLASS = 7 << 19
 
 
-@dataclass(frozen=True, slots=True)
-class WordsCost:
+class WordsCost(Record):
     """A number of words, and their time in microseconds, including launches."""
 
     words: int

@@ -174,8 +174,7 @@ class Picture:
         return isinstance(self.node, Condition)
 
 
-@dataclass(frozen=True)
-class KeptPlane:
+class KeptPlane(Record):
     """A state: a plane that is kept from frame to frame.
 
     `start`: its bit in all pixels before the first frame. Images and planes read the bit that the
