@@ -66,8 +66,7 @@ class Job(Record):
     results: Results | None
 
 
-@dataclass(frozen=True)
-class Parsed:
+class Parsed(Record):
     """A program's text with its tree."""
 
     source: Source
@@ -284,8 +283,7 @@ Observer = Callable[[str, Any], None]
 """A function called with (pass name, value) after each pass, before the value is verified."""
 
 
-@dataclass(frozen=True, repr=False)
-class Compiled:
+class Compiled(Record):
     """A successfully compiled program: its proved words and its diagnostics.
 
     `choice`, `container` and `proof` are None only if `unproved_is_error` is false and it is

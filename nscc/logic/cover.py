@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 from nscc.logic.cubes import Budget
 from nscc.logic.problem import words_of
+from nscc.record import Record
 from nscc.truth import union
 
 
@@ -55,8 +56,7 @@ _HORIZONS = (1, 2, 4, 8, 16, 32, 64)
 _MOST_SEEDS = 40
 
 
-@dataclass(frozen=True)
-class Covers:
+class Covers(Record):
     """A search for covers within `budget`.
 
     `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word

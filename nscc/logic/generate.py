@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING, Literal
 
@@ -73,8 +72,7 @@ FROM_LEVEL: dict[Kind, int] = {
 * last: the most expensive, every shutter of every predicate separately, with few kernels"""
 
 
-@dataclass(frozen=True)
-class Generator:
+class Generator(Record):
     """A generator of solutions for one encoding.
 
     `solve(problem, machine, steps)` yields at least one solution, each with at most `steps` search

@@ -15,6 +15,7 @@ from math import inf
 from nscc.logic.cover import Cover, Covers
 from nscc.logic.cubes import Budget
 from nscc.logic.problem import Gate, Gates, GaveUp, Machine
+from nscc.record import Record
 
 FLAG = "FLAG"
 _STEPS = 4_000_000
@@ -24,8 +25,7 @@ _MOST_ORDERED = 3
 next."""
 
 
-@dataclass(frozen=True)
-class GateSequence:
+class GateSequence(Record):
     """Gates that compute a vector in a register, and the values that they leave in scratch
     registers."""
 

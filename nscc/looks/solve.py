@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,8 +31,7 @@ class SetIn(Record):
 Item = Gate | Op | SetIn
 
 
-@dataclass(frozen=True, eq=False)
-class LookingSolution:
+class LookingSolution(Record, eq=False):
     """The words of a frame on virtual registers, by boundary.
 
     p0, p1, .. keep their content over frames: `planes` (behaviours,) are their truth vectors before

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, lru_cache
 from math import gcd
@@ -72,8 +71,7 @@ def rows(forms: WordForms) -> dict[_Key, Program]:
     return shortest
 
 
-@dataclass(frozen=True)
-class Ranged:
+class Ranged(Record):
     """A program and the largest gain of its values."""
 
     program: Program

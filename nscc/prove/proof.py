@@ -14,7 +14,7 @@ proved last."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,7 @@ from nscc.prove.pixels import (
     ReplayPixels,
     Values,
 )
+from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.words.container import Container
 from nscc.words.legality import target_fault
@@ -163,8 +164,7 @@ FRAMES = 2
 LIGHT_SEED = 7
 
 
-@dataclass(frozen=True)
-class Failure:
+class Failure(Record):
     """The first error found by a proof; `shutter` is None if all codes are concerned.
 
     `doubts` are places where bits became unknown, which may be the cause. `unproved` is the image
@@ -178,8 +178,7 @@ class Failure:
     unproved: str | None = None
 
 
-@dataclass(frozen=True)
-class Proof:
+class Proof(Record):
     """The extent of a proof and its failure, None if it holds.
 
     `transitions` is the number of answers that were followed in all frames of a program with

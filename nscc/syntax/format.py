@@ -77,7 +77,7 @@ def format_source(source: Source) -> str:
 def _bare(value: object) -> object:
     """Return a tree without its places."""
     if isinstance(value, tree.Node):
-        return (type(value), *(_bare(getattr(value, name)) for name in value.fields[1:]))
+        return (type(value), *(_bare(getattr(value, name)) for name in value.field_names[1:]))
     return tuple(map(_bare, value)) if isinstance(value, tuple) else value
 
 

@@ -11,6 +11,7 @@ from functools import cached_property
 from lark import Token, Tree, UnexpectedToken
 from lark.parsers.lalr_interactive_parser import InteractiveParser
 
+from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.syntax.grammar import END, START, parser, spellings
 from nscc.syntax.words import names_in, statement_words
@@ -135,8 +136,7 @@ def _awaits_level(tokens: Tokens) -> bool:
     return next(words, None) == "sense"
 
 
-@dataclass(frozen=True)
-class Stuck:
+class Stuck(Record):
     """The token at which the parser stopped because no statement can continue with it.
 
     `token` is its index, one past the last token if the statement ends too early. `before` are the

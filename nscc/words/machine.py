@@ -13,6 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.record import Record
+
 Values = NDArray[np.int64]
 
 LIGHT = -1
@@ -50,8 +52,7 @@ class State:
     sense: bool = False
 
 
-@dataclass(frozen=True, eq=False)
-class StateMachine:
+class StateMachine(Record, eq=False):
     """The state machines of all behaviours; codes that behave equally share a behaviour.
 
     Stage k begins after look k (stage 0 at boundary 0) and has the nodes first[k] .. first[k + 1] -
@@ -128,8 +129,7 @@ class StateMachine:
         return np.asarray(chosen[order], np.int64)
 
 
-@dataclass(frozen=True, eq=False)
-class StatePlanes:
+class StatePlanes(Record, eq=False):
     """The registers of a state: `bits` bool (values, registers) encode each of its possible
     `values`."""
 

@@ -19,8 +19,7 @@ Offset = tuple[int, int]
 """An offset: columns to the right and rows down."""
 
 
-@dataclass(frozen=True)
-class Weights:
+class Weights(Record):
     """A convolution kernel.
 
     `rows` contain the numerators of the weights; all are divided by `divisor`. The weight in (row
@@ -162,8 +161,7 @@ Condition = Bit | Constant | Above | Exceeds | Inverse | Joined | Near | At
 Node = Value | Condition
 
 
-@dataclass(frozen=True)
-class Picture:
+class Picture(Record):
     """An image or a plane, with its name."""
 
     name: str
@@ -185,8 +183,7 @@ class KeptPlane(Record):
     next: Condition
 
 
-@dataclass(frozen=True)
-class PlaneReport:
+class PlaneReport(Record):
     """A report about a plane, which the host receives instead of the plane.
 
     It tells whether `any` bit is 1, or gives the coordinates of `events` (at most `most`), or the
@@ -197,8 +194,7 @@ class PlaneReport:
     most: int = 0
 
 
-@dataclass(frozen=True)
-class TailLaunch:
+class TailLaunch(Record):
     """The start of kernel number `kernel` after the exposure, with IN at `level` steps.
 
     The level is None if the kernel does not read IN."""
@@ -207,8 +203,7 @@ class TailLaunch:
     level: int | None
 
 
-@dataclass(frozen=True)
-class PictureCost:
+class PictureCost(Record):
     """The cost of an image or a plane.
 
     `words` include shared words only for the first image that uses them. `peak_gain` is its largest
