@@ -11,7 +11,6 @@ may stay in its register, and these demands share its word."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nscc.logic.cubes import Budget
 from nscc.logic.problem import words_of
@@ -19,8 +18,7 @@ from nscc.record import Record
 from nscc.truth import union
 
 
-@dataclass(frozen=True, slots=True)
-class Nor:
+class Nor(Record):
     """A cube NOR(sources): its truth vector, and `life`, the number of demands that it serves from
     now on.
 
@@ -37,8 +35,7 @@ class Nor:
         return self.words / self.life
 
 
-@dataclass(frozen=True, slots=True)
-class Cover:
+class Cover(Record):
     """The indices `positive` of values, and `cubes`, whose OR is the predicate.
 
     `cost` is in words; the words of reused cubes are divided by the number of demands that they

@@ -15,10 +15,6 @@ from nscc.logic.replay import fault
 from nscc.plugins import Group, added, unusable
 from nscc.record import Record
 
-_MODULES = (
-    "cascade", "encodings", "events", "halved_bumps", "nested_demands", "paired_bumps", "states",
-    "windows",
-)  # fmt: skip
 if TYPE_CHECKING:
     from nscc.logic import (
         cascade,
@@ -31,8 +27,9 @@ if TYPE_CHECKING:
         windows,
     )
 else:  # `check` calls few of them
+    names = "cascade encodings events halved_bumps nested_demands paired_bumps states windows"
     cascade, encodings, events, halved_bumps, nested_demands, paired_bumps, states, windows = (
-        LazyFunctions(f"nscc.logic.{name}") for name in _MODULES
+        LazyFunctions(f"nscc.logic.{name}") for name in names.split()
     )
 
 # Search steps of a generator at each level; a step is a cofactor of a truth vector of up to 512

@@ -52,8 +52,7 @@ Segment = tuple[Gate, ...]
 """Consecutive gates that may be stored as one kernel."""
 
 
-@dataclass(frozen=True, slots=True)
-class Demand:
+class Demand(Record):
     """A requirement that FLAG equals `predicate` at `boundary`.
 
     The predicate is neither empty nor all shutters. `edge` is "rise", "fall" or "open", of bucket

@@ -8,7 +8,8 @@ complements are computed in scratch registers."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import count
 from math import inf
 
@@ -32,7 +33,7 @@ class GateSequence(Record):
     gates: tuple[Gate, ...]
     scratch: tuple[tuple[str, int], ...]
 
-    @property
+    @cached_property
     def words(self) -> int:
         return sum(gate.words for gate in self.gates)
 
@@ -59,7 +60,7 @@ class Board:
         return sum(gate.words for gate in self.gates)
 
     def copy(self) -> Board:
-        return replace(self, values=dict(self.values), gates=list(self.gates))
+        return Board(self.machine, self.everything, dict(self.values), list(self.gates))
 
     def fresh(self) -> str:
         """Return an unused scratch register."""
@@ -167,13 +168,9 @@ class Board:
             yield from self._covers(names, values, target, destination, most_cubes)
 
     def _covers(
-        self,
-        names: Sequence[str],
-        values: Sequence[int],
-        vector: int,
-        destination: str,
+        self, names: Sequence[str], values: Sequence[int], vector: int, destination: str,
         most_cubes: int,
-    ) -> Iterator[GateSequence]:
+    ) -> Iterator[GateSequence]:  # fmt: skip
         for inverted in (False, True):
             target = self.everything & ~vector if inverted else vector
             covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))

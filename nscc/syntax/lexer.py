@@ -84,11 +84,7 @@ def lex(source: Source) -> Tokens:
             picture_token := _of_picture(tokens, token, statement, level)
         ):
             token, end = picture_token, span_of(picture_token).end
-        elif (
-            statement == "sense"
-            and _awaits_level(tokens)
-            and (amount := level.match(source.text, start))
-        ):
+        elif _awaits_level(tokens, statement) and (amount := level.match(source.text, start)):
             end = amount.end()
             token = Token("LEVEL", amount.group(), start, end_pos=end)
         tokens.lark_tokens.append(token)
@@ -126,11 +122,9 @@ def _of_picture(
     return None
 
 
-def _awaits_level(tokens: Tokens) -> bool:
+def _awaits_level(tokens: Tokens, statement: str) -> bool:
     """Return whether a sense's level may come next: after its comparison, or in a list there."""
-    if tokens.kinds[-1:] not in (["COMPARISON"], ["["], [","]):
-        return False
-    if tokens.version == 1:
+    if statement != "sense" or tokens.kinds[-1] not in ("COMPARISON", "[", ","):
         return False
     words = (kind for kind in reversed(tokens.kinds) if kind in ("at", *statement_words(2)))
     return next(words, None) == "sense"

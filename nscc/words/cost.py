@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from math import fsum
 
 from nscc.chips.target import Target
@@ -22,8 +21,7 @@ class WordsCost(Record):
     us: float
 
 
-@dataclass(frozen=True, slots=True)
-class FrameCost:
+class FrameCost(Record):
     """The costs of one frame of a container.
 
     `stored_words` are in the instruction store. `words` are executed per frame, in `busy_us`, with

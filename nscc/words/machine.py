@@ -8,7 +8,6 @@ The arrays define the program: proof, emulator and host use them instead of the 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,8 +20,7 @@ LIGHT = -1
 """The signal `light`; other signals are indices of buckets."""
 
 
-@dataclass(frozen=True, slots=True)
-class Comparison:
+class Comparison(Record):
     """A comparison of `signal` with `level` steps of IN at `boundary`: is the signal above the
     level?
 
@@ -34,8 +32,7 @@ class Comparison:
     level: int
 
 
-@dataclass(frozen=True, slots=True)
-class State:
+class State(Record):
     """A state of the program, with values `low`..`high` and initial value `start`.
 
     `is_kept` states survive the frame; `read` states are read out with the frame. `boolean` means
