@@ -165,6 +165,8 @@ class Board:
                 if self.everything & ~v not in first:
                     names.append(f"~{name}")
                     values.append(self.everything & ~v)
+            # With a complement and an OR, more cubes would take more words than are known.
+            most_cubes = max(1, min(most_cubes, (fewest or most_cubes + 2) - 2))
             yield from self._covers(names, values, target, destination, most_cubes)
 
     def _covers(
@@ -228,16 +230,18 @@ def update(board: Board, new_values: dict[str, int]) -> None:
 
     Raises GaveUp if the contents do not distinguish lanes with different new values."""
     changes = {name: v for name, v in new_values.items() if board.values[name] != v}
-    best: Board | None = None
-    for begun in (board, *_with_changes(board, changes)):
+    best = _ordered(board, changes, None)
+    most = inf if best is None else best.words - board.words - len(changes) - 1
+    for begun in _with_changes(board, changes, most):
         best = _ordered(begun, changes, best)
     if best is None:
         raise GaveUp("the registers do not tell the lanes of a look apart")
     board.values, board.gates = best.values, best.gates
 
 
-def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
-    """Yield boards with a shared scratch value: the lanes in which several registers become 1.
+def _with_changes(board: Board, new_values: dict[str, int], most: float) -> Iterator[Board]:
+    """Yield boards with a shared scratch value, made by at most `most` words: the lanes in which
+    several registers become 1.
 
     Each of these registers is then ORed with this value."""
     rises = [v & ~board.values[name] for name, v in new_values.items()]
@@ -245,7 +249,7 @@ def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
         if rises.count(rise) > 1 and rise not in board.values.values():
             after = board.copy()
             name = after.fresh()
-            sequence = after.make(rise, name)
+            sequence = after.make(rise, name, most)
             if sequence is not None:
                 after.take(sequence, (name, rise))
                 yield after
