@@ -5,35 +5,31 @@ shortest programs; it keeps a longer program only if its intermediate values are
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import suppress
 from fractions import Fraction
-from functools import cache, cached_property, lru_cache
+from functools import cached_property, lru_cache
 from math import gcd
 
 from nscc.cache.digest import digest, package_digest
 from nscc.cache.results import from_json, to_json
 from nscc.cache.store import Store
 from nscc.neighbours.addition import additions, halvings_of
+from nscc.neighbours.factors import Key, box_of, quotients, rows
 from nscc.neighbours.programs import (
     IDENTITY,
-    TURNS,
     UNIT,
     BusWord,
-    Offset,
     Polynomial,
     Program,
     Taps,
     added,
     chained,
     kernel_of,
-    program_from_text,
     renamed,
-    turned,
-    turned_taps,
     values_of,
 )
-from nscc.neighbours.table import ROWS, WordForms
+from nscc.neighbours.table import WordForms
 from nscc.operations import NEIGHBOURS
 from nscc.record import Record
 
@@ -51,24 +47,8 @@ _LEAST_WOVEN = 5
 """Least number of weights of a kernel for which a search weaves the pixel's own multiple in."""
 
 _NEWS = {"NEWS", *NEIGHBOURS}
-_Key = frozenset[tuple[Offset, int]]
 _HALVE: Program = (BusWord(("h", "NEWS"), ("x",)),)
 _NEGATE: Program = (BusWord(("m",), ("x",)),)
-
-
-@cache
-def rows(forms: WordForms) -> dict[_Key, Program]:
-    """Return the programs of the table, rotated and mirrored, by the kernel they compute."""
-    shortest: dict[_Key, Program] = {}
-    for line in ROWS.split("\n"):
-        if line:
-            program = forms.allowed(program_from_text(line))
-            taps = kernel_of(program)
-            for turn in TURNS:
-                key = frozenset(turned_taps(taps, turn).items())
-                if len(program) < len(shortest.get(key, program * 2)):
-                    shortest[key] = turned(program, turn)
-    return shortest
 
 
 class Ranged(Record):
@@ -94,8 +74,8 @@ class Synthesis:
     def __init__(self, steps: int, forms: WordForms, store: Store | None = None) -> None:
         self.most_steps, self.forms, self.store = steps, forms, store
         self.steps = 0
-        self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
-        self._variants: dict[_Key, list[Ranged]] = {}
+        self._known: dict[Key, tuple[int, list[Ranged]]] = {}
+        self._variants: dict[Key, list[Ranged]] = {}
 
     def variants(self, taps: Taps) -> list[Ranged]:
         """Return programs for a kernel, the shortest first; each is proved to compute it."""
@@ -108,25 +88,21 @@ class Synthesis:
                 self._variants[frozenset(each.items())] = variants
         return self._variants[key]
 
-    def _stored(self, kernels: list[Polynomial]) -> Sequence[Sequence[Program]]:
-        if self.store is None:
-            return self._found(kernels)
+    def _stored(self, kernels: list[Polynomial]) -> list[list[Program]]:
         items = [sorted(taps.items()) for taps in kernels]
         key = digest((package_digest("nscc.neighbours"), items, self.most_steps, self.forms))
+        data = self.store.read(key) if self.store else None
         with suppress(KeyError, ValueError):
-            read = from_json(tuple[_Programs, ...], self.store.read(key) or b"")
+            read = from_json(tuple[_Programs, ...], data or b"")
             stored = [[tuple(BusWord(*w) for w in program) for program in each] for each in read]
-            for taps, programs in zip(kernels, stored, strict=True):
-                if not programs or any(kernel_of(program) != taps for program in programs):
-                    raise ValueError("programs of other kernels")
-            return stored
-        found = self._found(kernels)
-        self.store.write(key, to_json(tuple(map(tuple, found))))
-        return found
-
-    def _found(self, kernels: list[Polynomial]) -> list[list[Program]]:
+            pairs = zip(kernels, stored, strict=True)
+            if all(p and all(kernel_of(program) == taps for program in p) for taps, p in pairs):
+                return stored
         self._known.clear()
-        return [self._proved(taps) for taps in kernels]
+        found = [self._proved(taps) for taps in kernels]
+        if self.store:
+            self.store.write(key, to_json(tuple(map(tuple, found))))
+        return found
 
     def _proved(self, taps: Taps) -> list[Program]:
         self.steps = self.most_steps
@@ -156,7 +132,7 @@ class Synthesis:
         self._known[key] = depth, best
         return best
 
-    def _candidates(self, taps: Polynomial, key: _Key, depth: int) -> Iterator[Program]:
+    def _candidates(self, taps: Polynomial, key: Key, depth: int) -> Iterator[Program]:
         if key in rows(self.forms):
             yield rows(self.forms)[key]
         if taps == {(0, 0): -UNIT}:
@@ -226,13 +202,13 @@ class Synthesis:
 
 
 @lru_cache(maxsize=1 << 12)
-def _addition(key: _Key, forms: WordForms) -> Program:
+def _addition(key: Key, forms: WordForms) -> Program:
     return additions(dict(key), forms, beam=_BEAM_OF_PARTS)[0]
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
     """Yield rows and columns whose product is a kernel: halvings in either, or split evenly."""
-    (left, top), size = _box(taps)
+    (left, top), size = box_of(taps)
     if 0 in size:
         return
     corner = taps.get((left, top))
@@ -313,92 +289,6 @@ def _woven(first: Program, second: Program, places: list[int]) -> Program:
         for number, word in enumerate(a)
     ]
     return (*b, *words)
-
-
-class Factor(Record):
-    """A kernel of at least two weights that may divide other kernels, with its program.
-
-    `lead`: offset of the last weight, ordered by column, then row. `size`: numbers of columns and
-    rows, minus 1. `corner`: the smallest column and row. `values`: as `_values_at_signs`."""
-
-    taps: Taps
-    program: Program
-    lead: Offset
-    size: Offset
-    corner: Offset
-    values: tuple[int, ...]
-
-    @classmethod
-    def of(cls, taps: Taps, program: Program) -> Factor:
-        corner, size = _box(taps)
-        return cls(taps, program, max(taps), size, corner, _values_at_signs(taps))
-
-
-def _box(taps: Taps) -> tuple[Offset, Offset]:
-    """Return the smallest column and row of a kernel, and its columns and rows minus 1."""
-    columns, rows_ = [x for x, _ in taps], [y for _, y in taps]
-    corner = min(columns), min(rows_)
-    return corner, (max(columns) - corner[0], max(rows_) - corner[1])
-
-
-@cache
-def factors(forms: WordForms) -> tuple[Factor, ...]:
-    """Return the kernels of the table that have at least two weights."""
-    programs = rows(forms).items()
-    return tuple(Factor.of(dict(key), program) for key, program in programs if len(key) > 1)
-
-
-@cache
-def factors_within(forms: WordForms, size: Offset) -> tuple[Factor, ...]:
-    """Return the factors with at most as many columns and rows as a kernel of this size."""
-    return tuple(f for f in factors(forms) if f.size[0] <= size[0] and f.size[1] <= size[1])
-
-
-def _values_at_signs(taps: Taps) -> tuple[int, ...]:
-    """Return the kernel's polynomial where x and y are 1 or -1: products have their product."""
-    sums = [0, 0, 0, 0]
-    for (x, y), weight in taps.items():
-        sums[x & 1 | (y & 1) << 1] += weight
-    a, b, c, d = sums
-    return a + b + c + d, a - b + c - d, a + b - c - d, a - b - c + d
-
-
-def quotients(taps: Taps, forms: WordForms) -> Iterator[tuple[Factor, Polynomial]]:
-    """Yield the factors that divide a kernel, with the quotients."""
-    box, values = _box(taps), [value * UNIT for value in _values_at_signs(taps)]
-    for factor in factors_within(forms, box[1]):
-        for value, divisor in zip(values, factor.values, strict=True):
-            if value % divisor if divisor else value:
-                break
-        else:
-            quotient = _quotient_of(taps, factor, *box)
-            if quotient is not None and quotient != IDENTITY:
-                yield factor, quotient
-
-
-def _quotient_of(taps: Taps, factor: Factor, corner: Offset, size: Offset) -> Polynomial | None:
-    """Return the kernel whose product with `factor` is `taps`, or None."""
-    width, height = size[0] - factor.size[0], size[1] - factor.size[1]
-    first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
-    lead_weight = factor.taps[factor.lead]
-    dividend, quotient = dict(taps), {}
-    while dividend:
-        last = max(dividend)
-        x, y = last[0] - factor.lead[0], last[1] - factor.lead[1]
-        weight, remainder = divmod(dividend[last] * UNIT, lead_weight)
-        if remainder or not (
-            first_col <= x <= first_col + width and first_row <= y <= first_row + height
-        ):
-            return None
-        quotient[x, y] = weight
-        for (right, down), factor_weight in factor.taps.items():
-            place = (x + right, y + down)
-            difference = dividend.get(place, 0) - weight * factor_weight // UNIT
-            if difference:
-                dividend[place] = difference
-            else:
-                dividend.pop(place, None)
-    return quotient
 
 
 # --- choosing -------------------------------------------------------------------------------------

@@ -12,8 +12,8 @@ import pytest
 from network_kernels import ANALOGNET2, MAX_POOLED
 from scipy.ndimage import correlate
 
-from nscc.chips.load import builtin_target
 from nscc.cache.store import Store
+from nscc.chips.load import builtin_target
 from nscc.neighbours.addition import additions
 from nscc.neighbours.alternatives import with_shared_halvings
 from nscc.neighbours.programs import (
