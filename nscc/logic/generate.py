@@ -27,9 +27,9 @@ if TYPE_CHECKING:
         windows,
     )
 else:  # `check` calls few of them
-    names = "cascade encodings events halved_bumps nested_demands paired_bumps states windows"
+    _modules = "cascade encodings events halved_bumps nested_demands paired_bumps states windows"
     cascade, encodings, events, halved_bumps, nested_demands, paired_bumps, states, windows = (
-        LazyFunctions(f"nscc.logic.{name}") for name in names.split()
+        LazyFunctions(f"nscc.logic.{name}") for name in _modules.split()
     )
 
 # Search steps of a generator at each level; a step is a cofactor of a truth vector of up to 512

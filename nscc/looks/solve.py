@@ -246,8 +246,7 @@ class _Moment:
         self.emitted += board.pop_gates()
 
     def _save_flag(self, later: Sequence[int], written: Sequence[tuple[str, int]]) -> bool:
-        """Add a copy of FLAG to a scratch register and return True if `later` vectors depend on
-        FLAG."""
+        """Copy FLAG to a scratch register, and return True, if `later` vectors depend on it."""
         board = self.board
         if FLAG not in board.values:
             return False

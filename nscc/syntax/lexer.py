@@ -5,7 +5,6 @@ Every character belongs to a token, so the lexer accepts any text."""
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cached_property
 
 from lark import Token, Tree, UnexpectedToken
@@ -17,8 +16,7 @@ from nscc.syntax.grammar import END, START, parser, spellings
 from nscc.syntax.words import names_in, statement_words
 
 
-@dataclass(frozen=True, slots=True)
-class Tokens:
+class Tokens(Record):
     """The tokens of a text, without blanks and comments.
 
     The kind of a token is its terminal in the grammar; the kind of a keyword or sign is its text.
