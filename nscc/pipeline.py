@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -36,8 +36,7 @@ LEVELS = (0, 1, 2, 3)
 """Optimisation levels; a higher level allows more steps in the search for gates."""
 
 
-@dataclass(frozen=True)
-class Options:
+class Options(Record):
     """Options of the compiler.
 
     `level` is one of LEVELS. `target` (a `Target`, or a name or file as for `--target`) replaces

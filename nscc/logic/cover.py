@@ -11,14 +11,14 @@ may stay in its register, and these demands share its word."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from nscc.logic.cubes import Budget
 from nscc.logic.problem import words_of
-from nscc.record import Record
 from nscc.truth import union
 
 
-class Nor(Record):
+class Nor(NamedTuple):
     """A cube NOR(sources): its truth vector, and `life`, the number of demands that it serves from
     now on.
 
@@ -35,7 +35,7 @@ class Nor(Record):
         return self.words / self.life
 
 
-class Cover(Record):
+class Cover(NamedTuple):
     """The indices `positive` of values, and `cubes`, whose OR is the predicate.
 
     `cost` is in words; the words of reused cubes are divided by the number of demands that they
@@ -53,7 +53,7 @@ _HORIZONS = (1, 2, 4, 8, 16, 32, 64)
 _MOST_SEEDS = 40
 
 
-class Covers(Record):
+class Covers(NamedTuple):
     """A search for covers within `budget`.
 
     `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word
