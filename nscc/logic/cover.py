@@ -137,9 +137,9 @@ class Covers(NamedTuple):
         # A literal that alone keeps out a part of `outside` can never be dropped.
         free, once, twice = [(values[i], i) for i in zeros], 0, 0
         required: list[int] = []
-        steps = 1 + self.everything.bit_length() // 512
+        spent, steps = 0, 1 + self.everything.bit_length() // 512
         while True:
-            self.budget.spend((len(free) + len(required)) * steps)
+            spent += (len(free) + len(required)) * steps
             covered, again = once, twice  # by at least one literal, and by at least two
             for v, _ in free:
                 again |= covered & v
@@ -160,6 +160,7 @@ class Covers(NamedTuple):
                     most, gone = count, len(may_go)
                 may_go.append(literal)
             if not may_go:
+                self.budget.spend(spent)
                 return tuple(sorted(required)), self.everything & ~covered
             del may_go[gone]
             free = may_go
