@@ -1,10 +1,20 @@
-"""Lazy public names of a package: a module is imported when one of its names is first used."""
+"""Lazy imports: a module is imported when one of its names is first used."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import Any
+
+
+class LazyFunctions:
+    """The functions of a module, which is imported when one of them is first called."""
+
+    def __init__(self, module: str) -> None:
+        self._module = module
+
+    def __getattr__(self, name: str) -> Any:
+        return lambda *arguments: getattr(import_module(self._module), name)(*arguments)
 
 
 def attribute(package: str, names: Mapping[str, Sequence[str]], name: str) -> Any:

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache, partial
 from itertools import groupby
 
@@ -29,6 +28,7 @@ from nscc.operations import (
     make_op,
     pair,
 )
+from nscc.record import Record
 
 SCRATCH, GUARD, GUARDED = "NEWS", "R0", "R12"
 """Registers that macros overwrite: the analog scratch, the write mask and the masked register."""
@@ -48,8 +48,7 @@ class OperandError(Exception):
 Ops = tuple[Op, ...]
 
 
-@dataclass(frozen=True)
-class Mnemonic:
+class Mnemonic(Record):
     """The name at the start of an assembly instruction.
 
     `usage` shows its forms. It takes `least` to `most` operands (None: any number). It overwrites

@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum, auto
+from functools import lru_cache
 
 
 class WordEffect(Enum):
@@ -227,6 +228,11 @@ _ORDER = {name: i for i, name in enumerate((*READ_LINES, *NEIGHBOURS))}
 
 def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
     """Return an operation of the table with its operands in canonical order; see `make_op`."""
+    return _op(name, tuple(destinations), tuple(sources))
+
+
+@lru_cache(maxsize=1 << 12)
+def _op(name: str, destinations: tuple[str, ...], sources: tuple[str, ...]) -> Op:
     row = BY_NAME.get(name)
     if row is None:
         raise ValueError(f"no operation {name!r}")

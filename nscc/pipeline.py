@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -22,6 +22,7 @@ from nscc.lower.lowered import Choice, Lowered, assemble, lay_out
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, proof_too_large, prove, prove_stream
+from nscc.record import Record
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File
@@ -35,8 +36,7 @@ LEVELS = (0, 1, 2, 3)
 """Optimisation levels; a higher level allows more steps in the search for gates."""
 
 
-@dataclass(frozen=True)
-class Options:
+class Options(Record):
     """Options of the compiler.
 
     `level` is one of LEVELS. `target` (a `Target`, or a name or file as for `--target`) replaces
@@ -55,8 +55,7 @@ class Options:
     max_words_per_slot: int | None = None
 
 
-@dataclass(frozen=True)
-class Job:
+class Job(Record):
     """The context of all passes: the text, options, the folder for relative paths, and stored
     search results."""
 
@@ -66,8 +65,7 @@ class Job:
     results: Results | None
 
 
-@dataclass(frozen=True)
-class Parsed:
+class Parsed(Record):
     """A program's text with its tree."""
 
     source: Source
@@ -161,7 +159,8 @@ def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
         return container, []
     from nscc.neighbours.passes import with_pictures
 
-    return with_pictures(container, program, job.options.level)
+    store = None if job.results is None else job.results.store
+    return with_pictures(container, program, job.options.level, store)
 
 
 def lay_out_looking(layouts: Sequence[Lowered], job: Job) -> tuple[Choice, Found]:
@@ -190,8 +189,7 @@ def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
     return proof, [proof_too_large(name, job.source, place_of(job.source, name))]
 
 
-@dataclass(frozen=True)
-class Pass:
+class Pass(Record):
     """A compiler pass.
 
     `run` takes the previous value and the job, and returns the new value and its diagnostics.
@@ -284,8 +282,7 @@ Observer = Callable[[str, Any], None]
 """A function called with (pass name, value) after each pass, before the value is verified."""
 
 
-@dataclass(frozen=True, repr=False)
-class Compiled:
+class Compiled(Record):
     """A successfully compiled program: its proved words and its diagnostics.
 
     `choice`, `container` and `proof` are None only if `unproved_is_error` is false and it is

@@ -6,6 +6,8 @@ from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cached_property
 
+from nscc.record import Record
+
 
 @dataclass(frozen=True, slots=True)
 class Span:
@@ -19,8 +21,7 @@ class Span:
         return Span(self.start, max(self.end, last.end))
 
 
-@dataclass(frozen=True)
-class Source:
+class Source(Record):
     """A text, and its name in messages: the path as the user wrote it."""
 
     name: str

@@ -41,7 +41,10 @@ def main(argv: Sequence[str] | None = None) -> int:
         return DONE
     try:
         with _interrupts() as interrupts:
-            return _run(arguments, interrupts)
+            status = _run(arguments, interrupts)
+        if argv is None:
+            gc.freeze()  # at exit, Python would search all objects for garbage
+        return status
     except KeyboardInterrupt as stop:
         sys.stderr.write(f"\ninterrupted{': ' * bool(stop.args)}{stop}\n")
         return INTERRUPTED

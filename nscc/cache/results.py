@@ -20,6 +20,7 @@ from nscc.cache.digest import digest, version_digest
 from nscc.cache.store import Store, cache_folder
 from nscc.logic.problem import Machine, Problem, Solution
 from nscc.logic.replay import fault
+from nscc.record import Record
 
 T = TypeVar("T")
 
@@ -125,8 +126,7 @@ class Results:
         return Result(known, self.store, key)
 
 
-@dataclass(frozen=True)
-class Result:
+class Result(Record):
     """The result of a search: the best solution if it is stored, otherwise the key for
     storing it."""
 

@@ -12,9 +12,10 @@ import stat
 import time
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
+
+from nscc.record import Record
 
 MOST_BYTES = 64_000_000
 _KEPT_SHARE = 0.75
@@ -46,8 +47,7 @@ def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
     return Path(home) / ".cache" / "nscc" if os.path.isabs(home) else None
 
 
-@dataclass(frozen=True)
-class Store:
+class Store(Record):
     """Entries in a folder, which need not exist; no method raises file system errors."""
 
     folder: Path

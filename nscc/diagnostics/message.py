@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
+from nscc.record import Record
 from nscc.source import Source, Span
 
 MOST_ERRORS = 20
@@ -28,16 +29,14 @@ class Severity(StrEnum):
     NOTE = "note"
 
 
-@dataclass(frozen=True, slots=True)
-class Label:
+class Label(Record):
     """A place in the source, with a short text about it."""
 
     span: Span
     text: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Fix:
+class Fix(Record):
     """A change that resolves a diagnostic: replace `span` by `replacement`.
 
     A fix is `sure` (safe) if it cannot change the meaning that the author intended."""

@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
@@ -26,6 +25,7 @@ from nscc.program.constants import (
     rule_scope,
 )
 from nscc.program.names import PREDEFINED
+from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.syntax.grammar import END
 from nscc.syntax.lexer import Stuck, Tokens, lex, read
@@ -46,8 +46,7 @@ _OF_PICTURES = ("image", "plane", "next")
 _ONCE = ("nsl", "target", "frame", "reset")
 
 
-@dataclass(frozen=True, slots=True)
-class Offer:
+class Offer(Record):
     """A completion: its text, its kind and a one-line description."""
 
     text: str
@@ -93,8 +92,7 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
     return span, list(_Place(document, tokens, statement_starts(tokens)).offers())
 
 
-@dataclass(frozen=True)
-class _Place:
+class _Place(Record):
     """The tokens before a place in the text, and the indices of tokens that start statements."""
 
     document: Document
@@ -187,8 +185,7 @@ _TARGET = re.compile(r"^[ \t]*\.target[ \t]+\"?([^\s\"]+)", re.MULTILINE)
 _KERNEL = re.compile(r"^[ \t]*\.kernel[ \t]+(\w+)", re.MULTILINE)
 
 
-@dataclass(frozen=True)
-class Listing:
+class Listing(Record):
     """Assembly text, possibly unsaved or invalid; fields as in `Document`."""
 
     name: str

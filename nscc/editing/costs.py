@@ -6,18 +6,17 @@ costs."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from nscc.editing.document import Document
 from nscc.lower.lowered import Lowered
 from nscc.lower.resources import time_text
 from nscc.pipeline import Compiled
 from nscc.program.problems import clipped, counted
+from nscc.record import Record
 from nscc.syntax import tree
 
 
-@dataclass(frozen=True, slots=True)
-class Hint:
+class Hint(Record):
     """A text shown after the character before `offset`."""
 
     offset: int

@@ -21,6 +21,7 @@ from nscc.program.looking import Looking, make_looking
 from nscc.program.names import Declarations, gather
 from nscc.program.problems import Problems
 from nscc.program.program import Field
+from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.syntax import tree
 from nscc.syntax.lexer import Tokens, lex
@@ -29,8 +30,7 @@ from nscc.syntax.reading import source_of
 from nscc.syntax.tree import File
 
 
-@dataclass(frozen=True)
-class CheckResult:
+class CheckResult(Record):
     """The result of `nscc check`; `compiled` is None if the program has errors."""
 
     diagnostics: tuple[Diagnostic, ...]
@@ -147,8 +147,7 @@ _KINDS = {
 _LONGEST = 60
 
 
-@dataclass(frozen=True, slots=True)
-class OutlineEntry:
+class OutlineEntry(Record):
     """A statement in the outline.
 
     `kind` is its first word, which is also its `name` if it declares no name. `detail` is a short

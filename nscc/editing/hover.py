@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from nscc.diagnostics.explain import page
@@ -13,6 +11,7 @@ from nscc.editing.mentions import Mention, declaration, mention_at
 from nscc.lower.resources import time_text
 from nscc.program.names import LOOKS, PREDEFINED
 from nscc.program.problems import clipped, counted
+from nscc.record import Record
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.syntax.words import FORMS
@@ -22,8 +21,7 @@ from nscc.words.pictures import Weights
 _MOST_VALUES = 12
 
 
-@dataclass(frozen=True, slots=True)
-class Hover:
+class Hover(Record):
     """A place in a program, and its description in Markdown."""
 
     span: Span

@@ -6,11 +6,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Set
-from dataclasses import dataclass
 from typing import Literal
 
 from nscc.editing.document import Document
 from nscc.program.names import LOOKS, PREDEFINED
+from nscc.record import Record
 from nscc.source import Span
 from nscc.syntax.words import reserved, shown
 
@@ -75,8 +75,7 @@ DECLARES = ("let", "code", "shutters", "sense", "state", "kernel", "image", "pla
 """Keywords followed by the name that a statement declares."""
 
 
-@dataclass(frozen=True, slots=True)
-class Mention:
+class Mention(Record):
     """A name at a place; `declares` is true if the statement declares the name."""
 
     name: str

@@ -105,7 +105,7 @@ def _print(node: Node, source: Source, indent: str, lines: list[str]) -> None:
     plain: list[str] = []
     inner: list[Node] = []
     cut = 0
-    for name in node.fields[1:]:
+    for name in node.field_names[1:]:
         value = getattr(node, name)
         items = value if isinstance(value, tuple) else (value,)
         nodes = [item for item in items if isinstance(item, Node)]

@@ -6,15 +6,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nscc.emit.report import looks_lines
-from nscc.emit.sending_report import rate_text, stream_rows
 from nscc.lower.fit import ledger
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
 
+_MOST_SHOWN = 12
+
 if TYPE_CHECKING:
+    from nscc.chips.target import Target
     from nscc.pipeline import Compiled
     from nscc.program.program import Program
+    from nscc.words.machine import StateMachine
 
 
 def summary(name: str, compiled: Compiled) -> str:
@@ -41,9 +43,11 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
     ]
     if program.machine is not None:
         names = tuple(bucket.name for bucket in program.buckets)
-        looks = looks_lines(program.machine, names, program.target)
+        looks = _looks_lines(program.machine, names, program.target)
         rows += [("looks" * (not k), text) for k, text in enumerate(looks)]
     if compiled.sending is not None and proof is not None:
+        from nscc.emit.sending_report import stream_rows
+
         return [*rows, *stream_rows(compiled.sending, proof)]
     if lowered is None or proof is None:
         return rows
@@ -79,19 +83,47 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
     ]
 
 
+def _looks_lines(machine: StateMachine, buckets: tuple[str, ...], target: Target) -> list[str]:
+    """Return the comparisons, one line for each signal and level, and the states."""
+    at: dict[tuple[int, int], list[int]] = {}
+    for comparison in machine.comparisons:
+        at.setdefault((comparison.signal, comparison.level), []).append(comparison.boundary)
+    from nscc.words.machine import LIGHT
+
+    lines = []
+    for (signal, level), boundaries in at.items():
+        electrons = level * target.electrons_per_step
+        signal_text = "light" if signal == LIGHT else f"exposure of {buckets[signal]}"
+        shown = ", ".join(map(str, boundaries[:_MOST_SHOWN]))
+        more_text = f" and {len(boundaries) - _MOST_SHOWN} more" * (len(boundaries) > _MOST_SHOWN)
+        lines.append(
+            f"{signal_text} above {electrons:.6g} e ({level} steps of IN, "
+            f"{100 * electrons / target.full_well_e:.4g} %) at {shown}{more_text}"
+        )
+    states = [
+        f"{state.name} {state.low}..{state.high}{', kept' * state.is_kept}{', read' * state.read}"
+        for state in machine.states
+    ]
+    return [*lines, *([f"states: {'; '.join(states)}"] if states else [])]
+
+
 def _codes_text(program: Program) -> str:
     """Return how many codes are compiled, and how many others are legal or in use."""
     count, legal = len(program.table.codes), program.legal_codes
     if program.mode == "fixed":
         excludes_legal_codes = legal is not None and legal > count
         return f"{count} in use" + (f" of {legal} legal" if excludes_legal_codes else "")
-    used = count if program.pixel_codes is None else len(np.unique(program.pixel_codes))
+    used = count
+    if program.pixel_codes is not None:
+        used = int(np.count_nonzero(np.bincount(program.pixel_codes.ravel())))
     return f"{count} legal" + (f", {used} in use" if used < count else "")
 
 
 def cost_text(compiled: Compiled) -> str:
     """Return the cost of words, or of bit planes, in two lines."""
     if compiled.sending is not None:
+        from nscc.emit.sending_report import rate_text
+
         sending = compiled.sending
         return (
             f"  planes {len(sending.loadings)} a frame, {sending.bits_a_frame} bits, "

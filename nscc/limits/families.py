@@ -6,7 +6,6 @@ which gates cannot share."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from typing import Literal
 
@@ -14,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT, largest_with
+from nscc.record import Record
 
 MOST_DIGITS = 1 << 14
 """Most rows x slots of a codebook that is compiled for a limit; larger codebooks take long."""
@@ -25,8 +25,7 @@ BOOK_SLOTS = 16
 _WORD = 1 << 64
 
 
-@dataclass(frozen=True)
-class Family:
+class Family(Record):
     """A class of shutters at every size.
 
     `text(size, slot)` returns a program without data, for the slot length `slot` in program syntax.

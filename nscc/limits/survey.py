@@ -19,6 +19,7 @@ from nscc.limits.families import Family, families
 from nscc.lower.resources import time_text
 from nscc.pipeline import Options, run_passes
 from nscc.program.limits import MOST_SLOTS, Count, bits_needed, impossible_from, largest_with
+from nscc.record import Record
 from nscc.source import Source
 from nscc.words.legality import refuse_planes
 
@@ -26,8 +27,7 @@ BUDGET = 40
 """Most compilations for one family and slot length."""
 
 
-@dataclass(frozen=True)
-class Limit:
+class Limit(Record):
     """The limit of a family on a target: built, impossible and unknown sizes.
 
     `built` is the largest trial that fits, or None. Sizes from `impossible` on are proved to be

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.problem import GaveUp, Problem
+from nscc.record import Record
 from nscc.truth import rows
 
 
-@dataclass(frozen=True)
-class Bumps:
+class Bumps(Record):
     """Bumps: shutter k is open in steps start[k] .. stop[k] - 1.
 
     A shutter that never opens has start[k] = stop[k] = 0. Both arrays are (shutters,) in 0 ..

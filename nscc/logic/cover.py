@@ -11,15 +11,14 @@ may stay in its register, and these demands share its word."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from nscc.logic.cubes import Budget
 from nscc.logic.problem import words_of
 from nscc.truth import union
 
 
-@dataclass(frozen=True, slots=True)
-class Nor:
+class Nor(NamedTuple):
     """A cube NOR(sources): its truth vector, and `life`, the number of demands that it serves from
     now on.
 
@@ -36,8 +35,7 @@ class Nor:
         return self.words / self.life
 
 
-@dataclass(frozen=True, slots=True)
-class Cover:
+class Cover(NamedTuple):
     """The indices `positive` of values, and `cubes`, whose OR is the predicate.
 
     `cost` is in words; the words of reused cubes are divided by the number of demands that they
@@ -55,8 +53,7 @@ _HORIZONS = (1, 2, 4, 8, 16, 32, 64)
 _MOST_SEEDS = 40
 
 
-@dataclass(frozen=True)
-class Covers:
+class Covers(NamedTuple):
     """A search for covers within `budget`.
 
     `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word
@@ -81,6 +78,9 @@ class Covers:
             return Cover(_fewest(positive, values, predicate), (), 0.0)
         if most_cubes < 1:
             return None
+        outside = self.everything & ~predicate
+        if most_cubes == 1 and outside & ~union(v for v in values if not v & uncovered):
+            return None  # one cube for all of `uncovered` reads only values that are 0 there
         # A single register is not used for lasting cubes.
         cubes = self._candidates(values, ahead if most_cubes > 1 else ahead[:1], uncovered)
         chosen = cubes and _select(cubes, uncovered, most_cubes, self.budget)
@@ -137,31 +137,31 @@ class Covers:
         # A literal that alone keeps out a part of `outside` can never be dropped.
         free, once, twice = [(values[i], i) for i in zeros], 0, 0
         required: list[int] = []
-        steps = 1 + self.everything.bit_length() // 512
+        spent, steps = 0, 1 + self.everything.bit_length() // 512
         while True:
-            self.budget.spend((len(free) + len(required)) * steps)
+            spent += (len(free) + len(required)) * steps
             covered, again = once, twice  # by at least one literal, and by at least two
             for v, _ in free:
                 again |= covered & v
                 covered |= v
             alone = covered & ~again
-            needed = alone & outside
-            may_go = []
+            needed, gained = alone & outside, alone & uncovered
+            may_go: list[tuple[int, int]] = []
+            most, gone = -1, 0
             for literal in free:
                 v = literal[0]
                 if v & needed:
                     required.append(literal[1])
                     twice |= once & v
                     once |= v
-                else:
-                    may_go.append(literal)
-            if not may_go:
-                return tuple(sorted(required)), self.everything & ~covered
-            gained, most, gone = alone & uncovered, -1, 0
-            for place, (v, _) in enumerate(may_go):
+                    continue
                 count = (v & gained).bit_count()
                 if count > most:
-                    most, gone = count, place
+                    most, gone = count, len(may_go)
+                may_go.append(literal)
+            if not may_go:
+                self.budget.spend(spent)
+                return tuple(sorted(required)), self.everything & ~covered
             del may_go[gone]
             free = may_go
 

@@ -9,18 +9,17 @@ frame that reads it."""
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from nscc.logic.cubes import Cube
 from nscc.logic.digits import cycle
+from nscc.record import Record
 from nscc.truth import set_bits, union
 
 
-@dataclass(frozen=True)
-class BumpCubes:
+class BumpCubes(Record):
     """Cubes over `planes` planes for bumps that touch the groups i to j of slots.
 
     `rises[k]`, one or two cubes, contain the bumps with i = k, and none with k < i or j < k.

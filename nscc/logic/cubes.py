@@ -8,17 +8,16 @@ step). At the end of the frame all polarities are restored."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nscc.logic.digits import Planes, unzipped
 from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
+from nscc.record import Record
 
 Cube = tuple[tuple[int, int], ...]
 """Literals (plane, value), in ascending order of planes."""
 
 
-@dataclass(frozen=True)
-class Encoding:
+class Encoding(Record):
     """The content of the planes, and each demand's predicate as an OR of cubes.
 
     `cubes[i]` cover demand i, or its complement if `inverted[i]`."""

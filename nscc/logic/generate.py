@@ -4,25 +4,33 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from math import inf
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.logic import (
-    encodings,
-    events,
-    halved_bumps,
-    nested_demands,
-    paired_bumps,
-    states,
-    windows,
-)
-from nscc.logic.cascade import cascade
+from nscc.lazy import LazyFunctions
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 from nscc.logic.replay import fault
 from nscc.plugins import Group, added, unusable
+from nscc.record import Record
+
+if TYPE_CHECKING:
+    from nscc.logic import (
+        cascade,
+        encodings,
+        events,
+        halved_bumps,
+        nested_demands,
+        paired_bumps,
+        states,
+        windows,
+    )
+else:  # `check` calls few of them
+    _modules = "cascade encodings events halved_bumps nested_demands paired_bumps states windows"
+    cascade, encodings, events, halved_bumps, nested_demands, paired_bumps, states, windows = (
+        LazyFunctions(f"nscc.logic.{name}") for name in _modules.split()
+    )
 
 # Search steps of a generator at each level; a step is a cofactor of a truth vector of up to 512
 # shutters.
@@ -61,8 +69,7 @@ FROM_LEVEL: dict[Kind, int] = {
 * last: the most expensive, every shutter of every predicate separately, with few kernels"""
 
 
-@dataclass(frozen=True)
-class Generator:
+class Generator(Record):
     """A generator of solutions for one encoding.
 
     `solve(problem, machine, steps)` yields at least one solution, each with at most `steps` search
@@ -105,7 +112,7 @@ GENERATORS: dict[str, Generator] = {
     "gray_index": _emitted("equality", encodings.gray_index),
     "state_register": _generator_of("equality", states.state_register),
     "state_in_flag": _generator_of("equality", states.state_in_flag),
-    "cascade": _generator_of("cascade", cascade),
+    "cascade": _generator_of("cascade", cascade.cascade),
     "covered_fields": _emitted("cover", encodings.covered_fields),
     "covered_levels": _emitted("cover", encodings.covered_levels),
     "covered_both_polarities": _emitted("cover", encodings.covered_both_polarities),
@@ -138,8 +145,7 @@ def added_generators() -> dict[str, Generator]:
     return generators
 
 
-@dataclass(frozen=True)
-class GeneratorFault:
+class GeneratorFault(Record):
     """An unexpected exception of a generator."""
 
     generator: str

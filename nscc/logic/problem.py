@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
+from nscc.record import Record
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +52,7 @@ Segment = tuple[Gate, ...]
 """Consecutive gates that may be stored as one kernel."""
 
 
-@dataclass(frozen=True, slots=True)
-class Demand:
+class Demand(Record):
     """A requirement that FLAG equals `predicate` at `boundary`.
 
     The predicate is neither empty nor all shutters. `edge` is "rise", "fall" or "open", of bucket
@@ -67,8 +67,7 @@ class Demand:
     scratch_kept: bool = True
 
 
-@dataclass(frozen=True)
-class Problem:
+class Problem(Record):
     """Demands in time order over `shutters` distinct shutters.
 
     `opens[bucket][slot]` are the truth vectors of the open shutters. `flag_lasts` means that FLAG
@@ -93,8 +92,7 @@ class Problem:
         return demand.flag_kept and demand.predicate == self.demands[index - 1].predicate
 
 
-@dataclass(frozen=True)
-class Machine:
+class Machine(Record):
     """The costs and limits of gates on a target.
 
     `registers` is the number of one-bit registers of a pixel. `masked` means that one of them (R12
@@ -118,8 +116,7 @@ class Machine:
         )
 
 
-@dataclass(frozen=True)
-class Solution:
+class Solution(Record):
     """Gates and encoding that solve a problem.
 
     `planes` are the truth vectors of p0, p1, .. at the start of a frame; `holders` describe them in

@@ -17,6 +17,7 @@ from nscc.logic.cover import Cover, Covers, life
 from nscc.logic.cubes import Budget
 from nscc.logic.digits import Planes, unzipped
 from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution, quietest
+from nscc.record import Record
 from nscc.truth import union
 
 
@@ -36,8 +37,7 @@ class Script:
     state_in_flag: bool = False
 
 
-@dataclass(frozen=True)
-class _Choice:
+class _Choice(Record):
     """A cover of a demand, or of its complement if `inverted`, over the values of `names`.
 
     With `turned`, the last name is the inverse of that value, which must be computed first."""

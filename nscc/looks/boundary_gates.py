@@ -7,13 +7,16 @@ complements are computed in scratch registers."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import count
 from math import inf
 
 from nscc.logic.cover import Cover, Covers
 from nscc.logic.cubes import Budget
 from nscc.logic.problem import Gate, Gates, GaveUp, Machine
+from nscc.record import Record
 
 FLAG = "FLAG"
 _STEPS = 4_000_000
@@ -23,15 +26,14 @@ _MOST_ORDERED = 3
 next."""
 
 
-@dataclass(frozen=True)
-class GateSequence:
+class GateSequence(Record):
     """Gates that compute a vector in a register, and the values that they leave in scratch
     registers."""
 
     gates: tuple[Gate, ...]
     scratch: tuple[tuple[str, int], ...]
 
-    @property
+    @cached_property
     def words(self) -> int:
         return sum(gate.words for gate in self.gates)
 
@@ -58,14 +60,16 @@ class Board:
         return sum(gate.words for gate in self.gates)
 
     def copy(self) -> Board:
-        return replace(self, values=dict(self.values), gates=list(self.gates))
+        return Board(self.machine, self.everything, dict(self.values), list(self.gates))
 
-    def fresh(self, excluded: Collection[str] = ()) -> str:
-        """Return an unused scratch register that is not among `excluded`."""
-        number = 0
-        while f"t{number}" in self.values or f"t{number}" in excluded:
-            number += 1
-        return f"t{number}"
+    def fresh(self) -> str:
+        """Return an unused scratch register."""
+        return next(self.unused_scratch())
+
+    def unused_scratch(self, excluded: str = "") -> Iterator[str]:
+        """Yield the unused scratch registers, except `excluded`."""
+        scratch = (f"t{number}" for number in count())
+        return (name for name in scratch if name not in self.values and name != excluded)
 
     def keep(self, name: str) -> None:
         """Copy a register, or FLAG, to a scratch register."""
@@ -87,12 +91,16 @@ class Board:
     def tells(self, vectors: Iterable[int]) -> bool:
         """Return whether the contents distinguish the lanes inside each vector from those
         outside."""
-        groups = [self.everything]
-        for v in self.values.values():
-            groups = [p for group in groups for p in (group & v, group & ~v) if p]
-        return all(
-            not group & vector or not group & ~vector for vector in vectors for group in groups
-        )
+        return all(map(self._tells, vectors))
+
+    def _tells(self, vector: int) -> bool:
+        mixed = [self.everything]  # groups of lanes with equal contents, inside and outside
+        for v in (self.everything, *self.values.values()):
+            halves = [half for group in mixed for half in (group & v, group & ~v)]
+            mixed = [half for half in halves if half & vector not in (0, half)]
+            if not mixed:
+                return True
+        return False
 
     def make(self, target: int, destination: str, most: float = inf) -> GateSequence | None:
         """Return the shortest gate sequence that writes `target` to a register, of at most `most`
@@ -144,7 +152,9 @@ class Board:
         first = {v: name for name, v in reversed(self.values.items()) if v}
         names, values = list(first.values()), list(first)
         fewest = None
-        for sequence in self._covers(names, values, target, destination):
+        # A word for each cube, and one for their OR unless a single cube is all.
+        most_cubes = int(max(1, min(most - 1, _MOST_CUBES)))
+        for sequence in self._covers(names, values, target, destination, most_cubes):
             fewest = sequence.words if fewest is None else min(fewest, sequence.words)
             yield sequence
             if sequence.price == (1, 0):
@@ -155,16 +165,19 @@ class Board:
                 if self.everything & ~v not in first:
                     names.append(f"~{name}")
                     values.append(self.everything & ~v)
-            yield from self._covers(names, values, target, destination)
+            # With a complement and an OR, more cubes would take more words than are known.
+            most_cubes = max(1, min(most_cubes, (fewest or most_cubes + 2) - 2))
+            yield from self._covers(names, values, target, destination, most_cubes)
 
     def _covers(
-        self, names: Sequence[str], values: Sequence[int], vector: int, destination: str
-    ) -> Iterator[GateSequence]:
+        self, names: Sequence[str], values: Sequence[int], vector: int, destination: str,
+        most_cubes: int,
+    ) -> Iterator[GateSequence]:  # fmt: skip
         for inverted in (False, True):
             target = self.everything & ~vector if inverted else vector
             covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))
             try:
-                cover = covers.find(values, [True] * len(values), [target], _MOST_CUBES)
+                cover = covers.find(values, [True] * len(values), [target], most_cubes)
             except GaveUp:
                 continue
             if cover is not None:
@@ -181,9 +194,10 @@ class Board:
         gates = Gates(self.machine)
         scratch_values: dict[str, int] = {}
         complements: dict[int, str] = {}
+        names_left = self.unused_scratch(destination)
 
         def scratch(vector: int) -> str:
-            name = self.fresh((*scratch_values, destination))
+            name = next(names_left)
             scratch_values[name] = vector
             return name
 
@@ -216,16 +230,18 @@ def update(board: Board, new_values: dict[str, int]) -> None:
 
     Raises GaveUp if the contents do not distinguish lanes with different new values."""
     changes = {name: v for name, v in new_values.items() if board.values[name] != v}
-    best: Board | None = None
-    for begun in (board, *_with_changes(board, changes)):
+    best = _ordered(board, changes, None)
+    most = inf if best is None else best.words - board.words - len(changes) - 1
+    for begun in _with_changes(board, changes, most):
         best = _ordered(begun, changes, best)
     if best is None:
         raise GaveUp("the registers do not tell the lanes of a look apart")
     board.values, board.gates = best.values, best.gates
 
 
-def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
-    """Yield boards with a shared scratch value: the lanes in which several registers become 1.
+def _with_changes(board: Board, new_values: dict[str, int], most: float) -> Iterator[Board]:
+    """Yield boards with a shared scratch value, made by at most `most` words: the lanes in which
+    several registers become 1.
 
     Each of these registers is then ORed with this value."""
     rises = [v & ~board.values[name] for name, v in new_values.items()]
@@ -233,7 +249,7 @@ def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
         if rises.count(rise) > 1 and rise not in board.values.values():
             after = board.copy()
             name = after.fresh()
-            sequence = after.make(rise, name)
+            sequence = after.make(rise, name, most)
             if sequence is not None:
                 after.take(sequence, (name, rise))
                 yield after

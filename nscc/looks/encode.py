@@ -6,20 +6,19 @@ possible. Every state starts with all its registers at 0."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations, product
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.record import Record
 from nscc.words.machine import StateMachine
 
 Rows = NDArray[np.bool_]
 """The bits of values: (values, registers)."""
 
 
-@dataclass(frozen=True, eq=False)
-class ValueBits:
+class ValueBits(Record, eq=False):
     """The register contents for a state or the behaviour: `bits` has a row for each of `values`."""
 
     name: str
@@ -33,8 +32,7 @@ class ValueBits:
         return int(self.bits.shape[1])
 
 
-@dataclass(frozen=True, eq=False)
-class LooksEncoding:
+class LooksEncoding(Record, eq=False):
     """An encoding of the behaviour and every state of a machine."""
 
     code: ValueBits

@@ -12,7 +12,6 @@ machine that a pixel can be in before the boundary, with one outcome of the boun
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 
@@ -22,6 +21,7 @@ from numpy.typing import NDArray
 from nscc.lower.exposure_plan import Misfit, analog_registers
 from nscc.operations import Op, op
 from nscc.program.program import Program
+from nscc.record import Record
 from nscc.truth import vector
 from nscc.words.machine import Comparison, StateMachine
 
@@ -29,8 +29,7 @@ Nodes = NDArray[np.intp]
 Bits = NDArray[np.bool_]
 
 
-@dataclass(frozen=True, eq=False)
-class Moment:
+class Moment(Record, eq=False):
     """A boundary with comparisons or changes.
 
     `before` and `after` (lanes,) are the nodes of each lane, `outcomes` (lanes,) its answers as
@@ -58,8 +57,7 @@ class Moment:
         return vector(np.flatnonzero(self.outcomes >> comparison & 1 == 0))
 
 
-@dataclass(frozen=True, eq=False)
-class LookingPlan:
+class LookingPlan(Record, eq=False):
     """The moments of a frame in order, and the use of analog registers.
 
     The register `reference` holds the reset level, or its negative if every exposure is a single

@@ -6,7 +6,7 @@ IN is set between kernels, so a boundary with comparisons at several levels has 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import chain
 
 import numpy as np
@@ -48,7 +48,6 @@ _MOST_CLEARED = 4
 """Most registers in one CLR of the public library."""
 
 
-@dataclass(frozen=True)
 class LookingLowered(Lowered):
     """A lowering whose container has a state machine."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +14,12 @@ from nscc.looks.encode import LooksEncoding, ValueBits
 from nscc.looks.looking_plan import LookingPlan, Moment
 from nscc.lower.exposure_plan import RESET
 from nscc.operations import Op, op
+from nscc.record import Record
 from nscc.truth import columns, vector
 from nscc.words.machine import LIGHT, Comparison
 
 
-@dataclass(frozen=True, slots=True)
-class SetIn:
+class SetIn(Record):
     """An instruction to set IN to `level` steps."""
 
     level: int
@@ -32,8 +31,7 @@ class SetIn:
 Item = Gate | Op | SetIn
 
 
-@dataclass(frozen=True, eq=False)
-class LookingSolution:
+class LookingSolution(Record, eq=False):
     """The words of a frame on virtual registers, by boundary.
 
     p0, p1, .. keep their content over frames: `planes` (behaviours,) are their truth vectors before
@@ -90,7 +88,7 @@ class _Solver:
         # its mask.
         unused = self.target.masked_register is not None and not self.holders
         room = len(self.target.digital_registers) - unused - len(self.holders) - len(self.states)
-        for moment in self.plan.moments:
+        for moment in reversed(self.plan.moments):  # most states, so most scratch, at the end
             moment_items = tuple(_Moment(self, moment).items())
             if moment_items:
                 items[moment.boundary] = moment_items
@@ -104,7 +102,7 @@ class _Solver:
         planes = tuple(contents[f"p{i}"] for i in range(len(self.holders)))
         return LookingSolution(
             self.encoding, planes, tuple(self.holders), tuple(self.states), self.registers,
-            scratch, items,
+            scratch, dict(reversed(items.items())),
         )  # fmt: skip
 
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
@@ -240,24 +238,25 @@ class _Moment:
                 if sequence is not None:
                     board.take(sequence, (name, v))
         sequence = board.load(v)
-        if sequence is not None and sequence.gates:
-            self._save_flag(later, sequence.scratch)
+        if sequence and sequence.gates and self._save_flag(later, sequence.scratch):
             sequence = board.load(v)
         if sequence is None:
             raise GaveUp("the registers do not tell the lanes of a look apart")
         board.take(sequence, (FLAG, v))
         self.emitted += board.pop_gates()
 
-    def _save_flag(self, later: Sequence[int], written: Sequence[tuple[str, int]]) -> None:
-        """Add a copy of FLAG to a scratch register if `later` vectors depend on FLAG."""
+    def _save_flag(self, later: Sequence[int], written: Sequence[tuple[str, int]]) -> bool:
+        """Copy FLAG to a scratch register, and return True, if `later` vectors depend on it."""
         board = self.board
         if FLAG not in board.values:
-            return
+            return False
         without = board.copy()
         del without.values[FLAG]
         without.values.update(written)
-        if not without.tells([*later, *self.new_values.values()]):
-            board.keep(FLAG)
+        if without.tells([*later, *self.new_values.values()]):
+            return False
+        board.keep(FLAG)
+        return True
 
 
 def renamed(gates: Sequence[Item]) -> list[Item]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -14,6 +13,7 @@ from nscc.lower.exposure_plan import ExposurePlan, Opens
 from nscc.lower.timeline import Timeline
 from nscc.operations import WordEffect
 from nscc.program.program import Program, whole_name
+from nscc.record import Record
 from nscc.words.container import DecodeTable
 
 Before = Literal["nothing", "all", "keep", "load"]
@@ -24,8 +24,7 @@ Before = Literal["nothing", "all", "keep", "load"]
 """
 
 
-@dataclass(frozen=True)
-class Decoding:
+class Decoding(Record):
     """A plan with the gates that compute its predicates.
 
     `problem` is the plan's problem; `actions` say how each step obtains FLAG."""

@@ -19,7 +19,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal, NamedTuple, get_args
 
@@ -28,6 +27,7 @@ import numpy as np
 from nscc.lower.timeline import Timeline, timeline
 from nscc.operations import Op, WordEffect, op
 from nscc.program.program import Program
+from nscc.record import Record
 from nscc.truth import columns, members
 
 Lowering = Literal["accumulate", "latch", "edges"]
@@ -50,8 +50,7 @@ class PlanStep(NamedTuple):
     words: tuple[Op, ...]
 
 
-@dataclass(frozen=True)
-class ExposurePlan:
+class ExposurePlan(Record):
     """The analog part of a program.
 
     `registers` describes the content of every used analog register. `analog_writes` are the fewest
@@ -71,8 +70,7 @@ class ExposurePlan:
         return (1 << self.shutters) - 1
 
 
-@dataclass(frozen=True)
-class Misfit:
+class Misfit(Record):
     """The reason why a lowering cannot be used: an unmet condition, or too few registers.
 
     `searched` means that no gates were found, which proves nothing."""
@@ -99,8 +97,7 @@ Opens = tuple[tuple[int, ...], ...]
 """For every bucket, the truth vector of the open shutters in each slot."""
 
 
-@dataclass(frozen=True)
-class Planned:
+class Planned(Record):
     """A program with its exposure plans, fewest analog writes first.
 
     `misfits` says why other lowerings have no plan."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nscc.cache.results import Result, Results
 from nscc.logic.generate import GeneratorFault, note_fault, solutions
 from nscc.logic.problem import Machine, Solution
@@ -12,13 +10,13 @@ from nscc.lower.exposure_plan import LOWERINGS, ExposurePlan, Lowering, Misfit, 
 from nscc.lower.lowered import Lowered, lay_out
 from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
+from nscc.record import Record
 
 # Number of solutions to improve at each level, the best of each encoding.
 MOST_IMPROVED = {0: 1, 1: 1, 2: 6, 3: 16}
 
 
-@dataclass(frozen=True)
-class Gated:
+class Gated(Record):
     """The plans with gates, best first, and why others have none.
 
     `fits` says whether the words of the best plan fit. `faults` are exceptions of generators, which

@@ -3,7 +3,6 @@ to a container."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import zip_longest
 
@@ -15,6 +14,7 @@ from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, PlanStep
 from nscc.lower.schedule import FrameSchedule, kernel_us, schedule
 from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
+from nscc.record import Record
 from nscc.truth import rows
 from nscc.words.container import Container, Launch, Readout, StoredKernel
 from nscc.words.encoding import encode
@@ -22,8 +22,7 @@ from nscc.words.encoding import encode
 _ROUNDING = 1 + 1e-9
 
 
-@dataclass(frozen=True, repr=False)
-class Lowered:
+class Lowered(Record):
     """A plan, its gates and its words, with costs on the program's target.
 
     `most_words` is the user's limit on words at a boundary, None if there is no limit."""
@@ -170,8 +169,7 @@ class Lowered:
         return min(limits, default=target.full_well_e)
 
 
-@dataclass(frozen=True)
-class Choice:
+class Choice(Record):
     """All lowerings, best first, and why others failed.
 
     `failed_generators` names the generators that raised an exception."""

@@ -13,7 +13,6 @@ separate kernels that boundaries share."""
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 from itertools import chain, groupby
 
 from nscc.chips.target import Target
@@ -21,11 +20,11 @@ from nscc.logic.problem import Gate, Segment, Solution, quietest
 from nscc.lower.decoding import Decoding
 from nscc.lower.timeline import Timeline, fades
 from nscc.operations import Op, WordEffect, op, pair
+from nscc.record import Record
 from nscc.words.cost import refresh_count, words_us
 
 
-@dataclass(frozen=True)
-class Allocation:
+class Allocation(Record):
     """The chip register of every virtual register, and the registers that contain code and
     states."""
 
@@ -135,8 +134,7 @@ def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[O
 Words = tuple[Op, ...]
 
 
-@dataclass(frozen=True)
-class FrameSchedule:
+class FrameSchedule(Record):
     """All words of a frame.
 
     `kernels` are distinct; `launches` are (boundary, kernel) in execution order. `setup_us` is the

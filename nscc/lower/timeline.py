@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 from itertools import accumulate, pairwise
 
 from nscc.chips.target import Target
+from nscc.record import Record
 
 # Share of the retention time that may be used: words take time, and the retention is a typical
 # value.
 RETENTION_SHARE = 0.9
 
 
-@dataclass(frozen=True)
-class Timeline:
+class Timeline(Record):
     """The frame's times in microseconds.
 
     `boundary_us[n]` is the time of boundary n. `between_us` is the time from boundary N to the next

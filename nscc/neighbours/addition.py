@@ -8,13 +8,13 @@ beam search orders the neighbours so that few words write NEWS and few multiples
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cache
 from itertools import combinations
 
 from nscc.neighbours.programs import OF_STEP, UNIT, BusWord, Offset, Program, Taps
 from nscc.neighbours.table import WordForms
 from nscc.operations import STEPS
+from nscc.record import Record
 
 BEAM = 60
 """Number of unfinished orders that the beam search keeps after each word."""
@@ -30,8 +30,7 @@ Content = tuple[int, Offset, Offset]
 """Content of NEWS up to the sign: a multiple, shifted by an offset and by one further step."""
 
 
-@dataclass(frozen=True)
-class Added:
+class Added(Record):
     """A word that adds the multiple of a neighbour, of the pixel itself, or of both.
 
     `content`: what NEWS holds when the word runs, or None if the word adds no neighbour. `step`:

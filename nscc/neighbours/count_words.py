@@ -21,6 +21,7 @@ from typing import TypeVar
 from nscc.neighbours.bits import BitWords, Offset
 from nscc.neighbours.held import Emitter, Held
 from nscc.operations import op
+from nscc.record import Record
 from nscc.words import pictures as p
 
 MOST_IMAGES = 4
@@ -31,8 +32,7 @@ Direction = tuple[Fraction, ...]
 """The factor of an accumulator in each image of a walk."""
 
 
-@dataclass(frozen=True)
-class CountSum:
+class CountSum(Record):
     """A sum of agreements, each with its factor: an image, or a part of an image."""
 
     terms: tuple[tuple[Fraction, p.Agreement], ...]

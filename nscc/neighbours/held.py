@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nscc.operations import Op, WordEffect, op
+from nscc.record import Record
 from nscc.words import pictures as p
 
 Leveled = tuple[Op, int | None]
@@ -24,8 +24,7 @@ class PictureRefused(Exception):
         self.kind, self.name, self.needed, self.available = kind, name, needed, available
 
 
-@dataclass(frozen=True)
-class Held:
+class Held(Record):
     """A register that holds a value times `sign`; the value lies in `low` to `high` electrons.
 
     `name` is the image or bucket, or None for an intermediate result that is read once. `variance`

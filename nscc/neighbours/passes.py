@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from math import ceil, log2
 
+from nscc.cache.store import Store
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.lower.resources import time_text
 from nscc.lower.timeline import RETENTION_SHARE
@@ -30,7 +31,7 @@ _LEVEL_OF_ALTERNATIVES = 2
 
 
 def with_pictures(
-    container: Container, program: Program, level: int
+    container: Container, program: Program, level: int, store: Store | None = None
 ) -> tuple[Container, Sequence[Diagnostic]]:
     """Return the container with the words of the program's images and planes, or diagnostics.
 
@@ -43,7 +44,7 @@ def with_pictures(
     if far is not None:
         return container, [far]
     try:
-        lowering = lowered(container, pictures, level)
+        lowering = lowered(container, pictures, level, store)
     except PictureRefused as refused:
         return container, [_refusal(refused, container, program, level)]
     kernels, launches = grouped(lowering.words)
@@ -74,14 +75,16 @@ def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[Pi
     return tuple(cost_of[name] for name in names)
 
 
-def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
+def lowered(
+    container: Container, pictures: Pictures, level: int, store: Store | None = None
+) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
     do not fit. From level 2 on, the shortest of several alternatives is returned."""
     ways = [pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())]
     best: Lowering | None = None
     refused: PictureRefused | None = None
     for forms in WordForms.choices(container.target):
-        synthesis = Synthesis(STEPS_OF_LEVEL[level], forms)
+        synthesis = Synthesis(STEPS_OF_LEVEL[level], forms, store)
         for way in ways:
             try:
                 lowering = _lowered(container, way, synthesis)

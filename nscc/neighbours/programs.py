@@ -7,10 +7,9 @@ exact polynomials: a program from a table or a search is used only after this ch
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from math import sqrt
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from nscc.operations import NEIGHBOURS, STEPS
 
@@ -23,8 +22,7 @@ Polynomial = dict[Offset, int]
 Weight = TypeVar("Weight", int, Fraction)
 
 
-@dataclass(frozen=True)
-class BusWord:
+class BusWord(NamedTuple):
     """A word that writes minus the sum of its sources, or half of it to two destinations."""
 
     destinations: tuple[str, ...]

@@ -6,7 +6,7 @@ their contents for reuse until a word overwrites them."""
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from nscc.neighbours.bits import BitWords
@@ -14,6 +14,7 @@ from nscc.neighbours.count_words import CountEmitter, Result
 from nscc.neighbours.held import Held, PictureRefused
 from nscc.neighbours.programs import Offset, Program, moved, values_of
 from nscc.operations import NEIGHBOURS, STEPS, Op, op
+from nscc.record import Record
 from nscc.words import pictures as p
 from nscc.words.container import Container
 from nscc.words.encoding import matching
@@ -22,8 +23,7 @@ Contents = tuple[str, frozenset[tuple[Offset, int]]]
 """The name of a value, and the convolution kernel that was applied to the value."""
 
 
-@dataclass(frozen=True)
-class Reuse:
+class Reuse(Record):
     """The words of a program that must run.
 
     `words`: their indices. `held`: registers that already hold values of the program, by the

@@ -6,32 +6,32 @@ shortest programs; it keeps a longer program only if its intermediate values are
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from contextlib import suppress
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import cached_property, lru_cache
 from math import gcd
 
+from nscc.cache.digest import digest, package_digest
+from nscc.cache.results import from_json, to_json
+from nscc.cache.store import Store
 from nscc.neighbours.addition import additions, halvings_of
+from nscc.neighbours.factors import Key, box_of, quotients, rows
 from nscc.neighbours.programs import (
     IDENTITY,
-    TURNS,
     UNIT,
     BusWord,
-    Offset,
     Polynomial,
     Program,
     Taps,
     added,
     chained,
     kernel_of,
-    program_from_text,
     renamed,
-    turned,
-    turned_taps,
     values_of,
 )
-from nscc.neighbours.table import ROWS, WordForms
+from nscc.neighbours.table import WordForms
 from nscc.operations import NEIGHBOURS
+from nscc.record import Record
 
 STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
 """Number of kernels that a search may decompose, by level of optimisation."""
@@ -47,67 +47,77 @@ _LEAST_WOVEN = 5
 """Least number of weights of a kernel for which a search weaves the pixel's own multiple in."""
 
 _NEWS = {"NEWS", *NEIGHBOURS}
-_Key = frozenset[tuple[Offset, int]]
 _HALVE: Program = (BusWord(("h", "NEWS"), ("x",)),)
 _NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 
-@cache
-def rows(forms: WordForms) -> dict[_Key, Program]:
-    """Return the programs of the table, rotated and mirrored, by the kernel they compute."""
-    shortest: dict[_Key, Program] = {}
-    for line in ROWS.split("\n"):
-        if line:
-            program = forms.allowed(program_from_text(line))
-            taps = kernel_of(program)
-            for turn in TURNS:
-                key = frozenset(turned_taps(taps, turn).items())
-                if len(program) < len(shortest.get(key, program * 2)):
-                    shortest[key] = turned(program, turn)
-    return shortest
-
-
-@dataclass(frozen=True)
-class Ranged:
-    """A program and the largest gain of its values.
-
-    `peak`: the largest sum of the positive, or of the negated negative weights of any value."""
+class Ranged(Record):
+    """A program and the largest gain of its values."""
 
     program: Program
-    peak: Fraction
+
+    @cached_property
+    def peak(self) -> int:
+        """The largest sum of the positive, or of the negated negative weights of any value, at
+        least 1, in units of 1 / UNIT."""
+        return max((_peak(taps) for taps in values_of(self.program)), default=UNIT)
+
+
+_Programs = tuple[tuple[tuple[tuple[str, ...], tuple[str, ...]], ...], ...]
 
 
 class Synthesis:
-    """Finds programs for kernels; decomposes at most `steps` kernels for each."""
+    """Finds programs for kernels; decomposes at most `steps` kernels for each.
 
-    def __init__(self, steps: int, forms: WordForms) -> None:
-        self.most_steps, self.forms = steps, forms
+    Programs that an earlier compilation found come from `store`."""
+
+    def __init__(self, steps: int, forms: WordForms, store: Store | None = None) -> None:
+        self.most_steps, self.forms, self.store = steps, forms, store
         self.steps = 0
-        self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
-        self._variants: dict[_Key, list[Ranged]] = {}
+        self._known: dict[Key, tuple[int, list[Ranged]]] = {}
+        self._variants: dict[Key, list[Ranged]] = {}
 
     def variants(self, taps: Taps) -> list[Ranged]:
         """Return programs for a kernel, the shortest first; each is proved to compute it."""
         key = frozenset(taps.items())
         if key not in self._variants:
-            self.steps = self.most_steps
-            programs = self._proved(taps)
-            self._variants[key] = sorted(programs, key=lambda ranged: len(ranged.program))
+            # The kernel and its inverse share a search, which no other kernel affects.
+            kernels = sorted([dict(taps), added((-1, taps))], key=lambda each: sorted(each.items()))
+            for each, programs in zip(kernels, self._stored(kernels), strict=True):
+                variants = [Ranged(program) for program in sorted(programs, key=len)]
+                self._variants[frozenset(each.items())] = variants
         return self._variants[key]
 
-    def _proved(self, taps: Taps) -> list[Ranged]:
+    def _stored(self, kernels: list[Polynomial]) -> list[list[Program]]:
+        items = [sorted(taps.items()) for taps in kernels]
+        key = digest((package_digest("nscc.neighbours"), items, self.most_steps, self.forms))
+        data = self.store.read(key) if self.store else None
+        with suppress(KeyError, ValueError):
+            read = from_json(tuple[_Programs, ...], data or b"")
+            stored = [[tuple(BusWord(*w) for w in program) for program in each] for each in read]
+            pairs = zip(kernels, stored, strict=True)
+            if all(p and all(kernel_of(program) == taps for program in p) for taps, p in pairs):
+                return stored
+        self._known.clear()
+        found = [self._proved(taps) for taps in kernels]
+        if self.store:
+            self.store.write(key, to_json(tuple(map(tuple, found))))
+        return found
+
+    def _proved(self, taps: Taps) -> list[Program]:
+        self.steps = self.most_steps
         candidates = [ranged.program for ranged in self._programs(dict(taps), _MOST_DEPTH)]
         if not self.forms.news_keeps:
             candidates = list(filter(reads_news_once, candidates))
         if len(taps) <= _MOST_ADDED or not candidates:
             candidates += additions(taps, self.forms)
         assert all(kernel_of(program) == dict(taps) for program in candidates)
-        return [_ranged(program) for program in candidates]
+        return candidates
 
     def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
         key = frozenset(taps.items())
         if taps == IDENTITY:
-            return [Ranged((), Fraction(1))]
+            return [Ranged(())]
         at_depth, known = self._known.get(key, (0, []))
         if at_depth >= depth:
             return known
@@ -116,13 +126,13 @@ class Synthesis:
         self.steps -= 1
         self._known[key] = depth, known
         candidates = [
-            _ranged(self.forms.allowed(program)) for program in self._candidates(taps, key, depth)
+            Ranged(self.forms.allowed(program)) for program in self._candidates(taps, key, depth)
         ]
-        best = _best([*known, *candidates])
+        best = _best([*known, *candidates], _peak(taps))
         self._known[key] = depth, best
         return best
 
-    def _candidates(self, taps: Polynomial, key: _Key, depth: int) -> Iterator[Program]:
+    def _candidates(self, taps: Polynomial, key: Key, depth: int) -> Iterator[Program]:
         if key in rows(self.forms):
             yield rows(self.forms)[key]
         if taps == {(0, 0): -UNIT}:
@@ -144,11 +154,9 @@ class Synthesis:
                 first = rows(self.forms).get(frozenset(added((-1, line)).items()), ())
                 for second in self._programs_of_part(across, depth - 1):
                     yield from _joined(first, second)
-        for factor in factors_within(self.forms, _box(taps)[1]):
-            quotient = quotient_of(taps, factor)
-            if quotient is not None and quotient != IDENTITY:
-                for remaining in self._programs(quotient, depth - 1):
-                    yield chained(factor.program, remaining.program)
+        for factor, quotient in quotients(taps, self.forms):
+            for remaining in self._programs(quotient, depth - 1):
+                yield chained(factor.program, remaining.program)
         yield from self._with_centre(added((-1, taps)), depth)
         yield from self._with_centre_woven_in(taps, depth)
 
@@ -194,13 +202,13 @@ class Synthesis:
 
 
 @lru_cache(maxsize=1 << 12)
-def _addition(key: _Key, forms: WordForms) -> Program:
+def _addition(key: Key, forms: WordForms) -> Program:
     return additions(dict(key), forms, beam=_BEAM_OF_PARTS)[0]
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
     """Yield rows and columns whose product is a kernel: halvings in either, or split evenly."""
-    (left, top), size = _box(taps)
+    (left, top), size = box_of(taps)
     if 0 in size:
         return
     corner = taps.get((left, top))
@@ -283,83 +291,11 @@ def _woven(first: Program, second: Program, places: list[int]) -> Program:
     return (*b, *words)
 
 
-@dataclass(frozen=True)
-class Factor:
-    """A kernel of at least two weights that may divide other kernels, with its program.
-
-    `lead`: offset of the last weight, ordered by column, then row. `size`: numbers of columns and
-    rows, minus 1. `corner`: the smallest column and row. `total`: the sum of the weights."""
-
-    taps: Taps
-    program: Program
-    lead: Offset
-    size: Offset
-    corner: Offset
-    total: int
-
-    @classmethod
-    def of(cls, taps: Taps, program: Program) -> Factor:
-        corner, size = _box(taps)
-        return cls(taps, program, max(taps), size, corner, sum(taps.values()))
-
-
-def _box(taps: Taps) -> tuple[Offset, Offset]:
-    """Return the smallest column and row of a kernel, and its columns and rows minus 1."""
-    columns, rows_ = [x for x, _ in taps], [y for _, y in taps]
-    corner = min(columns), min(rows_)
-    return corner, (max(columns) - corner[0], max(rows_) - corner[1])
-
-
-@cache
-def factors(forms: WordForms) -> tuple[Factor, ...]:
-    """Return the kernels of the table that have at least two weights."""
-    programs = rows(forms).items()
-    return tuple(Factor.of(dict(key), program) for key, program in programs if len(key) > 1)
-
-
-@cache
-def factors_within(forms: WordForms, size: Offset) -> tuple[Factor, ...]:
-    """Return the factors with at most as many columns and rows as a kernel of this size."""
-    return tuple(f for f in factors(forms) if f.size[0] <= size[0] and f.size[1] <= size[1])
-
-
-def quotient_of(taps: Taps, factor: Factor) -> Polynomial | None:
-    """Return the kernel whose product with `factor` is `taps`, or None.
-
-    `factor` has at most as many columns and rows as `taps`."""
-    total = sum(taps.values())
-    if total * UNIT % factor.total if factor.total else total:
-        return None
-    corner, size = _box(taps)
-    width, height = size[0] - factor.size[0], size[1] - factor.size[1]
-    first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
-    lead_weight = factor.taps[factor.lead]
-    dividend, quotient = dict(taps), {}
-    while dividend:
-        last = max(dividend)
-        x, y = last[0] - factor.lead[0], last[1] - factor.lead[1]
-        weight, remainder = divmod(dividend[last] * UNIT, lead_weight)
-        if remainder or not (
-            first_col <= x <= first_col + width and first_row <= y <= first_row + height
-        ):
-            return None
-        quotient[x, y] = weight
-        for (right, down), factor_weight in factor.taps.items():
-            place = (x + right, y + down)
-            difference = dividend.get(place, 0) - weight * factor_weight // UNIT
-            if difference:
-                dividend[place] = difference
-            else:
-                dividend.pop(place, None)
-    return quotient
-
-
 # --- choosing -------------------------------------------------------------------------------------
 
 
-def _ranged(program: Program) -> Ranged:
-    peak = max((max(_weights_by_sign(taps)) for taps in values_of(program)), default=UNIT)
-    return Ranged(program, Fraction(max(peak, UNIT), UNIT))
+def _peak(taps: Taps) -> int:
+    return max(UNIT, *_weights_by_sign(taps))
 
 
 def gains(taps: Taps) -> tuple[Fraction, Fraction]:
@@ -374,13 +310,17 @@ def _weights_by_sign(taps: Taps) -> tuple[int, int]:
     return added_weight, added_weight - total
 
 
-def _best(candidates: list[Ranged]) -> list[Ranged]:
-    """Return the shortest program, and longer programs that each have a smaller peak."""
+def _best(candidates: list[Ranged], least_peak: int) -> list[Ranged]:
+    """Return the shortest program, and longer programs that each have a smaller peak.
+
+    No program has a peak below `least_peak`."""
     best: list[Ranged] = []
-    for candidate in sorted(
-        candidates, key=lambda candidate: (len(candidate.program), candidate.peak)
-    ):
+    for candidate in sorted(candidates, key=lambda candidate: len(candidate.program)):
+        if best and best[-1].peak == least_peak:
+            break
         if not best or candidate.peak < best[-1].peak:
+            if best and len(candidate.program) == len(best[-1].program):
+                best.pop()
             best.append(candidate)
     return best[:_MOST_KEPT]
 

@@ -5,15 +5,13 @@ kernel: `kernel_of` computes it from the words."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nscc.chips.target import Target
 from nscc.neighbours.programs import BusWord, Program
 from nscc.operations import NEIGHBOURS
+from nscc.record import Record
 
 
-@dataclass(frozen=True)
-class WordForms:
+class WordForms(Record):
     """The words with neighbours that a chip allows.
 
     `sources`: most sources of a word that reads or writes a neighbour. `halving`: whether a word

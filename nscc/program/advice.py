@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import prod
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,16 +15,19 @@ from nscc.chips.target import Target
 from nscc.program.classes import Recognised
 from nscc.program.evaluate import Books
 from nscc.program.expressions import Checked, names_in
-from nscc.program.looking import Looking
 from nscc.program.names import LOOKS, Declarations, Rule
-from nscc.program.open_time import Untold
 from nscc.program.problems import Problems, counted, printable
 from nscc.program.program import Field
 from nscc.program.table import CodeArray
+from nscc.record import Record
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
-from nscc.words.machine import StateMachine
+
+if TYPE_CHECKING:
+    from nscc.program.looking import Looking
+    from nscc.program.open_time import Untold
+    from nscc.words.machine import StateMachine
 
 
 def judge_looking(
@@ -135,8 +139,7 @@ def shutters_in_the_dark(machine: StateMachine) -> NDArray[np.bool_]:
     return shutters
 
 
-@dataclass(frozen=True)
-class Excess:
+class Excess(Record):
     """The largest factor of a machine's size: its place (None for fields), a label, and helps."""
 
     place: Span | None

@@ -12,7 +12,6 @@ from nscc.program.constants import constants_scope, require_scope, resolve_const
 from nscc.program.expressions import Meaning, check
 from nscc.program.field_planes import PlaneMaker
 from nscc.program.fields import make_books, make_fields
-from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
 from nscc.program.problems import Problems
 from nscc.program.program import Codes, Program, SlotGrid, chunks_of
@@ -52,8 +51,11 @@ def analyse(
     rules = [check(r.rule, "boolean", scope, problems, "a rule") for r in declared.rules]
     if chosen is not None and chosen.streamed and declared.looking:
         _refuse_looking(declared, chosen, problems)
-    looking = make_looking(declared, constants, chosen, problems)
-    pictures = None
+    looking = pictures = None
+    if declared.looking:
+        from nscc.program.looking import make_looking
+
+        looking = make_looking(declared, constants, chosen, problems)
     if declared.has_pictures and chosen is not None:
         from nscc.program.picture_statements import PictureMaker
 

@@ -24,10 +24,7 @@ from nscc.program.advice import (
 from nscc.program.classes import Recognised, recognise
 from nscc.program.field_planes import Plane, first_place, pixel_text
 from nscc.program.limits import SURVEY_LIMIT
-from nscc.program.looking import Looking
-from nscc.program.machine import MachineBuilder
 from nscc.program.names import Declarations
-from nscc.program.open_time import with_open_times
 from nscc.program.pixel_codes import codes_in_use, rows_of
 from nscc.program.problems import Problems, counted
 from nscc.program.program import BucketRule, Codes, Program, SlotGrid
@@ -45,9 +42,10 @@ from nscc.program.table import (
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
-from nscc.words.machine import StateMachine
 
 if TYPE_CHECKING:
+    from nscc.program.looking import Looking
+    from nscc.words.machine import StateMachine
     from nscc.words.pictures import Pictures
 
 
@@ -110,6 +108,9 @@ class Completion:
 
     def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> Program:
         """Return the program whose shutters depend on the light."""
+        from nscc.program.machine import MachineBuilder
+        from nscc.program.open_time import with_open_times
+
         codes, legal = in_use, None
         if self.mode == "open":
             codes, at_pixel = self._legal(in_use, at_pixel)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,13 +13,13 @@ from nscc.program.evaluate import evaluate
 from nscc.program.expressions import Checked, Meaning, check
 from nscc.program.names import Declarations, State
 from nscc.program.problems import Problems
+from nscc.record import Record
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import machine
 
 
-@dataclass(frozen=True, eq=False)
-class CheckedSense:
+class CheckedSense(Record, eq=False):
     """A comparison of `signal` (see `machine.Comparison`) at the boundaries `at`.
 
     The answer is whether the signal is above its level, or below if not `above`. `steps` is the
@@ -36,8 +35,7 @@ class CheckedSense:
     span: Span
 
 
-@dataclass(frozen=True, eq=False)
-class CheckedNext:
+class CheckedNext(Record, eq=False):
     """The next value of a state at a look, and its condition (None: always)."""
 
     value: Checked
@@ -45,8 +43,7 @@ class CheckedNext:
     span: Span
 
 
-@dataclass(frozen=True, eq=False)
-class Looking:
+class Looking(Record, eq=False):
     """The senses, states, resets and readouts on which shutters depend besides code and slot."""
 
     senses: tuple[CheckedSense, ...]

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +20,7 @@ from nscc.program.names import LOOKS
 from nscc.program.problems import counted
 from nscc.program.program import whole_name
 from nscc.program.table import CodeArray, MissingValue, NoValue, Rules, TooMuch, code_text
+from nscc.record import Record
 from nscc.words.machine import Comparison, State, StateMachine
 
 MOST_TRANSITIONS = 10**7
@@ -36,8 +36,7 @@ Nodes = NDArray[np.int64]
 A row has the index of the code, the states' values, and the answers."""
 
 
-@dataclass(frozen=True, eq=False)
-class Stage:
+class Stage(Record, eq=False):
     """The nodes between two looks, their shutters and resets, and their next nodes."""
 
     nodes: Nodes

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 
 from nscc.program.machine import MOST_HISTORIES
 from nscc.program.table import TooMuch
+from nscc.record import Record
 from nscc.words.machine import StateMachine
 
 Times = tuple[tuple[int, float], ...]
 """For each bucket the number of open slots, and their total length in microseconds."""
 
 
-@dataclass(frozen=True)
-class Untold:
+class Untold(Record):
     """A readout that does not determine open times.
 
     `bucket` is the first bucket whose open time differs between pixels with the same code and

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.operations import STEERING
+from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.words.container import DecodeTable
-from nscc.words.machine import StateMachine
 
 if TYPE_CHECKING:
+    from nscc.words.machine import StateMachine
     from nscc.words.pictures import Pictures
 
 
@@ -24,8 +25,7 @@ Codes = Literal["fixed", "open"]
 """Whether a program is compiled for the codes that the pixels use, or for every legal code."""
 
 
-@dataclass(frozen=True)
-class Field:
+class Field(Record):
     """A field of the pixel code, with values `low`..`high`.
 
     `kind` is its declaration: a range, free bits (`bits` of them) or a row of the codebook `book`.
@@ -42,8 +42,7 @@ class Field:
     book: str | None = None
 
 
-@dataclass(frozen=True)
-class SlotGrid:
+class SlotGrid(Record):
     """The slots of a frame: the length of every slot in microseconds."""
 
     slot_us: tuple[float, ...]
@@ -52,16 +51,14 @@ class SlotGrid:
     count_span: Span
 
 
-@dataclass(frozen=True)
-class BucketRule:
+class BucketRule(Record):
     """A bucket: its name and the place of its rule."""
 
     name: str
     span: Span
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Program:
+class Program(Record, eq=False):
     """A checked program, the input of all later passes.
 
     `table` contains the codes that are compiled (`mode`), sorted by field values and distinct; its

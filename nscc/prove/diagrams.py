@@ -16,9 +16,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from operator import add, mul
 
 Number = Fraction
 _LEAF = -1
+_OF_LEAVES: dict[str, Callable[[Fraction, Fraction], Fraction]] = {"+": add, "*": mul}
 MOST_NODES = 2_000_000
 """Most nodes of all diagrams of a program; beyond this number the proof is given up."""
 
@@ -39,9 +41,9 @@ class Diagrams:
         self._number: dict[object, int] = {}
         self._known: dict[tuple[str, int, int], int] = {}
         self._multiples: dict[tuple[int, int], dict[int, int]] = {}
-        self._inverses: dict[int, int] = {}
         self._support: dict[int, frozenset[int]] = {}
         self._order: list[tuple[int, int, int]] = []
+        # `_apply` relies on zero and one being the nodes 0 and 1.
         self.zero, self.one = self.leaf(Fraction(0)), self.leaf(Fraction(1))
 
     def leaf(self, value: Fraction) -> int:
@@ -96,36 +98,23 @@ class Diagrams:
 
     def add(self, a: int, b: int) -> int:
         """Return the sum of two numbers."""
-        if a == self.zero:
-            return b
-        if b == self.zero:
-            return a
-        return self._apply("+", min(a, b), max(a, b), lambda x, y: x + y)
+        return self._apply("+", a, b)
 
     def times(self, a: int, b: int) -> int:
         """Return the product of two numbers; for bits this is `and`."""
-        if self.zero in (a, b):
-            return self.zero
-        if a == self.one:
-            return b
-        if b == self.one:
-            return a
-        return self._apply("*", min(a, b), max(a, b), lambda x, y: x * y)
+        return self._apply("*", a, b)
 
     def either(self, a: int, b: int) -> int:
         """Return `or` of two bits."""
-        return self.inverse(self.times(self.inverse(a), self.inverse(b)))
+        return self._apply("|", a, b)
 
     def differs(self, a: int, b: int) -> int:
         """Return `xor` of two bits."""
-        return self._apply("^", min(a, b), max(a, b), lambda x, y: Fraction(x != y))
+        return self._apply("^", a, b)
 
     def inverse(self, bit: int) -> int:
         """Return `not` of a bit."""
-        inverse = self._inverses.get(bit)
-        if inverse is None:
-            inverse = self._inverses[bit] = self.add(self.one, self.scaled(Fraction(-1), bit))
-        return inverse
+        return self._apply("^", bit, self.one)
 
     def scaled(self, factor: Fraction, node: int) -> int:
         """Return a number times a fraction."""
@@ -143,22 +132,28 @@ class Diagrams:
         """Return `then` where the bit is 1 and `otherwise` where it is 0."""
         return self.add(self.times(bit, then), self.times(self.inverse(bit), otherwise))
 
-    def _apply(
-        self, name: str, a: int, b: int, op: Callable[[Fraction, Fraction], Fraction]
-    ) -> int:
+    def _apply(self, name: str, a: int, b: int) -> int:
+        if a > b:
+            a, b = b, a
+        if a == self.zero:
+            return self.zero if name == "*" else b
+        if a == self.one and name in "*|":
+            return b if name == "*" else a
+        if a == b and name in "|^":
+            return a if name == "|" else self.zero
         key = (name, a, b)
         result = self._known.get(key)
         if result is None:
             (va, la, ha), (vb, lb, hb) = self._nodes[a], self._nodes[b]
             if va == vb == _LEAF:
-                result = self.leaf(op(self._values[a], self._values[b]))
+                result = self.leaf(_OF_LEAVES[name](self._values[a], self._values[b]))
             else:
-                tested = (v for v in (va, vb) if v != _LEAF)
-                top = min(tested, key=self._order.__getitem__)
-                lows = la if va == top else a, lb if vb == top else b
-                highs = ha if va == top else a, hb if vb == top else b
-                low = self._apply(name, *lows, op)
-                result = self._node(top, low, self._apply(name, *highs, op))
+                order = self._order
+                a_first = vb == _LEAF or (va != _LEAF and order[va] <= order[vb])
+                top = va if a_first else vb
+                low = self._apply(name, la if va == top else a, lb if vb == top else b)
+                high = self._apply(name, ha if va == top else a, hb if vb == top else b)
+                result = self._node(top, low, high)
             self._known[key] = result
         return result
 

@@ -106,13 +106,15 @@ class PictureMeaning:
                 if not forms.inside(x, y):
                     return forms.beyond()
                 # A count: 2 * bit - 1 with the sign of the weight, for each pixel.
-                terms: list[tuple[Fraction, Form]] = []
+                bits: list[Form] = []
+                all_steps = Fraction(0)
                 for (dx, dy), weight in self.weights[value.kernel].taps.items():
                     steps = self.count_steps if weight > 0 else -self.count_steps
                     bit = self.bit(value.condition, (x + dx, y + dy))
-                    terms.append((Fraction(1), forms.counted(bit, 2 * steps)))
-                    terms.append((Fraction(-1), forms.counted(forms.diagrams.one, steps)))
-                return forms.sum(*terms)
+                    bits.append(forms.counted(bit, 2 * steps))
+                    all_steps += steps
+                ones = forms.counted(forms.diagrams.one, -all_steps)
+                return forms.sum(*((Fraction(1), form) for form in (*bits, ones)))
         assert_never(value)
 
     def bit(self, condition: p.Condition, at: Place) -> int:

@@ -14,14 +14,13 @@ proved last."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.operations import Op
-from nscc.prove.looks_proof import Looks
 from nscc.prove.pixels import (
     TOLERANCE,
     WRONG_CODE,
@@ -31,11 +30,11 @@ from nscc.prove.pixels import (
     ReplayPixels,
     Values,
 )
+from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.words.container import Container
 from nscc.words.legality import target_fault
 from nscc.words.readout import converter_of, preparation_of
-from nscc.words.stream import schedule
 
 
 class Replay(ReplayPixels):
@@ -165,8 +164,7 @@ FRAMES = 2
 LIGHT_SEED = 7
 
 
-@dataclass(frozen=True)
-class Failure:
+class Failure(Record):
     """The first error found by a proof; `shutter` is None if all codes are concerned.
 
     `doubts` are places where bits became unknown, which may be the cause. `unproved` is the image
@@ -180,8 +178,7 @@ class Failure:
     unproved: str | None = None
 
 
-@dataclass(frozen=True)
-class Proof:
+class Proof(Record):
     """The extent of a proof and its failure, None if it holds.
 
     `transitions` is the number of answers that were followed in all frames of a program with
@@ -208,8 +205,13 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
         if fault is not None:
             reason = f"the target does not support the word `{operation}`: {fault}"
             return Proof(codes, slots, 0, Failure(reason, 0))
-    looks = container.machine is not None
-    replay = Looks(container, kernels) if looks else Replay(container, kernels)
+    replay: Looks | Replay
+    if container.machine is None:
+        replay = Replay(container, kernels)
+    else:
+        from nscc.prove.looks_proof import Looks
+
+        replay = Looks(container, kernels)
     noise = Noise(LIGHT_SEED)
     failure = None
     for frame in range(1, FRAMES + 1):
@@ -292,6 +294,8 @@ def prove_stream(container: Container) -> Proof:
 
 def _times(container: Container) -> Failure | None:
     """Return the failure if planes overlap or act too early, else None."""
+    from nscc.words.stream import schedule
+
     free_us, load_us = -np.inf, container.target.plane_load_us
     end_us = np.cumsum(container.slot_us)
     slack = 1e-6 * load_us

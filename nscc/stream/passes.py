@@ -7,7 +7,7 @@ needs more destinations does not fit."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,12 +17,12 @@ from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.lower.resources import at_least, chip_label, chip_note, resource, time_text
 from nscc.program.problems import counted
 from nscc.program.program import Program
+from nscc.record import Record
 from nscc.words.container import Container, Readout
 from nscc.words.stream import DRAIN, Loading, Stream, schedule
 
 
-@dataclass(frozen=True, eq=False)
-class Route:
+class Route(Record, eq=False):
     """The two destinations of each slot, and the bits that choose between them.
 
     `ones` and `zeros` int8 (N,) are the destinations for bit 1 and 0: the index of a tap, or DRAIN.
@@ -33,8 +33,7 @@ class Route:
     bits: NDArray[np.bool_]
 
 
-@dataclass(frozen=True)
-class NoRoute:
+class NoRoute(Record):
     """The reason why there is no route, as half a sentence, with a help and the first such `slot`.
 
     `bucket` is the index of the bucket that the message points at."""
@@ -104,8 +103,7 @@ def _chosen(
     return Route(ones, zeros, open_in == ones)
 
 
-@dataclass(frozen=True, eq=False)
-class Sending:
+class Sending(Record, eq=False):
     """A program's route on a chip without logic, and the times of its bit planes."""
 
     program: Program

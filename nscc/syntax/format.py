@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from itertools import groupby, pairwise
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.record import Record
 from nscc.source import Source
 from nscc.syntax import tree
 from nscc.syntax.lexer import Tokens, lex
@@ -35,8 +36,7 @@ _LOOSEST_FIRST = (
 """Operators before which a long line is broken, in order of preference."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Token:
+class _Token(Record):
     """A token of a statement.
 
     `line` is its line, from 0 at the statement's first; `comments` are the comments before it, by
@@ -77,7 +77,7 @@ def format_source(source: Source) -> str:
 def _bare(value: object) -> object:
     """Return a tree without its places."""
     if isinstance(value, tree.Node):
-        return (type(value), *(_bare(getattr(value, name)) for name in value.fields[1:]))
+        return (type(value), *(_bare(getattr(value, name)) for name in value.field_names[1:]))
     return tuple(map(_bare, value)) if isinstance(value, tuple) else value
 
 

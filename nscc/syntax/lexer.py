@@ -5,19 +5,18 @@ Every character belongs to a token, so the lexer accepts any text."""
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cached_property
 
 from lark import Token, Tree, UnexpectedToken
 from lark.parsers.lalr_interactive_parser import InteractiveParser
 
+from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.syntax.grammar import END, START, parser, spellings
 from nscc.syntax.words import names_in, statement_words
 
 
-@dataclass(frozen=True, slots=True)
-class Tokens:
+class Tokens(Record):
     """The tokens of a text, without blanks and comments.
 
     The kind of a token is its terminal in the grammar; the kind of a keyword or sign is its text.
@@ -83,7 +82,7 @@ def lex(source: Source) -> Tokens:
             picture_token := _of_picture(tokens, token, statement, level)
         ):
             token, end = picture_token, span_of(picture_token).end
-        elif _awaits_level(tokens) and (amount := level.match(source.text, start)):
+        elif _awaits_level(tokens, statement) and (amount := level.match(source.text, start)):
             end = amount.end()
             token = Token("LEVEL", amount.group(), start, end_pos=end)
         tokens.lark_tokens.append(token)
@@ -121,18 +120,15 @@ def _of_picture(
     return None
 
 
-def _awaits_level(tokens: Tokens) -> bool:
+def _awaits_level(tokens: Tokens, statement: str) -> bool:
     """Return whether a sense's level may come next: after its comparison, or in a list there."""
-    if tokens.kinds[-1:] not in (["COMPARISON"], ["["], [","]):
-        return False
-    if tokens.version == 1:
+    if statement != "sense" or tokens.kinds[-1] not in ("COMPARISON", "[", ","):
         return False
     words = (kind for kind in reversed(tokens.kinds) if kind in ("at", *statement_words(2)))
     return next(words, None) == "sense"
 
 
-@dataclass(frozen=True)
-class Stuck:
+class Stuck(Record):
     """The token at which the parser stopped because no statement can continue with it.
 
     `token` is its index, one past the last token if the statement ends too early. `before` are the

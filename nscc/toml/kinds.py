@@ -10,6 +10,7 @@ from functools import partial
 from math import isfinite
 from typing import Any, Protocol
 
+from nscc.record import Record
 from nscc.toml.toml_text import shown
 
 LEAST = 1e-9
@@ -95,8 +96,7 @@ class Number(Kind):
 Integer = partial(Number, is_whole=True)
 
 
-@dataclass(frozen=True, slots=True)
-class Flag(Kind):
+class Flag(Kind, Record):
     """A boolean."""
 
     @property
@@ -109,8 +109,7 @@ class Flag(Kind):
         return value
 
 
-@dataclass(frozen=True, slots=True)
-class TextKind(Kind):
+class TextKind(Kind, Record):
     """A text: one of `choices`, or a match of `pattern`, which `phrase` describes.
 
     If `optional`, a file may contain "none", which is None in Python."""
@@ -140,8 +139,7 @@ class TextKind(Kind):
         return "none" if value is None else value
 
 
-@dataclass(frozen=True, slots=True)
-class Several(Kind):
+class Several(Kind, Record):
     """A list of values of one kind, with `count` values if given; `text` describes the list."""
 
     element: Kind
@@ -161,8 +159,7 @@ class Several(Kind):
         return [self.element.plain(item) for item in value]
 
 
-@dataclass(frozen=True, slots=True)
-class Axis(Kind):
+class Axis(Kind, Record):
     """One value of a kind, or a list of distinct values; in Python always a tuple.
 
     If the values of the kind are lists, a list of lists is several values."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from nscc.neighbours.programs import exact_taps, noise_gain
+from nscc.neighbours.programs import UNIT, exact_taps, noise_gain
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
 from nscc.neighbours.table import WordForms
 from nscc.pipeline import Options, run_passes
@@ -31,7 +31,7 @@ def image_points(path: Path, level: int) -> list[Point]:
             taps = exact_taps(pictures.weights_by_name[node.kernel].taps)
             for ranged in synthesis.variants(taps):
                 words = len(ranged.program)
-                setting = f"{words} words, peak gain {float(ranged.peak):g}"
+                setting = f"{words} words, peak gain {ranged.peak / UNIT:g}"
                 noise = round(noise_gain(ranged.program), 6)
                 ms = words * target.analog_word_us / 1000
                 points[Point(item.name, node.kernel, setting, noise, "words", (ms,))] = None

@@ -10,26 +10,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.words.machine import StateMachine, StatePlanes
-from nscc.words.stream import Stream
+from nscc.record import Record
 
 if TYPE_CHECKING:
+    from nscc.words.machine import StateMachine, StatePlanes
     from nscc.words.pictures import Pictures
+    from nscc.words.stream import Stream
 
 Word = tuple[int, int, int, int, int]
 """One instruction word (ICW): five 32-bit integers in the chip's format."""
 
 
-@dataclass(frozen=True)
-class StoredKernel:
+class StoredKernel(Record):
     """A list of words that is stored once on the controller and launched at boundaries."""
 
     name: str
     words: tuple[Word, ...]
 
 
-@dataclass(frozen=True)
-class Launch:
+class Launch(Record):
     """The start of kernel number `kernel` at boundary `instant` (0..N; before the light of that
     slot).
 
@@ -40,8 +39,7 @@ class Launch:
     level: int | None = None
 
 
-@dataclass(frozen=True)
-class Readout:
+class Readout(Record):
     """A bucket's readout: after the frame, its exposure in electrons is `register` times `gain`.
 
     For a chip without logic `register` is a tap, and the exposure is measured at the converter."""
@@ -51,8 +49,7 @@ class Readout:
     gain: float = 1.0
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class DecodeTable:
+class DecodeTable(Record, eq=False):
     """The shutters of all codes of a program.
 
     `codes` int64 (codes, fields) are the field values of every code. `shutter_of_code` int32

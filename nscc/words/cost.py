@@ -3,27 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from math import fsum
 
 from nscc.chips.target import Target
 from nscc.operations import Op, Phase
+from nscc.record import Record
 from nscc.words.container import Container, StoredKernel, Word
 from nscc.words.encoding import matching
 
 _CLOCK_CLASS = 7 << 19
 
 
-@dataclass(frozen=True, slots=True)
-class WordsCost:
+class WordsCost(Record):
     """A number of words, and their time in microseconds, including launches."""
 
     words: int
     us: float
 
 
-@dataclass(frozen=True, slots=True)
-class FrameCost:
+class FrameCost(Record):
     """The costs of one frame of a container.
 
     `stored_words` are in the instruction store. `words` are executed per frame, in `busy_us`, with

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from math import floor, gcd, lcm
 
 from nscc.chips.target import Target
+from nscc.record import Record
 from nscc.words import pictures as p
 
 
-@dataclass(frozen=True)
-class CountRange:
+class CountRange(Record):
     """The values of a count: all attainable ones are among `low`, `low` + `stride`, .., `high`."""
 
     low: Fraction
@@ -103,8 +102,7 @@ def counts_by_name(pictures: p.Pictures) -> dict[str, CountRange]:
     return known
 
 
-@dataclass(frozen=True)
-class CountUnit:
+class CountUnit(Record):
     """The representation of one count: `steps` of IN.
 
     `steps` is the largest multiple of `least` with which the largest count, `peak`, fits into

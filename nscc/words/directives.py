@@ -11,6 +11,7 @@ from functools import partial
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.operations import Op
+from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.words.assembly_text import read_number, read_ranges, read_time_us
 from nscc.words.container import Word
@@ -19,16 +20,14 @@ from nscc.words.soundness import MOST_SLOTS, MOST_WORDS
 _IMPLIED_KERNEL = "main"
 
 
-@dataclass(frozen=True, slots=True)
-class Token:
+class Token(Record):
     """A token of a line; for a token in quotation marks, `text` is its content."""
 
     text: str
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
-class Instruction:
+class Instruction(Record):
     """The words of one line; `ops` is empty for a `.word`."""
 
     words: tuple[Word, ...]
@@ -44,8 +43,7 @@ class KernelDraft:
     lines: list[Instruction] = field(default_factory=list)
 
 
-@dataclass(frozen=True, slots=True)
-class SlotDraft:
+class SlotDraft(Record):
     """A `.slot` line: the kernels that run, in order, at each of the boundaries `instants`."""
 
     instants: tuple[range, ...]
@@ -53,8 +51,7 @@ class SlotDraft:
     kernels: tuple[Token, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class ReadoutDraft:
+class ReadoutDraft(Record):
     """A `.readout` line; the bucket may be omitted if there is only one."""
 
     register: Token
@@ -62,8 +59,7 @@ class ReadoutDraft:
     gain: float
 
 
-@dataclass(frozen=True, slots=True)
-class PlaneDraft:
+class PlaneDraft(Record):
     """A `.plane` line."""
 
     register: Token

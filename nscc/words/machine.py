@@ -8,10 +8,11 @@ The arrays define the program: proof, emulator and host use them instead of the 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+
+from nscc.record import Record
 
 Values = NDArray[np.int64]
 
@@ -19,8 +20,7 @@ LIGHT = -1
 """The signal `light`; other signals are indices of buckets."""
 
 
-@dataclass(frozen=True, slots=True)
-class Comparison:
+class Comparison(Record):
     """A comparison of `signal` with `level` steps of IN at `boundary`: is the signal above the
     level?
 
@@ -32,8 +32,7 @@ class Comparison:
     level: int
 
 
-@dataclass(frozen=True, slots=True)
-class State:
+class State(Record):
     """A state of the program, with values `low`..`high` and initial value `start`.
 
     `is_kept` states survive the frame; `read` states are read out with the frame. `boolean` means
@@ -50,8 +49,7 @@ class State:
     sense: bool = False
 
 
-@dataclass(frozen=True, eq=False)
-class StateMachine:
+class StateMachine(Record, eq=False):
     """The state machines of all behaviours; codes that behave equally share a behaviour.
 
     Stage k begins after look k (stage 0 at boundary 0) and has the nodes first[k] .. first[k + 1] -
@@ -128,8 +126,7 @@ class StateMachine:
         return np.asarray(chosen[order], np.int64)
 
 
-@dataclass(frozen=True, eq=False)
-class StatePlanes:
+class StatePlanes(Record, eq=False):
     """The registers of a state: `bits` bool (values, registers) encode each of its possible
     `values`."""
 

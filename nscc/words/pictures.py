@@ -7,17 +7,19 @@ and from lists for a file."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, Literal
+
+from nscc.record import Record
 
 Word = tuple[int, int, int, int, int]
 Offset = tuple[int, int]
 """An offset: columns to the right and rows down."""
 
 
-@dataclass(frozen=True)
-class Weights:
+class Weights(Record):
     """A convolution kernel.
 
     `rows` contain the numerators of the weights; all are divided by `divisor`. The weight in (row
@@ -28,9 +30,9 @@ class Weights:
     rows: tuple[tuple[int, ...], ...]
     divisor: int
 
-    @property
+    @cached_property
     def taps(self) -> dict[Offset, Fraction]:
-        """Return the nonzero weights by the offsets of their pixels."""
+        """The nonzero weights by the offsets of their pixels."""
         down, right = len(self.rows) // 2, len(self.rows[0]) // 2
         return {
             (j - right, i - down): Fraction(weight, self.divisor)
@@ -43,37 +45,32 @@ class Weights:
 # --- images ---------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Source:
+class Source(Record):
     """The exposure of a bucket, or an image that was computed before."""
 
     name: str
 
 
-@dataclass(frozen=True)
-class Sum:
+class Sum(Record):
     """A sum of images; `terms` are pairs (factor, image)."""
 
     terms: tuple[tuple[Fraction, Value], ...]
 
 
-@dataclass(frozen=True)
-class Filtered:
+class Filtered(Record):
     """The convolution of the image `value` with the convolution kernel named `kernel`."""
 
     kernel: str
     value: Value
 
 
-@dataclass(frozen=True)
-class Absolute:
+class Absolute(Record):
     """The absolute value of an image."""
 
     value: Value
 
 
-@dataclass(frozen=True)
-class Chosen:
+class Chosen(Record):
     """`then` where `condition` is 1, else `otherwise`."""
 
     condition: Condition
@@ -81,16 +78,14 @@ class Chosen:
     otherwise: Value
 
 
-@dataclass(frozen=True)
-class Largest:
+class Largest(Record):
     """The largest value of the neighbours of `value` that have a weight other than 0."""
 
     value: Value
     kernel: str
 
 
-@dataclass(frozen=True)
-class Agreement:
+class Agreement(Record):
     """A count: the sum of +1 or -1 for each pixel with a weight other than 0.
 
     A pixel adds +1 if its bit is 1 and its weight positive, or its bit 0 and its weight negative;
@@ -103,45 +98,39 @@ class Agreement:
 # --- planes ---------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Bit:
+class Bit(Record):
     """A plane that was computed before."""
 
     name: str
 
 
-@dataclass(frozen=True)
-class Constant:
+class Constant(Record):
     """A constant bit, equal in all pixels."""
 
     bit: bool
 
 
-@dataclass(frozen=True)
-class Above:
+class Above(Record):
     """A condition: an image is above a level (steps of IN)."""
 
     value: Value
     steps: int
 
 
-@dataclass(frozen=True)
-class Exceeds:
+class Exceeds(Record):
     """A condition: a count is above `level`, half-way between two attainable counts."""
 
     value: Value
     level: Fraction
 
 
-@dataclass(frozen=True)
-class Inverse:
+class Inverse(Record):
     """The negation (`not`) of a condition."""
 
     condition: Condition
 
 
-@dataclass(frozen=True)
-class Joined:
+class Joined(Record):
     """`and`, `or` or `xor` of two conditions."""
 
     op: Literal["and", "or", "xor"]
@@ -149,8 +138,7 @@ class Joined:
     second: Condition
 
 
-@dataclass(frozen=True)
-class Near:
+class Near(Record):
     """A condition: any, or all, of a pixel's neighbours under a convolution kernel have a 1.
 
     Bits outside the array are the program's `outside`."""
@@ -160,8 +148,7 @@ class Near:
     kernel: str
 
 
-@dataclass(frozen=True)
-class At:
+class At(Record):
     """The bit of the pixel at an offset of columns to the right and rows down."""
 
     condition: Condition
@@ -174,8 +161,7 @@ Condition = Bit | Constant | Above | Exceeds | Inverse | Joined | Near | At
 Node = Value | Condition
 
 
-@dataclass(frozen=True)
-class Picture:
+class Picture(Record):
     """An image or a plane, with its name."""
 
     name: str
@@ -186,8 +172,7 @@ class Picture:
         return isinstance(self.node, Condition)
 
 
-@dataclass(frozen=True)
-class KeptPlane:
+class KeptPlane(Record):
     """A state: a plane that is kept from frame to frame.
 
     `start`: its bit in all pixels before the first frame. Images and planes read the bit that the
@@ -198,8 +183,7 @@ class KeptPlane:
     next: Condition
 
 
-@dataclass(frozen=True)
-class PlaneReport:
+class PlaneReport(Record):
     """A report about a plane, which the host receives instead of the plane.
 
     It tells whether `any` bit is 1, or gives the coordinates of `events` (at most `most`), or the
@@ -210,8 +194,7 @@ class PlaneReport:
     most: int = 0
 
 
-@dataclass(frozen=True)
-class TailLaunch:
+class TailLaunch(Record):
     """The start of kernel number `kernel` after the exposure, with IN at `level` steps.
 
     The level is None if the kernel does not read IN."""
@@ -220,8 +203,7 @@ class TailLaunch:
     level: int | None
 
 
-@dataclass(frozen=True)
-class PictureCost:
+class PictureCost(Record):
     """The cost of an image or a plane.
 
     `words` include shared words only for the first image that uses them. `peak_gain` is its largest
@@ -313,17 +295,16 @@ def operands(node: Node) -> tuple[Node, ...]:
     """Return the direct operands of a node."""
     if isinstance(node, Sum):
         return tuple(value for _, value in node.terms)
-    values = (getattr(node, field.name) for field in fields(node))
-    return tuple(value for value in values if isinstance(value, Node))
+    return tuple(value for value in vars(node).values() if isinstance(value, Node))
 
 
 def with_operands(node: Node, change: Callable[[Any], Any]) -> Node:
     """Return a node with `change(operand)` in place of each direct operand."""
     if isinstance(node, Sum):
         return Sum(tuple((factor, change(value)) for factor, value in node.terms))
-    values = {field.name: getattr(node, field.name) for field in fields(node)}
-    changed = {name: change(value) for name, value in values.items() if isinstance(value, Node)}
-    return replace(node, **changed)
+    make: Any = type(node)
+    changed: Node = make(*(change(v) if isinstance(v, Node) else v for v in vars(node).values()))
+    return changed
 
 
 def subexpressions(node: Node) -> Iterator[Node]:
@@ -340,8 +321,8 @@ def to_plain(node: Node) -> list[Any]:
         return ["Sum", *terms]
     if isinstance(node, Exceeds):
         return ["Exceeds", to_plain(node.value), *node.level.as_integer_ratio()]
-    values = (getattr(node, field.name) for field in fields(node))
-    return [type(node).__name__, *(to_plain(v) if isinstance(v, Node) else v for v in values)]
+    values = (to_plain(v) if isinstance(v, Node) else v for v in vars(node).values())
+    return [type(node).__name__, *values]
 
 
 def from_plain(plain: Any) -> Node:

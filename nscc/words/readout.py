@@ -8,10 +8,11 @@ register; the third adds both to IN and inverts the sum."""
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nscc.chips.target import Target
 from nscc.operations import Op, op
+from nscc.record import Record
 from nscc.words.container import Container
 
 SPREADING_ERRORS = 3 / 4
@@ -20,8 +21,7 @@ SPREADING_ERRORS = 3 / 4
 Three words each add an error to twice the exposure, so the variance is 3 / 4."""
 
 
-@dataclass(frozen=True)
-class Preparation:
+class Preparation(Record):
     """The words of one kernel, and their value of IN in steps; None if they do not read IN."""
 
     words: tuple[Op, ...]

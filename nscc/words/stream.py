@@ -7,12 +7,12 @@ program is tap b."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
+from nscc.record import Record
 from nscc.words.stored_arrays import array_faults
 
 DRAIN = -1
@@ -21,8 +21,7 @@ DRAIN = -1
 Bits = NDArray[np.uint8]
 
 
-@dataclass(frozen=True, eq=False)
-class Stream:
+class Stream(Record, eq=False):
     """The bit planes of a frame.
 
     `planes` uint8 (N, rows, ceil(cols / 8)) contain the bits of each row, first pixel in the lowest
@@ -62,8 +61,7 @@ class Stream:
         return packed
 
 
-@dataclass(frozen=True)
-class Loading:
+class Loading(Record):
     """The times, in microseconds from the start of the frame, at which a slot's plane is sent and
     acts.
 

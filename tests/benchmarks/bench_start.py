@@ -1,9 +1,9 @@
-"""How long commands take from the shell, beside `python -c "import numpy"`.
+"""CPU time of commands from the shell, beside `python -c "import numpy"`.
 
     python tests/benchmarks/bench_start.py [ROUNDS]
 
-Everything is measured in turns, in processes of its own; the best of the rounds counts, so that
-what else the machine does weighs little.
+All commands run in turn, each in its own process; the best of the rounds counts, so that the load
+of the machine has little influence.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
-from time import perf_counter
 
 ROOT = Path(__file__).resolve().parents[2]
 NSCC = (str(Path(sys.executable).with_name("nscc")),)
@@ -24,6 +23,7 @@ CHECK_A = "check class_a.nsl"
 RUNS: tuple[tuple[str, tuple[str, ...], str, float | None], ...] = (
     (BASE, (sys.executable, "-c", "import numpy"), BASE, None),
     ("nscc --version", (*NSCC, "--version"), BASE, None),
+    ("nscc --help", (*NSCC, "--help"), BASE, 1.0),
     *(
         (f"check {path.name}", (*NSCC, "check", str(path)), BASE, 3.0)
         for path in sorted((ROOT / "examples").glob("*.nsl"))
@@ -69,12 +69,15 @@ def main() -> int:
 
 
 def seconds(command: tuple[str, ...], folder: str) -> float:
-    """Wall time of one process, which must succeed."""
-    environment = dict(os.environ)
+    """CPU time of one process, which must succeed."""
+    environment = os.environ | {"OMP_NUM_THREADS": "1", "NUMBA_NUM_THREADS": "1"}
     environment.pop("PYTHONDONTWRITEBYTECODE", None)  # users' second run finds compiled modules
-    begin = perf_counter()
-    subprocess.run(command, cwd=folder, env=environment, check=True, capture_output=True)
-    return perf_counter() - begin
+    quiet = subprocess.DEVNULL
+    process = subprocess.Popen(command, cwd=folder, env=environment, stdout=quiet, stderr=quiet)
+    _, status, usage = os.wait4(process.pid, 0)
+    if status:
+        raise SystemExit(f"{' '.join(command)} fails with status {status}")
+    return usage.ru_utime + usage.ru_stime
 
 
 if __name__ == "__main__":

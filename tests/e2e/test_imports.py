@@ -29,6 +29,7 @@ FLOORS = {
 """From the ground up: each may import those before it."""
 
 ROOMS = (
+    ("record",),
     (
         "columns",
         "html",
@@ -205,3 +206,55 @@ def test_start_up_imports_nothing_heavy(arguments: list[str], root: Path) -> Non
         text=True,
     )
     assert outcome.stdout.splitlines()[-1] == "[]", outcome.stderr
+
+
+OF_SOME_PROGRAMS = (
+    "json",
+    "numpy.ma",
+    "nscc.emit.report",
+    "nscc.logic.cascade",
+    "nscc.logic.cover",
+    "nscc.logic.encodings",
+    "nscc.logic.events",
+    "nscc.looks.passes",
+    "nscc.neighbours.passes",
+    "nscc.prove.looks_proof",
+    "nscc.prove.pictures_proof",
+    "nscc.stream.passes",
+    "nscc.words.machine",
+    "nscc.words.pictures",
+)
+_GATES = ["nscc.logic.cover", "nscc.logic.encodings"]
+_LOOKS = ["nscc.looks.passes", "nscc.prove.looks_proof", "nscc.words.machine"]
+_IMAGES = [
+    "nscc.neighbours.passes",
+    "nscc.prove.pictures_proof",
+    "nscc.words.machine",  # levels of comparisons
+    "nscc.words.pictures",
+]
+
+
+@pytest.mark.parametrize(
+    ("program", "needed"),
+    [
+        ("class_a", []),
+        ("class_b", _GATES),
+        ("class_d", _GATES),
+        ("first_light", ["nscc.logic.cover", *_LOOKS]),
+        ("bright_spots", _IMAGES),
+        ("edges", ["json", *_IMAGES]),  # stored words of kernels
+    ],
+)
+def test_check_imports_what_the_program_needs(program: str, needed: list[str], root: Path) -> None:
+    code = (
+        "import sys; from nscc_cli.main import main; status = main(sys.argv[1:]); "
+        f"print(status, [name for name in {OF_SOME_PROGRAMS!r} if name in sys.modules])"
+    )
+    outcome = subprocess.run(
+        [sys.executable, "-c", code, "check", f"examples/{program}.nsl"],
+        cwd=root,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+        capture_output=True,
+        text=True,
+    )
+    assert outcome.stdout.splitlines()[-1] == f"0 {needed}", outcome.stderr

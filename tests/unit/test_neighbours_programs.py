@@ -12,6 +12,7 @@ import pytest
 from network_kernels import ANALOGNET2, MAX_POOLED
 from scipy.ndimage import correlate
 
+from nscc.cache.store import Store
 from nscc.chips.load import builtin_target
 from nscc.neighbours.addition import additions
 from nscc.neighbours.alternatives import with_shared_halvings
@@ -269,3 +270,24 @@ def test_reads_of_a_news_that_does_not_keep_its_value(
     program: list[tuple[tuple[str, ...], tuple[str, ...]]], is_valid: bool
 ) -> None:
     assert reads_news_once(tuple(BusWord(*word) for word in program)) == is_valid
+
+
+def test_stored_programs_are_those_of_a_search(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whatever was searched before, and whatever a damaged entry contains."""
+    kernels = [exact_taps(weights_of(*each)) for each in ((LAPLACE_8, 8), (GAUSS_5, 64))]
+    found = [Synthesis(60, PUBLIC).variants(taps) for taps in kernels]
+    both = Synthesis(60, PUBLIC, Store(tmp_path))
+    assert [both.variants(taps) for taps in reversed(kernels)] == found[::-1]
+    entries = list(tmp_path.iterdir())
+    assert len(entries) == 2  # a kernel and its inverse share one
+    with monkeypatch.context() as patched:
+        patched.setattr(Synthesis, "_proved", None)
+        known = Synthesis(60, PUBLIC, Store(tmp_path))
+        assert [known.variants(taps) for taps in kernels] == found
+    store = Store(tmp_path)
+    for wrong in (b"", b"[]", b'[[],[[[["a"],["b"]]]]]', store.read(entries[0].name) or b""):
+        for entry in entries:
+            store.write(entry.name, wrong)
+        assert Synthesis(60, PUBLIC, store).variants(kernels[1]) == found[1]

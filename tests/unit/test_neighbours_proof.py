@@ -150,7 +150,7 @@ def test_a_proof_that_is_too_large_is_the_program_s_error(
     )
     (tmp_path / "p.nsl").write_text(text)
     assert invoke(["build", "p.nsl", "-o", "p.icw"], tmp_path).status == 0
-    monkeypatch.setattr(diagrams, "MOST_NODES", 3000)
+    monkeypatch.setattr(diagrams, "MOST_NODES", 1500)
     refused = invoke(["build", "p.nsl", "-o", "q.icw"], tmp_path)
     assert (refused.status, refused.codes) == (1, ["NS0544"])
     assert "`far` depends on" in refused.err

@@ -1,0 +1,125 @@
+"""Factors of kernels: the kernels of the table that divide another kernel."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+
+from nscc.neighbours.programs import (
+    IDENTITY,
+    TURNS,
+    UNIT,
+    Offset,
+    Polynomial,
+    Program,
+    Taps,
+    kernel_of,
+    program_from_text,
+    turned,
+    turned_taps,
+)
+from nscc.neighbours.table import ROWS, WordForms
+from nscc.record import Record
+
+Key = frozenset[tuple[Offset, int]]
+
+
+@cache
+def rows(forms: WordForms) -> dict[Key, Program]:
+    """Return the programs of the table, rotated and mirrored, by the kernel they compute."""
+    shortest: dict[Key, Program] = {}
+    for line in ROWS.split("\n"):
+        if line:
+            program = forms.allowed(program_from_text(line))
+            taps = kernel_of(program)
+            for turn in TURNS:
+                key = frozenset(turned_taps(taps, turn).items())
+                if len(program) < len(shortest.get(key, program * 2)):
+                    shortest[key] = turned(program, turn)
+    return shortest
+
+
+class Factor(Record):
+    """A kernel of at least two weights that may divide other kernels, with its program.
+
+    `lead`: offset of the last weight, ordered by column, then row. `size`: numbers of columns and
+    rows, minus 1. `corner`: the smallest column and row. `values`: as `_values_at_signs`."""
+
+    taps: Taps
+    program: Program
+    lead: Offset
+    size: Offset
+    corner: Offset
+    values: tuple[int, ...]
+
+    @classmethod
+    def of(cls, taps: Taps, program: Program) -> Factor:
+        corner, size = box_of(taps)
+        return cls(taps, program, max(taps), size, corner, _values_at_signs(taps))
+
+
+def box_of(taps: Taps) -> tuple[Offset, Offset]:
+    """Return the smallest column and row of a kernel, and its columns and rows minus 1."""
+    columns, rows_ = [x for x, _ in taps], [y for _, y in taps]
+    corner = min(columns), min(rows_)
+    return corner, (max(columns) - corner[0], max(rows_) - corner[1])
+
+
+@cache
+def factors(forms: WordForms) -> tuple[Factor, ...]:
+    """Return the kernels of the table that have at least two weights."""
+    programs = rows(forms).items()
+    return tuple(Factor.of(dict(key), program) for key, program in programs if len(key) > 1)
+
+
+@cache
+def factors_within(forms: WordForms, size: Offset) -> tuple[Factor, ...]:
+    """Return the factors with at most as many columns and rows as a kernel of this size."""
+    return tuple(f for f in factors(forms) if f.size[0] <= size[0] and f.size[1] <= size[1])
+
+
+def _values_at_signs(taps: Taps) -> tuple[int, ...]:
+    """Return the kernel's polynomial where x and y are 1 or -1: products have their product."""
+    sums = [0, 0, 0, 0]
+    for (x, y), weight in taps.items():
+        sums[x & 1 | (y & 1) << 1] += weight
+    a, b, c, d = sums
+    return a + b + c + d, a - b + c - d, a + b - c - d, a - b - c + d
+
+
+def quotients(taps: Taps, forms: WordForms) -> Iterator[tuple[Factor, Polynomial]]:
+    """Yield the factors that divide a kernel, with the quotients."""
+    box, values = box_of(taps), [value * UNIT for value in _values_at_signs(taps)]
+    for factor in factors_within(forms, box[1]):
+        for value, divisor in zip(values, factor.values, strict=True):
+            if value % divisor if divisor else value:
+                break
+        else:
+            quotient = _quotient_of(taps, factor, *box)
+            if quotient is not None and quotient != IDENTITY:
+                yield factor, quotient
+
+
+def _quotient_of(taps: Taps, factor: Factor, corner: Offset, size: Offset) -> Polynomial | None:
+    """Return the kernel whose product with `factor` is `taps`, or None."""
+    width, height = size[0] - factor.size[0], size[1] - factor.size[1]
+    first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
+    lead_weight = factor.taps[factor.lead]
+    dividend, quotient = dict(taps), {}
+    while dividend:
+        last = max(dividend)
+        x, y = last[0] - factor.lead[0], last[1] - factor.lead[1]
+        weight, remainder = divmod(dividend[last] * UNIT, lead_weight)
+        if remainder or not (
+            first_col <= x <= first_col + width and first_row <= y <= first_row + height
+        ):
+            return None
+        quotient[x, y] = weight
+        for (right, down), factor_weight in factor.taps.items():
+            place = (x + right, y + down)
+            difference = dividend.get(place, 0) - weight * factor_weight // UNIT
+            if difference:
+                dividend[place] = difference
+            else:
+                dividend.pop(place, None)
+    return quotient
