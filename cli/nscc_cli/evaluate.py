@@ -135,7 +135,7 @@ def of(
 
         folder = load_run(Path(subject), trust_code=trust_code)
         return _of_scenes(*evaluate_validation(folder), **outputs)
-    from nscc_training.evaluation.subjects import evaluate
+    from nscc_training.evaluation.runs import evaluate
 
     evaluation = evaluate(
         subject, data, protocol, seed, codes=shutter, effects=effects, skip_seen=skip_seen,

@@ -182,12 +182,9 @@ class Run:
             codes = self._codes(frame)
             full = last_codes(codes, self.folder.setup.target) != 0
             return decoded_frame(self.folder.setup, codes, full)
-        dark_frames, target = None if dark is None else self._dark(dark), self.folder.setup.target
-        offset = None if dark_frames is None else dark_frames.offset
-        size = (target.rows, target.cols)
-        doubts = () if dark_frames is None else dark_frames.checked(read.meta, size, force=force)
-        light, messages = reconstructed(self.folder, read, name, force=force, offset=offset)
-        warn((*messages, *doubts))
+        dark_frames = None if dark is None else self._dark(dark)
+        light, messages = reconstructed(self.folder, read, name, dark_frames, force=force)
+        warn(messages)
         return light
 
     def classify(

@@ -20,6 +20,7 @@ from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import OPEN
 from nscc_runtime.pieces import COLOURS
+from nscc_training.code_choices import over_array
 from nscc_training.problems import why_no_arrays
 
 Array = NDArray[Any]
@@ -125,14 +126,13 @@ def number_of(meta: Mapping[str, Any], name: str) -> float:
     raise ValueError(f"`{name}` of its meta is {str(value)[:40]}, not a number")
 
 
-def no_frame(path: Path | str, reason: str) -> Exception:
+def no_frame(
+    path: Path | str, reason: str,
+    help_text: str = "`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",
+) -> Exception:  # fmt: skip
     """Return the error (NS0819) for a file that cannot be reconstructed."""
-    return rejected(
-        "NS0819",
-        f"'{path}' is not a frame that can be reconstructed",
-        notes=(reason,),
-        helps=("`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",),
-    )
+    message = f"'{path}' is not a frame that can be reconstructed"
+    return rejected("NS0819", message, notes=(reason,), helps=(help_text,))
 
 
 _LIT = 0.01
@@ -226,9 +226,7 @@ def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray
     """Return codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols).
 
     The offset is repeated if the codes cover several arrays side by side."""
-    times = [-(-side // most) for side, most in zip(codes.shape, offset.shape, strict=True)]
-    rows, cols = codes.shape[-2:]
-    return np.asarray(codes - np.tile(offset, times)[..., :rows, :cols], np.float32)
+    return np.asarray(codes - over_array(offset, *codes.shape[-2:]), np.float32)
 
 
 def read_dark(path: Path, buckets: int) -> Dark:

@@ -81,6 +81,12 @@ def protocol_files(
     return matching
 
 
+def centre_of(frame: NDArray[Any], size: int) -> NDArray[Any]:
+    """Return the middle of a frame, or the whole frame if it is smaller than `size`."""
+    first_row, first_col = (max(0, side - size) // 2 for side in frame.shape[:2])
+    return frame[first_row : first_row + size, first_col : first_col + size]
+
+
 def light_in(stored: NDArray[Any], transfer: Transfer) -> NDArray[np.float64]:
     """Return the light (rows, cols) of a stored picture or frame, for colours the luminance."""
     return grey(stored, transfer, None)

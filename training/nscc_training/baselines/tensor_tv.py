@@ -6,7 +6,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from nscc_training.baselines.tv import tv_denoised_arrays
+from nscc_training.baselines.tv_loop import tv_denoised_arrays
 
 
 @torch.library.custom_op("nscc::tv_denoise", mutates_args=(), device_types="cpu")

@@ -37,8 +37,8 @@ class Decoder:
     ----------
     name : str
     network : str
-        `module:function` that builds the network from its channels, a task and the size. The module
-        is loaded when the decoder is built.
+        `module:class` of the network, which takes its channels, a task and the size. The module is
+        loaded when the decoder is built.
     channels : mapping of str to tuple of int
         The channels of the layers, by size.
     stills, clips, classifies : bool
@@ -78,7 +78,7 @@ _UNROLLED = {"paper": (64, 128, 256), "small": (24, 48, 64)}
 _OWN = (
     Decoder(
         "unet2d",
-        f"{_HERE}.unet:flat",
+        f"{_HERE}.unet:StillUNet",
         {"paper": (32, 64, 128, 256, 512, 1024), "small": (16, 32, 64, 128)},
         stills=True,
         guesses=True,
@@ -87,17 +87,19 @@ _OWN = (
     # The paper says "24 up to 768", doubling; five levels end at 384.
     Decoder(
         "unet3d",
-        f"{_HERE}.unet:deep",
+        f"{_HERE}.unet:ClipUNet",
         {"paper": (24, 48, 96, 192, 384), "small": (8, 16, 32, 64)},
         needs_code="receives S^T E, which contains the code, so it needs the code",
         guesses=True,
         two_buckets=True,
     ),
-    Decoder("fcnet", f"{_HERE}.blocks:fcnet", {"paper": (4096,), "small": (96,)}, any_code=False),
-    Decoder("unrolled", f"{_HERE}.unrolled:unrolled", _UNROLLED, needs_code=_PROJECTS),
+    Decoder(
+        "fcnet", f"{_HERE}.blocks:BlockNet", {"paper": (4096,), "small": (96,)}, any_code=False
+    ),
+    Decoder("unrolled", f"{_HERE}.unrolled:Unrolled", _UNROLLED, needs_code=_PROJECTS),
     Decoder(
         "any",
-        "nscc_training.any_code.decoder:any_code",
+        "nscc_training.any_code.decoder:AnyCode",
         {"paper": (32, 64, 96), "small": (32, 64, 96)},
         stills=True,
         needs_code="simulates the capture of a clip with its code, so it needs the code",
@@ -107,7 +109,7 @@ _OWN = (
     ),
     Decoder(
         "divided",
-        f"{_HERE}.divided:divided",
+        f"{_HERE}.divided:Divided",
         {"paper": (1,), "small": (1,)},
         stills=True,
         clips=False,
@@ -116,12 +118,12 @@ _OWN = (
     ),
     Decoder(
         "classifier",
-        f"{_HERE}.classifier:classifier",
+        f"{_HERE}.classifier:Classifier",
         {"paper": (64, 128, 256), "small": (16, 32, 64)},
         clips=False,
         classifies=True,
     ),
-    Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
+    Decoder("refined", f"{_HERE}.unrolled:Refined", _UNROLLED, needs_code=_PROJECTS),
 )
 DECODERS = {decoder.name: decoder for decoder in _OWN}
 

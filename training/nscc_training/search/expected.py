@@ -103,15 +103,9 @@ def _windows(opened: Values) -> Sequence[Values]:
     ]
 
 
-def _middle() -> NDArray[np.intp]:
-    margin = (_WINDOW - _STEP) // 2
-    inner = np.zeros((_WINDOW, _WINDOW), bool)
-    inner[margin:-margin, margin:-margin] = True
-    return np.flatnonzero(inner)
-
-
-_MIDDLE = _middle()
-
+_INNER = np.abs(np.arange(_WINDOW) - (_WINDOW - 1) / 2) < _STEP / 2
+_MIDDLE = np.flatnonzero(_INNER[:, None] & _INNER)
+"""The places of the middle of a window."""
 
 Clip = NDArray[np.floating]
 
