@@ -58,15 +58,11 @@ def read_frame(path: Path) -> FrameRead:
     in_colours = "colours" in file.meta and frame.shape[:1] == (len(COLOURS),)
     if frame.ndim != 3 + in_colours or frame.shape[-3] not in (1, 2):
         raise no_frame(path, f"its frame is {frame.shape}, not one exposure in a bucket or two")
-    if stored_shutters is not None and stored_shutters.shape[:-1] != frame.shape[-3:]:
-        raise no_frame(
-            path, f"its shutters are of {stored_shutters.shape[:-1]}, its frame {frame.shape}"
-        )
-    shutter = (
-        None
-        if stored_shutters is None
-        else np.asarray(stored_shutters[0].transpose(2, 0, 1), np.bool_)
-    )
+    shutter = None
+    if stored_shutters is not None:
+        if (sizes := stored_shutters.shape[:-1]) != frame.shape[-3:]:
+            raise no_frame(path, f"its shutters are of {sizes}, its frame {frame.shape}")
+        shutter = np.asarray(stored_shutters[0].transpose(2, 0, 1), np.bool_)
     opened = None if file.opened is None else by_colour(file.opened, in_colours)
     codes, full = (by_colour(values, in_colours) for values in (frame, saturated))
     return FrameRead(codes, full, file.meta, shutter, opened)

@@ -154,11 +154,8 @@ def _is_program(folder: RunFolder, digest: object) -> bool:
     source = Source("shutter.nsl", folder.program)
     for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
         options = Options(level=level, target=folder.setup.chip.file)
-        compiled_program = compile_source(source, folder.path, options)
-        if (
-            compiled_program.container
-            and sha256(to_bytes(compiled_program.container)).hexdigest() == digest
-        ):
+        container = compile_source(source, folder.path, options).container
+        if container and sha256(to_bytes(container)).hexdigest() == digest:
             return True
     return False
 

@@ -57,9 +57,11 @@ class CodedFrame:
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
     def crop(self, rows: slice, cols: slice) -> CodedFrame:
-        arrays = (self.value_e, self.variance_e2, self.saturated)
-        cropped = (array[:, rows, cols] for array in arrays)
-        return CodedFrame(*cropped, self.opened, self.row[rows, cols], self.slot_us)
+        place = (slice(None), rows, cols)
+        return CodedFrame(
+            self.value_e[place], self.variance_e2[place], self.saturated[place],
+            self.opened, self.row[rows, cols], self.slot_us,
+        )  # fmt: skip
 
     def clip(self) -> Measured[NDArray[Any]]:
         """Return the measurement of a clip, in electrons per slot of mean length."""

@@ -60,12 +60,8 @@ def bilinear(clip: Clip, mask: Clip) -> Clip:
     data.
 
     This is a reference method: it uses the ground truth instead of the measurement."""
-    return np.stack(
-        [
-            _inpainted(frame * open_mask, open_mask)
-            for frame, open_mask in zip(clip, mask, strict=True)
-        ]
-    )
+    pairs = zip(clip, mask, strict=True)
+    return np.stack([_inpainted(frame * open_mask, open_mask) for frame, open_mask in pairs])
 
 
 _STEP = 4

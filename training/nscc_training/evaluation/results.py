@@ -224,11 +224,8 @@ def compare(
         _check_alike(pairs[0][0], *pair)
         # Items are matched by file, corner of the crop and first frame.
         items = [
-            {
-                f"{entry['file']} {entry['crop']} {entry['frame']}": entry
-                for entry in pair_result["items"]
-            }
-            for pair_result in pair
+            {f"{item['file']} {item['crop']} {item['frame']}": item for item in result["items"]}
+            for result in pair
         ]
         if not set(items[0]) & set(items[1]):
             raise rejected(

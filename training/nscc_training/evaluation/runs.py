@@ -1,4 +1,4 @@
-"""`nscc evaluate NAME --data DIR --protocol P`: evaluate a run's decoder, or a baseline, by name."""
+"""`nscc evaluate NAME --data DIR --protocol P`: evaluate a run or a baseline by name."""
 
 from __future__ import annotations
 

@@ -25,16 +25,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Source
 from nscc.toml.kinds import Axis, Several, TextKind
-from nscc.toml.schema import (
-    FileCodes,
-    Key,
-    Schema,
-    file_bytes,
-    file_table,
-    file_text,
-    key,
-    keys_of,
-)
+from nscc.toml.schema import FileCodes, Key, Schema, file_bytes, file_table, file_text, key, keys_of
 from nscc_training.sweep.evaluating import RUN
 from nscc_training.sweep.kinds import KINDS
 from nscc_training.sweep.point import OF_RUN, GridPoint, PointFault, Values
