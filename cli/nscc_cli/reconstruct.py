@@ -142,7 +142,7 @@ def _of_measurement(
     path: Path, mask: Path | None, noise: str | None, method: Method | None, *of_frames: object
 ) -> Reconstruction | None:
     """Return the clip of a measurement file without options `of_frames`, else None."""
-    from nscc_training.own_measurements import (
+    from nscc_training.reconstruct_any import (
         NoiseModel,
         is_measurement,
         read_measurement,

@@ -21,24 +21,19 @@ RUN = "run"
 def _keys() -> tuple[Key, ...]:
     return (
         axis(RUN, TextKind(), "parts of this grid, of kind train, whose runs are evaluated"),
-        axis(
-            "subject", TextKind(), "instead of run: a baseline, a run folder, or for sci8 a method"
-        ),
+        axis("subject", TextKind(),
+             "instead of run: a baseline, a run folder, or for sci8 a method"),
         axis("protocol", TextKind(NAMES), "the evaluation protocol", "hdr-v1"),
         axis("data", TextKind(), "the folder of scenes"),
         axis("seed", Integer(0, 2**31 - 1), "seed of random codes and noise", 0),
-        axis(
-            "shutter",
-            TextKind(),
-            "other codes for a baseline that accepts any code, as in --shutter",
-            "",
-        ),
+        axis("shutter", TextKind(),
+             "other codes for a baseline that accepts any code, as in --shutter", ""),
         axis("effects", TextKind(), "effects of the emulated chip that exposes the scenes", ""),
         *(key for key in sensor_keys() if key.name != "sensor.file"),
         axis("skip_seen", Flag(), "leave out files that the run was trained on", False),
         axis("iterations", Integer(1, 10000), "of a method", 40),
         axis("weight", Number(0, 10, low_excluded=True), "of total variation", 0.1),
-    )
+    )  # fmt: skip
 
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
