@@ -21,13 +21,7 @@ _LONGEST_S = 1e6
 _MOST_FRAMES = 1_000_000
 
 
-class _Device(Subcommands):
-    """The subcommands of `nscc device`."""
-
-    unknown = "command 'device {}'"
-
-
-@click.group("device", cls=_Device)
+@click.group("device", cls=Subcommands)
 def command() -> None:
     """Communicate with a chip at a serial port, or simulate one.
 

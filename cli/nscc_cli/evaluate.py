@@ -28,11 +28,8 @@ if TYPE_CHECKING:
 class _Evaluations(Subcommands):
     """The subcommands of `nscc evaluate`; any other name is passed to `evaluate of`."""
 
-    def resolve_unknown(
-        self, name: str, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Pass an unknown name to `nscc evaluate of`."""
-        return "of", self.commands["of"], args
+    def accepts(self, name: str) -> bool:
+        return True
 
 
 @click.group("evaluate", cls=_Evaluations)

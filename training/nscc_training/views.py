@@ -106,8 +106,6 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
         meta = frame_meta(arrays)
         if meta is not None and "frame" in arrays:
             checked_meta(arrays)
-            if "margin" in arrays:
-                return png_of(_pictured_view, arrays, meta, path.name)
             return png_of(frame_view, arrays, meta, path.name, tone)
     except (InvalidArrays, OSError) as error:
         raise _nothing_to_view(path, str(error)) from error
@@ -153,9 +151,15 @@ def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
 def frame_view(
     arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str, tone: str | None
 ) -> Figure:
-    """Draw the buckets of a frame file, of repeated frames the first, of colours all."""
+    """Draw the buckets of a frame file with its images, planes and events; of repeated frames the
+    first, of colours all."""
     missing = np.zeros(arrays["frame"].shape)
     frame, exposure, marks = (arrays.get(key, missing) for key in _FRAME_KEYS)
+    if "margin" in arrays:
+        told = {key: values for key, values in arrays.items() if key not in (*_FRAME_KEYS, "meta")}
+        pictured = Frame(frame, exposure, np.isfinite(exposure), marks, told=told)
+        names = meta.get("buckets")
+        return image_plane_sheet(pictured.first, names if isinstance(names, list) else [], title)
     if frame.ndim == 4 and "colours" not in meta:
         frame, exposure, marks = frame[0], exposure[0], marks[0]
     names = meta.get("colours") or meta.get("buckets")
@@ -178,16 +182,6 @@ def _is_drawn(name: str) -> bool:
     """Return whether a picture of a file shows the array `name`."""
     prefixes = ("image_", "plane_", "report_events_")
     return name in (*_FRAME_KEYS, "meta", "image", "video", "margin") or name.startswith(prefixes)
-
-
-def _pictured_view(arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str) -> Figure:
-    """Draw the buckets, images, planes and events of a frame file; of several frames the first."""
-    told = {key: values for key, values in arrays.items() if key not in (*_FRAME_KEYS, "meta")}
-    missing = np.zeros(arrays["frame"].shape)
-    codes, exposure_e, saturated_by = (arrays.get(key, missing) for key in _FRAME_KEYS)
-    frame = Frame(codes, exposure_e, np.isfinite(exposure_e), saturated_by, told=told)
-    names = meta.get("buckets")
-    return image_plane_sheet(frame.first, names if isinstance(names, list) else [], title)
 
 
 def _json(path: Path) -> dict[str, Any]:

@@ -81,12 +81,14 @@ def design_motion(
         name: float(np.mean([told_db(encoder.hard().numpy(), motion) for motion in motions]))
         for name, encoder in encoders.items()
     }
+    remark = "Shutters for clips, {}: of such codes most is expected of it where motion is " + (
+        "as its scene has it." if kind == "scene" else f"{kind}.")  # fmt: skip
     passed: list[str] = []
     refused: Rejected | None = None
     for name in sorted(expected, key=lambda code_name: -expected[code_name]):
         try:
             files = program_of(
-                encoders[name], Chip(frame.target, frame.slot_us), _remark(kind, name)
+                encoders[name], Chip(frame.target, frame.slot_us), remark.format(name)
             )
             text = format_source(Source("design.nsl", files.text))
             program = frame.compiled("motion.nsl", text)
@@ -136,11 +138,6 @@ def encoders_by_name(slots: int) -> dict[str, Encoder]:
         encoders["searched"] = make_encoder(_SEARCHED)
         encoders["searched"].load_codes(load_codes(searched_codes()))
     return encoders
-
-
-def _remark(kind: Kind, name: str) -> str:
-    of = "as its scene has it" if kind == "scene" else kind
-    return f"Shutters for clips, {name}: of such codes most is expected of it where motion is {of}."
 
 
 def _lines(

@@ -13,6 +13,7 @@ from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask,
 from nscc_training.sweep.point_programs import (
     axis,
     light_files,
+    program_files,
     scene_keys,
     scene_of,
     sensor_keys,
@@ -52,8 +53,7 @@ def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
 
 
 def _reads(values: Values) -> Sequence[Path]:
-    named = [Path(values["target"])] if values["target"].endswith(".toml") else []
-    return [*light_files(values), *named]
+    return [*light_files(values), *program_files(values)]
 
 
 def _design(values: Values, task: PointTask) -> Figures:

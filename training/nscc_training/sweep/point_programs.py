@@ -118,7 +118,7 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
 
 
 def program_files(values: Values) -> Sequence[Path]:
-    """Return the files of a program: its text, those that it names, and its chip."""
+    """Return the files of a point's program and chip: the text, those that it names, the target."""
     files: list[Path] = []
     if "program" in values:
         files += text_files(Path(values["program"]))
