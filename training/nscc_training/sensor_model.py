@@ -226,11 +226,9 @@ def check_light(light: Tensor) -> None:
         reason = "light is complex, but must contain real values: the electrons of each slot"
         raise ValueError(reason)
     values = light.detach()
-    low, high = (float(v) for v in torch.aminmax(values)) if values.numel() else (0.0, 0.0)
-    if low >= 0 and high < inf:
+    count, negative = int((~torch.isfinite(values)).sum()), int((values < 0).sum())
+    if not count and not negative:
         return
-    finite = torch.isfinite(values)
-    count, negative = int((~finite).sum()), int((values < 0).sum())
     raise ValueError(
         f"{count} of {values.numel()} values of the light are not finite, {negative} are negative; "
         f"{values.dtype} holds numbers up to {torch.finfo(values.dtype).max:g}"

@@ -85,17 +85,16 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
         most = _MOST_DRAWN_PIXELS if pages.count == 1 else _MOST_FRAME_PIXELS
         stored = [_reduced(page, most) for page in islice(pages.read(), _MOST_FRAMES)]
         linear = transfer_of(path) == "linear" or stored[0].dtype.kind == "f"
-        clip = np.stack([light_in(page, "linear" if linear else "srgb") for page in stored])
-        light = clip if pages.count > 1 else clip[0]
-        usual, unit = ("log", "e") if linear else ("srgb", "")
-        content = Content({}, light, moving=pages.count > 1, tone=tone, usual=usual, unit=unit)
-        return png_of(content_sheet, content, path.name)
-    if suffix in CLIPS:
+        moving = pages.count > 1
+    elif suffix in CLIPS:
         frames = islice(read_clip(path), _MOST_FRAMES)
-        clip = np.stack([light_in(_reduced(frame, _MOST_FRAME_PIXELS), "srgb") for frame in frames])
-        content = Content({}, clip, moving=True, tone=tone, usual="srgb", unit="")
-        return png_of(content_sheet, content, path.name)
-    raise _nothing_to_view(path, f"the ending '{suffix}' cannot be viewed")
+        stored, linear, moving = [_reduced(f, _MOST_FRAME_PIXELS) for f in frames], False, True
+    else:
+        raise _nothing_to_view(path, f"the ending '{suffix}' cannot be viewed")
+    clip = np.stack([light_in(frame, "linear" if linear else "srgb") for frame in stored])
+    usual, unit = ("log", "e") if linear else ("srgb", "")
+    content = Content({}, clip if moving else clip[0], moving, tone=tone, usual=usual, unit=unit)
+    return png_of(content_sheet, content, path.name)
 
 
 def _of_arrays(path: Path, tone: str | None) -> bytes:

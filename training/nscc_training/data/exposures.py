@@ -220,7 +220,8 @@ def _cut(
     cols = (corner[:, 1, None] + step)[:, None, :]
     cols = torch.where(mirrored[source, None, None], last - cols, cols)
     # The source pixel of np.rot90 by this number of right angles.
-    sides = torch.stack(torch.broadcast_tensors(rows, cols, last - rows, last - cols))
+    rows, cols = rows.expand(-1, -1, patch), cols.expand(-1, patch, -1)
+    sides = torch.stack([rows, cols, last - rows, last - cols])
     turned, patches = turns[source], torch.arange(len(source), device=light.device)
     place = sides[turned, patches] * (last + 1) + sides[(turned + 1) % 4, patches]
     if light.ndim == 3:
