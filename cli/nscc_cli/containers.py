@@ -25,13 +25,8 @@ _LARGEST_TEXT = 1 << 30
 
 @click.command(name="asm", cls=CommonCommand)
 @click.argument("file", metavar="FILE|-")
-@click.option(
-    "-o",
-    "output",
-    type=OutPath(str),
-    metavar="OUT",
-    help="Where to write (default: FILE with .icw).",
-)
+@click.option("-o", "output", type=OutPath(str), metavar="OUT",
+              help="Where to write (default: FILE with .icw).")  # fmt: skip
 @click.option("--words", is_flag=True, help="Print each word's five integers instead.")
 def asm(file: str, output: str | None, words: bool) -> None:
     """Assemble FILE, or standard input for `-`, into a container (.icw)."""

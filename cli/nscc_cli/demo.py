@@ -62,13 +62,12 @@ def command(
     for name in (scene,) if scene else BUILTIN:
         result = demo(Scene(name, fps=fps), folder, settings, listener)
         say_done("\n".join(f"wrote {path.as_posix()}" for path in result.files))
-        beside = (
-            "" if result.looked_db is None else f", by pixels that look {result.looked_db:.1f} dB"
-        )
-        ordinary = "an ordinary camera with automatic exposure"
         if result.looked_db is None:
             beside = f" from {readouts_text(result.readouts)}"
             ordinary = "a burst of as many ordinary frames"
+        else:
+            beside = f", by pixels that look {result.looked_db:.1f} dB"
+            ordinary = "an ordinary camera with automatic exposure"
         if result.fair_db is not None:
             beside += f", {ordinary} {result.fair_db:.1f} dB"
         say_done(

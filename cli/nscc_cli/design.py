@@ -23,14 +23,10 @@ if TYPE_CHECKING:
     from nscc_training.design import Design
     from nscc_training.search.choose import Kind
 
-_CURVES = ("mu", "linear", "log")
 _SVE_RISK = "sve-risk"
-_MOTIONS = ("slow", "fast", "scene")
 _CLIP_SLOTS, _STILL_SLOTS = 16, 256
 _CLIP_PARTS = 16
 """The number of time intervals of a frame in which motion is measured."""
-_MOST_LOOKS = 32
-_MOST_SLOTS = 4096
 
 
 @click.command("design", cls=CommonCommand)
@@ -38,21 +34,21 @@ _MOST_SLOTS = 4096
     "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
     help="A scene as in nscc run; for several scenes the errors are averaged in decibels.",
 ))  # fmt: skip
-@click.option("--looks", type=click.IntRange(2, _MOST_LOOKS), metavar="K",
+@click.option("--looks", type=click.IntRange(2, 32), metavar="K",
               help="Design pixels that look: K exposures; the last is the whole "
                    "frame.")  # fmt: skip
-@click.option("--criterion", type=click.Choice([*_CURVES, _SVE_RISK]),
+@click.option("--criterion", type=click.Choice(["mu", "linear", "log", _SVE_RISK]),
               help="The error to minimise: of the light on a mu-law curve (default), "
                    "linear, or of its logarithm; sve-risk designs a fixed 2 x 2 tile "
                    "of stops instead.")  # fmt: skip
 @click.option("--search", is_flag=True, help="Search all simple patterns of stops for stills, or "
               "codes for clips, judged by a decoder under every effect.")  # fmt: skip
-@click.option("--motion", type=click.Choice(_MOTIONS),
+@click.option("--motion", type=click.Choice(["slow", "fast", "scene"]),
               help="Choose a code for clips by their motion: slow, fast, or as in "
                    "the scenes.")  # fmt: skip
 @click.option("--max-words", type=NumberRange(0.1, 1000), default=4.0, show_default=True,
               help="With --motion: the largest mean number of words per slot.")  # fmt: skip
-@click.option("--slots", type=click.IntRange(2, _MOST_SLOTS),
+@click.option("--slots", type=click.IntRange(2, 4096),
               help=f"Slots of the frame (default: {_STILL_SLOTS}, for clips "
               f"{_CLIP_SLOTS}).")  # fmt: skip
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), default=125.0, show_default=True,

@@ -18,16 +18,9 @@ from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_done
 
 _LONGEST_S = 1e6
-_MOST_FRAMES = 1_000_000
 
 
-class _Device(Subcommands):
-    """The subcommands of `nscc device`."""
-
-    unknown = "command 'device {}'"
-
-
-@click.group("device", cls=_Device)
+@click.group("device", cls=Subcommands)
 def command() -> None:
     """Communicate with a chip at a serial port, or simulate one.
 
@@ -133,9 +126,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
 @click.option("-o", "out", type=OUT, help="A frame file: one frame.")
 @click.option("--to", "folder", type=OUT,
               help="A folder: write frame after frame, until Ctrl-C.")  # fmt: skip
-@click.option(
-    "--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: the number of frames."
-)
+@click.option("--count", type=click.IntRange(1, 1_000_000), help="With --to: the number of frames.")
 @click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,
               help="With --to: seconds between frames (default: 0).")  # fmt: skip
 @click.option(

@@ -28,11 +28,8 @@ if TYPE_CHECKING:
 class _Evaluations(Subcommands):
     """The subcommands of `nscc evaluate`; any other name is passed to `evaluate of`."""
 
-    def resolve_unknown(
-        self, name: str, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Pass an unknown name to `nscc evaluate of`."""
-        return "of", self.commands["of"], args
+    def accepts(self, name: str) -> bool:
+        return True
 
 
 @click.group("evaluate", cls=_Evaluations)
@@ -135,7 +132,7 @@ def of(
 
         folder = load_run(Path(subject), trust_code=trust_code)
         return _of_scenes(*evaluate_validation(folder), **outputs)
-    from nscc_training.evaluation.subjects import evaluate
+    from nscc_training.evaluation.runs import evaluate
 
     evaluation = evaluate(
         subject, data, protocol, seed, codes=shutter, effects=effects, skip_seen=skip_seen,

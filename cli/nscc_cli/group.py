@@ -29,9 +29,9 @@ class LazyGroup(click.Group):
         """Import and return the command with this name, or None if it is unknown."""
         if cmd_name not in COMMANDS:
             return added_by_packages().get(cmd_name)
-        name = MODULES.get(cmd_name)
-        module = import_module(f"nscc_cli.{name or cmd_name.replace('-', '_')}")
-        command: click.Command = getattr(module, cmd_name if name else "command")
+        module = import_module(f"nscc_cli.{MODULES.get(cmd_name, cmd_name)}")
+        name = cmd_name.replace("-", "_") if cmd_name in MODULES else "command"
+        command: click.Command = getattr(module, name)
         return command
 
     def resolve_command(

@@ -215,14 +215,11 @@ def _answers(server: Server) -> None:
         def places(document: Document, positions: Positions) -> list[types.Location]:
             mention = mention_at(document, positions.offset(params.position))
             mentions = alike(document, mention) if mention else []
-            shown_mentions = (
-                m for m in mentions if params.context.include_declaration or not m.declares
-            )
-            uri = params.text_document.uri
+            uri, also_declaration = params.text_document.uri, params.context.include_declaration
             return [
-                types.Location(uri, positions.range(shown_mention.span))
-                for shown_mention in shown_mentions
-            ]
+                types.Location(uri, positions.range(m.span))
+                for m in mentions if also_declaration or not m.declares
+            ]  # fmt: skip
 
         return await server.ask(params.text_document.uri, places)
 

@@ -169,14 +169,9 @@ color_option = section(SCENE, option(
 sensor_options = section(
     EFFECTS,
     option("--sensor", type=PATH, help="The sensor parameters (nscc effects --toml)."),
-    option(
-        "--sensor-set",
-        type=SETTING,
-        multiple=True,
-        metavar="K=V",
-        help="Change one of the sensor parameters.",
-    ),
-)
+    option("--sensor-set", type=SETTING, multiple=True, metavar="K=V",
+           help="Change one of the sensor parameters."),
+)  # fmt: skip
 
 measured_options = together(
     option("--seed", type=SEED, default=0, help="Seed of the frames' noise."),

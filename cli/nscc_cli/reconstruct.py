@@ -96,15 +96,12 @@ def command(
         image = image_of(Path(run))
         say([*overexposed(run, frame_arrays(Path(run)).saturated)])
         content = Content({"image": image}, image)
-    elif run == "any" and (
-        reconstruction := _of_measurement(frame, mask, noise, method, kind, program, dark)
-    ):
-        _say_method(reconstruction, method)
-        content = reconstruction.content
     elif run == "any":
         from nscc_training.reconstruct_any import reconstruct_any
 
-        reconstruction = reconstruct_any(frame, program, kind, dark, method)
+        reconstruction = _of_measurement(
+            frame, mask, noise, method, kind, program, dark
+        ) or reconstruct_any(frame, program, kind, dark, method)
         say(reconstruction.messages)
         _say_method(reconstruction, method)
         content = reconstruction.content
@@ -145,7 +142,7 @@ def _of_measurement(
     path: Path, mask: Path | None, noise: str | None, method: Method | None, *of_frames: object
 ) -> Reconstruction | None:
     """Return the clip of a measurement file without options `of_frames`, else None."""
-    from nscc_training.own_measurements import (
+    from nscc_training.reconstruct_any import (
         NoiseModel,
         is_measurement,
         read_measurement,

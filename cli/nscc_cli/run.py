@@ -28,7 +28,6 @@ from nscc_cli.support import CommonCommand, progress, say, say_done
 if TYPE_CHECKING:
     from nscc_training.run_files import RunCapture
 
-_MOST_REPEATS = 10000
 _SIMULATION = (
     "effects", "tolerance", "tolerance_max", "plan", "audit", "fidelity", "seed", "device_seed",
     "repeat",
@@ -71,7 +70,7 @@ _SIMULATION = (
     click.option("--plan", type=PATH, help="Use this plan; if it does not exist, write it."),
     click.option("--seed", type=SEED, help="Seed of a frame's noise (default: 0)."),
     click.option("--device-seed", type=SEED, help="Seed of fixed patterns (default: 0)."),
-    click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames."),
+    click.option("--repeat", type=click.IntRange(1, 10_000), help="Expose K frames."),
 )  # fmt: skip
 @shared.sensor_options
 @shared.pixels_option

@@ -205,9 +205,10 @@ def _to_session(context: click.Context, option: click.Parameter, value: Any) -> 
 
 
 class Subcommands(CommonCommand, click.Group):
-    """A command with subcommands; unknown names are rejected (NS0781)."""
+    """A command with subcommands; other names go to the subcommand `of` if it `accepts` them, else
+    they are rejected (NS0781)."""
 
-    unknown = "command '{}'"
+    unknown = "command '{group} {name}'"
     """The description of an unknown name in the error message."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
@@ -220,27 +221,27 @@ class Subcommands(CommonCommand, click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Return the subcommand named by the first argument, and the arguments after it."""
         name = args[0]
-        if name not in self.commands and not name.startswith("-"):
-            return self.resolve_unknown(name, args)
-        return super().resolve_command(ctx, args)
-
-    def or_else(self) -> Sequence[str]:
-        """Return further help lines for the message about an unknown name."""
-        return ()
-
-    def resolve_unknown(
-        self, name: str, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Raise NS0781 for a name that is not a subcommand; subclasses may resolve it instead."""
+        if name in self.commands or name.startswith("-"):
+            return super().resolve_command(ctx, args)
+        if self.accepts(name):
+            return "of", self.commands["of"], args
         raise rejected(
             "NS0781",
-            f"unknown name: nscc has no {self.unknown.format(name[:60])}",
+            f"unknown name: nscc has no {self.unknown.format(group=self.name, name=name[:60])}",
             helps=(
                 *meant(name, self.commands, written=f"nscc {self.name} {{}}"),
                 f"there is: {', '.join(self.commands)}",
                 *self.or_else(),
             ),
         )
+
+    def accepts(self, name: str) -> bool:
+        """Return whether the subcommand `of` takes a name that is not a subcommand."""
+        return False
+
+    def or_else(self) -> Sequence[str]:
+        """Return further help lines for the message about an unknown name."""
+        return ()
 
 
 @contextmanager

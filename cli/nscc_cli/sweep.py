@@ -71,14 +71,9 @@ def command(
         click.echo(f"{count} points: {known_count} known, {count - known_count} to compute")
         return 0
     swept = sweep(
-        whole_grid,
-        out,
-        how,
-        grid_parts=grid_parts,
-        parquet=parquet,
-        track=progress,
+        whole_grid, out, how, grid_parts=grid_parts, parquet=parquet, track=progress,
         report=say_done,
-    )
+    )  # fmt: skip
     for line in summary_lines(swept):
         say_done(line)
     if swept.failed:

@@ -36,11 +36,12 @@ COMMANDS = {
 }
 """The help line of each command, in the order of `nscc --help`.
 
-A command is the function `command` in the module of its name (with `_` for `-`). Commands in
-`MODULES` are functions with their own name in the module that it names."""
+A command is the function `command` in the module of its name. Commands in `MODULES` are functions
+with their own name (with `_` for `-`) in the module that it names."""
 MODULES = {
     **dict.fromkeys(("asm", "disasm", "diff", "prove", "shutters"), "containers"),
     **dict.fromkeys(("explain", "examples", "new", "doctor"), "guide"),
+    **dict.fromkeys(("import-mask", "import-network"), "imports"),
     "classify": "reconstruct",
     "metrics": "evaluate",
 }

@@ -50,14 +50,9 @@ def _checked_times(
 @click.option("-O", "level", type=LEVEL, default=1, show_default=True,
               help="Optimisation level with which --limits compiles.")  # fmt: skip
 def command(
-    name: str | None,
-    toml: bool,
-    limits: bool,
-    compared: tuple[str, str] | None,
-    as_json: bool,
-    slots: tuple[str, ...],
-    level: int,
-) -> None:
+    name: str | None, toml: bool, limits: bool, compared: tuple[str, str] | None, as_json: bool,
+    slots: tuple[str, ...], level: int,
+) -> None:  # fmt: skip
     """List the known chips, or describe one (NAME or FILE.toml)."""
     if compared is not None:
         if name is None or toml or limits or slots:

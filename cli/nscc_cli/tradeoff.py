@@ -136,7 +136,7 @@ _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a fram
 class _Tradeoffs(Subcommands):
     """The subcommands of `nscc tradeoff`; other names are programs or runs."""
 
-    unknown = "tradeoff '{}': there is no such command, file or run"
+    unknown = "{group} '{name}': there is no such command, file or run"
 
     def or_else(self) -> Sequence[str]:
         from nscc_training.run_files import shipped_runs
@@ -145,16 +145,14 @@ class _Tradeoffs(Subcommands):
             f"or name a program (FILE.nsl, FILE.icw) or a run: RUN, {', '.join(shipped_runs())}",
         )
 
-    def resolve_unknown(
-        self, name: str, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Pass the name of a program or run to `nscc tradeoff of`; reject other names (NS0781)."""
+    def accepts(self, name: str) -> bool:
+        """Return whether the name is that of a program or a run."""
         from nscc_training.run_files import shipped_runs
 
         path = Path(name)
-        if path.suffix.lower() in (".nsl", ".icw") or path.exists() or str(path) in shipped_runs():
-            return "of", self.commands["of"], args
-        return super().resolve_unknown(name, args)
+        return (
+            path.suffix.lower() in (".nsl", ".icw") or path.exists() or str(path) in shipped_runs()
+        )
 
 
 @click.group("tradeoff", cls=_Tradeoffs)

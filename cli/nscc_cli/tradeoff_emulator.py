@@ -73,13 +73,9 @@ def command(program: Path | None, **options: Any) -> int:
     digests = [scene.light.sha256() for scene in scenes]
     with kept_rows(files, {**options, "program": program}, *digests) as rows:
         studies = measure(
-            analysed_program,
-            scenes,
-            settings,
-            gb_per_s,
-            lambda work: progress(work, "measuring"),
-            rows,
-        )
+            analysed_program, scenes, settings, gb_per_s,
+            lambda work: progress(work, "measuring"), rows,
+        )  # fmt: skip
         click.echo(studies_text(studies, gb_per_s))
         points, device = [point for study in studies for point in study.points], processor_name()
         write_files(

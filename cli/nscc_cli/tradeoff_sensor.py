@@ -16,12 +16,6 @@ from nscc_cli.options import COUNT, LEVEL, some_option
 from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling
 from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 
-_CLASSES = ("b", "c", "d", "e", "codebook")
-_CODES = ("fixed", "open")
-_MOST_SLOTS = 4096
-_MOST_EXPOSURES = 32
-_MOST_READOUTS = 4
-
 
 def _numbers(
     quantity: str, least: int, most: int, none: bool = True
@@ -43,7 +37,7 @@ def _numbers(
     return numbers
 
 
-_counts = _numbers("slots", 2, _MOST_SLOTS, none=False)
+_counts = _numbers("slots", 2, 4096, none=False)
 
 
 def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
@@ -59,18 +53,20 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
 
 
 @click.command("sensor", cls=CommonCommand)
-@some_option("--classes", _CLASSES, "CLASS,..", "Classes of shutters for clips.")
+@some_option("--classes", ("b", "c", "d", "e", "codebook"), "CLASS,..",
+             "Classes of shutters for clips.")  # fmt: skip
 @click.option("--slots", callback=_divisors, metavar="N,..", default="8,16", show_default=True,
               help="Slots of a frame, for clips.")  # fmt: skip
 @click.option("--stop-slots", callback=_counts, metavar="N,..", default="16,64", show_default=True,
               help="Slots of a frame for stills, which class b exposes.")  # fmt: skip
-@click.option("--looks", callback=_numbers("exposures", 2, _MOST_EXPOSURES), metavar="K,..",
+@click.option("--looks", callback=_numbers("exposures", 2, 32), metavar="K,..",
               default="2,5,9", show_default=True,
               help="Exposures of pixels that look, for stills, or none.")  # fmt: skip
-@click.option("--readouts", callback=_numbers("readouts", 1, _MOST_READOUTS), metavar="K,..",
+@click.option("--readouts", callback=_numbers("readouts", 1, 4), metavar="K,..",
               default="1,2,3,4", show_default=True,
               help="Readouts of one exposure, for clips, or none.")  # fmt: skip
-@some_option("--codes", _CODES, "MODE,..", "Compile for the codes in use, for every legal one.")
+@some_option("--codes", ("fixed", "open"), "MODE,..",
+             "Compile for the codes in use, for every legal one.")  # fmt: skip
 @some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
 @shared.chip_option
 @click.option("-O", "level", type=LEVEL, default=1, show_default=True,

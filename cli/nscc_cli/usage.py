@@ -38,13 +38,8 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
         if isinstance(error.param, click.Option) and error.param.help:
             notes = (f"{_parameter(error)}: {error.param.help}", *notes)
     elif isinstance(error, click.BadParameter):
-        parameter = _parameter(error)
-        code = "NS0783"
-        message = (
-            f"{parameter}: {_in_lower_case(error.message)}"
-            if parameter
-            else _in_lower_case(error.message)
-        )
+        parameter, text = _parameter(error), _in_lower_case(error.message)
+        code, message = "NS0783", f"{parameter}: {text}" if parameter else text
     elif isinstance(error, click.FileError):
         code, message = "NS0784", _in_lower_case(error.format_message())
     else:

@@ -19,11 +19,11 @@ CALLED_BY_LIBRARIES = [
     "stdio",  # click
     "find_class",  # pickle
     "thread_type",  # PyAV
-    "_by_operators",  # a kernel of torch
+    "tv_by_operators",  # a kernel of torch
     "external_attr", "linkage",  # read by zipfile and llvmlite
 ]  # fmt: skip
-DECLARED_AS_TEXT = ["unrolled", "fcnet", "classifier"]
-"""Decoders, which a table names as MODULE:FUNCTION."""
+DECLARED_AS_TEXT = ["StillUNet", "ClipUNet", "Refined", "Divided", "Classifier"]
+"""Decoders, which a table names as MODULE:CLASS."""
 
 KEPT = [
     "PixelShutters",  # public: the operator for DeepInverse

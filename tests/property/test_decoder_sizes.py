@@ -12,7 +12,7 @@ from nscc_training.decoders.blocks import BlockNet  # noqa: E402
 from nscc_training.decoders.declared import DECODERS, DecoderTask  # noqa: E402
 from nscc_training.decoders.decoder_building import make_decoder  # noqa: E402
 from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
-from nscc_training.decoders.unrolled import Unrolled  # noqa: E402
+from nscc_training.decoders.unrolled import Refined, Unrolled  # noqa: E402
 
 MOST = 600_000
 OURS = [
@@ -56,20 +56,18 @@ def test_small_decoders_of_stills_are_small(slots: int, sees_code: bool) -> None
 @pytest.mark.parametrize("slots", [1, 13, 16])
 def test_common_sizes_are_those_that_runs_were_made_with(slots: int) -> None:
     """By shape and by value: what was trained loads, and what is trained begins the same."""
-    widths = (16, 32, 64, 128)
     makers = {
-        "unet2d": lambda: StillUNet(widths, slots, True, True),
-        "unet3d": lambda: ClipUNet((8, 16, 32, 64), slots, True),
-        "fcnet": lambda: BlockNet(96, slots, (8, 8)),
-        "unrolled": lambda: Unrolled((24, 48, 64), slots, 3),
-        "refined": lambda: Unrolled((24, 48, 64), slots, 3, 20),
-    }
+        "unet2d": (StillUNet, (16, 32, 64, 128)), "unet3d": (ClipUNet, (8, 16, 32, 64)),
+        "fcnet": (BlockNet, (96,)), "unrolled": (Unrolled, (24, 48, 64)),
+        "refined": (Refined, (24, 48, 64)),
+    }  # fmt: skip
     assert set(makers) == set(OURS)
-    for name, maker in makers.items():
+    task = DecoderTask("clip", slots, (8, 8))
+    for name, (maker, channels) in makers.items():
         torch.manual_seed(5)
-        wanted = maker().state_dict()
+        wanted = maker(channels, task, "small").state_dict()
         torch.manual_seed(5)
-        found = make_decoder(name, "small", DecoderTask("clip", slots, (8, 8))).state_dict()
+        found = make_decoder(name, "small", task).state_dict()
         assert found.keys() == wanted.keys()
         assert all(torch.equal(found[key], wanted[key]) for key in wanted), name
 

@@ -29,7 +29,7 @@ from nscc_training.any_code.stages import (  # noqa: E402
 )
 from nscc_training.baselines.gap_tv import gap_tv_of  # noqa: E402
 from nscc_training.baselines.tensor_tv import tv_by_operators, tv_denoised  # noqa: E402
-from nscc_training.baselines.tv import tv_denoise  # noqa: E402
+from nscc_training.baselines.tv_loop import tv_denoise  # noqa: E402
 from nscc_training.loop.optimizers import Muon  # noqa: E402
 from nscc_training.measured import Measured  # noqa: E402
 from nscc_training.sensor_model import SensorModel  # noqa: E402
@@ -525,12 +525,12 @@ def test_weights_are_written_as_they_are_shipped(tmp_path: Path) -> None:
     from safetensors.torch import load_file, save_file
 
     from nscc_training.any_code.decode import WEIGHTS, write_shipped
-    from nscc_training.any_code.decoder import any_code
+    from nscc_training.any_code.decoder import AnyCode
     from nscc_training.any_code.network import ClipDenoiser
     from nscc_training.decoders.declared import DecoderTask
 
     for kind in ("clip", "still"):
-        decoder = any_code(ClipDenoiser().widths, DecoderTask(kind, 16, (8, 8)), "small")
+        decoder = AnyCode(ClipDenoiser().widths, DecoderTask(kind, 16, (8, 8)), "small")
         (tmp_path / kind).mkdir()
         state = {name: weight.contiguous() for name, weight in decoder.state_dict().items()}
         save_file(state, tmp_path / kind / "decoder.safetensors")

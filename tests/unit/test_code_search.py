@@ -23,16 +23,9 @@ from nscc_training.loop import searching  # noqa: E402
 from nscc_training.loop import train as loop  # noqa: E402
 from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
-from nscc_training.search import (  # noqa: E402
-    MOVING,
-    Motion,
-    moved,
-    speeds_of,
-    texture_of,
-    told_db,
-)
 from nscc_training.search.choose import design_motion  # noqa: E402
-from nscc_training.search.moves import repeated  # noqa: E402
+from nscc_training.search.expected import Motion, speeds_of, texture_of, told_db  # noqa: E402
+from nscc_training.search.moves import MOVING, moved, repeated  # noqa: E402
 
 SPECS = {
     "b": ShutterSpec("b", 16, (4, 8)),

@@ -30,8 +30,8 @@ from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, emulated_sensor  # noqa: E402
 from nscc_training.evaluation.results import result_text  # noqa: E402
-from nscc_training.evaluation.subjects import evaluate  # noqa: E402
-from nscc_training.frame_reading import FrameRead  # noqa: E402
+from nscc_training.evaluation.runs import evaluate  # noqa: E402
+from nscc_training.frame_reading import Dark, FrameRead  # noqa: E402
 from nscc_training.loop import decoding  # noqa: E402
 from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.reconstruct import reconstructed  # noqa: E402
@@ -280,8 +280,8 @@ def test_what_a_run_knows_of_the_dark_is_not_taken_twice() -> None:
     spot = known.copy()
     spot[100, 100] += 40
     made = [
-        reconstructed(folder, read, "f", force=False, offset=offset)[0]
-        for offset in (None, known, spot)
+        reconstructed(folder, read, "f", dark, force=False)[0]
+        for dark in (None, *(Dark("d", offset, {}, None, 0.0) for offset in (known, spot)))
     ]
     np.testing.assert_allclose(made[0], made[1], rtol=1e-4)
     assert made[2][100, 100] < 0.9 * made[0][100, 100]

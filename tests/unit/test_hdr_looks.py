@@ -54,7 +54,7 @@ def test_the_table_goes_on_and_shows_every_condition(
             raise KeyboardInterrupt
         return {**real, "method": name}, {}
 
-    monkeypatch.setattr("nscc_training.evaluation.subjects.evaluate_looks", told)
+    monkeypatch.setattr("nscc_training.evaluation.runs.evaluate_looks", told)
     kept = tmp_path / "kept"
     with pytest.raises(KeyboardInterrupt):
         looks_table(folder, kept)

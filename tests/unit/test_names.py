@@ -21,7 +21,6 @@ SHARED_CLASS_NAMES = {
     "Image": _TREE,
     "Light": _TREE,
     "Name": _TREE,
-    "Place": _TREE,
     "Response": "public, and the part of an effect in it",
     "Scene": "public, and what effects see of it",
     "Source": "a text, and the node of that name in container files",

@@ -9,7 +9,7 @@ import pytest
 from nscc_command import invoke
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_training.own_measurements import (
+from nscc_training.reconstruct_any import (
     NoiseModel,
     is_measurement,
     read_measurement,
@@ -81,7 +81,7 @@ def test_files_are_read_as_they_are_meant(
 
 def test_fractional_masks_reconstruct_the_clip() -> None:
     """Far better than a still of what each pixel says, whatever the unit; that is kept."""
-    from nscc_training.own_measurements import Measurement
+    from nscc_training.reconstruct_any import Measurement
 
     truth, mask = clip_of(2), RNG.random((SLOTS, ROWS, COLS))
     for unit in (1.0, 1e-3):
@@ -94,7 +94,7 @@ def test_fractional_masks_reconstruct_the_clip() -> None:
 
 
 def test_noise_that_is_stated_is_not_followed() -> None:
-    from nscc_training.own_measurements import Measurement
+    from nscc_training.reconstruct_any import Measurement
 
     truth = clip_of()
     noisy = measured(truth) + RNG.normal(0, 25, (1, ROWS, COLS))

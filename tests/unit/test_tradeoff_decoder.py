@@ -20,7 +20,7 @@ torch = pytest.importorskip("torch")
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
-from nscc_training.decoders.declared import DECODERS  # noqa: E402
+from nscc_training.decoders.declared import DECODERS, DecoderTask  # noqa: E402
 from nscc_training.evaluation.methods import CLIPS  # noqa: E402
 from nscc_training.loop.decoding import decoded_frame  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
@@ -154,7 +154,7 @@ def test_a_network_is_the_runs_own(clip_run: Path) -> None:
 def test_blocks_apart_are_the_blocks_by_themselves() -> None:
     """Without overlap a block's pictures are the network's own; a pixel has one block."""
     torch.manual_seed(1)
-    net = BlockNet(8, 3, (2, 2))
+    net = BlockNet((8,), DecoderTask("clip", 3, (2, 2)), "small")
     frame = torch.rand(1, 10, 7)
     both = net(frame, torch.ones(3, 2, 2))
     net.overlapping = (False, False)

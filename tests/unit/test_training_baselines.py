@@ -17,7 +17,7 @@ pytest.importorskip("torch")
 
 from nscc_training.baselines.hdr import merged
 from nscc_training.baselines.sci import adjoint, admm_tv, bilinear, gap_tv, thin_out
-from nscc_training.baselines.tv import tv_denoise
+from nscc_training.baselines.tv_loop import tv_denoise
 
 Volume = NDArray[np.float64]
 

@@ -21,7 +21,7 @@ from nscc_runtime.light import Light  # noqa: E402
 from nscc_training import load_run  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import ExposureSet, cut_batch, load_scenes  # noqa: E402
-from nscc_training.evaluation.subjects import evaluate  # noqa: E402
+from nscc_training.evaluation.runs import evaluate  # noqa: E402
 from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.losses import LOSSES  # noqa: E402
 from nscc_training.made_scenes import DIRECTIONS, moving_texture  # noqa: E402
@@ -100,7 +100,7 @@ def test_a_run_is_evaluated_on_procedural_scenes_and_on_folders(
     run: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     chosen = make_setup(settings_of(CLASSES)).protocol.changed(procedural=16)
-    monkeypatch.setattr("nscc_training.evaluation.subjects.load_protocol", lambda _name: chosen)
+    monkeypatch.setattr("nscc_training.evaluation.runs.load_protocol", lambda _name: chosen)
     first, arrays = evaluate(str(run), Path("procedural"), "class-v1", 1)
     again, _ = evaluate(str(run), Path("procedural"), "class-v1", 1)
     _, others = evaluate(str(run), Path("procedural"), "class-v1", 2)

@@ -126,7 +126,7 @@ def test_a_unet_is_its_convolutions() -> None:
 
 def test_blocks_overlap_and_are_averaged() -> None:
     """Against a loop over blocks that adds each where it belongs."""
-    net = BlockNet(8, 3, (2, 2))
+    net = BlockNet((8,), DecoderTask("clip", 3, (2, 2)), "small")
     frame = torch.rand(1, 6, 8)
     total, holders = torch.zeros(3, 6, 8), torch.zeros(6, 8)
     for row in (0, 2):
@@ -159,7 +159,7 @@ def test_blocks_are_taken_and_put_as_torch_does(
 @pytest.mark.parametrize("overlapping", [(True, True), (False, True), (False, False)])
 def test_blocks_have_true_gradients(overlapping: tuple[bool, bool]) -> None:
     """Of the frame and of the layers: sizes that whole blocks do not fill."""
-    net = BlockNet(3, 2, (2, 1)).double()
+    net = BlockNet((3,), DecoderTask("clip", 2, (2, 1)), "small").double()
     net.layers[1] = net.layers[3] = net.layers[5] = torch.nn.Tanh()
     net.overlapping = overlapping
     frame = torch.rand(2, 5, 4, dtype=torch.float64, requires_grad=True)

@@ -238,16 +238,16 @@ def test_only_decoders_that_guess_do(monkeypatch: pytest.MonkeyPatch) -> None:
     shutters, frame = random_shutters(5, 13, 10), noisy_frame(13, 10)
     for guesses in (False, True):
         for decoder in (
-            StillUNet((4, 8), None, True, guesses), StillUNet((4, 8), 5, True, guesses),
-            ClipUNet((4, 8), 5, guesses),
-        ):  # fmt: skip
+            network((4, 8), DecoderTask(kind, 5, (13, 10), guess=guesses), "small")
+            for network, kind in ((StillUNet, "still"), (StillUNet, "clip"), (ClipUNet, "clip"))
+        ):
             made = []
             for scale in (1.0, 2.0):
                 unet_scale[0] = scale
                 made.append(decoder(frame, shutters))
             assert torch.equal(*made) != guesses
     # without the code there is nothing to guess from
-    blind = StillUNet((4, 8), None, sees_code=False, guesses=True)
+    blind = StillUNet((4, 8), DecoderTask("still", 5, (13, 10), sees_code=False), "small")
     assert torch.equal(blind(frame, shutters), blind(frame, 1 - shutters))
 
 

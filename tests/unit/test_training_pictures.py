@@ -19,7 +19,7 @@ from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
 from nscc_training.tradeoff.diagrams import decoder_diagram, joint_diagram, sensor_diagram
 from nscc_training.tradeoff.joint import STAGES, Joint
 from nscc_training.tradeoff.sensor import SensorStudyResult
-from nscc_training.view_charts import result_sheet, run_sheet, sensor_sheet
+from nscc_training.views import result_sheet, run_sheet, sensor_sheet
 
 METRICS = """step,split,psnr_db,correct
 0,train,11.5,0.1

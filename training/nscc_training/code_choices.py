@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 ORDERED = ("two-phase", "staggered", "cyclic")
 """Names of initial codes with staggered bumps (`nscc_training.encoders.encoder_classes`)."""
@@ -62,3 +64,9 @@ class ShutterSpec:
     def places(self) -> int:
         """Number of codes in the tile."""
         return self.tile[0] * self.tile[1]
+
+
+def over_array(tile: NDArray[Any], rows: int, cols: int) -> NDArray[Any]:
+    """Return a tile (.., r, c), repeated from the top left corner and cut to (.., rows, cols)."""
+    repeats = (-(-rows // tile.shape[-2]), -(-cols // tile.shape[-1]))
+    return np.tile(tile, (1,) * (tile.ndim - 2) + repeats)[..., :rows, :cols]

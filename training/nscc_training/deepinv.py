@@ -169,10 +169,7 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
 
     @classmethod
     def of(
-        cls,
-        program: ShutterProgram,
-        sensor: SensorLike = None,
-        rng: torch.Generator | None = None,
+        cls, program: ShutterProgram, sensor: SensorLike = None, rng: torch.Generator | None = None
     ) -> SensorNoise:
         """Return the noise of a program's chip, or of a `sensor` as of `nscc_runtime.capture`."""
         chip = sensor_of("SensorNoise.of", sensor, converter_of(program.container))

@@ -34,6 +34,8 @@ from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder
 
 _CURVES = "metrics.csv"
+DarkLike = Capture | str | os.PathLike[str]
+FrameLike = DarkLike | NDArray[np.integer[Any]]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -120,11 +122,7 @@ class Run:
         return exposing.capture(self.program, light, **{"sensor": like.sensor, **options})
 
     def reconstruct(
-        self,
-        frame: Capture | NDArray[np.integer[Any]] | str | os.PathLike[str],
-        *,
-        force: bool = False,
-        dark: Capture | str | os.PathLike[str] | None = None,
+        self, frame: FrameLike, *, force: bool = False, dark: DarkLike | None = None
     ) -> NDArray[np.float32]:
         """Decode a frame.
 
@@ -155,11 +153,7 @@ class Run:
         return self._decoded(frame, force=force, dark=dark)
 
     def _decoded(
-        self,
-        frame: Capture | NDArray[np.integer[Any]] | str | os.PathLike[str],
-        *,
-        force: bool = False,
-        dark: Capture | str | os.PathLike[str] | None = None,
+        self, frame: FrameLike, *, force: bool = False, dark: DarkLike | None = None
     ) -> NDArray[np.float32]:
         """Return the decoder's output for a frame."""
         if isinstance(frame, str | os.PathLike):
@@ -182,19 +176,12 @@ class Run:
             codes = self._codes(frame)
             full = last_codes(codes, self.folder.setup.target) != 0
             return decoded_frame(self.folder.setup, codes, full)
-        dark_frames, target = None if dark is None else self._dark(dark), self.folder.setup.target
-        offset = None if dark_frames is None else dark_frames.offset
-        size = (target.rows, target.cols)
-        doubts = () if dark_frames is None else dark_frames.checked(read.meta, size, force=force)
-        light, messages = reconstructed(self.folder, read, name, force=force, offset=offset)
-        warn((*messages, *doubts))
+        dark_frames = None if dark is None else self._dark(dark)
+        light, messages = reconstructed(self.folder, read, name, dark_frames, force=force)
+        warn(messages)
         return light
 
-    def classify(
-        self,
-        frame: Capture | NDArray[np.integer[Any]] | str | os.PathLike[str],
-        **options: Any,
-    ) -> dict[str, float]:
+    def classify(self, frame: FrameLike, **options: Any) -> dict[str, float]:
         """Name the class of a frame, for a run that was trained with classes.
 
         Parameters
@@ -259,7 +246,7 @@ class Run:
             return shutter_chart(rows[:, None], labels, slot_us, ("exposure",))
         return shutter_chart(np.stack([rows, ~rows], axis=1), labels, slot_us, ("first", "second"))
 
-    def _dark(self, dark: Capture | str | os.PathLike[str]) -> Dark:
+    def _dark(self, dark: DarkLike) -> Dark:
         """Return a frame without light."""
         if not isinstance(dark, Capture):
             return read_dark(Path(dark), self.folder.setup.buckets)

@@ -20,6 +20,7 @@ from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import OPEN
 from nscc_runtime.pieces import COLOURS
+from nscc_training.code_choices import over_array
 from nscc_training.problems import why_no_arrays
 
 Array = NDArray[Any]
@@ -57,15 +58,11 @@ def read_frame(path: Path) -> FrameRead:
     in_colours = "colours" in file.meta and frame.shape[:1] == (len(COLOURS),)
     if frame.ndim != 3 + in_colours or frame.shape[-3] not in (1, 2):
         raise no_frame(path, f"its frame is {frame.shape}, not one exposure in a bucket or two")
-    if stored_shutters is not None and stored_shutters.shape[:-1] != frame.shape[-3:]:
-        raise no_frame(
-            path, f"its shutters are of {stored_shutters.shape[:-1]}, its frame {frame.shape}"
-        )
-    shutter = (
-        None
-        if stored_shutters is None
-        else np.asarray(stored_shutters[0].transpose(2, 0, 1), np.bool_)
-    )
+    shutter = None
+    if stored_shutters is not None:
+        if (sizes := stored_shutters.shape[:-1]) != frame.shape[-3:]:
+            raise no_frame(path, f"its shutters are of {sizes}, its frame {frame.shape}")
+        shutter = np.asarray(stored_shutters[0].transpose(2, 0, 1), np.bool_)
     opened = None if file.opened is None else by_colour(file.opened, in_colours)
     codes, full = (by_colour(values, in_colours) for values in (frame, saturated))
     return FrameRead(codes, full, file.meta, shutter, opened)
@@ -125,14 +122,13 @@ def number_of(meta: Mapping[str, Any], name: str) -> float:
     raise ValueError(f"`{name}` of its meta is {str(value)[:40]}, not a number")
 
 
-def no_frame(path: Path | str, reason: str) -> Exception:
+def no_frame(
+    path: Path | str, reason: str,
+    help_text: str = "`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",
+) -> Exception:  # fmt: skip
     """Return the error (NS0819) for a file that cannot be reconstructed."""
-    return rejected(
-        "NS0819",
-        f"'{path}' is not a frame that can be reconstructed",
-        notes=(reason,),
-        helps=("`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",),
-    )
+    message = f"'{path}' is not a frame that can be reconstructed"
+    return rejected("NS0819", message, notes=(reason,), helps=(help_text,))
 
 
 _LIT = 0.01
@@ -226,9 +222,7 @@ def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray
     """Return codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols).
 
     The offset is repeated if the codes cover several arrays side by side."""
-    times = [-(-side // most) for side, most in zip(codes.shape, offset.shape, strict=True)]
-    rows, cols = codes.shape[-2:]
-    return np.asarray(codes - np.tile(offset, times)[..., :rows, :cols], np.float32)
+    return np.asarray(codes - over_array(offset, *codes.shape[-2:]), np.float32)
 
 
 def read_dark(path: Path, buckets: int) -> Dark:

@@ -15,7 +15,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc_training.array_files import Floats, read_mask
-from nscc_training.code_choices import ShutterSpec
+from nscc_training.code_choices import ShutterSpec, over_array
 from nscc_training.codes_files import codes_bytes
 from nscc_training.programs import CODES_FILE, MOST_LISTED, Chip, compiled, program, words_per_slot
 
@@ -82,7 +82,7 @@ def import_mask(
         assert container is not None
         assert container.pixel_codes is not None
         lanes = container.table.shutter_of_code[container.pixel_codes]
-        places = _over(tile, (lanes.shape[0], lanes.shape[1]))
+        places = over_array(tile, *lanes.shape)
         pairs = np.unique(np.stack([lanes.reshape(-1), places.reshape(-1)]), axis=1)
         if not np.array_equal(container.table.shutters[pairs[0], 0], shutters[pairs[1]]):
             raise ValueError("the program opens other shutters than the mask")
@@ -144,7 +144,7 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
             helps=("`nscc import-mask MASK -o P.nsl` writes a program that does; `--codes open` "
                    "compiles for every legal code",),
         )  # fmt: skip
-    codes = table.codes[np.array(shutter_codes)[_over(tile, (target.rows, target.cols))]]
+    codes = table.codes[np.array(shutter_codes)[over_array(tile, target.rows, target.cols)]]
     return {name: np.ascontiguousarray(codes[..., k]) for k, name in enumerate(table.fields)}
 
 
@@ -175,7 +175,7 @@ def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray
     tile = places[:down, :across]
     if tile.size > MOST_LISTED and tile.shape != array:
         # A file of codes has one code per pixel of the array.
-        tile = _over(tile, array)
+        tile = over_array(tile, *array)
     return np.ascontiguousarray(mask.reshape(slots, -1).T[first]), tile
 
 
@@ -183,10 +183,6 @@ def _period(places: NDArray[np.int64]) -> int:
     """Return the smallest period of the rows of `places`."""
     count = len(places)
     return next((n for n in range(1, count) if np.array_equal(places[n:], places[:-n])), count)
-
-
-def _over(tile: NDArray[np.int64], array: tuple[int, int]) -> NDArray[np.int64]:
-    return tile[np.ix_(np.arange(array[0]) % tile.shape[0], np.arange(array[1]) % tile.shape[1])]
 
 
 def _candidates(

@@ -244,7 +244,8 @@ def loaded_state(path: Path, data: bytes) -> dict[str, Tensor]:
         state: Any = torch.load(io.BytesIO(data), map_location="cpu", weights_only=True)
     except Exception as error:  # torch, zipfile and pickle raise a dozen types for damaged files
         reason = "it is not a file of torch.save that holds tensors only"
-        raise refused(path, reason, f"the reader says: {_first_sentence(error)}") from error
+        first_sentence = one_line(error).partition(". ")[0]
+        raise refused(path, reason, f"the reader says: {first_sentence}") from error
     if not isinstance(state, dict):
         raise refused(path, f"it holds {type(state).__name__}, not a state dict")
     for name, value in state.items():
@@ -266,10 +267,6 @@ def refused(path: Path, reason: str, note: str = "") -> Rejected:
             "nscc_training.cells.PixelCell; decoders stay off the chip",
         ),
     )
-
-
-def _first_sentence(error: Exception) -> str:
-    return one_line(error).partition(". ")[0]
 
 
 def _shape(tensor: Tensor) -> str:

@@ -43,23 +43,9 @@ def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
     return l1(pu21(prediction * NITS), pu21(truth * NITS)) / most
 
 
-def classification(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Return the cross-entropy of logarithms of likelihoods (batch, classes)."""
-    return functional.cross_entropy(prediction, truth)
-
-
 def after(curve: Callable[[Tensor], Tensor], loss: Loss) -> Loss:
-    """Return a loss on a curve, which keeps the curve of the truth for the next call."""
-    known: list[Tensor] = []
-
-    def both(prediction: Tensor, truth: Tensor) -> Tensor:
-        if truth.requires_grad:
-            return loss(curve(prediction), curve(truth))
-        if not known or known[0] is not truth:
-            known[:] = truth, curve(truth)
-        return loss(curve(prediction), known[1])
-
-    return both
+    """Return a loss on a curve."""
+    return lambda prediction, truth: loss(curve(prediction), curve(truth))
 
 
 LOSSES: dict[str, Loss] = {
@@ -71,6 +57,6 @@ LOSSES: dict[str, Loss] = {
     "psnr": psnr,
     "psnr-mu": after(mu_law, psnr),
     "psnr-display": after(srgb, psnr),
-    CLASS: classification,
+    CLASS: functional.cross_entropy,  # of logarithms of likelihoods (batch, classes)
 }
 """The losses by the names that configurations use."""

@@ -274,11 +274,8 @@ def _train(
     # A small rate limits the number of signs that change in one step.
     rate = _RATE / 4 if cell.is_binary else _RATE
     rates = [rate, 5 * rate, 0.05]
-    optimizer = torch.optim.Adam([
-        {"params": parameters, "lr": group_rate}
-        for parameters, group_rate in zip(
-            ([cell.weight], [cell.threshold], [*decoder.parameters()]), rates, strict=True)
-    ])  # fmt: skip
+    learned = ([cell.weight], [cell.threshold], [*decoder.parameters()])
+    optimizer = torch.optim.Adam([{"params": parameters} for parameters in learned])
     schedule = torch.optim.lr_scheduler.OneCycleLR(
         optimizer, rates, total_steps=max(steps, 2), pct_start=0.1
     )

@@ -20,7 +20,7 @@ from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.words.legality import refuse_pictures
-from nscc_training.code_choices import ShutterSpec
+from nscc_training.code_choices import ShutterSpec, over_array
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import LookSchedule
 from nscc_training.design.text import frame_text, looking_text
@@ -180,8 +180,7 @@ def begun_with(
         raise ValueError(f"the program has {len(container.buckets)} buckets, but the run has one")
     rows, cols = container.pixel_codes.shape
     at = container.pixel_codes[: spec.tile[0], : spec.tile[1]]
-    repeated = np.tile(at, (-(-rows // spec.tile[0]), -(-cols // spec.tile[1])))[:rows, :cols]
-    if not np.array_equal(repeated, container.pixel_codes):
+    if not np.array_equal(over_array(at, rows, cols), container.pixel_codes):
         raise ValueError(
             f"its pixels are not a repeated tile of {spec.tile[0]} x {spec.tile[1]}: give the run "
             "the program's own tile"

@@ -71,11 +71,16 @@ class Protocol:
         return float(lux * _PHOTONS_OF_LUX * counted_m2 * seconds)
 
 
+def packaged(name: str, place: str) -> Path:
+    """Return a file or folder of the installed package; in a checkout it is at `place` in
+    training."""
+    installed = Path(__file__).with_name(name)
+    return installed if installed.exists() else Path(__file__).resolve().parents[1] / place
+
+
 def load_protocol(name: str) -> Protocol:
     """Return a protocol by name; raise Rejected (NS0806) for an unknown one."""
     if name not in NAMES:
         raise unknown_name("NS0806", "unknown protocol '{}'", name, NAMES, "the protocols are {}")
-    installed = Path(__file__).with_name("protocol_files")
-    folder = installed if installed.is_dir() else Path(__file__).resolve().parents[1] / "protocols"
-    data = (folder / f"{name}.toml").read_bytes()
+    data = (packaged("protocol_files", "protocols") / f"{name}.toml").read_bytes()
     return Protocol(name, sha256(data).hexdigest(), tomllib.loads(data.decode()))

@@ -21,6 +21,7 @@ from nscc_runtime.machine_code import working_s
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.frame_reading import (
+    Dark,
     FrameRead,
     no_frame,
     of_pixels,
@@ -92,31 +93,26 @@ def likelihoods(classes: Sequence[str], scores: NDArray[np.float32]) -> dict[str
 def _decoded(folder: RunFolder, frame: Path, force: bool, dark: Path | None) -> Reconstruction:
     """Decode a frame file, as `reconstruct`."""
     read, begin = read_frame(frame), working_s()
-    offset: NDArray[np.float64] | None = None
-    doubts: tuple[Diagnostic, ...] = ()
-    if dark is not None:
-        dark_frames = read_dark(dark, folder.setup.buckets)
-        size = (folder.setup.target.rows, folder.setup.target.cols)
-        offset, doubts = dark_frames.offset, dark_frames.checked(read.meta, size, force=force)
-    light, messages = reconstructed(folder, read, str(frame), force=force, offset=offset)
-    messages, seconds = (*messages, *doubts), working_s() - begin
+    dark_frames = None if dark is None else read_dark(dark, folder.setup.buckets)
+    light, messages = reconstructed(folder, read, str(frame), dark_frames, force=force)
+    seconds = working_s() - begin
     return Reconstruction(light, folder.setup.still, len(read.frame) > 1, messages, seconds)
 
 
 def reconstructed(
-    folder: RunFolder, read: FrameRead, name: str, *, force: bool,
-    offset: NDArray[np.float64] | None = None,
-) -> tuple[NDArray[np.float32], tuple[Diagnostic, ...]]:  # fmt: skip
+    folder: RunFolder, read: FrameRead, name: str, dark: Dark | None, *, force: bool
+) -> tuple[NDArray[np.float32], tuple[Diagnostic, ...]]:
     """Return the picture or clip of a frame, colours last, and warnings.
 
-    Messages call the frame `name`; `offset` (rows, cols) is the array's dark offset. Raises
-    Rejected (NS0819) as `reconstruct` does."""
+    Messages call the frame `name`. Raises Rejected (NS0819) as `reconstruct` does."""
+    size = (folder.setup.target.rows, folder.setup.target.cols)
+    dark_doubts = () if dark is None else dark.checked(read.meta, size, force=force)
+    offset = None if dark is None else dark.offset
     doubts = [*_program_doubts(folder, read), *_sensor_doubts(folder, read)]
     messages = tuple(_doubt(name, text, warning=force) for text in doubts)
     if messages and not force:
         raise Rejected(messages, status=2)
     messages += (*_unlearned(folder, read, name), *overexposed(name, read.saturated))
-    size = (folder.setup.target.rows, folder.setup.target.cols)
     shape = read.frame.shape[-2:]
     if shape != size and "laid" not in read.meta:
         raise no_frame(name, f"it has {shape} pixels, but the run's chip has {size}")
@@ -138,6 +134,7 @@ def reconstructed(
         )
         for codes, saturated, share in zip(read.frame, read.saturated, shares, strict=True)
     ]
+    messages += dark_doubts
     return np.stack(light, axis=-1) if len(light) > 1 else light[0], messages
 
 
@@ -157,11 +154,8 @@ def _is_program(folder: RunFolder, digest: object) -> bool:
     source = Source("shutter.nsl", folder.program)
     for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
         options = Options(level=level, target=folder.setup.chip.file)
-        compiled_program = compile_source(source, folder.path, options)
-        if (
-            compiled_program.container
-            and sha256(to_bytes(compiled_program.container)).hexdigest() == digest
-        ):
+        container = compile_source(source, folder.path, options).container
+        if container and sha256(to_bytes(container)).hexdigest() == digest:
             return True
     return False
 

@@ -13,7 +13,7 @@ from nscc_runtime.scenes.colour import Transfer
 from nscc_training.config import load_config
 from nscc_training.design.text import SLOT_DECIMALS
 from nscc_training.programs import SENSOR_FILE, TARGET_FILE
-from nscc_training.protocols import load_protocol
+from nscc_training.protocols import load_protocol, packaged
 
 PROGRAM, CONFIG = "shutter.nsl", "config.resolved.toml"
 WEIGHTS = "decoder.safetensors"
@@ -65,27 +65,19 @@ class RunCapture:
 
 def shipped_runs() -> Mapping[str, Path]:
     """Return the folders of the runs that come with nscc, by name."""
-    installed = Path(__file__).with_name("shipped_runs")
-    if installed.is_dir():
-        return {name: installed / name for name in _SHIPPED}
-    runs = Path(__file__).resolve().parents[1] / "results" / "shipped"
-    return {name: runs / folder for name, folder in _SHIPPED.items()}
+    runs = packaged("shipped_runs", "results/shipped")
+    installed = runs.name == "shipped_runs"
+    return {name: runs / (name if installed else place) for name, place in _SHIPPED.items()}
 
 
 def shipped_evaluations() -> Path:
     """Return the folder of the shipped results of `nscc evaluate`."""
-    installed = Path(__file__).with_name("shipped_evaluations")
-    in_repository = Path(__file__).resolve().parents[1] / "results" / "evaluations"
-    return installed if installed.is_dir() else in_repository
+    return packaged("shipped_evaluations", "results/evaluations")
 
 
 def searched_codes() -> Path:
     """Return the file of the best searched codes for clips (16 slots, 8 x 8 tile)."""
-    installed = Path(__file__).with_name("searched_codes.npz")
-    in_repository = (
-        Path(__file__).resolve().parents[1] / "results" / "runs" / _SEARCHED / "codes.npz"
-    )
-    return installed if installed.is_file() else in_repository
+    return packaged("searched_codes.npz", f"results/runs/{_SEARCHED}/codes.npz")
 
 
 def run_path(folder: Path) -> Path:

@@ -35,16 +35,14 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
     matching = []
     for pattern in str(folder).split("+"):
         picked = _PICKED.fullmatch(pattern)
-        names = [pattern] if picked is None else [picked[1]]
         files = [
-            path for place in folders_of(names[0]) if place.is_dir()
-            for path in files_in(place, endings)
+            path for place in folders_of(pattern if picked is None else picked[1])
+            if place.is_dir() for path in files_in(place, endings)
         ]  # fmt: skip
-        places = None if picked is None else {int(place) for place in picked[2].split(",")}
-        matching += [
-            path for k, path in enumerate(files)
-            if picked is None or places is None or k % int(picked[3]) in places
-        ]  # fmt: skip
+        if picked is not None:
+            positions = {int(position) for position in picked[2].split(",")}
+            files = [path for k, path in enumerate(files) if k % int(picked[3]) in positions]
+        matching += files
     return matching
 
 
@@ -65,20 +63,21 @@ def protocol_files(
     """Return the files of `files_in`; raise Rejected (NS0811) if there are none."""
     matching = files_in(folder, endings)
     if not matching:
+        exists = any(map(Path.is_dir, folders_of(str(folder))))
+        missing = () if exists else ("the folder does not exist",)
         raise rejected(
             "NS0811",
             f"'{folder}' contains no data for protocol {protocol}",
-            notes=(
-                *(
-                    ()
-                    if any(map(Path.is_dir, folders_of(str(folder))))
-                    else ("the folder does not exist",)
-                ),
-                f"{kind_text} {', '.join(endings)}",
-            ),
+            notes=(*missing, f"{kind_text} {', '.join(endings)}"),
             helps=(f"name a folder of {expected}",),
         )
     return matching
+
+
+def centre_of(frame: NDArray[Any], size: int) -> NDArray[Any]:
+    """Return the middle of a frame, or the whole frame if it is smaller than `size`."""
+    first_row, first_col = (max(0, side - size) // 2 for side in frame.shape[:2])
+    return frame[first_row : first_row + size, first_col : first_col + size]
 
 
 def light_in(stored: NDArray[Any], transfer: Transfer) -> NDArray[np.float64]:

@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 import torch
 from numpy.typing import NDArray
 from torch import Tensor
-from torch.autograd import Function
 
 from nscc.chips.target import Target
 from nscc_runtime.effects import everything
@@ -20,9 +19,6 @@ from nscc_training.draws import normal
 from nscc_training.encoders.base import Encoder
 from nscc_training.gradients import rounded, saturated
 from nscc_training.protocols import Protocol
-
-_BLOCK = 32
-"""Number of slots that are masked at a time, to limit the memory."""
 
 
 @dataclass(frozen=True)
@@ -169,32 +165,6 @@ class SensorModel:
         return torch.where(codes >= self.full_code, relative_codes.clamp(min=1), relative_codes)
 
 
-class _Masked(Function):
-    """Sum of light times shutters over slots, in float64; gradients are as precise as light."""
-
-    @staticmethod
-    def forward(ctx: Any, light: Tensor, shutters: Tensor) -> Tensor:
-        ctx.save_for_backward(light, shutters)
-        total = torch.zeros_like(light[:, 0], dtype=torch.float64)
-        for first in range(0, light.shape[1], _BLOCK):
-            masked = light[:, first : first + _BLOCK] * shutters[first : first + _BLOCK]
-            total += masked.sum(dim=1, dtype=torch.float64)
-        return total
-
-    @staticmethod
-    def backward(ctx: Any, grad: Tensor) -> tuple[Tensor | None, Tensor | None]:
-        light, shutters = ctx.saved_tensors
-        grad = grad.to(light.dtype)
-        to_light = grad.unsqueeze(1) * shutters if ctx.needs_input_grad[0] else None
-        if not ctx.needs_input_grad[1]:
-            return to_light, None
-        to_shutters = torch.empty_like(shutters, dtype=light.dtype)
-        for first in range(0, light.shape[1], _BLOCK):
-            products = light[:, first : first + _BLOCK] * grad.unsqueeze(1)
-            to_shutters[first : first + _BLOCK] = products.sum(dim=0)
-        return to_light, to_shutters.to(shutters.dtype)
-
-
 class Captured(NamedTuple):
     """The result of a capture: electrons before saturation and noise, and the codes of the frame.
 
@@ -256,11 +226,9 @@ def check_light(light: Tensor) -> None:
         reason = "light is complex, but must contain real values: the electrons of each slot"
         raise ValueError(reason)
     values = light.detach()
-    low, high = (float(v) for v in torch.aminmax(values)) if values.numel() else (0.0, 0.0)
-    if low >= 0 and high < inf:
+    count, negative = int((~torch.isfinite(values)).sum()), int((values < 0).sum())
+    if not count and not negative:
         return
-    finite = torch.isfinite(values)
-    count, negative = int((~finite).sum()), int((values < 0).sum())
     raise ValueError(
         f"{count} of {values.numel()} values of the light are not finite, {negative} are negative; "
         f"{values.dtype} holds numbers up to {torch.finfo(values.dtype).max:g}"
@@ -330,8 +298,7 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
         return light.double() * laid(opened, rows, cols)
     if light.shape[1] != slots:
         raise ValueError(f"the light has {light.shape[1]} slots, but the shutters have {slots}")
-    electrons: Tensor = _Masked.apply(light, laid(shutters, rows, cols))  # type: ignore[no-untyped-call]
-    return electrons
+    return (light * laid(shutters, rows, cols)).sum(dim=1, dtype=torch.float64)
 
 
 def read_out(

@@ -108,9 +108,7 @@ class DecoderSettings:
         TextKind(SIZES), "paper: as in the paper; small: at most 0.6 million parameters at width 1", "small"
     )
     width: float = key(
-        Number(0.01, 4),
-        "factor on the width of the decoder's layers of this size",
-        1.0,
+        Number(0.01, 4), "factor on the width of the decoder's layers of this size", 1.0
     )
     sees_code: bool = key(Flag(), "whether the decoder receives the code of each pixel", True)
     guess: str = key(

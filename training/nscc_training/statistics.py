@@ -11,35 +11,6 @@ from numpy.typing import ArrayLike
 RESAMPLES = 2000
 
 
-class Moments:
-    """Count, mean and variance of values that arrive in blocks of any size.
-
-    Blocks are merged as by Chan, Golub and LeVeque; within a block the variance takes two passes.
-    """
-
-    def __init__(self) -> None:
-        self.count = 0
-        self.mean = 0.0
-        self._squares = 0.0
-
-    def add(self, values: ArrayLike) -> None:
-        block = np.asarray(values, np.float64).ravel()
-        if block.size == 0:
-            return
-        mean = float(block.mean())
-        squares = float(np.square(block - mean).sum())
-        total = self.count + block.size
-        apart = mean - self.mean
-        self._squares += squares + apart * apart * self.count * block.size / total
-        self.mean += apart * block.size / total
-        self.count = total
-
-    @property
-    def variance(self) -> float:
-        """The unbiased variance; 0 for fewer than two values."""
-        return self._squares / (self.count - 1) if self.count > 1 else 0.0
-
-
 def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> dict[str, Any]:
     """Return `mean`, `sd` and `ci95` of scores; infinite scores are excluded and counted in
     `infinite`.
@@ -50,20 +21,20 @@ def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> di
     if any(np.isnan(value) for value in values):
         raise ValueError("NaN is not a score")
     finite = [(v, g) for v, g in zip(values, groups, strict=True) if np.isfinite(v)]
-    moments = Moments()
-    moments.add([v for v, _ in finite])
+    scores = np.array([v for v, _ in finite], np.float64)
     interval = None
     if len({g for _, g in finite}) > 1:
-        interval = bootstrap([v for v, _ in finite], [g for _, g in finite], seed)
+        interval = bootstrap(scores, [g for _, g in finite], seed)
+    variance = float(scores.var(ddof=1)) if len(scores) > 1 else 0.0
     return {
-        "mean": moments.mean if finite else None,
-        "sd": moments.variance**0.5 if finite else None,
+        "mean": float(scores.mean()) if finite else None,
+        "sd": variance**0.5 if finite else None,
         "ci95": list(interval) if interval else None,
         "infinite": len(values) - len(finite),
     }
 
 
-def bootstrap(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> tuple[float, float]:
+def bootstrap(values: ArrayLike, groups: Sequence[str], seed: int = 0) -> tuple[float, float]:
     """Return the 95 % interval of the mean of values, from a bootstrap over groups."""
     names, of_value = np.unique(np.asarray(groups, np.str_), return_inverse=True)
     sums = np.bincount(of_value, weights=np.asarray(values, np.float64), minlength=len(names))

@@ -1,4 +1,4 @@
-"""Pictures of nscc's files: frames, reconstructions, runs, results and sensors.
+"""Pictures of nscc's files: frames, reconstructions, and charts of runs, results and sensors.
 
 Programs are drawn by `nscc_runtime.pictures.shutter_sheet`."""
 
@@ -14,24 +14,31 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import read_whole, reads
 from nscc.npy import MOST_BYTES, InvalidArrays, npz_arrays
+from nscc_runtime.effects import selected
 from nscc_runtime.formats import Content
 from nscc_runtime.formats.content import content_sheet
 from nscc_runtime.frame_arrays import checked_meta, frame_meta
 from nscc_runtime.frame_file import Frame
+from nscc_runtime.light import Light
 from nscc_runtime.pictures.images import Image, image_plane_sheet, image_sheet
-from nscc_runtime.pictures.sheet import png_of
+from nscc_runtime.pictures.sheet import head, look, panels, png_of
 from nscc_runtime.pictures.tone import fitted
 from nscc_runtime.scenes.clips import CLIPS, read_clip
 from nscc_runtime.scenes.picture_files import PICTURES, open_pages, transfer_of
+from nscc_runtime.sensor import load_sensor
+from nscc_runtime.simulate import Request, simulate
+from nscc_training.demo.expose import camera
+from nscc_training.measures import METRIC_NAMES
 from nscc_training.run_files import run_path
 from nscc_training.scene_files import light_in
-from nscc_training.view_charts import result_sheet, run_sheet, sensor_sheet
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _MOST_FRAMES = 64
@@ -78,17 +85,16 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
         most = _MOST_DRAWN_PIXELS if pages.count == 1 else _MOST_FRAME_PIXELS
         stored = [_reduced(page, most) for page in islice(pages.read(), _MOST_FRAMES)]
         linear = transfer_of(path) == "linear" or stored[0].dtype.kind == "f"
-        clip = np.stack([light_in(page, "linear" if linear else "srgb") for page in stored])
-        light = clip if pages.count > 1 else clip[0]
-        usual, unit = ("log", "e") if linear else ("srgb", "")
-        content = Content({}, light, moving=pages.count > 1, tone=tone, usual=usual, unit=unit)
-        return png_of(content_sheet, content, path.name)
-    if suffix in CLIPS:
+        moving = pages.count > 1
+    elif suffix in CLIPS:
         frames = islice(read_clip(path), _MOST_FRAMES)
-        clip = np.stack([light_in(_reduced(frame, _MOST_FRAME_PIXELS), "srgb") for frame in frames])
-        content = Content({}, clip, moving=True, tone=tone, usual="srgb", unit="")
-        return png_of(content_sheet, content, path.name)
-    raise _nothing_to_view(path, f"the ending '{suffix}' cannot be viewed")
+        stored, linear, moving = [_reduced(f, _MOST_FRAME_PIXELS) for f in frames], False, True
+    else:
+        raise _nothing_to_view(path, f"the ending '{suffix}' cannot be viewed")
+    clip = np.stack([light_in(frame, "linear" if linear else "srgb") for frame in stored])
+    usual, unit = ("log", "e") if linear else ("srgb", "")
+    content = Content({}, clip if moving else clip[0], moving, tone=tone, usual=usual, unit=unit)
+    return png_of(content_sheet, content, path.name)
 
 
 def _of_arrays(path: Path, tone: str | None) -> bytes:
@@ -99,8 +105,6 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
         meta = frame_meta(arrays)
         if meta is not None and "frame" in arrays:
             checked_meta(arrays)
-            if "margin" in arrays:
-                return png_of(_pictured_view, arrays, meta, path.name)
             return png_of(frame_view, arrays, meta, path.name, tone)
     except (InvalidArrays, OSError) as error:
         raise _nothing_to_view(path, str(error)) from error
@@ -146,9 +150,15 @@ def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
 def frame_view(
     arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str, tone: str | None
 ) -> Figure:
-    """Draw the buckets of a frame file, of repeated frames the first, of colours all."""
+    """Draw the buckets of a frame file with its images, planes and events; of repeated frames the
+    first, of colours all."""
     missing = np.zeros(arrays["frame"].shape)
     frame, exposure, marks = (arrays.get(key, missing) for key in _FRAME_KEYS)
+    if "margin" in arrays:
+        told = {key: values for key, values in arrays.items() if key not in (*_FRAME_KEYS, "meta")}
+        pictured = Frame(frame, exposure, np.isfinite(exposure), marks, told=told)
+        names = meta.get("buckets")
+        return image_plane_sheet(pictured.first, names if isinstance(names, list) else [], title)
     if frame.ndim == 4 and "colours" not in meta:
         frame, exposure, marks = frame[0], exposure[0], marks[0]
     names = meta.get("colours") or meta.get("buckets")
@@ -173,16 +183,6 @@ def _is_drawn(name: str) -> bool:
     return name in (*_FRAME_KEYS, "meta", "image", "video", "margin") or name.startswith(prefixes)
 
 
-def _pictured_view(arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str) -> Figure:
-    """Draw the buckets, images, planes and events of a frame file; of several frames the first."""
-    told = {key: values for key, values in arrays.items() if key not in (*_FRAME_KEYS, "meta")}
-    missing = np.zeros(arrays["frame"].shape)
-    codes, exposure_e, saturated_by = (arrays.get(key, missing) for key in _FRAME_KEYS)
-    frame = Frame(codes, exposure_e, np.isfinite(exposure_e), saturated_by, told=told)
-    names = meta.get("buckets")
-    return image_plane_sheet(frame.first, names if isinstance(names, list) else [], title)
-
-
 def _json(path: Path) -> dict[str, Any]:
     try:
         document = json.loads(read_whole(path))
@@ -201,3 +201,119 @@ def _nothing_to_view(path: Path, reason: str) -> Rejected:
                "results and sensors",),
         helps=("name a .nsl, .icw, .npz, .json, .toml, a picture, a clip or a run folder",),
     )  # fmt: skip
+
+
+_PANEL = (4.6, 3.2)
+_MOST_SCENES = 24
+_ELSEWHERE = "with another sensor or exposure"
+
+
+def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
+    """Draw a run's training curves, and its scores under changed conditions."""
+    with open(path / "metrics.csv", encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    changes, metric = _changes(result), _metric(result)
+    figure, (learning, *change_axes) = panels(2 if changes else 1, _PANEL, 2)
+    for number, split in enumerate(("train", "val")):
+        scores = [(_number(r.get("step")), _number(r.get(metric))) for r in rows
+                 if r.get("split") == split]  # fmt: skip
+        points = [(step, value) for step, value in scores if step is not None and value is not None]
+        if points:
+            style = look().of(number)
+            learning.plot(*zip(*points, strict=True), **style, label=split)
+    learning.set_title("learning")
+    learning.set_xlabel("step")
+    learning.set_ylabel(METRIC_NAMES[metric])
+    for axes in change_axes:
+        _bars(axes, changes, _ELSEWHERE, metric)
+    handles = learning.get_legend_handles_labels()[0]
+    head(figure, path.name, f"{METRIC_NAMES[metric]}: training and validation", handles)
+    return figure
+
+
+def result_sheet(values: dict[str, Any], title: str) -> Figure:
+    """Draw the scores of a run (`robustness`) or an evaluation (`items`), worst first."""
+    changes, metric = _changes(values), _metric(values)
+    if changes:
+        figure, (axes,) = panels(1, _PANEL, 1)
+        _bars(axes, changes, _ELSEWHERE, metric)
+        head(figure, title, f"{METRIC_NAMES[metric]} of the scenes that the run was validated on")
+        return figure
+    scenes: dict[str, list[float]] = {}
+    for item in values.get("items", []):
+        value = _number(item.get(metric))
+        if value is not None:
+            scenes.setdefault(str(item.get("class", item.get("file"))), []).append(value)
+    means = sorted((float(np.mean(scores)), name) for name, scores in scenes.items())
+    figure, (axes,) = panels(1, (7.0, 0.9 + 0.24 * min(len(means), _MOST_SCENES)), 1)
+    _bars(
+        axes,
+        {name: value for value, name in means[:_MOST_SCENES]},
+        f"means by {'class' if metric == 'correct' else 'file'}, the worst first",
+        metric,
+    )
+    note = f"protocol {values.get('protocol')}: PSNR in {values.get('domain')}"
+    if metric == "correct":
+        note = f"protocol {values.get('protocol')}"
+    head(figure, title, note)
+    return figure
+
+
+def sensor_sheet(path: Path) -> Figure:
+    """Draw the response of a sensor to uniform light in one slot, and its standard deviation."""
+    target = load_target(DEFAULT_NAME, Path())
+    sensor = load_sensor(target, path)
+    electrons = np.geomspace(10.0, 3 * sensor.full_well_e, target.cols)
+    picture = np.empty((target.rows, target.cols), np.float32)
+    picture[:] = electrons
+    light = Light.of_still(picture, np.ones(1))
+    request = Request(selected("all"), repeat=2)
+    codes = simulate(camera(1, 1000.0), light, sensor, request).frame.frame[:, 0].astype(np.float64)
+    figure, (response, scatter) = panels(2, _PANEL, 2)
+    noise, fixed = (look().of(number)["color"] for number in (0, 1))
+    response.plot(electrons, codes.mean(axis=(0, 1)), color=look().ink)
+    response.set_title("response")
+    temporal = np.sqrt(np.mean(np.diff(codes, axis=0)[0] ** 2, axis=0) / 2)
+    pattern = codes.mean(axis=0).std(axis=0)
+    scatter.plot(electrons, temporal, color=noise, label="of a pixel from frame to frame")
+    scatter.plot(electrons, pattern, color=fixed, label="from pixel to pixel, mean of two frames")
+    scatter.set_title("scatter")
+    for axes in (response, scatter):
+        axes.set_xscale("log")
+        axes.set_xlabel("electrons in one slot of 1 ms")
+        axes.set_ylabel("codes")
+    note = (
+        f"open in one slot; full well {sensor.full_well_e:g} e, "
+        f"{sensor.electrons_per_lsb:.4g} e a code"
+    )
+    head(figure, path.name, note, scatter.get_legend_handles_labels()[0])
+    return figure
+
+
+def _bars(axes: Axes, values: dict[str, float], title: str, metric: str) -> None:
+    places = range(len(values))
+    axes.barh(places, list(values.values()), color=look().bar, height=0.6)
+    axes.set_yticks(places, list(values))
+    axes.invert_yaxis()
+    axes.set_xlabel(METRIC_NAMES[metric])
+    axes.set_title(title)
+
+
+def _metric(values: dict[str, Any]) -> str:
+    """Return the metric of a run's result or of an evaluation."""
+    rows = (*(values.get("robustness") or ()), *(values.get("items") or ()))
+    return "correct" if any("correct" in row for row in rows) else "psnr_db"
+
+
+def _changes(result: dict[str, Any]) -> dict[str, float]:
+    rows = result.get("robustness") or ()
+    scores = {str(row["change"]): _number(row[_metric(result)]) for row in rows}
+    return {name: value for name, value in scores.items() if value is not None}
+
+
+def _number(value: object) -> float | None:
+    try:
+        number = float(str(value))
+    except ValueError:
+        return None
+    return number if np.isfinite(number) else None

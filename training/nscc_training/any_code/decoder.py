@@ -30,11 +30,6 @@ _NOISE = (1e-5, 3e-5)
 The values fit a full well of 30,000 electrons and 8 bits. Runs use their own noise."""
 
 
-def any_code(channels: Sequence[int], task: DecoderTask, size: str) -> AnyCode:
-    """Build the declared decoder `any`."""
-    return AnyCode(channels, task.kind == "still", _STAGES[size])
-
-
 class AnyCode(nn.Module):
     """The decoder for any code as a network: `stages` times a step towards the frames and a
     denoiser.
@@ -46,12 +41,13 @@ class AnyCode(nn.Module):
     over the frame (batch, rows, cols), or for clips in full wells / N per slot (batch, N, rows,
     cols). Clips start from GAP-TV, which passes no gradient."""
 
-    def __init__(self, channels: Sequence[int], still: bool, stages: int) -> None:
+    def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
         super().__init__()
-        self.still, self.stages = still, STILL_STAGES if still else stages
+        self.still = task.kind == "still"
+        self.stages = STILL_STAGES if self.still else _STAGES[size]
         self.denoiser = ClipDenoiser(tuple(channels))
         if self.denoiser.widths == WIDTHS:
-            self.denoiser.load_state_dict(shipped("still" if still else "clip").state_dict())
+            self.denoiser.load_state_dict(shipped(task.kind).state_dict())
         self.noise = nn.Parameter(torch.tensor(_NOISE).log())
 
     def begin_anew(self) -> None:

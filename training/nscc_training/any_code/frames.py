@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -23,13 +23,14 @@ from nscc_runtime.frame_file import meta
 from nscc_runtime.light import Light
 from nscc_runtime.response import decode_arrays
 from nscc_runtime.sensor import Sensor, default_sensor
-from nscc_runtime.simulate import Request, simulate
-from nscc_training.frame_reading import are_lengths, number_of, read_dark, undarkened
+from nscc_runtime.simulate import Request, Simulated, simulate
+from nscc_training.frame_reading import are_lengths, no_frame, number_of, read_dark, undarkened
 from nscc_training.measured import Measured
 from nscc_training.problems import one_line, why_no_arrays
 
 _TOP = 255
 """The largest converter code, used as saturated if a frame does not mark saturated pixels."""
+_WRITE = "`nscc run FILE --scene .. -o FRAME.npz` writes one"
 _MOST_VALUES = 1 << 28
 """Largest number of slots times pixels of a clip: 4096 slots of 256 x 256 pixels."""
 
@@ -56,13 +57,11 @@ class CodedFrame:
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
     def crop(self, rows: slice, cols: slice) -> CodedFrame:
-        return replace(
-            self,
-            value_e=self.value_e[:, rows, cols],
-            variance_e2=self.variance_e2[:, rows, cols],
-            saturated=self.saturated[:, rows, cols],
-            row=self.row[rows, cols],
-        )
+        place = (slice(None), rows, cols)
+        return CodedFrame(
+            self.value_e[place], self.variance_e2[place], self.saturated[place],
+            self.opened, self.row[rows, cols], self.slot_us,
+        )  # fmt: skip
 
     def clip(self) -> Measured[NDArray[Any]]:
         """Return the measurement of a clip, in electrons per slot of mean length."""
@@ -99,7 +98,7 @@ def read_coded_frames(
             path, lambda name: name == "saturated" or name.startswith("decode_")
         )
     except (InvalidArrays, OSError) as error:
-        raise nocoded_frame(path, why_no_arrays(error)) from error
+        raise no_frame(path, why_no_arrays(error), _WRITE) from error
     if program is not None:
         table = _table_of(path, program, meta)
         pixels, frame_pixels = (source[name].shape[-2:] for source, name in
@@ -107,33 +106,28 @@ def read_coded_frames(
         if pixels != frame_pixels:
             rows, cols = frame_pixels
             sizes = f"{rows} x {cols} pixels, but '{program}' has {pixels[0]} x {pixels[1]}"
-            raise nocoded_frame(path, f"it has {sizes}", "name the program that exposed the frame")
+            raise no_frame(path, f"it has {sizes}", "name the program that exposed the frame")
         if not _is_exposed_by(program, arrays, meta, table):
             reason = f"it was exposed with other shutters than those of '{program}'"
-            raise nocoded_frame(path, f"{reason} (`program_sha256` of its meta is another)",
-                                "name the .icw file that exposed it, or leave --program out "
-                                "if the frame contains its shutters")  # fmt: skip
+            raise no_frame(path, f"{reason} (`program_sha256` of its meta is another)",
+                           "name the .icw file that exposed it, or leave --program out "
+                           "if the frame contains its shutters")  # fmt: skip
         arrays |= table
     if "decode_row" not in arrays:
-        raise nocoded_frame(path, "it does not contain the shutters of its pixels",
-                             "name the program that exposed it: --program FILE.icw")  # fmt: skip
+        raise no_frame(path, "it does not contain the shutters of its pixels",
+                       "name the program that exposed it: --program FILE.icw")  # fmt: skip
     offset = None if dark is None else _dark_of(dark, arrays, meta, warn)
     try:
         if "colours" not in meta:
             return (coded_frame(arrays, meta, offset),)
-        colour_keys = ("frame", "saturated")
+        by_colour = [name for name in ("frame", "saturated") if name in arrays]
         return tuple(
-            coded_frame(
-                arrays | {name: arrays[name][k] for name in colour_keys if name in arrays},
-                meta,
-                offset,
-            )
+            coded_frame(arrays | {name: arrays[name][k] for name in by_colour}, meta, offset)
             for k in range(len(arrays["frame"]))
         )
     except (KeyError, ValueError, IndexError, TypeError) as error:
-        raise nocoded_frame(
-            path, f"its arrays do not match each other: {one_line(error)}"
-        ) from error
+        reason = f"its arrays do not match each other: {one_line(error)}"
+        raise no_frame(path, reason, _WRITE) from error
 
 
 def _dark_of(
@@ -158,8 +152,8 @@ def _dark_of(
         sizes = (
             f"{dark[0]} x {dark[1]} pixels, but the frame has {frame_pixels[0]} x {frame_pixels[1]}"
         )
-        raise nocoded_frame(path, f"the dark frame has {sizes}",
-                             "expose the dark frame with the same program")  # fmt: skip
+        reason = f"the dark frame has {sizes}"
+        raise no_frame(path, reason, "expose the dark frame with the same program")
     for doubt in dark_frame.checked(meta, dark):
         warn(doubt)
     return dark_frame.offset.reshape(-1, *dark)
@@ -169,7 +163,13 @@ def exposed_frame(
     container: Container, light: Light, sensor: Sensor, request: Request
 ) -> CodedFrame:
     """Expose light with a program, and return the frame of the emulated chip."""
-    simulated = simulate(container, light, sensor, request)
+    return coded_capture(container, light, sensor, simulate(container, light, sensor, request))
+
+
+def coded_capture(
+    container: Container, light: Light, sensor: Sensor, simulated: Simulated
+) -> CodedFrame:
+    """Convert a simulated frame."""
     about = meta(container, light, simulated.frame, simulated.origin)
     table = decode_arrays(container, sensor, about["plan"])
     arrays = {"frame": simulated.frame.frame, "saturated": simulated.frame.saturated}
@@ -217,14 +217,9 @@ def coded_frame(
     )
     if plan is None or "shot" in kept_effects:  # only simulations can lack photon noise
         variance_e2 = variance_e2 + np.maximum(exposure_e, 0)
-    return CodedFrame(
-        value_e.astype(np.float32),
-        (variance_e2 / (len(codes) * gain**2)).astype(np.float32),
-        saturated,
-        opened,
-        row,
-        slot_us,
-    )
+    variance_e2 = variance_e2 / (len(codes) * gain**2)
+    arrays_e = (value_e.astype(np.float32), variance_e2.astype(np.float32))
+    return CodedFrame(*arrays_e, saturated, opened, row, slot_us)
 
 
 def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDArray[Any]]:
@@ -234,7 +229,7 @@ def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDAr
     try:
         table = decode_arrays(container, Sensor(values), meta.get("plan"))
     except (KeyError, TypeError, AttributeError) as error:
-        raise nocoded_frame(path, f"its meta is damaged: {one_line(error)}") from error
+        raise no_frame(path, f"its meta is damaged: {one_line(error)}", _WRITE) from error
     if not table:
         raise rejected(
             "NS0819",
@@ -263,14 +258,4 @@ def _is_exposed_by(
     return digest is None or any(
         sha256(to_bytes(with_pixels(container, program))).hexdigest() == digest
         for container in containers
-    )
-
-
-def nocoded_frame(path: Path, reason: str, help_text: str | None = None) -> Exception:
-    """Return NS0819 for a file from which no light can be reconstructed."""
-    return rejected(
-        "NS0819",
-        f"'{path}' is not a frame that can be reconstructed",
-        notes=(reason,),
-        helps=(help_text or "`nscc run FILE --scene .. -o FRAME.npz` writes one",),
     )

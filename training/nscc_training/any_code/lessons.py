@@ -15,6 +15,7 @@ from torch import Tensor
 from torch.utils.data import Dataset
 
 from nscc_training.any_code.decode import white
+from nscc_training.code_choices import over_array
 from nscc_training.codes_files import load_codes
 from nscc_training.curves import srgb_inverse
 from nscc_training.data.exposures import quantiles
@@ -145,8 +146,7 @@ def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> 
     stops = np.exp2(generator.uniform(lowest, 0, (tile, tile)))
     if tile == 2 and generator.random() < 0.5:
         stops = np.exp2(np.linspace(lowest, 0, 4)[generator.permutation(4)]).reshape(2, 2)
-    repeats = -(-size // tile)
-    mask = np.tile(stops, (repeats, repeats))[:size, :size].astype(np.float32)
+    mask = over_array(stops, size, size).astype(np.float32)
     return np.asarray(light / level, np.float32), mask
 
 
@@ -178,8 +178,7 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
         opened = slot < generator.integers(1, frames + 1, places)
     closed = ~opened.any(axis=0)
     opened[int(generator.integers(frames))] |= closed
-    mask = np.tile(opened, (1, -(-size // tile), -(-size // tile)))[:, :size, :size]
-    return np.ascontiguousarray(mask, np.float32)
+    return np.ascontiguousarray(over_array(opened, size, size), np.float32)
 
 
 def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
@@ -198,8 +197,7 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
         side, begin = 2, begin[:4]
     places = generator.permutation(begin).reshape(side, side)
     opened = (np.arange(frames)[:, None, None] - places) % frames < length
-    mask = np.tile(opened, (1, -(-size // side), -(-size // side)))[:, :size, :size]
-    return np.ascontiguousarray(mask, np.float32)
+    return np.ascontiguousarray(over_array(opened, size, size), np.float32)
 
 
 @cache
@@ -215,8 +213,7 @@ def _searched_mask(generator: Generator, frames: int, size: int) -> Mask:
     tile = np.rot90(_searched_tile(), int(generator.integers(4)), axes=(1, 2))
     tile = tile[:: int(generator.choice((1, -1)))]
     row, col = generator.integers(8, size=2)
-    repeats = -(-(size + 8) // 8)
-    mask = np.tile(tile, (1, repeats, repeats))[:, row : row + size, col : col + size]
+    mask = over_array(tile, row + size, col + size)[:, row:, col:]
     return np.ascontiguousarray(mask, np.float32)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_training import made_scenes
-from nscc_training.baselines.tv import Clip
+from nscc_training.baselines.tv_loop import Clip
 from nscc_training.least_squares import solve
 
 SIDE = 8

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc_training.baselines.tv import tv_denoised_arrays
+from nscc_training.baselines.tv_loop import tv_denoised_arrays
 from nscc_training.measured import Array, Measured, namespace
 
 START = 20

@@ -41,15 +41,15 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
     result = np.full(light.shape, np.nan)
     reach = 2
     while np.isnan(result).any() and reach <= 2 * max(light.shape):
-        total = _tent(precision, reach) + (_OWN - 1) * precision
-        value = _tent(weighted, reach) + (_OWN - 1) * weighted
+        total = tent_sums(precision, reach) + (_OWN - 1) * precision
+        value = tent_sums(weighted, reach) + (_OWN - 1) * weighted
         fillable = np.isnan(result) & (total > 0)
         result[fillable] = value[fillable] / total[fillable]
         reach *= 2
     return np.maximum(np.where(np.isnan(result), light, result), least)
 
 
-def _tent(values: Picture, reach: int) -> Picture:
+def tent_sums(values: Picture, reach: int) -> Picture:
     """Sum over windows with weights that fall linearly to 0 at `reach` pixels."""
     weights = 1 - np.abs(np.arange(1 - reach, reach)) / reach
     sums = values

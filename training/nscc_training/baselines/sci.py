@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from nscc_training.baselines.dictionary import dictionary_clip, made_dictionary
 from nscc_training.baselines.gap_tv import INNER, TIME, WEIGHT, gap_tv_of
-from nscc_training.baselines.tv import Clip, tv_denoise
+from nscc_training.baselines.hdr import tent_sums
+from nscc_training.baselines.tv_loop import Clip, tv_denoise
 from nscc_training.measured import Measured
 
 ITERATIONS = 40
@@ -59,12 +60,8 @@ def bilinear(clip: Clip, mask: Clip) -> Clip:
     data.
 
     This is a reference method: it uses the ground truth instead of the measurement."""
-    return np.stack(
-        [
-            _inpainted(frame * open_mask, open_mask)
-            for frame, open_mask in zip(clip, mask, strict=True)
-        ]
-    )
+    pairs = zip(clip, mask, strict=True)
+    return np.stack([_inpainted(frame * open_mask, open_mask) for frame, open_mask in pairs])
 
 
 _STEP = 4
@@ -92,10 +89,10 @@ def _inpainted(
     missing = np.ones(values.shape, bool)
     reach = 2
     while missing.any():
-        tent = 1 - np.abs(np.arange(1 - reach, reach)) / reach
-        weight = _spread(sample_mask, tent)
+        weight = tent_sums(sample_mask.astype(np.float64), reach)
+        sums = tent_sums(values.astype(np.float64), reach)
         fillable = missing & (weight > 0)
-        picture[fillable] = (_spread(values, tent)[fillable] / weight[fillable]).astype(np.float32)
+        picture[fillable] = (sums[fillable] / weight[fillable]).astype(np.float32)
         missing &= ~fillable
         if reach > 2 * max(values.shape):
             break
@@ -103,16 +100,6 @@ def _inpainted(
     keep = sample_mask > 0
     picture[keep] = values[keep] / sample_mask[keep]
     return picture
-
-
-def _spread(values: NDArray[np.float32], weights: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return weighted sums over windows centred on each pixel; outside the picture values are 0."""
-    sums = values.astype(np.float64)
-    for axis in (0, 1):
-        sums = np.apply_along_axis(np.convolve, axis, sums, weights, mode="full")
-        margin = len(weights) // 2
-        sums = np.take(sums, np.arange(margin, margin + values.shape[axis]), axis=axis)
-    return sums
 
 
 def _between(length: int, step: int) -> NDArray[np.float64]:

@@ -6,7 +6,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from nscc_training.baselines.tv import tv_denoised_arrays
+from nscc_training.baselines.tv_loop import tv_denoised_arrays
 
 
 @torch.library.custom_op("nscc::tv_denoise", mutates_args=(), device_types="cpu")
@@ -18,16 +18,12 @@ def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> T
     return torch.from_numpy(tv_denoised_arrays(image, weight, iterations, time))
 
 
-@tv_denoised.register_kernel(None)
-def _by_operators(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    return tv_by_operators(clips, weight, iterations, time)
-
-
 @tv_denoised.register_fake
 def _shape(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
     return torch.empty_like(clips, dtype=torch.float32)
 
 
+@tv_denoised.register_kernel(None)
 def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
     """Denoise clips like `tv_denoised`, but with torch's operators, on any device."""
     image = clips.detach().float()

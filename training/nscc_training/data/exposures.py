@@ -219,13 +219,11 @@ def _cut(
     rows = (corner[:, 0, None] + step)[:, :, None]
     cols = (corner[:, 1, None] + step)[:, None, :]
     cols = torch.where(mirrored[source, None, None], last - cols, cols)
-    turned = turns[source, None, None]
     # The source pixel of np.rot90 by this number of right angles.
-    row = torch.where(turned == 0, rows, torch.where(
-        turned == 1, cols, torch.where(turned == 2, last - rows, last - cols)))  # fmt: skip
-    col = torch.where(turned == 0, cols, torch.where(
-        turned == 1, last - rows, torch.where(turned == 2, last - cols, rows)))  # fmt: skip
-    place = row * (last + 1) + col
+    rows, cols = rows.expand(-1, -1, patch), cols.expand(-1, patch, -1)
+    sides = torch.stack([rows, cols, last - rows, last - cols])
+    turned, patches = turns[source], torch.arange(len(source), device=light.device)
+    place = sides[turned, patches] * (last + 1) + sides[(turned + 1) % 4, patches]
     if light.ndim == 3:
         return light.flatten(1)[source[:, None, None], place]
     slots = light.shape[1]

@@ -30,7 +30,7 @@ from nscc_training.data.moving import light_of_picture, moving, pictures_below, 
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.protocol_scenes.classes import class_folders, class_of, moving_texture
 from nscc_training.protocols import load_protocol
-from nscc_training.scene_files import CLIPS, files_in, frames_in
+from nscc_training.scene_files import CLIPS, centre_of, files_in, frames_in
 from nscc_training.settings import DataSettings
 from nscc_training.turning_camera import turned
 
@@ -86,7 +86,10 @@ def load_scenes(
     Rejected: NS0811 for a folder without suitable scenes, or if training and validation would share
     a scene; NS0812 for an import path."""
     kind = _Kind(settings, still, slots, seed, classes, tell)
-    train = _pictures(Path(settings.train)) if pictures else _load(settings.train, kind, "train")
+    train = [
+        SourceScene(path.name, file_sha256(path), light_of_picture(path))
+        for path in pictures_below(Path(settings.train))
+    ] if pictures else _load(settings.train, kind, "train")  # fmt: skip
     if settings.val or pictures or settings.train == "procedural":
         if pictures and not settings.val:
             tell("validation: procedural scenes, as lessons learn from all pictures of data.train")
@@ -134,12 +137,6 @@ class _Kind:
         return picture_light(
             stored, transfer, name, warn=lambda diagnostic: self.tell(diagnostic.message)
         )
-
-
-def _pictures(folder: Path) -> list[SourceScene]:
-    files = pictures_below(folder)
-    return [SourceScene(path.name, file_sha256(path), light_of_picture(path))
-            for path in files]  # fmt: skip
 
 
 def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
@@ -262,16 +259,10 @@ def _clip_light(
     path: Path, stored: Iterable[NDArray[Any]], transfer: Transfer, kind: _Kind
 ) -> NDArray[np.float32]:
     frames = [
-        kind.light(_centre(np.asarray(frame)), transfer, f"{path}, frame {number}")
+        kind.light(centre_of(np.asarray(frame), _MOST_SIDE), transfer, f"{path}, frame {number}")
         for number, frame in enumerate(islice(stored, kind.settings.frames))
     ]
     return np.stack(frames, dtype=np.float32, casting="same_kind")
-
-
-def _centre(frame: NDArray[Any]) -> NDArray[Any]:
-    rows, cols = frame.shape[:2]
-    first_row, first_col = max(0, rows - _MOST_SIDE) // 2, max(0, cols - _MOST_SIDE) // 2
-    return frame[first_row : first_row + _MOST_SIDE, first_col : first_col + _MOST_SIDE]
 
 
 def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> SourceScene:

@@ -65,11 +65,6 @@ class _Put(Function):
         return _Taken.apply(grad, *ctx.how), None, None, None  # type: ignore[no-untyped-call]
 
 
-def fcnet(channels: Sequence[int], task: DecoderTask, size: str) -> BlockNet:
-    """Build the declared decoder `fcnet`, which has one width."""
-    return BlockNet(channels[0], task.slots, task.tile)
-
-
 class BlockNet(nn.Module):
     """Fully connected layers that map every block of 2 x 2 tiles of the frame to N pictures of it.
 
@@ -77,17 +72,17 @@ class BlockNet(nn.Module):
     contain it. The network does not receive the code, but blocks always begin at the corner of a
     tile. `overlapping` (down, across) may be switched off after training to use fewer blocks."""
 
-    def __init__(self, hidden: int, slots: int, tile: tuple[int, int]) -> None:
+    def __init__(self, channels: Sequence[int], task: DecoderTask, _size: str) -> None:
         super().__init__()
-        self.slots, self.tile = slots, tile
-        self.block = (2 * tile[0], 2 * tile[1])
+        self.slots, self.tile = task.slots, task.tile
+        self.block = (2 * task.tile[0], 2 * task.tile[1])
         self.overlapping = (True, True)
-        inputs = self.block[0] * self.block[1]
+        (hidden,), inputs = channels, self.block[0] * self.block[1]
         self.layers = nn.Sequential(
             nn.Linear(inputs, hidden), nn.ReLU(inplace=True),
             nn.Linear(hidden, hidden), nn.ReLU(inplace=True),
             nn.Linear(hidden, hidden), nn.ReLU(inplace=True),
-            nn.Linear(hidden, slots * inputs),
+            nn.Linear(hidden, task.slots * inputs),
         )  # fmt: skip
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:

@@ -12,11 +12,6 @@ from nscc_training.decoders.declared import DecoderTask
 from nscc_training.sensor_model import laid, lifted, shared_out
 
 
-def classifier(channels: Sequence[int], task: DecoderTask, size: str) -> Classifier:
-    """Build the declared decoder `classifier`."""
-    return Classifier(channels, task)
-
-
 class Classifier(nn.Module):
     """Pairs of 3 x 3 convolutions, the mean over all pixels, and a linear layer.
 
@@ -25,15 +20,15 @@ class Classifier(nn.Module):
     their means, so that the brightness of a scene has no influence. Output (batch, classes): the
     logarithms of likelihoods, up to a constant that all classes share. Frames may have any size."""
 
-    def __init__(self, widths: Sequence[int], task: DecoderTask) -> None:
+    def __init__(self, channels: Sequence[int], task: DecoderTask, _size: str) -> None:
         super().__init__()
         self.slots, self.sees_code = task.slots, task.sees_code
         layers: list[nn.Module] = []
         inputs = task.buckets * (1 + task.sees_code * task.slots)
-        for before, width in pairwise([inputs, *widths]):
+        for before, width in pairwise([inputs, *channels]):
             layers += [*_convolution(before, width, 1), *_convolution(width, width, 2)]
         self.network = nn.Sequential(*layers)
-        self.last = nn.Linear(widths[-1], len(task.classes))
+        self.last = nn.Linear(channels[-1], len(task.classes))
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         frames = frame if frame.ndim == 4 else frame.unsqueeze(1)

@@ -37,8 +37,8 @@ class Decoder:
     ----------
     name : str
     network : str
-        `module:function` that builds the network from its channels, a task and the size. The module
-        is loaded when the decoder is built.
+        `module:class` of the network, which takes its channels, a task and the size. The module is
+        loaded when the decoder is built.
     channels : mapping of str to tuple of int
         The channels of the layers, by size.
     stills, clips, classifies : bool
@@ -77,52 +77,38 @@ _UNROLLED = {"paper": (64, 128, 256), "small": (24, 48, 64)}
 
 _OWN = (
     Decoder(
-        "unet2d",
-        f"{_HERE}.unet:flat",
+        "unet2d", f"{_HERE}.unet:StillUNet",
         {"paper": (32, 64, 128, 256, 512, 1024), "small": (16, 32, 64, 128)},
-        stills=True,
-        guesses=True,
-        two_buckets=True,
+        stills=True, guesses=True, two_buckets=True,
     ),
     # The paper says "24 up to 768", doubling; five levels end at 384.
     Decoder(
-        "unet3d",
-        f"{_HERE}.unet:deep",
+        "unet3d", f"{_HERE}.unet:ClipUNet",
         {"paper": (24, 48, 96, 192, 384), "small": (8, 16, 32, 64)},
         needs_code="receives S^T E, which contains the code, so it needs the code",
-        guesses=True,
-        two_buckets=True,
+        guesses=True, two_buckets=True,
     ),
-    Decoder("fcnet", f"{_HERE}.blocks:fcnet", {"paper": (4096,), "small": (96,)}, any_code=False),
-    Decoder("unrolled", f"{_HERE}.unrolled:unrolled", _UNROLLED, needs_code=_PROJECTS),
     Decoder(
-        "any",
-        "nscc_training.any_code.decoder:any_code",
-        {"paper": (32, 64, 96), "small": (32, 64, 96)},
-        stills=True,
+        "fcnet", f"{_HERE}.blocks:BlockNet", {"paper": (4096,), "small": (96,)}, any_code=False
+    ),
+    Decoder("unrolled", f"{_HERE}.unrolled:Unrolled", _UNROLLED, needs_code=_PROJECTS),
+    Decoder(
+        "any", "nscc_training.any_code.decoder:AnyCode",
+        {"paper": (32, 64, 96), "small": (32, 64, 96)}, stills=True,
         needs_code="simulates the capture of a clip with its code, so it needs the code",
-        fixed_channels=True,
-        scales=True,
-        two_buckets=True,
+        fixed_channels=True, scales=True, two_buckets=True,
     ),
     Decoder(
-        "divided",
-        f"{_HERE}.divided:divided",
-        {"paper": (1,), "small": (1,)},
-        stills=True,
-        clips=False,
-        fixed_channels=True,
+        "divided", f"{_HERE}.divided:Divided", {"paper": (1,), "small": (1,)}, stills=True,
+        clips=False, fixed_channels=True,
         needs_code="divides by the open time of a code, so it needs the code",
     ),
     Decoder(
-        "classifier",
-        f"{_HERE}.classifier:classifier",
-        {"paper": (64, 128, 256), "small": (16, 32, 64)},
-        clips=False,
-        classifies=True,
+        "classifier", f"{_HERE}.classifier:Classifier",
+        {"paper": (64, 128, 256), "small": (16, 32, 64)}, clips=False, classifies=True,
     ),
-    Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
-)
+    Decoder("refined", f"{_HERE}.unrolled:Refined", _UNROLLED, needs_code=_PROJECTS),
+)  # fmt: skip
 DECODERS = {decoder.name: decoder for decoder in _OWN}
 
 

@@ -108,10 +108,10 @@ def _check_guess(name: str, guesses: bool, task: DecoderTask) -> None:
 
 def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.Module:
     """Build a decoder whose layers have `width` times the declared channels, at least one."""
-    module, _, function = declared.network.partition(":")
+    module, _, name = declared.network.partition(":")
     # rounded first, so that the width is exactly a multiple of 1/24
     channels = tuple(max(1, int(round(full * width, 6))) for full in declared.channels[size])
-    network: nn.Module = getattr(import_module(module), function)(channels, task, size)
+    network: nn.Module = getattr(import_module(module), name)(channels, task, size)
     return network
 
 

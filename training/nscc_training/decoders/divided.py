@@ -10,11 +10,6 @@ from nscc_training.decoders.declared import DecoderTask
 from nscc_training.sensor_model import laid
 
 
-def divided(channels: Sequence[int], task: DecoderTask, size: str) -> Divided:
-    """Build the declared decoder `divided`."""
-    return Divided()
-
-
 class Divided(nn.Module):
     """A decoder that divides a frame by the open fraction of each pixel.
 
@@ -22,6 +17,9 @@ class Divided(nn.Module):
 
     The frame is (batch, rows, cols), the shutters are (N, r, c); returns light (batch, rows, cols).
     """
+
+    def __init__(self, _channels: Sequence[int], _task: DecoderTask, _size: str) -> None:
+        super().__init__()
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         share = laid(shutters.mean(dim=-3), *frame.shape[-2:])

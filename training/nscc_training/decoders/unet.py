@@ -20,17 +20,6 @@ LOG_FLOOR = 1e-3
 _GUESSES = {"paper": False, "small": True}
 
 
-def flat(channels: Sequence[int], task: DecoderTask, size: str) -> StillUNet:
-    """Build the declared decoder `unet2d`."""
-    slots = None if task.kind == "still" else task.slots
-    return StillUNet(channels, slots, task.sees_code, _guesses(task, size), task.buckets)
-
-
-def deep(channels: Sequence[int], task: DecoderTask, size: str) -> ClipUNet:
-    """Build the declared decoder `unet3d`."""
-    return ClipUNet(channels, task.slots, _guesses(task, size), task.buckets)
-
-
 def _guesses(task: DecoderTask, size: str) -> bool:
     return _GUESSES[size] if task.guess is None else task.guess
 
@@ -115,16 +104,15 @@ class StillUNet(nn.Module):
     With `guesses`, the first guess is another input, and the network predicts a correction to it,
     for clips also a gain (`gated`); this needs `sees_code`."""
 
-    def __init__(
-        self, widths: Sequence[int], slots: int | None, sees_code: bool, guesses: bool = False,
-        buckets: int = 1,
-    ) -> None:  # fmt: skip
+    def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
         super().__init__()
-        self.slots, self.sees_code, self.guesses = slots, sees_code, guesses and sees_code
-        known = (2 if slots is None else buckets * slots) if sees_code else 0
+        slots = None if task.kind == "still" else task.slots
+        self.slots, self.sees_code = slots, task.sees_code
+        self.guesses = _guesses(task, size) and task.sees_code
+        known = (2 if slots is None else task.buckets * slots) if task.sees_code else 0
         guessed = (slots or 1) if self.guesses else 0
         gates = slots if slots is not None and self.guesses else 0
-        network = UNet(buckets + known + guessed, (slots or 1) + gates, widths, 2)
+        network = UNet(task.buckets + known + guessed, (slots or 1) + gates, channels, 2)
         self.network = begin_with_nothing(network) if self.guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
@@ -162,13 +150,11 @@ class ClipUNet(nn.Module):
     With `guesses`, the first guess is another input, and the network predicts its correction and
     its gain (`gated`)."""
 
-    def __init__(
-        self, widths: Sequence[int], slots: int, guesses: bool = False, buckets: int = 1
-    ) -> None:
+    def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
         super().__init__()
-        self.slots, self.guesses = slots, guesses
-        network = UNet(buckets + guesses, 2 if guesses else 1, widths, 3)
-        self.network = begin_with_nothing(network) if guesses else network
+        self.slots, self.guesses = task.slots, _guesses(task, size)
+        network = UNet(task.buckets + self.guesses, 2 if self.guesses else 1, channels, 3)
+        self.network = begin_with_nothing(network) if self.guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         volumes, opened = _lifted(frame, shutters, self.slots)

@@ -15,38 +15,27 @@ from nscc_training.measured import Measured
 from nscc_training.sensor_model import laid, lifted
 
 _STAGES = {"paper": 9, "small": 3}
-_TV_ITERATIONS = 20
-
-
-def unrolled(channels: Sequence[int], task: DecoderTask, size: str) -> Unrolled:
-    """Build the declared decoder `unrolled`."""
-    return Unrolled(channels, task.slots, _STAGES[size])
-
-
-def refined(channels: Sequence[int], task: DecoderTask, size: str) -> Unrolled:
-    """Build the declared decoder `refined`, which starts from GAP-TV."""
-    return Unrolled(channels, task.slots, _STAGES[size], _TV_ITERATIONS)
 
 
 class Unrolled(nn.Module):
-    """A decoder that alternates a projection and a 2D U-Net, `stages` times.
+    """A decoder that alternates a projection and a 2D U-Net.
 
     The projection is that of generalised alternating projection (Liao, Li and Carin, SIAM Journal
     on Imaging Sciences 2014): it distributes the difference between the frame and the clip's own
     capture over the slots in which each pixel was open. A U-Net has a channel per slot and sees the
     shutters.
 
-    The clip starts from the first guess, or from `tv_iterations` of GAP-TV. The latter is better,
-    but passes no gradient to the codes."""
+    The clip starts from the first guess, or from `tv_iterations` of GAP-TV."""
 
-    def __init__(
-        self, widths: Sequence[int], slots: int, stages: int, tv_iterations: int = 0
-    ) -> None:
+    tv_iterations = 0
+
+    def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
         super().__init__()
-        self.slots, self.tv_iterations = slots, tv_iterations
-        self.steps = nn.Parameter(torch.ones(stages))
+        self.slots = task.slots
+        self.steps = nn.Parameter(torch.ones(_STAGES[size]))
         self.denoisers = nn.ModuleList(
-            begin_with_nothing(UNet(2 * slots, slots, widths, 2)) for _ in range(stages)
+            begin_with_nothing(UNet(2 * task.slots, task.slots, channels, 2))
+            for _ in range(len(self.steps))
         )
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
@@ -69,3 +58,9 @@ class Unrolled(nn.Module):
     def _gap_tv(self, total: Tensor, opened: Tensor) -> Tensor:
         measured = Measured.exact(total.float(), opened.float().unsqueeze(0))
         return gap_tv_of(measured, self.tv_iterations)[0].to(total)
+
+
+class Refined(Unrolled):
+    """The decoder that starts from GAP-TV, which is better, but passes no gradient to the codes."""
+
+    tv_iterations = 20

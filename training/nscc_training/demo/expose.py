@@ -31,6 +31,7 @@ from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener, Request
 from nscc_training.baselines.hdr import merged
 from nscc_training.baselines.sci import gap_tv
+from nscc_training.code_choices import over_array
 from nscc_training.demo.subject import Subject
 from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.scene import best_stop
@@ -275,9 +276,7 @@ def dark_codes(dark: Taken) -> NDArray[np.float64]:
 
 def laid_like(offset: NDArray[np.float64], codes: NDArray[np.uint8]) -> NDArray[np.float64]:
     """Return the array's offsets, repeated over `codes` (rows, cols[, colours])."""
-    size = codes.shape[:2]
-    times = [-(-side // most) for side, most in zip(size, offset.shape, strict=True)]
-    tiled = np.tile(offset, times)[: size[0], : size[1]]
+    tiled = over_array(offset, *codes.shape[:2])
     return tiled if codes.ndim == 2 else tiled[..., None]
 
 

@@ -97,29 +97,23 @@ def _reconstructed(
     exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings
 ) -> tuple[NDArray[np.float32], float, str]:
     """Return the light in the shape of the truth, its seconds, and the method's name."""
-    if settings.learned and exposed_scene.run is not None:
+    if not settings.learned:
+        begin = working_s()
+        light, how = merged_light(
+            exposed_scene.coded_capture, dark_codes(exposed_scene.dark), exposed_scene.sensor
+        )
+        return light, working_s() - begin, how
+    if exposed_scene.run is not None:
         from nscc_training.reconstruct import reconstruct
 
         reconstruction = reconstruct(exposed_scene.run, frames[0], force=False, dark=frames[1])
-        return (
-            reconstruction.light,
-            reconstruction.decode_s,
-            f"{'U-Net of ' if settings.run is None else ''}run {exposed_scene.run.name}",
-        )
-    if settings.learned:
+        how = f"{'U-Net of ' if settings.run is None else ''}run {exposed_scene.run.name}"
+    else:
         from nscc_training.reconstruct_any import reconstruct_any
 
         reconstruction = reconstruct_any(frames[0], kind="video", dark=frames[1])
-        return (
-            reconstruction.light,
-            reconstruction.decode_s,
-            f"{readouts_text(exposed_scene.readouts)}, decoder for any code",
-        )
-    begin = working_s()
-    light, how = merged_light(
-        exposed_scene.coded_capture, dark_codes(exposed_scene.dark), exposed_scene.sensor
-    )
-    return light, working_s() - begin, how
+        how = f"{readouts_text(exposed_scene.readouts)}, decoder for any code"
+    return reconstruction.light, reconstruction.decode_s, how
 
 
 def _commands(

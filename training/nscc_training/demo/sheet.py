@@ -275,10 +275,8 @@ def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = Fal
 
 def _shutters(shown: Shown) -> Image:
     """Return a panel of when, or how long, the pixels in the array's corner are open."""
-    container, size = (
-        shown.exposed_scene.container,
-        shown.exposed_scene.codes(shown.exposed_scene.coded_capture).shape[:2],
-    )
+    exposed_scene, container = shown.exposed_scene, shown.exposed_scene.container
+    size = exposed_scene.codes(exposed_scene.coded_capture).shape[:2]
     assert container.pixel_codes is not None  # the frame has been exposed
     rows, cols = (max(4, _CORNER * side // max(size)) for side in size)
     lanes = container.table.shutter_of_code[container.pixel_codes[:rows, :cols]]

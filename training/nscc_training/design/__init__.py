@@ -7,30 +7,6 @@ print(made.text)"""
 
 from __future__ import annotations
 
-from nscc_training.design.make import (
-    CRITERIA,
-    SVE_RISK,
-    Criterion,
-    Design,
-    Frame,
-    LookingDesign,
-    PatternDesign,
-    TileDesign,
-    design_looks,
-    design_pattern,
-    design_tile,
-)
+from nscc_training.design.make import Design, Frame, design_looks, design_pattern, design_tile
 
-__all__ = [
-    "CRITERIA",
-    "SVE_RISK",
-    "Criterion",
-    "Design",
-    "Frame",
-    "LookingDesign",
-    "PatternDesign",
-    "TileDesign",
-    "design_looks",
-    "design_pattern",
-    "design_tile",
-]
+__all__ = ["Design", "Frame", "design_looks", "design_pattern", "design_tile"]

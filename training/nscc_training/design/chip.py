@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc_runtime.effects import Selection
-from nscc_runtime.effects.parts import CountedLight, Errors, Soft, WordGain
+from nscc_runtime.effects.parts import CountedLight, Soft, WordGain
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.response import converter_e2, gain_spread
@@ -103,11 +103,11 @@ class DesignChip:
     def compared_sd_e(self, electrons: Values) -> Values:
         """Return the standard deviation of one comparison, in electrons."""
         noise_e = self.sensor.comparator_noise_fraction * self.sensor.full_well_e
-        copies = sum(_COPIES * errors.sigma_e(self.sensor) ** 2 for errors in self._small())
+        copies = sum(
+            _COPIES * errors.sigma_e(self.sensor) ** 2
+            for _, errors in self.effects.errors() if errors.at != "resets"
+        )  # fmt: skip
         return np.sqrt(noise_e**2 + copies + electrons)
-
-    def _small(self) -> list[Errors]:
-        return [errors for _, errors in self.effects.errors() if errors.at != "resets"]
 
     @cached_property
     def levels(self) -> NDArray[np.int64]:

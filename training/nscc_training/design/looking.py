@@ -8,8 +8,9 @@ mean over the scene's light of the sum over k of S p e(x, t)."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,18 +84,23 @@ class LookModel:
 
     def expected(self, schedule: LookSchedule) -> Expected:
         """Return the expected errors and closing fractions of a schedule."""
-        open_, closing = self._start, []
+        closing = []
         errors = dict.fromkeys(CURVES, 0.0)
-        ways = [*zip(schedule.at, self._rows(schedule), strict=True), (self.slots, None)]
-        for at, row in ways:
-            closing_pixels = open_ if row is None else open_ * self.closed(at)[row]
-            closing.append(float(closing_pixels.sum()))
+        for at, pixels in self._closing(schedule.at, self._rows(schedule)):
+            closing.append(float(pixels.sum()))
             for curve in CURVES:
-                errors[curve] += float(
-                    closing_pixels.sum(axis=1) @ self.exposure_errors(curve)[:, at]
-                )
-            open_ = open_ - closing_pixels
+                errors[curve] += float(pixels.sum(axis=1) @ self.exposure_errors(curve)[:, at])
         return Expected(errors, tuple(closing))
+
+    def _closing(self, at: Sequence[int], rows: Sequence[int]) -> Iterator[tuple[int, Values]]:
+        """Yield each look's time and the weights (groups, offsets) of the pixels that it closes,
+        then those of the frame's end."""
+        open_ = self._start
+        for moment, row in zip(at, rows, strict=True):
+            closing_pixels = open_ * self.closed(moment)[row]
+            yield moment, closing_pixels
+            open_ = open_ - closing_pixels
+        yield self.slots, open_
 
     def best(self, looks: int, curve: Curve) -> LookSchedule:
         """Return the schedule of `looks` looks with the smallest expected error on a curve.
@@ -163,7 +169,10 @@ class LookModel:
                 open_ = open_ * (1 - self.closed(at[before])[rows[before]])
             after = self._after(at, rows, k, curve)
             open_error = float((open_ * after).sum())
-            earlier = self._so_far(at, rows, k, curve)
+            earlier = sum(
+                float(pixels.sum(axis=1) @ self.exposure_errors(curve)[:, moment])
+                for moment, pixels in islice(self._closing(at, rows), k)
+            )
             best = (np.inf, at[k], rows[k])
             for moment in self._moments(at, k):
                 gained = open_ * (self.exposure_errors(curve)[:, moment, None] - after)
@@ -173,15 +182,6 @@ class LookModel:
             worth, at[k], rows[k] = best[0] + earlier, best[1], best[2]
         steps = tuple(int(self.chip.levels[row]) for row in rows)
         return LookSchedule(tuple(at), steps), worth
-
-    def _so_far(self, at: list[int], rows: list[int], k: int, curve: Curve) -> float:
-        """Return the summed error of the pixels that close before look k."""
-        open_, error = self._start, 0.0
-        for number in range(k):
-            closing_pixels = open_ * self.closed(at[number])[rows[number]]
-            error += float(closing_pixels.sum(axis=1) @ self.exposure_errors(curve)[:, at[number]])
-            open_ = open_ - closing_pixels
-        return error
 
     def _after(self, at: list[int], rows: list[int], k: int, curve: Curve) -> Values:
         """Return the error (groups, offsets) of a pixel that is open after look k."""

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
 from pathlib import Path
-from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -97,9 +96,6 @@ def _tables(
     return stop_errors.reshape(shape).astype(np.float32), apart.astype(np.float32)
 
 
-Criterion = Literal["mu", "linear", "log", "sve-risk"]
-CRITERIA: tuple[Criterion, ...] = get_args(Criterion)
-SVE_RISK: Criterion = "sve-risk"
 Scenes = Sequence[NDArray[np.floating]]
 
 

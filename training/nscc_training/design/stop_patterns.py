@@ -19,7 +19,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.response import response_of
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.baselines.hdr import merged
-from nscc_training.code_choices import RANKS
+from nscc_training.code_choices import RANKS, over_array
 from nscc_training.design.chip import DesignChip
 from nscc_training.design.scene import peak_of, stops_tried
 from nscc_training.metrics import mu_psnr, psnr
@@ -136,10 +136,7 @@ def _merged(
 ) -> Values:
     """Return the light over the frame that merging reconstructs from a pattern."""
     rows, cols = next(iter(frames.values()))[0].shape
-    repeats = [
-        -(-side // period) for side, period in zip((rows, cols), pattern.stops.shape, strict=True)
-    ]
-    stops = np.tile(pattern.stops, repeats)[:rows, :cols]
+    stops = over_array(pattern.stops, rows, cols)
     exposed, saturated = np.zeros((rows, cols)), np.zeros((rows, cols), bool)
     for stop in np.unique(pattern.stops):
         has_stop = stops == stop

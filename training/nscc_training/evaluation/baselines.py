@@ -69,21 +69,10 @@ class Baseline:
         return np.concatenate(frame_lights)
 
 
-def _flutter(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
-    """Return the same random bits for all pixels."""
-    return np.random.default_rng(seed).random((1, int(protocol["frames"]), 1, 1)) < 0.5
-
-
-def _pixel_wise(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
-    """Return random bits for each pixel of a tile."""
-    shape = (1, int(protocol["frames"]), *protocol["tile"])
-    return np.random.default_rng(seed).random(shape) < 0.5
-
-
-def _two_bucket(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
-    """Return random bits for each pixel, and their complement for a second frame."""
-    first = _pixel_wise(protocol, seed)
-    return np.concatenate([first, ~first])
+def _bits(protocol: Protocol, seed: int, tile: Sequence[int], buckets: int) -> NDArray[np.bool_]:
+    """Return random bits for each pixel of a tile, and their complement for a second frame."""
+    first = np.random.default_rng(seed).random((1, int(protocol["frames"]), *tile)) < 0.5
+    return first if buckets == 1 else np.concatenate([first, ~first])
 
 
 def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
@@ -129,9 +118,9 @@ BASELINES: dict[str, dict[str, Baseline]] = {
         "any": Baseline(_ANY, "b:poisson-disc", takes_codes=True),
     },
     "two-bucket-v1": {
-        "flutter": Baseline(_ANY, tiles=_flutter),
-        "pixel-wise": Baseline(_ANY, tiles=_pixel_wise),
-        "two-bucket": Baseline(_ANY, tiles=_two_bucket),
+        "flutter": Baseline(_ANY, tiles=lambda p, seed: _bits(p, seed, (1, 1), 1)),
+        "pixel-wise": Baseline(_ANY, tiles=lambda p, seed: _bits(p, seed, p["tile"], 1)),
+        "two-bucket": Baseline(_ANY, tiles=lambda p, seed: _bits(p, seed, p["tile"], 2)),
     },
     "staggered-v1": {
         "aligned": Baseline(_ANY, tiles=lambda p, _seed: _film(p, staggered=False)),

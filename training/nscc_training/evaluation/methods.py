@@ -14,6 +14,7 @@ from nscc_training.baselines import sci
 from nscc_training.baselines.dictionary import made_dictionary
 from nscc_training.baselines.hdr import merged
 from nscc_training.baselines.tv_loop import denoise
+from nscc_training.code_choices import over_array
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocol_scenes.sci import SciClip
 from nscc_training.protocol_scenes.video import ClipWindow
@@ -55,12 +56,13 @@ class CapturedScene:
     @cached_property
     def masks(self) -> Frames:
         """The shutters over the frame, (frames, slots, rows, cols)."""
-        return self._over_frame(self.tile)
+        return over_array(self.tile, *self.codes.shape[-2:])
 
     @cached_property
     def share(self) -> NDArray[np.float64]:
         """The fraction of the first frame for which each pixel is open, (rows, cols)."""
-        return self._over_frame(self.tile[0].mean(axis=0, dtype=np.float64))
+        share = self.tile[0].mean(axis=0, dtype=np.float64)
+        return over_array(share, *self.codes.shape[-2:])
 
     @property
     def code_e(self) -> float:
@@ -96,11 +98,6 @@ class CapturedScene:
         return replace(
             self, codes=self.codes[frame_slice], tile=tile, saturated=self.saturated[frame_slice]
         )
-
-    def _over_frame(self, tile: NDArray[Any]) -> NDArray[Any]:
-        rows, cols = self.codes.shape[-2:]
-        repeats = (-(-rows // tile.shape[-2]), -(-cols // tile.shape[-1]))
-        return np.tile(tile, (1,) * (tile.ndim - 2) + repeats)[..., :rows, :cols]
 
 
 def captured(scene: ProtocolScene, tile: Tensor, model: SensorModel, seed: int) -> CapturedScene:

@@ -52,7 +52,7 @@ def usable_scenes(
         if isinstance(scene, ProtocolScene):
             scenes.append(scene)
             continue
-        left_out.append(scene.as_json())
+        left_out.append({"file": scene.file, **scene.place, "reason": scene.reason})
         if not protocol.still:
             scenes.append(None)
     return scenes, left_out
@@ -86,7 +86,7 @@ def scored(
 
 def mean_score(scored_scenes: Sequence[Scored], metric: str) -> float:
     """Return the mean of a metric in dB; -inf without items."""
-    scores = [number(item.metrics[metric]) for entry in scored_scenes for item in entry.items]
+    scores = [number(item[metric]) for entry in scored_scenes for item in entry.items]
     return finite_mean(scores) if scores else -math.inf
 
 
@@ -128,7 +128,7 @@ def result_of(
             notes=tuple(list(reasons)[:_MOST_REASONS]),
             helps=("name a folder with other scenes, or convert these to the protocol's form",),
         )
-    values = [number(item.metrics[protocol.metrics[0]]) for item in items]
+    values = [number(item[protocol.metrics[0]]) for item in items]
     report = {
         "schema": SCHEMA,
         "protocol": protocol.name,
@@ -140,8 +140,8 @@ def result_of(
         "data": [stamp(path) for path in files],
         "data_range": protocol["data_range"],
         "domain": protocol["domain"],
-        "items": [item.as_json() for item in items],
-        **summary(values, [item.file for item in items]),
+        "items": items,
+        **summary(values, [item["file"] for item in items]),
         "decoder_ms": decoder_ms,
         "device": device,
         "parameters": parameters,
@@ -224,11 +224,8 @@ def compare(
         _check_alike(pairs[0][0], *pair)
         # Items are matched by file, corner of the crop and first frame.
         items = [
-            {
-                f"{entry['file']} {entry['crop']} {entry['frame']}": entry
-                for entry in pair_result["items"]
-            }
-            for pair_result in pair
+            {f"{item['file']} {item['crop']} {item['frame']}": item for item in result["items"]}
+            for result in pair
         ]
         if not set(items[0]) & set(items[1]):
             raise rejected(

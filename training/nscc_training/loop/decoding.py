@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache, partial
 from time import perf_counter
 from typing import Any
 
@@ -151,7 +150,6 @@ def decoded_frame(
         return _decoded_block(setup, frame, saturated, opened)
     light: NDArray[np.float32] | None = None
     array = (setup.target.rows, setup.target.cols)
-    shutters = lru_cache(maxsize=4)(partial(shutters_at, setup))
     for block_row in range(0, rows, _BLOCK):
         for block_col in range(0, cols, _BLOCK):
             down, across = (
@@ -161,7 +159,7 @@ def decoded_frame(
             codes, full = frame[..., down, across], saturated[..., down, across]
             first = (down.start + corner[0]) % array[0], (across.start + corner[1]) % array[1]
             if share is None:
-                opened = shutters(codes.shape[-2:], first)
+                opened = shutters_at(setup, codes.shape[-2:], first)
             else:
                 opened = torch.from_numpy(share[None, down, across].copy())
             block = _decoded_block(setup, codes, full, opened)

@@ -19,7 +19,8 @@ from nscc_training.encoders.base import Codes
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.loop.steps import compared, decoded, window
 from nscc_training.programs import compiled, program_of, words_per_slot
-from nscc_training.search import Motion, moved, told_db
+from nscc_training.search.expected import Motion, told_db
+from nscc_training.search.moves import moved
 from nscc_training.sensor_model import SensorModel
 from nscc_training.settings import ShutterSettings
 

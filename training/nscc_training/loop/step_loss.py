@@ -12,13 +12,7 @@ from torch.nn import functional
 from nscc_training.any_code.decoder import AnyCode
 from nscc_training.any_code.lessons import Lesson, measured_lesson, noisy
 from nscc_training.any_code.network import SEEN
-from nscc_training.any_code.stages import (
-    coded_light,
-    schedule,
-    stage,
-    started_still,
-    still_stages,
-)
+from nscc_training.any_code.stages import coded_light, schedule, stage, started_still, still_stages
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.curves import MU, srgb
 from nscc_training.data import Batch

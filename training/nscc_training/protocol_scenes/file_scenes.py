@@ -140,13 +140,7 @@ def exposed_arrays(
     display encoding."""
     scenes_by_array = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
     turns = (scene for turn in zip_longest(*scenes_by_array) for scene in turn)
-    scenes: list[ProtocolScene] = []
-    for scene in turns:
-        if isinstance(scene, ProtocolScene):
-            scenes.append(scene)
-        if len(scenes) == count:
-            break
-    return scenes
+    return list(islice((scene for scene in turns if isinstance(scene, ProtocolScene)), count))
 
 
 def _of_array(

@@ -13,7 +13,6 @@ from nscc_runtime.scenes.colour import linear
 from nscc_runtime.scenes.picture_files import read_picture
 from nscc_training import metrics
 from nscc_training.measures import decibels, frame_scores
-from nscc_training.metrics import mean_square_error, psnr_of_mse
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, on_unit_range
 from nscc_training.protocols import Protocol
 
@@ -35,17 +34,12 @@ class Crop(ProtocolScene):
             "mu_psnr_db": decibels(metrics.mu_psnr(truth, result, 1.0, protocol["mu"])),
             "pu21_psnr_db": decibels(metrics.pu21_psnr(truth, result, 1.0, protocol["pu21_nits"])),
         }
-        for name, region_mask in (
-            ("saturated", truth_e >= well_e),
-            ("dark", truth_e < float(protocol["dark_fraction"]) * well_e),
-        ):
-            error = (
-                mean_square_error(truth[region_mask], result[region_mask])
-                if region_mask.any()
-                else None
+        dark = truth_e < float(protocol["dark_fraction"]) * well_e
+        for name, region in (("saturated", truth_e >= well_e), ("dark", dark)):
+            values[f"{name}_share"] = float(region.mean())
+            values[f"{name}_psnr_db"] = (
+                decibels(metrics.psnr(truth[region], result[region], 1.0)) if region.any() else None
             )
-            values[f"{name}_share"] = float(region_mask.mean())
-            values[f"{name}_psnr_db"] = None if error is None else decibels(psnr_of_mse(error, 1.0))
         return values
 
 

@@ -16,17 +16,8 @@ from nscc_training.protocols import Protocol
 Array = NDArray[Any]
 
 
-@dataclass(frozen=True)
-class Item:
-    """A scored picture or frame, its place in the file, and its metrics as JSON values."""
-
-    file: str
-    crop: list[int] | None
-    frame: int | None
-    metrics: dict[str, Any]
-
-    def as_json(self) -> dict[str, Any]:
-        return {"file": self.file, "crop": self.crop, "frame": self.frame, **self.metrics}
+Item = dict[str, Any]
+"""A scored picture or frame as JSON values: its file, its place in the file, and its metrics."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +51,8 @@ class ProtocolScene(ABC):
     def items(self, result_e: Array) -> list[Item]:
         """Return the scored items of a result: one for the scene, or one for each frame."""
         crop = None if self.crop is None else list(self.crop)
-        return [Item(self.file.name, crop, self.frame, self.scores(result_e))]
+        place = {"file": self.file.name, "crop": crop, "frame": self.frame}
+        return [{**place, **self.scores(result_e)}]
 
 
 @dataclass(frozen=True)
@@ -70,9 +62,6 @@ class Unusable:
     file: str
     place: Mapping[str, Any]
     reason: str
-
-    def as_json(self) -> dict[str, Any]:
-        return {"file": self.file, **self.place, "reason": self.reason}
 
 
 def on_unit_range(light_e: Array, result_e: Array, peak_e: float) -> tuple[Array, Array]:

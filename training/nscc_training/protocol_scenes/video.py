@@ -16,7 +16,7 @@ from nscc_training.measures import decibels
 from nscc_training.metrics import mean_square_error
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
 from nscc_training.protocols import Protocol
-from nscc_training.scene_files import frames_in, light_in
+from nscc_training.scene_files import centre_of, frames_in, light_in
 
 Clip = NDArray[np.float64]
 
@@ -53,7 +53,7 @@ def windows(files: Sequence[Path], protocol: Protocol) -> Iterator[ClipWindow | 
         srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
         size = int(protocol["size"])
         frames: Iterable[NDArray[Any]] = frames_in(path)
-        lights = (light_in(_centre(f, size), "srgb" if srgb else "linear") for f in frames)
+        lights = (light_in(centre_of(f, size), "srgb" if srgb else "linear") for f in frames)
         clip_windows = windows_of(path, lights, srgb, protocol)
         yield from islice(clip_windows, protocol.values.get("windows"))
 
@@ -70,7 +70,7 @@ def windows_of(
         if min(rows, cols) < size:
             yield Unusable(path.name, start, f"{rows} x {cols} is smaller than {size} x {size}")
             return
-        window.append(_centre(light, size))
+        window.append(centre_of(light, size))
         if len(window) == count:
             clip = np.stack(window).astype(np.float64)
             yield exposed_window(path, number + 1 - count, clip, srgb, protocol)
@@ -98,9 +98,3 @@ def encoded(light: Clip, srgb: bool) -> Clip:
     """Return light, clipped to 0..1, in the encoding in which errors are measured."""
     clipped = np.clip(light, 0.0, 1.0)
     return curves.srgb(clipped) if srgb else clipped
-
-
-def _centre(frame: NDArray[Any], size: int) -> NDArray[Any]:
-    """Return the middle of a frame, or the whole frame if it is smaller than `size`."""
-    first_row, first_col = (max(0, side - size) // 2 for side in frame.shape[:2])
-    return frame[first_row : first_row + size, first_col : first_col + size]

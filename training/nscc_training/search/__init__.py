@@ -4,10 +4,3 @@ A change of one place has almost no effect, and a pattern such as two phases of 
 changes away. Therefore `moves` changes blocks of a tile at once. `expected` estimates in
 milliseconds how well a code captures moving light. `nscc_training.loop.searching` compares the most
 promising codes by the run's decoder."""
-
-from __future__ import annotations
-
-from nscc_training.search.expected import Motion, speeds_of, texture_of, told_db
-from nscc_training.search.moves import MOVING, moved
-
-__all__ = ["MOVING", "Motion", "moved", "speeds_of", "texture_of", "told_db"]

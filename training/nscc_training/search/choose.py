@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.pipeline import Compiled
 from nscc.source import Source
 from nscc.syntax.format import format_source
 from nscc_training.codes_files import load_codes
@@ -82,11 +81,17 @@ def design_motion(
         name: float(np.mean([told_db(encoder.hard().numpy(), motion) for motion in motions]))
         for name, encoder in encoders.items()
     }
+    remark = "Shutters for clips, {}: of such codes most is expected of it where motion is " + (
+        "as its scene has it." if kind == "scene" else f"{kind}.")  # fmt: skip
     passed: list[str] = []
     refused: Rejected | None = None
     for name in sorted(expected, key=lambda code_name: -expected[code_name]):
         try:
-            text, program = _compiled(encoders[name], frame, _remark(kind, name))
+            files = program_of(
+                encoders[name], Chip(frame.target, frame.slot_us), remark.format(name)
+            )
+            text = format_source(Source("design.nsl", files.text))
+            program = frame.compiled("motion.nsl", text)
         except Rejected as error:
             refused = error
             passed.append(f"{name} (does not fit)")
@@ -133,17 +138,6 @@ def encoders_by_name(slots: int) -> dict[str, Encoder]:
         encoders["searched"] = make_encoder(_SEARCHED)
         encoders["searched"].load_codes(load_codes(searched_codes()))
     return encoders
-
-
-def _compiled(encoder: Encoder, frame: Frame, remark: str) -> tuple[str, Compiled]:
-    chip = Chip(frame.target, frame.slot_us)
-    text = format_source(Source("design.nsl", program_of(encoder, chip, remark).text))
-    return text, frame.compiled("motion.nsl", text)
-
-
-def _remark(kind: Kind, name: str) -> str:
-    of = "as its scene has it" if kind == "scene" else kind
-    return f"Shutters for clips, {name}: of such codes most is expected of it where motion is {of}."
 
 
 def _lines(

@@ -48,7 +48,9 @@ class Motion:
 def told_db(opened: Opened, motion: Motion) -> float:
     """Return by how many dB a frame of shutters (N, rows, cols), 0..1, reduces the variance of one
     slot's light."""
-    windows = _windows(_in_parts(np.asarray(opened, np.float64)))
+    # At most `_MOST_SLOTS` time steps: longer frames are averaged.
+    groups = np.array_split(np.asarray(opened, np.float64), min(len(opened), _MOST_SLOTS))
+    windows = _windows(np.stack([group.mean(axis=0) for group in groups]))
     decibels = []
     for speed in motion.speeds:
         alike = _alike(len(windows[0]), speed, motion.length)
@@ -85,12 +87,6 @@ def _alike(slots: int, speed: float, length: float) -> Values:
     return correlation / len(_HEADINGS)
 
 
-def _in_parts(opened: Values) -> Values:
-    """Return shutters (time steps, rows, cols), averaged over at most `_MOST_SLOTS` time steps."""
-    groups = np.array_split(opened, min(len(opened), _MOST_SLOTS))
-    return np.stack([slot_group.mean(axis=0) for slot_group in groups])
-
-
 def _windows(opened: Values) -> Sequence[Values]:
     """Return windows of shutters (N, places), evenly spaced over the repeating tile."""
     _, rows, cols = opened.shape
@@ -103,15 +99,9 @@ def _windows(opened: Values) -> Sequence[Values]:
     ]
 
 
-def _middle() -> NDArray[np.intp]:
-    margin = (_WINDOW - _STEP) // 2
-    inner = np.zeros((_WINDOW, _WINDOW), bool)
-    inner[margin:-margin, margin:-margin] = True
-    return np.flatnonzero(inner)
-
-
-_MIDDLE = _middle()
-
+_INNER = np.abs(np.arange(_WINDOW) - (_WINDOW - 1) / 2) < _STEP / 2
+_MIDDLE = np.flatnonzero(_INNER[:, None] & _INNER)
+"""The places of the middle of a window."""
 
 Clip = NDArray[np.floating]
 

@@ -12,7 +12,8 @@ from signal import SIG_BLOCK, SIG_SETMASK, SIGINT, pthread_sigmask
 from typing import TYPE_CHECKING
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training.sweep.work import Done, PointTask, failure, work
+from nscc_training.sweep.point import PointTask
+from nscc_training.sweep.work import Done, failure, work
 
 if TYPE_CHECKING:
     from distributed import Client, Future

@@ -13,7 +13,7 @@ from nscc.limits.survey import limit_of
 from nscc.pipeline import Compiled, Options
 from nscc.toml.kinds import Integer, TextKind
 from nscc.toml.schema import Key
-from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
+from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import (
     axis,
     compiled_of,
@@ -27,7 +27,7 @@ from nscc_training.sweep.point_programs import (
 )
 
 
-def _compile(values: Values, _place: Place) -> Figures:
+def _compile(values: Values, _task: PointTask) -> Figures:
     compiled_program = compiled_of(values)
     assert compiled_program.proof is not None
     if compiled_program.sending is not None:  # a chip without logic has no words to count
@@ -99,7 +99,7 @@ def _limit_fault(values: Values, _named: Collection[str]) -> PointFault | None:
     return target_fault(values)
 
 
-def _limit(values: Values, _place: Place) -> Figures:
+def _limit(values: Values, _task: PointTask) -> Figures:
     family = next(family for family in families() if family.name == values["family"])
     target = target_of(values)
     assert target is not None

@@ -9,10 +9,11 @@ from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.files import write_whole
 from nscc.toml.kinds import Integer, Number, TextKind
 from nscc.toml.schema import Key
-from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
+from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import (
     axis,
     light_files,
+    program_files,
     scene_keys,
     scene_of,
     sensor_keys,
@@ -52,11 +53,10 @@ def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
 
 
 def _reads(values: Values) -> Sequence[Path]:
-    named = [Path(values["target"])] if values["target"].endswith(".toml") else []
-    return [*light_files(values), *named]
+    return [*light_files(values), *program_files(values)]
 
 
-def _design(values: Values, place: Place) -> Figures:
+def _design(values: Values, task: PointTask) -> Figures:
     from nscc_runtime.progress import unseen
     from nscc_training.design import Design, Frame, design_looks, design_tile
     from nscc_training.metrics import psnr_of_mse
@@ -76,7 +76,7 @@ def _design(values: Values, place: Place) -> Figures:
         looking = design_looks(scene_light, values["looks"], frame, values["criterion"])
         design, figures = looking, {"at": " ".join(map(str, looking.schedule.at))}
         errors = {str(curve): error for curve, error in looking.expected.errors.items()}
-    write_whole(place.files, design.text.encode())
+    write_whole(task.files, design.text.encode())
     lowered = design.compiled.lowered
     assert lowered is not None
     expected = {

@@ -11,7 +11,7 @@ import numpy as np
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
-from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
+from nscc_training.sweep.point import Figures, PointFault, PointKind, Values
 from nscc_training.sweep.point_programs import (
     axis,
     compiled_of,
@@ -89,10 +89,6 @@ def _reads(values: Values) -> Sequence[Path]:
     return [*program_files(values), *light_files(values), *data]
 
 
-def _emulate(values: Values, place: Place) -> Figures:
-    return _bench(values) if "bench" in values else _capture(values, place.threads)
-
-
 def _capture(values: Values, threads: int) -> Figures:
     from nscc.containers import with_pixels
     from nscc.words.readout import converter_of
@@ -150,7 +146,8 @@ def _bench(values: Values) -> Figures:
 
 EMULATE = PointKind(
     "emulate", "frames of the emulated chip, and for a bench their reconstructions", _keys,
-    _emulate, ("psnr_db", "mean_e"), _reads, _fault,
+    lambda values, task: _bench(values) if "bench" in values else _capture(values, task.threads),
+    ("psnr_db", "mean_e"), _reads, _fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
 )  # fmt: skip

@@ -11,7 +11,7 @@ from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_training.protocols import NAMES, PROCEDURAL, load_protocol
 from nscc_training.scene_files import folders_of
-from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
+from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import axis, sensor_changes, sensor_keys
 
 RUN = "run"
@@ -21,24 +21,19 @@ RUN = "run"
 def _keys() -> tuple[Key, ...]:
     return (
         axis(RUN, TextKind(), "parts of this grid, of kind train, whose runs are evaluated"),
-        axis(
-            "subject", TextKind(), "instead of run: a baseline, a run folder, or for sci8 a method"
-        ),
+        axis("subject", TextKind(),
+             "instead of run: a baseline, a run folder, or for sci8 a method"),
         axis("protocol", TextKind(NAMES), "the evaluation protocol", "hdr-v1"),
         axis("data", TextKind(), "the folder of scenes"),
         axis("seed", Integer(0, 2**31 - 1), "seed of random codes and noise", 0),
-        axis(
-            "shutter",
-            TextKind(),
-            "other codes for a baseline that accepts any code, as in --shutter",
-            "",
-        ),
+        axis("shutter", TextKind(),
+             "other codes for a baseline that accepts any code, as in --shutter", ""),
         axis("effects", TextKind(), "effects of the emulated chip that exposes the scenes", ""),
         *(key for key in sensor_keys() if key.name != "sensor.file"),
         axis("skip_seen", Flag(), "leave out files that the run was trained on", False),
         axis("iterations", Integer(1, 10000), "of a method", 40),
         axis("weight", Number(0, 10, low_excluded=True), "of total variation", 0.1),
-    )
+    )  # fmt: skip
 
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
@@ -60,14 +55,14 @@ def _reads(values: Values) -> Sequence[Path]:
     return [*scenes, *(Path(name) for name in named if name)]
 
 
-def _evaluate(values: Values, place: Place) -> Figures:
+def _evaluate(values: Values, task: PointTask) -> Figures:
     import torch
 
     from nscc_training.evaluation.results import result_json
 
-    torch.set_num_threads(place.threads)
+    torch.set_num_threads(task.threads)
     result = _result(values)
-    write_whole(place.files, result_json(result).encode())
+    write_whole(task.files, result_json(result).encode())
     items = result["items"]
     low, high = result["ci95"] or (None, None)
     return {
@@ -97,7 +92,7 @@ def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
 def _result(values: Values) -> dict[str, Any]:
     from nscc_training.evaluation.baselines import evaluate_sci8
     from nscc_training.evaluation.methods import CLIPS
-    from nscc_training.evaluation.subjects import evaluate
+    from nscc_training.evaluation.runs import evaluate
     from nscc_training.protocol_scenes.file_scenes import files_of
 
     data, subject = Path(values["data"]), values.get("subject", "")

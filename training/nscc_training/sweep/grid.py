@@ -25,7 +25,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Source
 from nscc.toml.kinds import Axis, Several, TextKind
-from nscc.toml.schema import FileCodes, Key, Schema, file_bytes, file_table, file_text
+from nscc.toml.schema import FileCodes, Key, Schema, file_bytes, file_table, file_text, key, keys_of
 from nscc_training.sweep.evaluating import RUN
 from nscc_training.sweep.kinds import KINDS
 from nscc_training.sweep.point import OF_RUN, GridPoint, PointFault, Values
@@ -53,34 +53,23 @@ _CALLED = Key(
 _LIKE = Key("", "like", TextKind(), "an earlier part, whose keys this part copies", "")
 _OF_PART = (_KIND.name, _CALLED.name, _LIKE.name)
 """Keys of every part that are not axes."""
-_PLOT_KEYS = (
-    Key(_PLOT, "x", TextKind(), "the horizontal axis; by default the first numeric axis", ""),
-    Key(
-        _PLOT,
-        "y",
-        Several(TextKind(), text="a list of results"),
-        "the results on the vertical axis",
-        (),
-    ),
-    Key(
-        _PLOT,
-        "line",
-        Several(TextKind(), text="a list of axes"),
-        "the axes with one line per value",
-        (),
-    ),
-    Key(_PLOT, "panel", TextKind(), "the axis with one panel per value", ""),
-)
 
 
 @dataclass(frozen=True)
 class Plot:
     """The diagram of a grid; empty values choose a suitable default."""
 
-    x: str = ""
-    y: tuple[str, ...] = ()
-    line: tuple[str, ...] = ()
-    panel: str = ""
+    x: str = key(TextKind(), "the horizontal axis; by default the first numeric axis", "")
+    y: tuple[str, ...] = key(
+        Several(TextKind(), text="a list of results"), "the results on the vertical axis", ()
+    )
+    line: tuple[str, ...] = key(
+        Several(TextKind(), text="a list of axes"), "the axes with one line per value", ()
+    )
+    panel: str = key(TextKind(), "the axis with one panel per value", "")
+
+
+_PLOT_KEYS = keys_of(Plot, _PLOT)
 
 
 @dataclass(frozen=True)
@@ -288,18 +277,18 @@ def _linked(points: Sequence[GridPoint], source: Source) -> tuple[GridPoint, ...
         if id(point) in linked:
             return linked[id(point)]
         after = list(point.after)
-        for key, value in point.values.items():
+        for run_key, value in point.values.items():
             if not (isinstance(value, str) and value.startswith(OF_RUN)):
                 continue
             name = value.removeprefix(OF_RUN)
             if count[name] != 1:
                 run_count = f"{count[name] or 'no'} run{'s' if count[name] else ''}"
-                raise problem(point, f"[{point.grid_part}]: {run_count} called '{name[:80]}'", key)
+                message = f"[{point.grid_part}]: {run_count} called '{name[:80]}'"
+                raise problem(point, message, run_key)
             circle = (*above, point.name) if point.kind == "train" else above
             if name in circle:
-                raise problem(
-                    point, f"[{point.grid_part}]: run '{name[:80]}' depends on itself", key
-                )
+                message = f"[{point.grid_part}]: run '{name[:80]}' depends on itself"
+                raise problem(point, message, run_key)
             after.append(link(runs[name], circle))
         linked[id(point)] = replace(point, after=tuple(after))
         return linked[id(point)]

@@ -32,19 +32,16 @@ def key_of(point: GridPoint, threads: int) -> str:
     of floats do. Raises Rejected for a program that cannot be read."""
     kind = KINDS[point.kind]
     after = [key_of(run_point, threads) for run_point in point.after]
-    plain_values = {name: kind_plain(value) for name, value in sorted(point.values.items())}
+    # 1 and 1.0 are the same value of a key.
+    plain_values = {
+        name: int(value) if isinstance(value, float) and value.is_integer() else value
+        for name, value in sorted(point.values.items())
+    }
     return digest((
         _SCHEMA, kind.name, plain_values, [content(path) for path in kind.reads(point.values)],
         versions(kind.packages, kind.distributions),
         threads if "torch" in kind.distributions else 0, *after,
     ))  # fmt: skip
-
-
-def kind_plain(value: object) -> object:
-    """Return a value in canonical form, in which 1 and 1.0 are equal."""
-    if isinstance(value, float) and value.is_integer():
-        return int(value)
-    return value
 
 
 @cache

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from dataclasses import fields
-from pathlib import Path
 from typing import get_args
 
 from nscc.files import write_together
 from nscc.toml.kinds import Integer, Number, TextKind
 from nscc.toml.schema import Key
-from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
-from nscc_training.sweep.point_programs import axis
+from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
+from nscc_training.sweep.point_programs import axis, program_files
 
 
 def _keys() -> tuple[Key, ...]:
@@ -49,20 +48,16 @@ def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
     return None
 
 
-def _reads(values: Values) -> Sequence[Path]:
-    return [Path(values["target"])] if values["target"].endswith(".toml") else []
-
-
-def _train(values: Values, place: Place) -> Figures:
+def _train(values: Values, task: PointTask) -> Figures:
     import torch
 
     from nscc_training.motion_cells import MotionSettings, motion_cell_files, train_motion_cell
 
-    torch.set_num_threads(place.threads)
+    torch.set_num_threads(task.threads)
     names = [field.name for field in fields(MotionSettings)]
     trained = train_motion_cell(MotionSettings(**{name: values[name] for name in names}))
     files = motion_cell_files(trained)
-    write_together({place.files / name: data for name, data in files.items()})
+    write_together({task.files / name: data for name, data in files.items()})
     report = trained.program.report
     return {
         **{f"{name}_accuracy": round(share, 4) for name, share in trained.accuracies.items()},
@@ -77,7 +72,7 @@ def _train(values: Values, place: Place) -> Figures:
 
 CELL = PointKind(
     "cell", "a recurrent cell of bits in the pixels that tells the direction of motion", _keys,
-    _train, ("tuned_accuracy", "effects_accuracy"), _reads, _fault,
+    _train, ("tuned_accuracy", "effects_accuracy"), program_files, _fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "scipy", "torch"), leaves="",
 )  # fmt: skip

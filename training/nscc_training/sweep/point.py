@@ -29,14 +29,6 @@ class PointFault:
 
 
 @dataclass(frozen=True)
-class Place:
-    """Paths and resources for computing a point; `files` is the prefix of its output file names."""
-
-    files: Path
-    threads: int
-
-
-@dataclass(frozen=True)
 class PointKind:
     """A kind of point.
 
@@ -46,7 +38,8 @@ class PointKind:
     takes : callable
         Returns the keys of a part of a grid.
     compute : callable
-        Returns the results of a point; raises Rejected with the reason if it has none.
+        Returns the results of a point, given its values and its task; raises Rejected with the
+        reason if it has none.
     drawn : tuple of str
         Results for diagrams; the first of them in the table is drawn by default.
     reads : callable
@@ -56,13 +49,13 @@ class PointKind:
     packages, distributions : tuple of str
         Packages of nscc and other distributions that compute the point.
     leaves : str or None
-        The ending of the file or folder that a point writes at `Place.files`.
+        The ending of the file or folder that a point writes at `PointTask.files`.
     """
 
     name: str
     summary: str
     takes: Callable[[], tuple[Key, ...]]
-    compute: Callable[[Values, Place], Figures]
+    compute: Callable[[Values, PointTask], Figures]
     drawn: tuple[str, ...]
     reads: Callable[[Values], Sequence[Path]]
     fault: Callable[[Values, Collection[str]], PointFault | None] = lambda _values, _named: None
@@ -83,6 +76,19 @@ class GridPoint:
     name: str
     values: Values = field(hash=False)
     after: tuple[GridPoint, ...] = ()
+
+
+@dataclass(frozen=True)
+class PointTask:
+    """A point to compute in `folder`, into names that begin with `files`, after the `runs` that its
+    values name."""
+
+    point: GridPoint
+    key: str
+    folder: Path
+    files: Path
+    threads: int
+    runs: Mapping[str, Path | None] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

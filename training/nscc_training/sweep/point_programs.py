@@ -69,30 +69,18 @@ def program_keys() -> tuple[Key, ...]:
         axis("slot_us", Number(1e-3, 1e9), "length of a slot in microseconds", 1000.0),
         axis("tile", Several(Integer(1, 4096), 2), "rows and columns of a class's tile", (8, 8)),
         axis("init", TextKind(STARTS), "the codes of a class", "random"),
-        axis(
-            "length",
-            Integer(1, 65536, automatic=True),
-            "slots of a bump of class c; auto: a quarter of the frame",
-            None,
-        ),
+        axis("length", Integer(1, 65536, automatic=True),
+             "slots of a bump of class c; auto: a quarter of the frame", None),
         axis("rows", Integer(1, 4096), "rows of a codebook", 64),
         axis("seed", Integer(0, 2**31 - 1), "seed of all random numbers", 0),
-        axis(
-            "codes",
-            TextKind(("fixed", "open")),
-            "fixed: the used codes; open: every legal code",
-            "fixed",
-        ),
-        axis(
-            "lowering",
-            TextKind(("auto", *LOWERINGS)),
-            "the lowering: how the exposure is computed",
-            "auto",
-        ),
+        axis("codes", TextKind(("fixed", "open")), "fixed: the used codes; open: every legal code",
+             "fixed"),
+        axis("lowering", TextKind(("auto", *LOWERINGS)),
+             "the lowering: how the exposure is computed", "auto"),
         axis("level", Integer(0, 3), "as -O", 2),
         axis("max_words", Integer(1, 10**6, unlimited=True), "most words in a slot", None),
         *target_keys(),
-    )
+    )  # fmt: skip
 
 
 def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
@@ -130,7 +118,7 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
 
 
 def program_files(values: Values) -> Sequence[Path]:
-    """Return the files of a program: its text, those that it names, and its chip."""
+    """Return the files of a point's program and chip: the text, those that it names, the target."""
     files: list[Path] = []
     if "program" in values:
         files += text_files(Path(values["program"]))
@@ -191,19 +179,11 @@ _SENSOR, _FILE = "sensor.", "sensor.file"
 def scene_keys() -> tuple[Key, ...]:
     return (
         axis("scene", TextKind(), "a scene, as nscc run takes it"),
-        axis(
-            "exposure",
-            TextKind(),
-            "electrons over the frame, as --exposure; empty: the scene's",
-            "",
-        ),
-        axis(
-            "transfer",
-            TextKind(("", "linear", "srgb")),
-            "the scene's curve; empty: by its file",
-            "",
-        ),
-    )
+        axis("exposure", TextKind(), "electrons over the frame, as --exposure; empty: the scene's",
+             ""),
+        axis("transfer", TextKind(("", "linear", "srgb")), "the scene's curve; empty: by its file",
+             ""),
+    )  # fmt: skip
 
 
 def sensor_keys() -> tuple[Key, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -59,10 +59,15 @@ def plain(value: Any) -> Any:
 
 def csv_text(table: Table) -> str:
     """Return the table as CSV."""
+    return csv_of(table.columns, ([cell(value) for value in row] for row in table.rows()))
+
+
+def csv_of(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+    """Return rows of cells as CSV, with the names of the columns in the first line."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(table.columns)
-    writer.writerows([cell(value) for value in row] for row in table.rows())
+    writer.writerow(head)
+    writer.writerows(rows)
     return text.getvalue()
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import os
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -20,9 +18,9 @@ from nscc.program.problems import counted
 from nscc_runtime.progress import Progress, unseen
 from nscc_training.sweep.grid import Grid, of_parts
 from nscc_training.sweep.kinds import KINDS, key_of
-from nscc_training.sweep.point import OF_RUN, GridPoint, PointRow
-from nscc_training.sweep.result_table import Table, csv_text, parquet_bytes, table_of
-from nscc_training.sweep.work import FAILED, Done, PointTask, serially
+from nscc_training.sweep.point import OF_RUN, GridPoint, PointRow, PointTask
+from nscc_training.sweep.result_table import Table, csv_of, csv_text, parquet_bytes, table_of
+from nscc_training.sweep.work import FAILED, Done, serially
 
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
 TIMES = "times.csv"
@@ -322,12 +320,9 @@ def times_csv(store: ExperimentStore) -> str:
     """Return the time and worker of each point as CSV; times start with the first point."""
     timings = store.timings(POINTS)
     begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(("key", "name", "seconds", "ended_s", "worker"))
-    writer.writerows(
+    rows = (
         (timing.name[:12], timing.label, f"{timing.seconds:.3f}", f"{timing.ended - begin:.3f}",
          timing.worker)
         for timing in timings
     )  # fmt: skip
-    return text.getvalue()
+    return csv_of(("key", "name", "seconds", "ended_s", "worker"), rows)

@@ -15,7 +15,7 @@ from nscc_training.import_paths import is_import_path
 from nscc_training.run_files import run_path
 from nscc_training.scene_files import folders_of
 from nscc_training.settings import SCHEMA, RunSettings
-from nscc_training.sweep.point import Figures, Place, PointKind, Values
+from nscc_training.sweep.point import Figures, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import axis, text_files
 
 _CONFIG = "config"
@@ -75,7 +75,7 @@ def _begun_with(path: Path) -> Sequence[Path]:
     return text_files(path) if is_program else [path]
 
 
-def _train(values: Values, place: Place) -> Figures:
+def _train(values: Values, task: PointTask) -> Figures:
     """Train, and resume if an earlier attempt left a checkpoint."""
     import json
 
@@ -83,9 +83,9 @@ def _train(values: Values, place: Place) -> Figures:
 
     from nscc_training.loop.train import train
 
-    torch.set_num_threads(place.threads)
-    train(_settings(values), place.files)
-    result = json.loads((place.files / "result.json").read_text(encoding="utf-8"))
+    torch.set_num_threads(task.threads)
+    train(_settings(values), task.files)
+    result = json.loads((task.files / "result.json").read_text(encoding="utf-8"))
     scores = {name: value for name, value in result["robustness"][0].items() if name != "change"}
     unit = "correct" if "correct" in scores else "db"
     return {

@@ -6,16 +6,15 @@ import math
 import os
 import socket
 import warnings
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from contextlib import chdir
-from dataclasses import dataclass, field
-from pathlib import Path
+from dataclasses import dataclass
 from threading import Lock
 from time import perf_counter
 
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc_training.sweep.kinds import KINDS, key_of
-from nscc_training.sweep.point import Figures, GridPoint, Place, PointRow
+from nscc_training.sweep.point import Figures, PointRow, PointTask
 
 FAILED = "NS0833"
 """The code of a point that failed for reasons other than its values."""
@@ -25,19 +24,6 @@ _ONE = Lock()
 """Makes a worker with several threads compute one point at a time.
 
 The current folder, warnings and torch's thread count are shared by the process."""
-
-
-@dataclass(frozen=True)
-class PointTask:
-    """A point to compute in `folder`, into names that begin with `files`, after the `runs` that its
-    values name."""
-
-    point: GridPoint
-    key: str
-    folder: Path
-    files: Path
-    threads: int
-    runs: Mapping[str, Path | None] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -79,13 +65,12 @@ def failure(task: PointTask, why: str) -> PointRow:
 
 def _row(task: PointTask) -> tuple[PointRow, bool]:
     kind = KINDS[task.point.kind]
-    place = Place(task.files, task.threads)
     values = {
         name: str(task.runs[value]) if isinstance(value, str) and value in task.runs else value
         for name, value in task.point.values.items()
     }
     try:
-        figures = kind.compute(values, place)
+        figures = kind.compute(values, task)
     except Rejected as rejected:
         errors = [d for d in rejected.diagnostics if d.severity is Severity.ERROR]
         first = next((d for d in errors if d.data.get("proved")), errors[0])

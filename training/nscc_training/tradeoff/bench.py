@@ -30,12 +30,7 @@ from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
 from nscc_runtime.planning.scenes import planning_of
-from nscc_runtime.planning.tolerance import (
-    LEAST_E,
-    Tolerance,
-    mean_signal_e,
-    tolerance_of,
-)
+from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
 from nscc_runtime.response import response_of
 from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import load_sensor

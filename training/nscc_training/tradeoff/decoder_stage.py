@@ -10,10 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.tradeoff.points import Point
-from nscc_runtime.frame_file import FrameFile, meta
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.merge import light_estimate, readouts
-from nscc_runtime.response import response_of, with_table
+from nscc_runtime.response import response_of
 from nscc_runtime.simulate import Simulated
 from nscc_training.tradeoff.bench import PERCENT, Bench, StageResult, rms_percent
 
@@ -78,15 +77,11 @@ def _of_looks(bench: Bench, capture: Simulated) -> Iterator[_Way]:
 
 def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_Way]:
     from nscc_training.any_code.decode import decoded_still
-    from nscc_training.any_code.frames import coded_frame
+    from nscc_training.any_code.frames import coded_capture
     from nscc_training.any_code.stages import STILL_STAGES
 
-    container, light, frame = bench.container, bench.light, capture.frame
-    about = meta(container, light, frame, capture.origin)
-    file = with_table(FrameFile.of(container, light, frame, about), container)
-    coded = coded_frame(
-        {"frame": frame.frame, "saturated": frame.saturated, **file.kept_arrays}, about
-    )
+    container, light = bench.container, bench.light
+    coded = coded_capture(container, light, bench.sensor, capture)
     if coded.is_still:
         truth = np.asarray(light.total_e())[None]
         yield _Way("merged", "neighbours", partial(_merged, bench, capture), truth)
@@ -94,7 +89,7 @@ def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_W
         yield _Way("any", _stages(STILL_STAGES), lambda: decoded_still(still).numpy(), truth)
         yield from _of_run(bench, capture, truth)
         return
-    middle = _middle(frame.frame.shape, container.slots)
+    middle = _middle(coded.row.shape, container.slots)
     if coded.row[middle].size < coded.row.size:
         rows, cols = (side.stop - side.start for side in middle)
         notes.append(f"clips were decoded on the middle {rows} x {cols} pixels")
@@ -180,7 +175,7 @@ def _middle(shape: tuple[int, ...], slots: int) -> tuple[slice, slice]:
     """Return the rows and columns of the largest middle part of the array that is decoded."""
     side = max(16, int((CLIP_VALUES / slots) ** 0.5) // 16 * 16)
     region = []
-    for length in shape[-2:]:
+    for length in shape:
         cropped_length = min(side, length)
         start = (length - cropped_length) // 2
         region.append(slice(start, start + cropped_length))

@@ -152,7 +152,6 @@ def si_seconds(time_ms: float) -> str:
     time_ms = float(f"{time_ms:.3g}")
     steps = ((1e-3, "us", 1e3), (1.0, "ms", 1.0), (1e3, "s", 1e-3))
     unit, factor = next(
-        ((unit, factor) for limit, unit, factor in reversed(steps) if time_ms >= limit),
-        ("ns", 1e6),
+        ((unit, factor) for limit, unit, factor in reversed(steps) if time_ms >= limit), ("ns", 1e6)
     )
     return f"{time_ms * factor:.3g} {unit}"

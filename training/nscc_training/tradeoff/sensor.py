@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
@@ -41,11 +40,10 @@ from nscc_training.programs import Chip, program_of
 from nscc_training.protocol_scenes.file_scenes import Kind, kinds_in, protocol_of, some_scenes
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.sensor_model import SensorModel
+from nscc_training.tradeoff.bench import whole_ticks
 
 _LONG_US = 1000.0
 _ITERATIONS = 20
-_TICK_US = 0.01
-"""Slot lengths are multiples of this, so that programs are readable."""
 
 
 @dataclass(frozen=True)
@@ -223,9 +221,7 @@ def compiled_for(
     longest_compiled = compiled(_LONG_US)
     if isinstance(longest_compiled, Diagnostic):
         return longest_compiled
-    return compiled(
-        max(1, math.ceil(longest_compiled.shortest_slot_us / _TICK_US - 1e-6)) * _TICK_US
-    )
+    return compiled(whole_ticks(longest_compiled.shortest_slot_us))
 
 
 def _encoder(configuration: Configuration, settings: SensorStudySettings) -> Encoder:
