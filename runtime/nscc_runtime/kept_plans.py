@@ -24,7 +24,6 @@ from nscc_runtime.sizes_loop import (
     KINDS,
     LARGEST,
     OPEN,
-    ROWS,
     SQUARE,
     STEPS,
     ArraySize,
@@ -109,7 +108,7 @@ def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
     (rows, cols), columns = total.shape, np.empty((KINDS, total.shape[1]))
     sizes_of(
         pixels=ArraySize(rows=rows, cols=cols), total=total, open_fraction=open_part,
-        lit=np.empty(ROWS * cols), column_sums=columns,
+        column_sums=columns,
     )  # fmt: skip
     sizes: Values = columns.sum(axis=1)
     for first in (0, OPEN):
