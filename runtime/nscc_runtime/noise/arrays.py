@@ -46,7 +46,7 @@ def poisson(key: np.uint64, pixels: Pixels, rate: Floats) -> tuple[Floats, NDArr
     ValueError for a rate of another shape."""
     if np.shape(rate) != np.shape(pixels):
         raise ValueError(f"rates {np.shape(rate)} for pixels {np.shape(pixels)}")
-    from nscc_runtime.noise.noise_loops import BLOCK, Counts, fill_poisson
+    from nscc_runtime.noise.noise_loops import Counts, fill_poisson
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
     valid = np.empty(np.shape(pixels), np.bool_)
@@ -56,7 +56,6 @@ def poisson(key: np.uint64, pixels: Pixels, rate: Floats) -> tuple[Floats, NDArr
         rate=_floats(rate).reshape(-1),
         out=out.reshape(-1),
         valid=valid.view(np.uint8).reshape(-1),
-        **{name: np.empty(BLOCK) for name in ("rates", "total", "mass", "drawn")},
     )
     return out, valid
 
