@@ -241,9 +241,9 @@ def _exposing(
 
         loop, frames = run_paths, partial(looked_frames.frames, by_words=not noiseless)
     elif noiseless:
-        from nscc_runtime.emulator.loops import expose_block
+        from nscc_runtime.emulator.loops import expose_pixels
 
-        _say_compiling(listener, expose_block, "emulator")
+        _say_compiling(listener, expose_pixels, "emulator")
         return partial(_exact, container, light, sensor, request)
     else:
         from nscc_runtime.reference import frames

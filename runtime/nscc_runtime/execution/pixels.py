@@ -47,7 +47,6 @@ from nscc_runtime.execution.pixel_loop import run_pixels
 from nscc_runtime.execution.site_loop import Laying, Times, needed_places, sites_of
 from nscc_runtime.execution.word_loop import ERRORS, ErrorScratch, Lanes
 from nscc_runtime.light import Light
-from nscc_runtime.loop import Bound
 from nscc_runtime.noise import key
 from nscc_runtime.noise.keys import base
 from nscc_runtime.pool import in_parts
@@ -183,26 +182,22 @@ class Wired:
         return OnDevice(**device_keys(OnDevice, self.device_seed))
 
     @cached_property
-    def loop(self) -> Bound:
-        """The loop, bound to the arguments that do not depend on the scene."""
+    def arguments(self) -> dict[str, Any]:
+        """The arguments of `run_pixels` that do not depend on the scene."""
         words, container = self.words, self.words.reference.container
-        return run_pixels.bound(
-            switches=switches_of(container, self.effects),
-            numbers=self.numbers,
-            device=self._device,
-            slot_us=np.array(container.slot_us, np.float64),
-            group_ids=words.group_ids,
-            start_keys=np.array(
-                [
-                    key(self.device_seed, START, group=group)
-                    for group in range(1 + len(container.target.analog_registers))
-                ],
-                np.uint64,
-            ),
-            lanes=words.lanes,
-            program=words.program,
-            readouts=readouts_of(container),
-        )
+        start_groups = range(1 + len(container.target.analog_registers))
+        start_keys = [key(self.device_seed, START, group=group) for group in start_groups]
+        return {
+            "switches": switches_of(container, self.effects),
+            "numbers": self.numbers,
+            "device": self._device,
+            "slot_us": np.array(container.slot_us, np.float64),
+            "group_ids": words.group_ids,
+            "start_keys": np.array(start_keys, np.uint64),
+            "lanes": words.lanes,
+            "program": words.program,
+            "readouts": readouts_of(container),
+        }
 
     def sizes(self, pixels: int, frame: int, counts_known: bool) -> Sizes:
         """Return the sizes for exposing `pixels` pixels of frame number `frame`."""
@@ -310,8 +305,8 @@ class Running:
                 sizes = wired.sizes(end - begin, frame, known_counts is not None)
                 exposure = np.empty((shape[0], end - begin))
                 bits = np.empty(exposure.shape, np.uint8)
-                wired.loop(
-                    sizes=sizes, chosen=self._chosen[begin:end], sites=sites,
+                run_pixels(
+                    **wired.arguments, sizes=sizes, chosen=self._chosen[begin:end], sites=sites,
                     out=exposure, marked=bits, **common, **wired.scratch(sizes),
                 )  # fmt: skip
                 out[:, begin:end], marked[:, begin:end] = exposure, bits
