@@ -57,6 +57,11 @@ class Capture(Frame):
 
     exposed: Taken
 
+    @classmethod
+    def of(cls, exposed: Taken) -> Capture:
+        """Return the capture of an exposed scene."""
+        return cls(**vars(exposed.simulated.frame), exposed=exposed)
+
     @property
     def plan(self) -> Plan | None:
         """The plan of the capture; None if no plan was made."""

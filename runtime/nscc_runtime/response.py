@@ -85,16 +85,14 @@ class ShutterResponse:
         return np.divide(self.seen_s, open_s, out=np.ones(open_s.shape), where=open_s > 0)
 
 
-def _shutter_response(container: Container, sensor: Sensor, effects: Selection) -> ShutterResponse:
+@OfContainer
+def shutter_response(container: Container, sensor: Sensor, effects: Selection) -> ShutterResponse:
+    """Return the response of a program whose pixels do not look, cached for its arguments. Raises
+    Rejected (NS0442) for words that open no shutters."""
     kept_us = retention_us(effects, sensor)
     words = () if container.target.streamed else analog_words(container, kept_us)
     weights = backward(container, words, WeightModel.of(effects, sensor))
     return ShutterResponse.of_weights(weights, container.slot_s, sensor, effects)
-
-
-shutter_response = OfContainer(_shutter_response)
-"""Return the `ShutterResponse` of a program whose pixels do not look, cached for its arguments.
-Arguments: container, sensor, effects. Raises Rejected (NS0442) for words that open no shutters."""
 
 
 def open_shutters(container: Container) -> NDArray[np.bool_]:

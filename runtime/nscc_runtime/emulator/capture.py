@@ -160,6 +160,14 @@ def check(container: Container, light: Light) -> None:
 
 def check_program(container: Container) -> None:
     """Raise NS0741 for a program without pixel codes, ValueError for an inconsistent container."""
+    check_codes(container)
+    unsound = _faults(container)
+    if unsound:
+        raise ValueError(f"unsound container: {unsound[0]}")
+
+
+def check_codes(container: Container) -> None:
+    """Raise Rejected (NS0741) for a program without pixel codes."""
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",
@@ -167,9 +175,6 @@ def check_program(container: Container) -> None:
             helps=("add a `pixels` statement, or give codes in a file: --pixels CODES.npz",),
             status=1,
         )
-    unsound = _faults(container)
-    if unsound:
-        raise ValueError(f"unsound container: {unsound[0]}")
 
 
 def check_size(container: Container, light: Light) -> None:

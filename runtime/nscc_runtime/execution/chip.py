@@ -161,7 +161,7 @@ class SimulatedChip:
             total: Values | float = 0.0
             for rate, weights in zip(self.leak_rates, self.leak_weights, strict=True):
                 model = replace(full_model, leak_per_s=rate) if rate else full_model
-                by_lane = program.tables.pattern(model).T
+                by_lane = program.tables.weights(model).error_sum.T
                 total = total + by_lane[:, self.array.flat_lanes] * weights
             return np.ascontiguousarray(
                 total * self.device.fixed(self.kept_effects.require_part(WordGain).error_e)

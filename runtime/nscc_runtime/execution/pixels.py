@@ -306,17 +306,13 @@ class Running:
                 exposure = np.empty((shape[0], end - begin))
                 bits = np.empty(exposure.shape, np.uint8)
                 run_pixels(
-                    **wired.arguments, sizes=sizes, chosen=self._chosen[begin:end], sites=sites,
+                    **wired.arguments, sizes=sizes, chosen=self.chosen[begin:end], sites=sites,
                     out=exposure, marked=bits, **common, **wired.scratch(sizes),
                 )  # fmt: skip
                 out[:, begin:end], marked[:, begin:end] = exposure, bits
 
             in_parts(fill, pixel_slice.stop - pixel_slice.start, self.threads, _FEWEST)
         return out, marked
-
-    @cached_property
-    def _chosen(self) -> NDArray[np.int64]:
-        return np.require(self.chosen, np.int64, ["C", "A"])
 
     @cached_property
     def _source(self) -> Light:
@@ -329,7 +325,7 @@ class Running:
 
     def _needed(self, pixel_slice: slice) -> NDArray[np.int64]:
         beside = self.wired.effects.find_part(Exchange) is not None
-        return needed_places(self._chosen[pixel_slice], self.light.shape, beside)
+        return needed_places(self.chosen[pixel_slice], self.light.shape, beside)
 
     @cached_property
     def _pixel_slices(self) -> list[slice]:
@@ -339,7 +335,7 @@ class Running:
         tables = sites = len(self._places)
         if self._source.even:
             tables = min(sites, len(words.lanes.start))
-        bytes_, count = 16 * tables * groups * (slots + 1), len(self._chosen)
+        bytes_, count = 16 * tables * groups * (slots + 1), len(self.chosen)
         slice_pixels = max(1, count // max(1, -(-bytes_ // _MOST_LIGHT)))
         return [
             slice(first, min(first + slice_pixels, count))
