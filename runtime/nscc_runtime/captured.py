@@ -57,11 +57,6 @@ class Capture(Frame):
 
     exposed: Taken
 
-    @classmethod
-    def of(cls, exposed: Taken) -> Capture:
-        """Return the capture of an exposed scene."""
-        return cls(**vars(exposed.simulated.frame), exposed=exposed)
-
     @property
     def plan(self) -> Plan | None:
         """The plan of the capture; None if no plan was made."""
@@ -236,6 +231,11 @@ class Capture(Frame):
 
     def _codes(self) -> str:
         return f"{self.frame.min()}..{self.frame.max()}" if self.frame.size else "of no bucket"
+
+
+def capture_of(exposed: Taken) -> Capture:
+    """Return the capture of an exposed scene."""
+    return Capture(**vars(exposed.simulated.frame), exposed=exposed)
 
 
 def _report(kind: str, values: NDArray[Any], count: Any) -> Any:

@@ -21,7 +21,7 @@ from nscc.diagnostics.arguments import one_of, require_whole_number, shown, warn
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.files import write_whole
 from nscc.words.readout import converter_of
-from nscc_runtime.captured import Capture
+from nscc_runtime.captured import Capture, capture_of
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.kept_plans import KeptPlans, Turn
@@ -150,7 +150,7 @@ def capture(
     result = exposed.simulated
     if result.plan_file is not None and isinstance(file, Path):
         write_whole(file, result.plan_file.encode())
-    return Capture.of(exposed)
+    return capture_of(exposed)
 
 
 def captures(

@@ -40,11 +40,7 @@ def eaten(frame: Frame) -> Diagnostic | None:
 
 def over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
     """Return the warning that forced effects, or the given plan, exceed the tolerance."""
-    forced = [
-        decision.name
-        for decision in plan.decisions
-        if decision.forced and decision.decision == "dropped"
-    ]
+    forced = [name for name in plan.names("dropped") if name in plan.kept.forced]
     why = (
         "the plan was made for another scene" if plan_given else f"turned off: {', '.join(forced)}"
     )

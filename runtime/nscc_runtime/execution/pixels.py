@@ -27,14 +27,12 @@ from nscc_runtime.effects.parts import (
 from nscc_runtime.effects.views import LIGHT, THINNED, WITHOUT_LIGHT
 from nscc_runtime.execution.charge_loop import SITES, Away, CountScratch, Sites
 from nscc_runtime.execution.layout import (
-    Fixed,
     Keys,
     LoopProgram,
     Numbers,
     OnDevice,
-    RegisterContents,
+    PixelState,
     Sizes,
-    WordResult,
 )
 from nscc_runtime.execution.loop_words import (
     numbers_of,
@@ -253,9 +251,7 @@ class Wired:
                 keys=np.empty(most, np.uint64),
                 normals=np.empty(most),
             ),
-            "fixed": Fixed.of(1),
-            "contents": RegisterContents.of(len(container.target.analog_registers), 1),
-            "result": WordResult.of(1),
+            "state": PixelState.of(len(container.target.analog_registers), 1),
         }
 
 

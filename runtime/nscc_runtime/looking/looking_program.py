@@ -21,11 +21,9 @@ from nscc_runtime.effects.in_loops import device_keys, draws_keys
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
 from nscc_runtime.execution.layout import (
-    Fixed,
     LoopProgram,
     OnDevice,
-    RegisterContents,
-    WordResult,
+    PixelState,
 )
 from nscc_runtime.execution.loop_words import (
     numbers_of,
@@ -203,8 +201,7 @@ class LookingProgram:
                 reached=np.empty(BLOCK, np.int64), fallen_fraction=np.empty(BLOCK),
                 normals=np.empty((1 + sizes.numbered) * BLOCK),
             ),
-            fixed=Fixed.of(BLOCK), result=WordResult.of(BLOCK),
-            contents=RegisterContents.of(len(container.target.analog_registers), BLOCK),
+            state=PixelState.of(len(container.target.analog_registers), BLOCK),
         )  # fmt: skip
         shape = (len(out), *begins.shape)
         return out.reshape(shape), marked.reshape(shape), ends.reshape(begins.shape)
