@@ -59,11 +59,9 @@ def over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
 
 
 def _instead(plan_given: bool) -> str:
-    return (
-        "make a new plan for this scene"
-        if plan_given
-        else "let the planner decide on these effects"
-    )
+    if plan_given:
+        return "make a new plan for this scene"
+    return "let the planner decide on these effects"
 
 
 def broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:

@@ -74,7 +74,7 @@ def _search(chip: SimulatedChip, light: Light) -> NearSaturation:
     charge is then computed."""
     weights, dark_s, limit = chip.compute_once(_of_lanes)
     total_e = light.sum_e * chip.scale.reshape(light.shape)
-    gained_e = np.zeros(light.shape)
+    gained_e: Values = np.zeros(light.shape)
     if chip.kept_effects.find_part(Exchange) is not None:
         for pixels, neighbours in NEIGHBOURS:
             gained_e[pixels] += total_e[neighbours]

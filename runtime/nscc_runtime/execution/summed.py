@@ -228,10 +228,7 @@ class LoopConverter:
             )  # fmt: skip
 
         in_parts(run, pixels, threads, BLOCK)
-        frame_shape = buckets, *shape
+        whole = buckets, *shape
         return Frame(
-            frame.reshape(frame_shape),
-            values.reshape(frame_shape),
-            valid.reshape(frame_shape),
-            marked.reshape(frame_shape),
+            frame.reshape(whole), values.reshape(whole), valid.reshape(whole), marked.reshape(whole)
         )

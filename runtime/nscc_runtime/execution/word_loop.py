@@ -16,7 +16,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from nscc_runtime.effects.registry import in_loop
+from nscc_runtime.effects.spread import soft_in_loop
 from nscc_runtime.execution.layout import (
     LoopProgram,
     LoopWord,
@@ -35,8 +35,6 @@ from nscc_runtime.noise.noise_loops import uniform
 ADDED, SUBTRACTED, LEVEL = 1, 2, 4
 """Saturation marks of a register: it contains a full PIX with positive or negative sign, or a full
 PIX in the level of a reset."""
-_bent = in_loop("bends")
-"""The function in loops for soft saturation of a register."""
 
 
 @inlined
@@ -150,7 +148,7 @@ def write(
                 error = state.pattern[i] + numbers.word_error * normals[first + d * step + j]
                 value = numbers.gain * value + program.signs[register] * error
             if switches.bends:
-                bent = _bent(value, numbers.lowest, numbers.highest, numbers.knee)
+                bent = soft_in_loop(value, numbers.lowest, numbers.highest, numbers.knee)
                 lost_e += abs(value - bent)
                 value = bent
             at = register * block + i

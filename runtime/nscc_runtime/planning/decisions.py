@@ -40,10 +40,8 @@ class Demands:
     def on(self, plan: Plan) -> Plan:
         """Return a copy of the plan with these tolerances entered."""
         tolerances = [tolerance for tolerance in (self.allowed, self.most) if tolerance is not None]
-        signal_e, noise_e = (
-            next((value for value in values if value is not None), None)
-            for values in ([t.signal_e for t in tolerances], [t.noise_e for t in tolerances])
-        )
+        signal_e = next((t.signal_e for t in tolerances if t.signal_e is not None), None)
+        noise_e = next((t.noise_e for t in tolerances if t.noise_e is not None), None)
         return replace(
             plan,
             tolerance=self.allowed.text if self.allowed else self.tolerance_text,
