@@ -54,7 +54,7 @@ def serve(**options: Any) -> None:
     from nscc.chips.load import load_target
     from nscc_runtime.device import stand_in
     from nscc_runtime.device.serving import LineFaults, parse_faults
-    from nscc_runtime.emulator.loops import expose_block
+    from nscc_runtime.emulator.loops import expose_pixels
 
     faults = parse_faults(options["fault"]) if options["fault"] else LineFaults()
     target = load_target(options["target"], Path())
@@ -64,8 +64,8 @@ def serve(**options: Any) -> None:
         scene, target, sensor, options["device_seed"],
         warn=lambda diagnostic: support.show([diagnostic]), failed=_report,
     )  # fmt: skip
-    support.say_compiling(expose_block, "the emulator's loops")
-    expose_block.load()
+    support.say_compiling(expose_pixels, "the emulator's loops")
+    expose_pixels.load()
     with stand_in.loaded(options["machine"], target, chip, say_done) as running:
         stand_in.serve(
             running, faults, opened=click.echo,

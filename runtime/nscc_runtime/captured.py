@@ -233,6 +233,11 @@ class Capture(Frame):
         return f"{self.frame.min()}..{self.frame.max()}" if self.frame.size else "of no bucket"
 
 
+def capture_of(exposed: Taken) -> Capture:
+    """Return the capture of an exposed scene."""
+    return Capture(**vars(exposed.simulated.frame), exposed=exposed)
+
+
 def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
     if kind == "any":
         return bool(values)

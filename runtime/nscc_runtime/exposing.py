@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import fields
 from itertools import cycle, islice
 from pathlib import Path
 from typing import Any, get_args
@@ -22,10 +21,9 @@ from nscc.diagnostics.arguments import one_of, require_whole_number, shown, warn
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.files import write_whole
 from nscc.words.readout import converter_of
-from nscc_runtime.captured import Capture
+from nscc_runtime.captured import Capture, capture_of
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.frame_file import Frame
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.planless import refuse_planless
@@ -152,8 +150,7 @@ def capture(
     result = exposed.simulated
     if result.plan_file is not None and isinstance(file, Path):
         write_whole(file, result.plan_file.encode())
-    arrays = {member.name: getattr(result.frame, member.name) for member in fields(Frame)}
-    return Capture(**arrays, exposed=exposed)
+    return capture_of(exposed)
 
 
 def captures(

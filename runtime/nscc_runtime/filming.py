@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import fields
 
 from nscc.diagnostics.arguments import require_whole_number, warn, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.words.readout import converter_of
-from nscc_runtime.captured import Capture
+from nscc_runtime.captured import Capture, capture_of
 from nscc_runtime.effects import Selection
-from nscc_runtime.frame_file import Frame
 from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.python_arguments import (
     LightLike,
@@ -91,5 +89,4 @@ def film(
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scenes[0], chip, request, Listener(warn=diagnostics.append))
     warn(diagnostics)
-    frame = exposed.simulated.frame
-    return Capture(**{f.name: getattr(frame, f.name) for f in fields(Frame)}, exposed=exposed)
+    return capture_of(exposed)

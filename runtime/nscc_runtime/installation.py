@@ -23,15 +23,15 @@ def findings() -> Iterator[Finding]:
 def _loops() -> Finding:
     if find_spec("numba") is None:
         return Finding(ABSENT, "the emulator's loops: numba compiles them")
-    from nscc_runtime.emulator.loops import expose_block
+    from nscc_runtime.emulator.loops import expose_pixels
 
-    was_compiled = expose_block.is_compiled()
+    was_compiled = expose_pixels.is_compiled()
     try:
-        expose_block.load()
+        expose_pixels.load()
     except (ImportError, OSError, RuntimeError, AttributeError) as error:
         return Finding(WRONG, f"the emulator's loops do not compile: {error}")
-    if not was_compiled and not expose_block.is_kept():
-        text = expose_block.compiling("the emulator's loops")
+    if not was_compiled and not expose_pixels.is_kept():
+        text = expose_pixels.compiling("the emulator's loops")
         return Finding(ABSENT, f"the emulator's loops are not kept: {text}")
     return Finding(GOOD, "the emulator's loops are compiled for this processor")
 

@@ -24,7 +24,6 @@ from nscc_runtime.sizes_loop import (
     KINDS,
     LARGEST,
     OPEN,
-    ROWS,
     SQUARE,
     STEPS,
     ArraySize,
@@ -93,7 +92,8 @@ class Statistics:
                 other_size <= own_size * (_MORE if saturating or kind not in _STEEP else 1.0)
                 for kind, (own_size, other_size) in enumerate(pairs)
             )
-            and _alike(self.light, other_statistics.light)
+            and self.light.shape == other_statistics.light.shape
+            and self.light.timing == other_statistics.light.timing
             and bool(np.abs(other_statistics.course - self.course).max(initial=0.0) <= _SHIFTED)
         )
 
@@ -109,7 +109,7 @@ def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
     (rows, cols), columns = total.shape, np.empty((KINDS, total.shape[1]))
     sizes_of(
         pixels=ArraySize(rows=rows, cols=cols), total=total, open_fraction=open_part,
-        lit=np.empty(ROWS * cols), column_sums=columns,
+        column_sums=columns,
     )  # fmt: skip
     sizes: Values = columns.sum(axis=1)
     for first in (0, OPEN):
@@ -119,17 +119,6 @@ def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
         sizes[first + LARGEST] = columns[first + LARGEST].max()
     sizes[STEPS] = (sizes[STEPS] / max(rows * (cols - 1) + cols * (rows - 1), 1)) ** 0.5
     return sizes
-
-
-def _alike(light: Light, other_light: Light) -> bool:
-    """Return whether frames of two lights fall into the same slots."""
-    if light.shape != other_light.shape or (light.motion is None) != (other_light.motion is None):
-        return False
-    return light.timing == other_light.timing and (
-        light.motion is None
-        or other_light.motion is None
-        or _alike(light.motion, other_light.motion)
-    )
 
 
 @dataclass(frozen=True, eq=False)

@@ -119,7 +119,8 @@ class Light:
     def timing(self) -> Hashable:
         """A key that is equal for two lights whose frames fall into the same slots."""
         arrays = self.row_start, self.frame_index, self.weight
-        return len(self.frames), *(array.tobytes() for array in arrays)
+        key = len(self.frames), *(array.tobytes() for array in arrays)
+        return key if self.motion is None else (key, self.motion.timing)
 
     def slot(self, n: int, rows: slice = slice(None)) -> NDArray[np.float32]:
         """Return the electrons of one slot.

@@ -9,7 +9,6 @@ because the light is then only a lower bound."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -28,33 +27,27 @@ from nscc_runtime.reference.weights import WeightModel, backward
 from nscc_runtime.response import ShutterResponse, converter_e2, gain_spread
 
 
-@dataclass(frozen=True, eq=False)
-class Ends:
-    """The ways in which a frame of a pixel can end.
-
-    `outcomes` int64 (ends, 1 + states): the behaviour number, then the values of the states that
-    are read. `words`: the bus and reset words of one path to each end; their lanes are the ends."""
-
-    outcomes: NDArray[np.int64]
-    words: tuple[AnalogWord, ...]
-
-
 @OfContainer
 def looked_response(
     container: Container, sensor: Sensor, effects: Selection
-) -> tuple[Ends, ShutterResponse] | None:
-    """Return the ends of a program whose pixels look, and the response (ends, buckets) of each end;
-    None if the paths of its pixels cannot be followed."""
+) -> tuple[NDArray[np.int64], ShutterResponse] | None:
+    """Return the ways in which a frame of pixels that look can end, and the response (ends,
+    buckets) of each end; None if the paths of the pixels cannot be followed.
+
+    Ends are int64 (ends, 1 + states): the behaviour number, then the values of the states that are
+    read."""
     paths = paths_of(container, retention_us(effects, sensor))
     if isinstance(paths, str):
         return None
-    ends = ends_of(container, paths)
-    weights = backward(container, ends.words, WeightModel.of(effects, sensor))
-    return ends, ShutterResponse.of_weights(weights, container.slot_s, sensor, effects)
+    path_by_outcome = _paths_by_outcome(container, paths)
+    words = _words(paths, [*path_by_outcome.values()])
+    weights = backward(container, words, WeightModel.of(effects, sensor))
+    response = ShutterResponse.of_weights(weights, container.slot_s, sensor, effects)
+    return np.array([*path_by_outcome], np.int64), response
 
 
-def ends_of(container: Container, paths: Paths) -> Ends:
-    """Return all ends of a program's frames."""
+def _paths_by_outcome(container: Container, paths: Paths) -> dict[tuple[int, ...], list[int]]:
+    """Return for each end of a frame (see `looked_response`) the segments of one path to it."""
     machine = container.machine
     assert machine is not None
     bits = start_bits(container)
@@ -73,7 +66,7 @@ def ends_of(container: Container, paths: Paths) -> Ends:
         for ending, path in by_first[segment].items():
             outcome = (behaviour, *(int(values[ending]) for values in states))
             path_by_outcome.setdefault(outcome, path)
-    return Ends(np.array([*path_by_outcome], np.int64), _words(paths, [*path_by_outcome.values()]))
+    return path_by_outcome
 
 
 def _paths_from(paths: Paths, first: int) -> Mapping[int, list[int]]:
@@ -220,7 +213,7 @@ def light_of(
         deviation = np.where(frame.saturated, np.inf, np.nan)
         return {LIGHT: read_e / open_s, DEVIATION: np.where(np.isnan(open_s), np.nan, deviation)}
     ends, by_end = response
-    row, _ = row_of(ends.outcomes, outcomes)
+    row, _ = row_of(ends, outcomes)
     seen_s, bias_e, variance_e2 = (
         np.moveaxis(values[row], -1, 0)
         for values in (by_end.seen_s, by_end.bias_e, by_end.variance_e2)

@@ -26,7 +26,7 @@ from __future__ import annotations
 
 import ctypes
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from pathlib import Path
@@ -129,10 +129,6 @@ class Loop(Generic[_P]):
         axes: dict[str, int] = {}
         self.entry(*[a for n, p in self.parameters.items() for a in p.addresses(values[n], axes)])
 
-    def bound(self, **values: Any) -> Bound:
-        """Return the loop with some of its arguments checked and fixed."""
-        return Bound(self, values)
-
     def is_compiled(self) -> bool:
         """Return whether the machine code exists; otherwise the first use takes some seconds."""
         return "linked" in vars(object_file(self.module)) or self.is_kept()
@@ -170,40 +166,6 @@ class Loop(Generic[_P]):
     def entry(self) -> Callable[..., None]:
         """The machine code as a function of addresses; it checks nothing."""
         return object_file(self.module).linked[self.name]
-
-
-class Bound:
-    """A loop with some of its arguments fixed (see `Loop.bound`)."""
-
-    def __init__(self, bound_loop: Loop[Any], values: dict[str, Any]) -> None:
-        self._loop = bound_loop
-        self._values = values  # keeps the arrays alive as long as their addresses
-        self._axes: dict[str, int] = {}
-        self._open = {
-            name: parameter
-            for name, parameter in bound_loop.parameters.items()
-            if name not in values
-        }
-        if len(values) + len(self._open) != len(bound_loop.parameters):
-            raise TypeError(f"{bound_loop.name}: {_unlike(bound_loop.parameters, values)}")
-        self._addresses: dict[str, Sequence[int]] = dict.fromkeys(bound_loop.parameters, ())
-        for name, value in values.items():
-            self._addresses[name] = bound_loop.parameters[name].addresses(value, self._axes)
-
-    def __call__(self, **values: Any) -> None:
-        """Run the loop with the remaining arguments (see `Loop.__call__`)."""
-        if self._open.keys() != values.keys():
-            raise TypeError(f"{self._loop.name}: {_unlike(self._open, values)}")
-        addresses, axes = self._addresses.copy(), self._axes.copy()
-        for name, parameter in self._open.items():
-            addresses[name] = parameter.addresses(values[name], axes)
-        self._loop.entry(
-            *[
-                address
-                for parameter_addresses in addresses.values()
-                for address in parameter_addresses
-            ]
-        )
 
 
 @dataclass(frozen=True)

@@ -58,9 +58,6 @@ class LoopParameter:
     def addresses(self, value: Any, axes: dict[str, int]) -> tuple[int]:
         """Return the address of an argument. Raises TypeError if it does not match the declaration.
         `axes`: the lengths known so far; new lengths are added."""
-        return (self._address(value, axes),)
-
-    def _address(self, value: Any, axes: dict[str, int]) -> int:
         if self.record is not None:
             if type(value) is not self.record:
                 raise TypeError(f"{self.name} is {_kind(value)}, not {self.record.__name__}")
@@ -68,7 +65,7 @@ class LoopParameter:
                 length = getattr(value, name)
                 if axes.setdefault(name, length) != length:
                     raise self._unequal(name, length, axes)
-            return ctypes.addressof(value)
+            return (ctypes.addressof(value),)
         if not isinstance(value, np.ndarray) or value.dtype != self.kind:
             raise TypeError(f"{self.name} is {_kind(value)}, not an array of {self.kind}")
         flags = value.flags
@@ -83,7 +80,7 @@ class LoopParameter:
             for length, (axis, extra) in zip(shape, self.axes):  # noqa: B905  # as long: checked
                 if axes.setdefault(axis, length - extra) != length - extra:
                     raise self._unequal(axis, length - extra, axes)
-        return ctypes.c_void_p.from_address(id(value) + _DATA).value or 0
+        return (ctypes.c_void_p.from_address(id(value) + _DATA).value or 0,)
 
     def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
         return TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")

@@ -53,12 +53,11 @@ class Taken:
 
     def response(self, sensor: Sensor) -> Response:
         """Return the response to steady light at every pixel of the picture."""
-        array_response = response_of(self.program, sensor, self.simulated.effects)
-        open_s, gain, zero_e = (
-            self.placement.repeated(values)
-            for values in (array_response.open_s, array_response.gain, array_response.zero_e)
+        response = response_of(self.program, sensor, self.simulated.effects)
+        open_s, gain, zero_e = map(
+            self.placement.repeated, (response.open_s, response.gain, response.zero_e)
         )
-        return replace(array_response, open_s=open_s, gain=gain, zero_e=zero_e)
+        return replace(response, open_s=open_s, gain=gain, zero_e=zero_e)
 
 
 def simulate_scene(
@@ -99,35 +98,19 @@ def simulate_scene(
     for number, light in numbered:
         piece_request = request
         if len(lights) > 1:
-            # Pieces of a scene are rarely similar.
-            piece_request = replace(
-                request, seed=request.seed + number, turn=Turn(plans, number, 1)
-            )
+            turn = Turn(plans, number, frames=1)  # pieces of a scene are rarely similar
+            piece_request = replace(request, seed=request.seed + number, turn=turn)
         simulated_pieces.append(simulate(exposed, light, sensor, piece_request, piece_listener))
-    alone = len(simulated_pieces) == 1 and placement.fits_one_array
-    simulated = (
-        simulated_pieces[0]
-        if alone
-        else _joined(simulated_pieces, container, placement, len(scene))
-    )
-    light = scene[0].light
-    light = (
-        light
-        if placement.fits_one_array
-        else light.part(*(slice(0, side) for side in placement.size))
-    )
+    simulated, light = simulated_pieces[0], scene[0].light
+    if len(simulated_pieces) > 1 or not placement.fits_one_array:
+        simulated = _joined(simulated_pieces, container, placement, len(scene))
+    if not placement.fits_one_array:
+        light = light.part(*(slice(0, side) for side in placement.size))
     about: dict[str, Any] = {} if placement.fit == "crop" else {"laid": placement.as_json()}
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
     about |= {"scene_notes": list(scene[0].notes)} if scene[0].notes else {}
-    return Taken(
-        simulated,
-        placement.widened(container),
-        light,
-        about,
-        container,
-        placement,
-        len(simulated_pieces),
-    )
+    whole, count = placement.widened(container), len(simulated_pieces)
+    return Taken(simulated, whole, light, about, container, placement, count)
 
 
 def _joined(
@@ -163,27 +146,20 @@ def _for_all(
     class All:
         """A scene of all lights, for relative tolerances."""
 
-        def planned_scenes(self) -> Iterator[PlannedScene]:
+        def pieces(self) -> Iterator[PlannedScene]:
             for light in lights:
                 check(container, light)
                 yield planning_of(container, sensor, light, request.device_seed)
 
         def signal_e(self) -> float:
-            return sum(planned_scene.signal_e() for planned_scene in self.planned_scenes()) / len(
-                lights
-            )
+            return sum(piece.signal_e() for piece in self.pieces()) / len(lights)
 
         def noise_e(self) -> float:
-            return math.sqrt(
-                sum(planned_scene.noise_e() ** 2 for planned_scene in self.planned_scenes())
-                / len(lights)
-            )
+            return math.sqrt(sum(piece.noise_e() ** 2 for piece in self.pieces()) / len(lights))
 
     most, noise_fraction = request.tolerance_max, noise_part(str(request.tolerance))
     measured = noise_fraction is None or most is not None or request.audit
-    if not measured and all(
-        planned_scene.approximates(None, noise_fraction) for planned_scene in All().planned_scenes()
-    ):
+    if not measured and all(piece.approximates(None, noise_fraction) for piece in All().pieces()):
         return request
     return replace(
         request,

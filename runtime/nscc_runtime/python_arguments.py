@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -180,13 +179,15 @@ def plan_of(call: str, plan: object) -> Plan | Path | None:
 
 
 def check_device(call: str, device: object) -> None:
-    """Raise WrongArgument if torch cannot draw counts on this device."""
+    """Raise WrongArgument if torch cannot compute in float64 on this device."""
     if not isinstance(device, str):
         raise wrong_argument(
             f"{call}: torch_device must be a name such as 'cuda', not {shown(device)}"
         )
+    import torch
+
     try:
-        _drawn(device)
+        torch.ones(1, dtype=torch.float64, device=device).sum().cpu()
     except (AssertionError, RuntimeError, TypeError) as error:
         reason = str(error).strip().partition("\n")[0][:150]
         raise wrong_argument(
@@ -194,16 +195,3 @@ def check_device(call: str, device: object) -> None:
             notes=(reason,),
             helps=("leave torch_device out to use the processor",),
         ) from error
-
-
-@cache
-def _drawn(device: str) -> float:
-    """Draw a count on a device, as captures do, and read it."""
-    import torch
-
-    from nscc_runtime.noise import RATE_CAP, on_torch
-
-    keys = on_torch.key_tensor([np.uint64(0)], device)
-    places = torch.zeros(1, dtype=torch.int64, device=device)
-    rate = torch.ones(1, dtype=torch.float64, device=device)
-    return float(on_torch.poisson(keys, places, rate, RATE_CAP).cpu())

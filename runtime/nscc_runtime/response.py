@@ -67,7 +67,8 @@ class ShutterResponse:
     ) -> ShutterResponse:
         """Compute the response from the weights of words."""
         seen_s = np.einsum("n,nlb->lb", slot_s, weights.slots)
-        dark_e = mean_dark_e_per_s(sensor, effects) * seen_s
+        dark = effects.find_part(CountedDark)
+        dark_e = seen_s * (0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean()))
         bias_e, variance_e2 = dark_e, np.maximum(dark_e, 0.0)
         words = effects.find_part(WordGain)
         if words is not None:
@@ -85,31 +86,14 @@ class ShutterResponse:
         return np.divide(self.seen_s, open_s, out=np.ones(open_s.shape), where=open_s > 0)
 
 
-def _shutter_response(container: Container, sensor: Sensor, effects: Selection) -> ShutterResponse:
+@OfContainer
+def shutter_response(container: Container, sensor: Sensor, effects: Selection) -> ShutterResponse:
+    """Return the response of a program whose pixels do not look, cached for its arguments. Raises
+    Rejected (NS0442) for words that open no shutters."""
     kept_us = retention_us(effects, sensor)
     words = () if container.target.streamed else analog_words(container, kept_us)
     weights = backward(container, words, WeightModel.of(effects, sensor))
     return ShutterResponse.of_weights(weights, container.slot_s, sensor, effects)
-
-
-shutter_response = OfContainer(_shutter_response)
-"""Return the `ShutterResponse` of a program whose pixels do not look, cached for its arguments.
-Arguments: container, sensor, effects. Raises Rejected (NS0442) for words that open no shutters."""
-
-
-def open_shutters(container: Container) -> NDArray[np.bool_]:
-    """Return the shutters (shutters, buckets, N) of a program, from its table or from its words.
-    Raises Rejected (NS0442) for words that open no shutters."""
-    if container.has_table:
-        return container.table.shutters
-    return backward(container, analog_words(container)).open().transpose(1, 2, 0)
-
-
-@lru_cache
-def mean_dark_e_per_s(sensor: Sensor, effects: Selection) -> float:
-    """Return the mean dark current of the pixels in electrons per second."""
-    dark = effects.find_part(CountedDark)
-    return 0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean())
 
 
 @lru_cache
@@ -203,7 +187,9 @@ def decode_arrays(
         names = frozenset(row["name"] for row in plan["effects"] if row["decision"] == "kept")
         kept_effects = Selection(names & kept_effects.on, frozenset())
     try:
-        shutters = open_shutters(container)
+        shutters = container.table.shutters
+        if not container.has_table:
+            shutters = backward(container, analog_words(container)).open().transpose(1, 2, 0)
         response = shutter_response(container, sensor, kept_effects)
     except Rejected:
         return {}

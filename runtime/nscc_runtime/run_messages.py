@@ -40,11 +40,7 @@ def eaten(frame: Frame) -> Diagnostic | None:
 
 def over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
     """Return the warning that forced effects, or the given plan, exceed the tolerance."""
-    forced = [
-        decision.name
-        for decision in plan.decisions
-        if decision.forced and decision.decision == "dropped"
-    ]
+    forced = [name for name in plan.names("dropped") if name in plan.kept.forced]
     why = (
         "the plan was made for another scene" if plan_given else f"turned off: {', '.join(forced)}"
     )
@@ -63,11 +59,9 @@ def over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
 
 
 def _instead(plan_given: bool) -> str:
-    return (
-        "make a new plan for this scene"
-        if plan_given
-        else "let the planner decide on these effects"
-    )
+    if plan_given:
+        return "make a new plan for this scene"
+    return "let the planner decide on these effects"
 
 
 def broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:

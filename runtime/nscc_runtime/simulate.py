@@ -241,9 +241,9 @@ def _exposing(
 
         loop, frames = run_paths, partial(looked_frames.frames, by_words=not noiseless)
     elif noiseless:
-        from nscc_runtime.emulator.loops import expose_block
+        from nscc_runtime.emulator.loops import expose_pixels
 
-        _say_compiling(listener, expose_block, "emulator")
+        _say_compiling(listener, expose_pixels, "emulator")
         return partial(_exact, container, light, sensor, request)
     else:
         from nscc_runtime.reference import frames
@@ -298,11 +298,8 @@ def _planned(
     if request.audit:
         with timings.measure("audit_s"):
             report = planning.audit(plan, request.seed, request.repeat or 1)
-        broken = (
-            None
-            if report.holds
-            else run_messages.broken(plan, report, plan_given or plan is request.plan)
-        )
+        if not report.holds:
+            broken = run_messages.broken(plan, report, plan_given or plan is request.plan)
     origin = Provenance(
         digest, sensor, request.seed, device_seed, "planned", plan.as_json(),
         None if report is None else asdict(report),

@@ -20,8 +20,6 @@ MEAN, SQUARE, EIGHTH, LARGEST, STEPS = 0, 1, 2, 3, 8
 OPEN = 4
 """Index of the first of four statistics of the light while pixels are open."""
 KINDS = 9
-ROWS = 4
-"""Number of rows that are added in one pass."""
 _LEAST = 1e-30
 """Smaller squares of light count as this value, because powers of smaller numbers are slow."""
 BLOCK = 2048
@@ -118,49 +116,33 @@ def sum_light(
 
 
 @compiled
-def _powers(lit: Floats, cols: int, at: int, column_sums: Floats) -> None:
-    """Add sums of powers and the maximum of `ROWS` rows to `column_sums`. Each column is separate,
-    so LLVM vectorises the loop."""
-    b, c, d = cols, 2 * cols, 3 * cols
+def _powers(
+    total: Floats, open_fraction: Floats32, first: int, cols: int, opened: bool, column_sums: Floats
+) -> None:
+    """Add powers and the maximum of a row to `column_sums`: of its light, or with `opened` of its
+    light while pixels are open. Each column is separate, so LLVM vectorises the loop."""
+    at = OPEN * cols if opened else 0
     for col in range(cols):
-        light_a, light_b, light_c, light_d = lit[col], lit[b + col], lit[c + col], lit[d + col]
-        column_sums[at + MEAN * cols + col] += (light_a + light_b) + (light_c + light_d)
-        first = light_a if light_a > light_b else light_b
-        last = light_c if light_c > light_d else light_d
-        most, last = column_sums[at + LARGEST * cols + col], first if first > last else last
-        column_sums[at + LARGEST * cols + col] = last if last > most else most
-        light_a = light_a * light_a
-        light_b = light_b * light_b
-        light_c = light_c * light_c
-        light_d = light_d * light_d
-        column_sums[at + SQUARE * cols + col] += (light_a + light_b) + (light_c + light_d)
-        light_a = light_a if light_a > _LEAST else _LEAST
-        light_b = light_b if light_b > _LEAST else _LEAST
-        light_c = light_c if light_c > _LEAST else _LEAST
-        light_d = light_d if light_d > _LEAST else _LEAST
-        light_a = light_a * light_a
-        light_b = light_b * light_b
-        light_c = light_c * light_c
-        light_d = light_d * light_d
-        column_sums[at + EIGHTH * cols + col] += (light_a * light_a + light_b * light_b) + (
-            light_c * light_c + light_d * light_d
-        )
+        fraction = float(open_fraction[first + col]) if opened else 1.0
+        light = total[first + col] * fraction
+        square = light * light
+        column_sums[at + MEAN * cols + col] += light
+        column_sums[at + SQUARE * cols + col] += square
+        fourth = square * square if square > _LEAST else _LEAST * _LEAST
+        column_sums[at + EIGHTH * cols + col] += fourth * fourth
+        most = column_sums[at + LARGEST * cols + col]
+        column_sums[at + LARGEST * cols + col] = light if light > most else most
 
 
 @compiled
 def _steps(total: Floats, first: int, cols: int, last: bool, column_sums: Floats) -> None:
     """Add to `column_sums` the squared differences to the neighbours to the right and below."""
-    if last:
-        for col in range(cols - 1):
-            right = total[first + col + 1] - total[first + col]
-            column_sums[STEPS * cols + col] += right * right
-        return
     for col in range(cols - 1):
         right = total[first + col + 1] - total[first + col]
+        column_sums[STEPS * cols + col] += right * right
+    for col in range(0 if last else cols):
         down = total[first + cols + col] - total[first + col]
-        column_sums[STEPS * cols + col] += right * right + down * down
-    down = total[first + 2 * cols - 1] - total[first + cols - 1]
-    column_sums[STEPS * cols + cols - 1] += down * down
+        column_sums[STEPS * cols + col] += down * down
 
 
 @loop
@@ -168,28 +150,17 @@ def sizes_of(
     pixels: ArraySize,
     total: Annotated[Floats, "rows cols"],
     open_fraction: Annotated[Floats32, "rows cols"],
-    lit: Written[Floats],
     column_sums: Written[Annotated[Floats, "kinds cols"]],
 ) -> None:
     """Compute statistics of each column into column_sums (9, cols).
 
     These are the sums of `total`, of its squares and of its eighth powers, and its maximum; the
     same for `total` times `open_fraction`; and the sum of squared differences between neighbours.
-    Light is at most 1e36, so powers do not overflow. `lit`: working memory for `ROWS` rows."""
+    Light is at most 1e36, so powers do not overflow."""
     rows, cols = pixels.rows, pixels.cols
     for i in range(KINDS * cols):
         column_sums[i] = 0.0
-    for row in range(0, rows, ROWS):
-        first, count = row * cols, min(ROWS, rows - row) * cols
+    for row in range(rows):
         for opened in range(2):
-            for i in range(count, ROWS * cols):
-                lit[i] = 0.0
-            if opened:
-                for i in range(count):
-                    lit[i] = total[first + i] * open_fraction[first + i]
-            else:
-                for i in range(count):
-                    lit[i] = total[first + i]
-            _powers(lit, cols, OPEN * cols if opened else 0, column_sums)
-        for step_row in range(row, min(row + ROWS, rows)):
-            _steps(total, step_row * cols, cols, step_row + 1 == rows, column_sums)
+            _powers(total, open_fraction, row * cols, cols, opened == 1, column_sums)
+        _steps(total, row * cols, cols, row + 1 == rows, column_sums)

@@ -17,7 +17,7 @@ from typing_extensions import TypeAliasType
 from nscc_runtime import loop as loops
 from nscc_runtime import machine_code
 from nscc_runtime.compile_ahead import modules
-from nscc_runtime.emulator.loops import expose_block
+from nscc_runtime.emulator.loops import expose_pixels
 from nscc_runtime.loop import Floats, Ints, Written, compiled, loop, object_file, record
 from nscc_runtime.loop_given import LoopParameter
 
@@ -88,16 +88,6 @@ def test_a_loop_reads_a_view_from_where_it_begins(tmp_path):
         assert out.tolist() == [0.0, 210.0, 105.0, 0.0]
 
 
-def test_a_bound_loop_takes_the_rest():
-    values = given()
-    sizes = values.pop("sizes")
-    bound = scaled.bound(**values)
-    bound(sizes=sizes)
-    assert values["out"].tolist() == [210.0, 105.0]
-    with pytest.raises(TypeError, match="sizes has 1 count, others have 2"):
-        bound(sizes=Sizes(count=1, factor=0.5, word=0))
-
-
 def read_only():
     out = np.zeros(2)
     out.flags.writeable = False
@@ -165,7 +155,7 @@ def test_arrays_that_belong_together_are_given_as_one():
     sizes = values.pop("sizes")
     values["lines"].out[:] = 0.0
     lines, alike = values.pop("lines"), values.pop("alike")
-    summed.bound(lines=lines, alike=alike)(sizes=sizes, **values)
+    summed(lines=lines, alike=alike, sizes=sizes, **values)
     assert lines.out.tolist() == [622.0, 811.0]
 
 
@@ -230,7 +220,7 @@ def no_compiler(monkeypatch):
 
 def code(monkeypatch, *places):
     monkeypatch.setattr(machine_code, "folders", lambda module: places)
-    return object_file(expose_block.module).code()
+    return object_file(expose_pixels.module).code()
 
 
 def test_compiled_once_and_read_afterwards(tmp_path, no_compiler, monkeypatch):

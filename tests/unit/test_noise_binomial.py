@@ -123,25 +123,3 @@ def test_thinning_does_not_reuse_the_numbers_of_its_key():
     counts, _ = poisson(stream, np.arange(n), np.full(n, 50.0))
     share = thin(stream, np.arange(n), counts, np.ones(2))[:, 0] / np.maximum(counts, 1)
     assert abs(np.corrcoef(counts, share)[0, 1]) < 5 / math.sqrt(n)
-
-
-@pytest.mark.parametrize(
-    ("counts", "shares", "message"),
-    [
-        ([1.5], [1.0], "whole number"),
-        ([-1.0], [1.0], "whole number"),
-        ([math.nan], [1.0], "whole number"),
-        ([math.inf], [1.0], "whole number"),
-        ([2.0], [1.0, -1e-9], "negative"),
-        ([2.0], [1.0, math.nan], "negative"),
-        ([2.0], [1.0, math.inf], "not finite"),
-        ([2.0], [1e308, 1e308], "not finite"),
-        ([2.0], [0.0, 0.0], "no slot"),
-        ([2.0], [], "no slot"),
-        ([2.0], [[1.0], [1.0]], "shares"),
-        ([2.0, 3.0], [1.0], "counts"),
-    ],
-)
-def test_what_cannot_be_spread(counts, shares, message):
-    with pytest.raises(ValueError, match=message):
-        thin(key(0, 0), np.arange(1), np.array(counts), np.array(shares))

@@ -100,9 +100,3 @@ def test_shape_and_order_of_the_pixels():
     assert whole.shape == (3, 20)
     assert np.array_equal(normals(key(1, 1), pixels.T[::-1]), whole.T[::-1])
     assert normals(key(1, 1), np.arange(0)).shape == (0,)
-
-
-@pytest.mark.parametrize("pixels", [np.array([0.0, 1.0]), np.array([3, -1])])
-def test_places_that_are_none(pixels):
-    with pytest.raises(ValueError, match="whole number"):
-        uniforms(key(0, 0), pixels)

@@ -116,8 +116,3 @@ def test_arrays_take_the_sampler_of_each_pixel():
     u = uniforms(key(1, 9), pixels)
     expected = [poisson_exact(float(a), float(b)) for a, b in zip(u.flat, rates.flat, strict=True)]
     assert counts.reshape(-1).tolist() == expected
-
-
-def test_rates_of_another_shape():
-    with pytest.raises(ValueError, match=r"rates \(3,\) for pixels \(4,\)"):
-        poisson(key(0, 0), np.arange(4), np.ones(3))

@@ -67,7 +67,7 @@ def test_mean_and_variance_are_those_of_the_reference(path: Path, count: int) ->
         ends, response = looked_response(program, sensor, effects)
         read = [f"states_{state.name}" for state in program.machine.states if state.read]
         told = ([behaviour, *(frame.told[name] for name in read)] for frame in taken)
-        rows = np.stack([row_of(ends.outcomes, each)[0] for each in told])
+        rows = np.stack([row_of(ends, each)[0] for each in told])
     # Of pixels whose looks hang on noise, those that ended so are no fair draw.
     steady = (rows == rows[0]).all(axis=0)
     assert steady.mean() > 0.5

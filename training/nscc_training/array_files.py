@@ -15,7 +15,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.files import reads
 from nscc.npy import MOST_BYTES, InvalidArrays, check_size, npy_array, npz_arrays
-from nscc_runtime.scenes.light_arrays import mat_array, mat_names
+from nscc_runtime.scenes.light_arrays import mat_array, mat_shapes
 from nscc_training.problems import listed, unreadable
 
 KEYS = ("image", "video", "truth_e", "light", "orig")
@@ -90,7 +90,7 @@ def _stored(
     suffix = path.suffix.lower()
     if suffix == ".npy":
         return [], None, npy_array(path, most_bytes)
-    names = npz_arrays(path, lambda _: False)[1] if suffix == ".npz" else mat_names(path)
+    names = npz_arrays(path, lambda _: False)[1] if suffix == ".npz" else [*mat_shapes(path)]
     name = choose(names)
     if name is None:
         return names, None, None

@@ -38,7 +38,7 @@ from nscc_runtime.device.objects import (
     upload_of,
 )
 from nscc_runtime.effects import Selection, everything, selected
-from nscc_runtime.frame_file import Frame, last_codes
+from nscc_runtime.frame_file import Frame, joined, last_codes
 from nscc_runtime.looked_light import told_by
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor, default_sensor
@@ -153,10 +153,8 @@ class DeviceChip:
         self._number += 1
         if container is not None and container.pictures is not None and container.keeps_states:
             self._reaches = beyond_reaches(container, self._reaches)
-        request, program_lost = (
-            FrameRequest(self._number, 0, program, target.rows * target.cols),
-            False,
-        )
+        request = FrameRequest(self._number, 0, program, target.rows * target.cols)
+        program_lost = False
 
         def work() -> Task[tasks.FetchedFrame]:
             nonlocal program_lost
@@ -244,14 +242,7 @@ def _pictured(
     sent = [name for name in state_registers(container) if name not in reports]
     planes = _planes_at_end(data, sent, container.target)
     told |= told_of_planes(container, planes, reaches, summaries)
-    return replace(
-        frame,
-        frame=frame.frame[:buckets],
-        exposure_e=frame.exposure_e[:buckets],
-        valid=frame.valid[:buckets],
-        saturated_by=frame.saturated_by[:buckets],
-        told=told,
-    )
+    return replace(joined([frame], lambda arrays: arrays[0][:buckets]), told=told)
 
 
 def _planes_at_end(

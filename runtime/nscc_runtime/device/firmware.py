@@ -103,9 +103,7 @@ def compiled(
         except Rejected as reason:
             if folder is not None:
                 raise NotBuilt(reason.diagnostics[0].message) from None
-            place = (
-                passing_folder() / name
-            )  # use a temporary folder if the cache is full or damaged
+            place = passing_folder() / name  # the cache is full or damaged
             keep(place, image)
     return place
 

@@ -6,7 +6,7 @@ loader's clock measures the duration."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from math import ceil
 from random import SystemRandom
 
@@ -53,14 +53,7 @@ class MeasuredTimes:
 
     def of(self, target: Target) -> Target:
         """Return a copy of the target with these times."""
-        return replace(
-            target,
-            launch_us=self.launch_us,
-            analog_word_us=self.analog_word_us,
-            digital_word_us=self.digital_word_us,
-            wait_us=self.wait_us,
-            readout_us=self.readout_us,
-        )
+        return replace(target, **asdict(self))
 
 
 def measured(link: SerialLink, target: Target) -> MeasuredTimes:

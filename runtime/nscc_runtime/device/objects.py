@@ -33,12 +33,12 @@ from numpy.typing import NDArray
 
 from nscc.chips.load import target_dict
 from nscc.chips.target import Target
-from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container, state_registers, with_picture_words
 from nscc.words.legality import refuse_planes
 from nscc.words.reach import Reach, film_reaches
 from nscc_runtime.caches import OfContainer
 from nscc_runtime.device.messages import Begin, ObjectEntry, plane_bytes
+from nscc_runtime.emulator.capture import check_codes
 from nscc_runtime.neighbours.plane_summary import NO_BOX, PlaneSummary
 
 MOST_TIMES = (1 << 16) - 1
@@ -148,13 +148,7 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
         "the loader runs words, but this program has planes of bits",
         "`nscc build --emit planes` writes an .npz for a driver of the chip",
     )
-    if container.pixel_codes is None:
-        raise rejected(
-            "NS0741",
-            "the program has no pixel codes",
-            helps=("add a `pixels` statement, or give codes in a file: --pixels CODES.npz",),
-            status=1,
-        )
+    check_codes(container)
     reported = device_reports(container) if reports else {}
     container = with_picture_words(container)
     target, readouts = container.target, _readouts(container)

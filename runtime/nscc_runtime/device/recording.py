@@ -71,14 +71,9 @@ class Recording:
             case b"J":
                 number, channels, readouts, states = _JOB.unpack_from(data)
                 split = _JOB.size + readouts * _READOUT.size
-                self._latest = BoardJob(
-                    number,
-                    channels,
-                    self._container(
-                        list(_READOUT.iter_unpack(data[_JOB.size : split])),
-                        list(data[split : split + states]),
-                    ),
-                )
+                read = list(_READOUT.iter_unpack(data[_JOB.size : split]))
+                container = self._container(read, list(data[split : split + states]))
+                self._latest = BoardJob(number, channels, container)
                 return self._latest
             case _:
                 raise ValueError(f"a record of kind {kind!r}")

@@ -87,31 +87,23 @@ def loaded(
 
 
 def _not_built(machine: Machine, reason: firmware.NotBuilt) -> Rejected:
+    problem = "cannot be compiled for this machine"
+    helps = (
+        "install a C++17 compiler, on Debian and Ubuntu with `apt-get install g++`, on "
+        "macOS with `xcode-select --install`",
+        "CXX names a compiler that is neither g++ nor clang++",
+    )
     if isinstance(reason, firmware.NotStarted):
-        return rejected(
-            "NS0772",
-            f"the firmware cannot be run on this machine: {reason}",
-            helps=(
-                "CXX names another compiler, for instance CXX=clang++",
-                "allow the execution of programs in the cache folder (NSCC_CACHE_DIR)",
-            ),
+        problem = "cannot be run on this machine"
+        helps = (
+            "CXX names another compiler, for instance CXX=clang++",
+            "allow the execution of programs in the cache folder (NSCC_CACHE_DIR)",
         )
-    if machine == "host":
-        return rejected(
-            "NS0772",
-            f"the firmware cannot be compiled for this machine: {reason}",
-            helps=(
-                "install a C++17 compiler, on Debian and Ubuntu with `apt-get install g++`, on "
-                "macOS with `xcode-select --install`",
-                "CXX names a compiler that is neither g++ nor clang++",
-            ),
-        )
-    return rejected(
-        "NS0772",
-        f"the firmware cannot be run on an emulated microcontroller: {reason}",
-        helps=(
+    elif machine != "host":
+        problem = "cannot be run on an emulated microcontroller"
+        helps = (
             "install both programs, on Debian and Ubuntu with `apt-get install "
             "gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm`",
             "or serve the firmware on this machine: leave --on out",
-        ),
-    )
+        )
+    return rejected("NS0772", f"the firmware {problem}: {reason}", helps=helps)

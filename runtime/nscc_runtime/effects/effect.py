@@ -90,14 +90,12 @@ class InLoop:
 
     Names are fields of the records in `nscc_runtime.execution.layout`. `switch`: turns the effect
     on. `numbers`: its values. `device_key`: the random key of its fixed pattern. `draws_key`: the
-    random key of its draws at words, if it has no `Errors`. `function`: a function that the loop
-    calls."""
+    random key of its draws at words, if it has no `Errors`."""
 
     switch: str | None = None
     numbers: Mapping[str, Callable[[Sensor], float]] = field_of(default_factory=dict)
     device_key: str | None = None
     draws_key: str | None = None
-    function: Callable[..., float] | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

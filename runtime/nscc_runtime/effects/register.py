@@ -11,7 +11,6 @@ from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Values
-from nscc_runtime.loop import compiled
 
 LOWEST = parameter(
     "register_min_e", "range", None, "e", -MOST_E, 0, "least value of an analog register", TARGET,
@@ -39,20 +38,6 @@ def soft(value: Values, sensor: Sensor) -> Values:
     room = (1.0 - knee) * limit
     bent = knee * limit + room * np.tanh(np.maximum(size - knee * limit, 0.0) / room)
     return np.asarray(np.where(size > knee * limit, np.copysign(bent, value), value))
-
-
-@compiled
-def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
-    """Return the same as `soft` for one value, in compiled loops."""
-    limit = -low if value < 0.0 else high
-    size = abs(value)
-    if size <= knee * limit:
-        return value
-    if knee == 1.0:
-        return math.copysign(limit, value)
-    room = (1.0 - knee) * limit
-    bend = 1.0 - 2.0 / (math.exp(2.0 * (size - knee * limit) / room) + 1.0)
-    return math.copysign(knee * limit + room * bend, value)
 
 
 def _high(sensor: Sensor) -> float:
@@ -91,10 +76,6 @@ REGISTER = Effect(
     size="rms and mean of what is lost by the largest partial sums, of pixels that come near "
     "the knee; of those that noise alone takes there, what a frame loses to it",
     sums=(Soft(_linear, _compute_loss_e),),
-    words=InLoop(
-        "bends",
-        {"lowest": LOWEST, "highest": HIGHEST, "knee": KNEE},
-        function=soft_in_loop,
-    ),
+    words=InLoop("bends", {"lowest": LOWEST, "highest": HIGHEST, "knee": KNEE}),
     marks={"registers": Mark(2, "register", _half_slope_loss_e)},
 )

@@ -4,7 +4,6 @@ Incomplete declarations are refused when they are registered, so other code can 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -77,11 +76,8 @@ def _clashes(effect: Effect) -> list[str]:
         conflicts.append(
             "`words` that is CannotHave: that loop is compiled, for the effects it knows"
         )
-    bits = [
-        mark.bit
-        for known_effect in (*_registered.values(), effect)
-        for mark in known_effect.marks.values()
-    ]
+    effects = (*_registered.values(), effect)
+    bits = [mark.bit for known_effect in effects for mark in known_effect.marks.values()]
     if not {*bits} <= {1 << k for k in range(8)} or len({*bits}) < len(bits):
         conflicts.append("`marks` with bits of their own: powers of two from 1 to 128")
     if effect not in _OURS and effect.always:
@@ -119,13 +115,6 @@ def registered() -> tuple[Effect, ...]:
                 register(effect)
         _complete = True
     return tuple(_registered.values())
-
-
-def in_loop(switch: str) -> Callable[..., float]:
-    """Return the function that the loop over words calls for the effect with this `switch`."""
-    loops = (effect.words for effect in _OURS)
-    functions = (e.function for e in loops if isinstance(e, InLoop) and e.switch == switch)
-    return next(function for function in functions if function is not None)
 
 
 def by_name() -> dict[str, Effect]:

@@ -47,11 +47,8 @@ class Selection:
 
     def acting(self, stage: str) -> list[tuple[Effect, Callable[..., Any]]]:
         """Return the effects that act at a stage of the reference, with their functions."""
-        return [
-            (effect, effect.reference[stage])
-            for effect in self.effects
-            if stage in effect.reference
-        ]
+        acting = [effect for effect in self.effects if stage in effect.reference]
+        return [(effect, effect.reference[stage]) for effect in acting]
 
     def at(self, stage: str) -> list[Callable[..., Any]]:
         """Return the functions of the effects at a stage of the reference."""
@@ -65,12 +62,8 @@ class Selection:
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
         """Return pairs of an effect that is on and its part that is an instance of `kind`."""
         # mypy considers a class not hashable.
-        effect_parts = _parts_of_kind(registered(), kind)  # type: ignore[arg-type]
-        return [
-            effect_and_part
-            for effect_and_part in effect_parts
-            if effect_and_part[0].name in self.on
-        ]
+        of_all = _parts_of_kind(registered(), kind)  # type: ignore[arg-type]
+        return [(effect, member) for effect, member in of_all if effect.name in self.on]
 
     @remembered
     def names(self, *kinds: type[Part]) -> frozenset[str]:

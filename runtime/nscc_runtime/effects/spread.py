@@ -1,4 +1,4 @@
-"""Lognormal factors that differ from pixel to pixel."""
+"""Formulas of effects in compiled loops: lognormal factors of pixels, and soft saturation."""
 
 from __future__ import annotations
 
@@ -25,3 +25,18 @@ def log_normal(fraction: float, z: Values) -> Values:
 def log_normal_in_loop(variance: float, z: float) -> float:
     """Return a lognormal factor of mean 1 in loops. `variance`: variance of its logarithm."""
     return math.exp(math.sqrt(variance) * z - variance / 2)
+
+
+@compiled
+def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
+    """Return the content of a register after `value` is written, as
+    `nscc_runtime.effects.register.soft` does."""
+    limit = -low if value < 0.0 else high
+    size = abs(value)
+    if size <= knee * limit:
+        return value
+    if knee == 1.0:
+        return math.copysign(limit, value)
+    room = (1.0 - knee) * limit
+    bend = 1.0 - 2.0 / (math.exp(2.0 * (size - knee * limit) / room) + 1.0)
+    return math.copysign(knee * limit + room * bend, value)

@@ -53,7 +53,7 @@ def expose(
     check(container, light)
     if container.target.streamed:
         return _sorted_light(container, light)
-    from nscc_runtime.emulator.loops import PixelBlock, expose_block
+    from nscc_runtime.emulator.loops import PixelRange, expose_pixels
 
     table, program = _decoded(container)
     readouts = {readout.bucket: readout for readout in container.readouts}
@@ -67,37 +67,37 @@ def expose(
     if index.size and not (index.min() >= 0 and index.max() < len(light.frames)):
         raise ValueError("the light's matrix names a frame that does not exist")
     frames, registers = len(light.frames), len(table.analog)
-    run = expose_block.bound(
-        program=program,
-        light=light.matrix,
-        frame_weight=np.bincount(light.frame_index, light.weight, minlength=frames),
-        readout_rows=np.array([table.analog[readout.register] for readout in ordered], np.int64),
-        readout_gain=np.array([readout.gain for readout in ordered], np.float64),
-        exposure=exposure,
-        shape=table.shape(1, block, block, registers),
-        marks=np.empty(0, np.uint8),
-        marked=np.zeros(1, np.int64),
-    )
+    readout_rows = np.array([table.analog[readout.register] for readout in ordered], np.int64)
+    readout_gain = np.array([readout.gain for readout in ordered], np.float64)
 
     def fill(begin: int, end: int) -> None:
-        working = {
-            "planes": np.empty(len(table.digital) * (block // 64), np.uint64),
-            "values": np.zeros((2 * registers + 5) * block),
-            "charge": np.empty(block, np.float32),
-        }
-        for first in range(begin, end, block):
-            sizes = PixelBlock(
-                slots=container.slots,
-                pixels=pixels,
-                first=first,
-                length=min(block, end - first),
-                frames=frames,
-                code_registers=len(program.code_rows),
-                buckets=len(ordered),
-                seed=np.uint64(device_seed & 2**64 - 1),
-                pix=table.analog["PIX"],
-            )
-            run(block=sizes, **working)
+        chosen = PixelRange(
+            slots=container.slots,
+            pixels=pixels,
+            begin=begin,
+            end=end,
+            block=block,
+            frames=frames,
+            code_registers=len(program.code_rows),
+            buckets=len(ordered),
+            seed=np.uint64(device_seed & 2**64 - 1),
+            pix=table.analog["PIX"],
+        )
+        expose_pixels(
+            chosen=chosen,
+            shape=table.shape(1, block, block, registers),
+            program=program,
+            light=light.matrix,
+            frame_weight=light.frame_weight,
+            readout_rows=readout_rows,
+            readout_gain=readout_gain,
+            planes=np.empty(len(table.digital) * (block // 64), np.uint64),
+            values=np.zeros((2 * registers + 5) * block),
+            marks=np.empty(0, np.uint8),
+            marked=np.zeros(1, np.int64),
+            charge=np.empty(block, np.float32),
+            exposure=exposure,
+        )
 
     in_parts(fill, pixels, threads_of(threads), block)
     shaped = exposure.reshape(len(ordered), *light.shape)
@@ -160,6 +160,14 @@ def check(container: Container, light: Light) -> None:
 
 def check_program(container: Container) -> None:
     """Raise NS0741 for a program without pixel codes, ValueError for an inconsistent container."""
+    check_codes(container)
+    unsound = _faults(container)
+    if unsound:
+        raise ValueError(f"unsound container: {unsound[0]}")
+
+
+def check_codes(container: Container) -> None:
+    """Raise Rejected (NS0741) for a program without pixel codes."""
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",
@@ -167,9 +175,6 @@ def check_program(container: Container) -> None:
             helps=("add a `pixels` statement, or give codes in a file: --pixels CODES.npz",),
             status=1,
         )
-    unsound = _faults(container)
-    if unsound:
-        raise ValueError(f"unsound container: {unsound[0]}")
 
 
 def check_size(container: Container, light: Light) -> None:

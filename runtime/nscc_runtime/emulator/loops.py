@@ -1,4 +1,4 @@
-"""The compiled loop of the emulator: a block of pixels through a whole frame.
+"""The compiled loop of the emulator: blocks of pixels through a whole frame.
 
 A block is a range of consecutive pixels that starts at a multiple of 64: an array of one row
 (`nscc_runtime.emulator.array_loop`). A pixel's result depends only on that pixel, so results do not
@@ -118,14 +118,15 @@ class EmulatedProgram(NamedTuple):
 
 
 @record
-class PixelBlock:
-    """A block of pixels, and sizes. `pixels`: number of pixels of the array. `first` (a multiple of
-    64), `length`: the pixels that are exposed. `pix`: the number of the register PIX."""
+class PixelRange:
+    """The pixels `begin` (a multiple of 64) to `end` - 1 of `pixels`, which are exposed in blocks
+    of `block`, and sizes. `pix`: the number of the register PIX."""
 
     slots: int
     pixels: int
-    first: int
-    length: int
+    begin: int
+    end: int
+    block: int
     frames: int
     code_registers: int
     buckets: int
@@ -133,34 +134,21 @@ class PixelBlock:
     pix: int
 
 
-@loop
-def expose_block(
-    block: PixelBlock,
-    shape: ArrayShape,
-    program: EmulatedProgram,
-    light: LightMatrix,
-    frame_weight: Annotated[Floats, "frames"],
-    readout_rows: Annotated[Ints, "buckets"],
-    readout_gain: Annotated[Floats, "buckets"],
-    planes: Written[Words],
-    values: Written[Floats],
-    marks: Written[Bytes],
-    marked: Written[Ints],
-    charge: Written[Floats32],
-    exposure: Written[Annotated[Floats, "buckets pixels"]],
-) -> None:
-    """Expose a block of pixels and write the results into `exposure`.
-
-    `frame_weight`: the weight of each frame in the light of the whole exposure. `planes` to
-    `charge` are working memory; `values` is 0 at first."""
-    slots, pixels, first, length = block.slots, block.pixels, block.first, block.length
-    pix, total = row_of(shape, block.pix, 0), shape.total
+@compiled
+def _expose_block(
+    chosen: PixelRange, first: int, length: int, shape: ArrayShape, program: EmulatedProgram,
+    light: LightMatrix, frame_weight: Floats, planes: Words, values: Floats, marks: Bytes,
+    marked: Ints, charge: Floats32,
+) -> None:  # fmt: skip
+    """Expose `length` pixels from pixel number `first` on: run the words of all slots."""
+    slots, pixels = chosen.slots, chosen.pixels
+    pix, total = row_of(shape, chosen.pix, 0), shape.total
     for i in range(64 * shape.plane_words):
         values[total + i] = 0.0
-    for k in range(block.frames):
+    for k in range(chosen.frames):
         _add_frame(values, total, light.frames, k * pixels + first, length, frame_weight[k])
-    _start(shape, block.pix, block.seed, first, values, planes)
-    for c in range(block.code_registers):
+    _start(shape, chosen.pix, chosen.seed, first, values, planes)
+    for c in range(chosen.code_registers):
         source = c * ((pixels + 63) // 64) + first // 64
         for g in range((length + 63) // 64):
             planes[program.code_rows[c] * shape.plane_words + g] = program.code_planes[source + g]
@@ -189,8 +177,39 @@ def expose_block(
                 charge[i] = np.float32(values[total + i])
         for i in range(length):
             values[pix + i] += charge[i]
-    for k in range(block.buckets):
-        row, gain, out = row_of(shape, readout_rows[k], 0), readout_gain[k], k * pixels + first
-        for i in range(length):
-            # -0 + 0 is +0.
-            exposure[out + i] = values[row + i] * gain + 0.0
+
+
+@loop
+def expose_pixels(
+    chosen: PixelRange,
+    shape: ArrayShape,
+    program: EmulatedProgram,
+    light: LightMatrix,
+    frame_weight: Annotated[Floats, "frames"],
+    readout_rows: Annotated[Ints, "buckets"],
+    readout_gain: Annotated[Floats, "buckets"],
+    planes: Written[Words],
+    values: Written[Floats],
+    marks: Written[Bytes],
+    marked: Written[Ints],
+    charge: Written[Floats32],
+    exposure: Written[Annotated[Floats, "buckets pixels"]],
+) -> None:
+    """Expose pixels and write the results into `exposure`.
+
+    `frame_weight`: the weight of each frame in the light of the whole exposure. `planes` to
+    `charge` are working memory for a block; `values` is 0 at first."""
+    first = chosen.begin
+    while first < chosen.end:
+        length = min(chosen.block, chosen.end - first)
+        _expose_block(
+            chosen, first, length, shape, program, light, frame_weight, planes, values, marks,
+            marked, charge,
+        )  # fmt: skip
+        for k in range(chosen.buckets):
+            row, gain = row_of(shape, readout_rows[k], 0), readout_gain[k]
+            out = k * chosen.pixels + first
+            for i in range(length):
+                # -0 + 0 is +0.
+                exposure[out + i] = values[row + i] * gain + 0.0
+        first += chosen.block

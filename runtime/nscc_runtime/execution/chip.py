@@ -17,7 +17,6 @@ from nscc_runtime.effects.parts import (
     CountedDark,
     CountedLight,
     Echo,
-    Errors,
     Exchange,
     Leak,
     Response,
@@ -139,49 +138,32 @@ class SimulatedChip:
         if self.kept_effects.find_part(CountedDark) is None:
             return None
         exchange = self.kept_effects.find_part(Exchange)
+        current = self.current
+        if exchange is not None:
+            by_row = current.reshape(self.array.shape)
+            current = exchange.smeared(by_row, self.exchanged).reshape(-1)
         model = self.program.model(self.kept_effects)
-
-        def make() -> Values:
-            current = self.current
-            if exchange is not None:
-                by_row = current.reshape(self.array.shape)
-                current = exchange.smeared(by_row, self.exchanged).reshape(-1)
-            seconds = self.program.open_seconds(model)[:, self.array.flat_lanes]
-            return np.asarray(current * seconds)
-
-        key = "dark", self.device_seed, model, exchange is not None
-        return self.array.recent.of(key, make)
+        return np.asarray(current * self.program.open_seconds(model)[:, self.array.flat_lanes])
 
     @cached_property
     def patterns(self) -> Values:
         """Fixed errors (buckets, pixels) of the analog words in exposures, in electrons."""
-        program, full_model = self.program, self.program.model(self.requested_effects)
-
-        def make() -> Values:
-            total: Values | float = 0.0
-            for rate, weights in zip(self.leak_rates, self.leak_weights, strict=True):
-                model = replace(full_model, leak_per_s=rate) if rate else full_model
-                by_lane = program.tables.pattern(model).T
-                total = total + by_lane[:, self.array.flat_lanes] * weights
-            return np.ascontiguousarray(
-                total * self.device.fixed(self.kept_effects.require_part(WordGain).error_e)
-            )
-
-        key = "patterns", self.device_seed, full_model, self.leak_rates
-        return self.array.recent.of(key, make)
+        total: Values | float = 0.0
+        for rate, weights in zip(self.leak_rates, self.leak_weights, strict=True):
+            model = self.program.model(self.requested_effects)
+            model = replace(model, leak_per_s=rate) if rate else model
+            by_lane = self.program.tables.weights(model).error_sum.T
+            total = total + by_lane[:, self.array.flat_lanes] * weights
+        error_e = self.device.fixed(self.kept_effects.require_part(WordGain).error_e)
+        return np.ascontiguousarray(total * error_e)
 
     @cached_property
     def own_weights(self) -> NDArray[np.float32]:
         """Mean weights (counted groups, buckets, pixels) of a pixel's counts in its exposures."""
-        program, model = self.program, self.program.model(self.kept_effects)
-
-        def make() -> NDArray[np.float32]:
-            means = program.mean_weights(model)
-            lanes, buckets = self.array.flat_lanes, len(program.container.buckets)
-            weights = [means[group].T.astype(np.float32)[:, lanes] for group in self.counted]
-            return np.array(weights, np.float32).reshape(-1, buckets, lanes.size)
-
-        return self.array.recent.of(("own", model, self.counted), make)
+        means = self.program.mean_weights(self.program.model(self.kept_effects))
+        lanes, buckets = self.array.flat_lanes, len(self.program.container.buckets)
+        weights = [means[group].T.astype(np.float32)[:, lanes] for group in self.counted]
+        return np.array(weights, np.float32).reshape(-1, buckets, lanes.size)
 
     @cached_property
     def beside_weights(self) -> NDArray[np.float32]:
@@ -208,22 +190,16 @@ class SimulatedChip:
         """(stream, draw number) of small errors, and their standard deviations (draws, buckets,
         lanes)."""
         program, full_model = self.program, self.program.model(self.requested_effects)
-
-        def make() -> tuple[list[tuple[int, int]], Values]:
-            draws, sigmas = [], []
-            for effect, error_part in self.kept_effects.errors():
-                factor = (
-                    error_part.sigma_e(program.sensor)
-                    * program.tables.noise(error_part.at, full_model)[0]
-                )
-                for draw in range(factor.shape[2]):
-                    if factor[:, :, draw].any():
-                        draws.append((effect.stream, draw))
-                        sigmas.append(factor[:, :, draw].T)
-            shape = len(draws), len(program.container.buckets), len(program.container.encoding)
-            return draws, np.ascontiguousarray(np.array(sigmas).reshape(shape))
-
-        return program.recent.of(("noise", full_model, self.kept_effects.names(Errors)), make)
+        draws, sigmas = [], []
+        for effect, error_part in self.kept_effects.errors():
+            factor, _ = program.tables.noise(error_part.at, full_model)
+            factor = error_part.sigma_e(program.sensor) * factor
+            for draw in range(factor.shape[2]):
+                if factor[:, :, draw].any():
+                    draws.append((effect.stream, draw))
+                    sigmas.append(factor[:, :, draw].T)
+        shape = len(draws), len(program.container.buckets), len(program.container.encoding)
+        return draws, np.ascontiguousarray(np.array(sigmas).reshape(shape))
 
     @cached_property
     def saturation_e(self) -> Values:

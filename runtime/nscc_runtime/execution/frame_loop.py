@@ -136,17 +136,9 @@ def _counted(
                 total[at + p] += own_weights[own_start + p] * away[group_start + p]
             for direction in range(4 if adding.exchanges else 0):
                 _beside(
-                    adding,
-                    direction,
-                    group,
-                    bucket,
-                    first,
-                    stop,
-                    own_weights,
-                    neighbour_weights,
-                    away,
-                    total,
-                )
+                    adding, direction, group, bucket, first, stop, own_weights, neighbour_weights,
+                    away, total,
+                )  # fmt: skip
 
 
 @loop

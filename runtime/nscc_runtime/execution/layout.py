@@ -173,57 +173,46 @@ class Readouts(NamedTuple):
     wait_s: Annotated[Floats, "buckets"]
 
 
-class Fixed(NamedTuple):
-    """Fixed patterns of the pixels of a block: the error of words in electrons, the leakage rate of
-    registers in 1/s, and the offset of the comparator in electrons."""
+class PixelState(NamedTuple):
+    """The state of the pixels of a block while words run.
+
+    `pattern`, `leak`, `offset`: fixed patterns of the pixels: the error of words in electrons, the
+    leakage rate of registers in 1/s, the offset of the comparator in electrons.
+
+    Contents of the registers, then of PIX and IN. `value`: electrons. `since_s`: the time of
+    writing. `lost_e`: electrons lost by saturation. `full`: saturation marks
+    (`nscc_runtime.execution.word_loop`). `level`: the reset level of PIX.
+
+    `running`: the pixels that run a word. `total`: the sum of its sources in each of them, with the
+    electrons lost by saturation (`total_lost_e`) and the saturation marks (`total_full`)."""
 
     pattern: Written[Floats]
     leak: Written[Floats]
     offset: Written[Floats]
-
-    @classmethod
-    def of(cls, block: int) -> Fixed:
-        """Allocate the arrays for a block of pixels."""
-        return cls(np.empty(block), np.empty(block), np.empty(block))
-
-
-class RegisterContents(NamedTuple):
-    """The contents of the registers of a block, then of PIX and IN.
-
-    `value`: electrons. `since_s`: the time of writing. `lost_e`: electrons lost by saturation.
-    `full`: saturation marks (`nscc_runtime.execution.word_loop`). `level`: the reset level of PIX.
-    """
-
     value: Written[Floats]
     since_s: Written[Floats]
     lost_e: Written[Floats]
     full: Written[Ints]
     level: Written[Floats]
-
-    @classmethod
-    def of(cls, registers: int, block: int) -> RegisterContents:
-        """Allocate the arrays for a block of pixels."""
-        count = (registers + 2) * block
-        return cls(
-            np.empty(count), np.empty(count), np.empty(count), np.empty(count, np.int64),
-            np.empty(block),
-        )  # fmt: skip
-
-
-class WordResult(NamedTuple):
-    """The result of a word in each of the `pixels` of a block that run it: the sum of its sources,
-    the electrons lost by saturation, and the saturation marks `full`."""
-
-    pixels: Written[Ints]
+    running: Written[Ints]
     total: Written[Floats]
-    lost_e: Written[Floats]
-    full: Written[Ints]
+    total_lost_e: Written[Floats]
+    total_full: Written[Ints]
 
     @classmethod
-    def of(cls, block: int) -> WordResult:
+    def of(cls, registers: int, block: int) -> PixelState:
         """Allocate the arrays for a block of pixels."""
-        ints = np.empty(block, np.int64)
-        return cls(np.zeros(block, np.int64), np.empty(block), np.empty(block), ints)
+
+        def floats(count: int = 1) -> Floats:
+            return np.empty(count * block)
+
+        rows = registers + 2
+        return cls(
+            pattern=floats(), leak=floats(), offset=floats(), value=floats(rows),
+            since_s=floats(rows), lost_e=floats(rows), full=np.empty(rows * block, np.int64),
+            level=floats(), running=np.zeros(block, np.int64), total=floats(),
+            total_lost_e=floats(), total_full=np.empty(block, np.int64),
+        )  # fmt: skip
 
 
 ACTS, SEEN = 1, 2

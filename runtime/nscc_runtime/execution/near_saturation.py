@@ -5,7 +5,6 @@ The charge of pixels is computed with all requested effects."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -65,82 +64,60 @@ def near_saturation(
         key, WeakKeyDictionary
     )
     if source not in by_light:
-        by_light[source] = _Search(
-            chip_of(program, device_seed, requested_effects, requested_effects), source
-        ).near_pixels
+        chip = chip_of(program, device_seed, requested_effects, requested_effects)
+        by_light[source] = _search(chip, source)
     return by_light[source]
 
 
-@dataclass(frozen=True, eq=False)
-class _Search:
-    """A search for pixels near saturation: an upper bound for all pixels selects candidates, whose
+def _search(chip: SimulatedChip, light: Light) -> NearSaturation:
+    """Return the pixels that may saturate: an upper bound for all pixels selects candidates, whose
     charge is then computed."""
+    weights, dark_s, limit = chip.compute_once(_of_lanes)
+    total_e = light.sum_e * chip.scale.reshape(light.shape)
+    gained_e: Values = np.zeros(light.shape)
+    if chip.kept_effects.find_part(Exchange) is not None:
+        for pixels, neighbours in NEIGHBOURS:
+            gained_e[pixels] += total_e[neighbours]
+        gained_e *= chip.exchanged
+    gained_e = gained_e.reshape(-1)
+    # The bound adds up the dark charge of the frame, crosstalk, and the largest fraction of the
+    # light that PIX or a register can contain.
+    lanes = chip.array.flat_lanes
+    bound_e = weights.of_frames(light).most_part.take(lanes) * total_e.reshape(-1)
+    bound_e += chip.current * float(chip.program.slot_s.sum())
+    bound_e += gained_e
+    places = np.flatnonzero(bound_e >= limit.take(lanes))
+    if not len(places):
+        return NO_PIXELS
+    most_e, own_e = _charges(chip, light, weights, dark_s, places, gained_e[places])
+    limits = chip.saturation_e[:, lanes[places]]
+    is_near = np.any(most_e >= limits, axis=0)
+    spilt = ~np.any(own_e >= limits, axis=0)
+    return NearSaturation(places[is_near], most_e[0, is_near], own_e[0, is_near], spilt[is_near])
 
-    chip: SimulatedChip
-    light: Light
 
-    @property
-    def near_pixels(self) -> NearSaturation:
-        candidates = self._candidates
-        if not len(candidates):
-            return NO_PIXELS
-        most_e, own_e = self._charges(candidates)
-        limits = self.chip.saturation_e[:, self.chip.array.flat_lanes[candidates]]
-        is_near = np.any(most_e >= limits, axis=0)
-        spilt = ~np.any(own_e >= limits, axis=0)
-        return NearSaturation(
-            candidates[is_near], most_e[0, is_near], own_e[0, is_near], spilt[is_near]
-        )
+def _charges(
+    chip: SimulatedChip, light: Light, weights: SlotWeights, dark_s: Values, places: Places,
+    gained_e: Values,
+) -> tuple[Values, Values]:  # fmt: skip
+    """Return the largest charge (kinds, places) of each pixel, with and without crosstalk.
 
-    @cached_property
-    def _of_lanes(self) -> tuple[SlotWeights, Values, Values]:
-        return self.chip.compute_once(_of_lanes)
-
-    @cached_property
-    def _total_e(self) -> Values:
-        """Total light of each pixel (rows, cols) in electrons."""
-        return np.asarray(self.light.sum_e * self.chip.scale.reshape(self.light.shape))
-
-    @cached_property
-    def _gained_e(self) -> Values:
-        """Charge that each pixel receives from its neighbours by crosstalk, in electrons."""
-        gained_e, total_e = np.zeros(self.light.shape), self._total_e
-        if self.chip.kept_effects.find_part(Exchange) is not None:
-            for pixels, neighbours in NEIGHBOURS:
-                gained_e[pixels] += total_e[neighbours]
-            gained_e *= self.chip.exchanged
-        return gained_e.reshape(-1)
-
-    @property
-    def _candidates(self) -> Places:
-        """Places whose upper bound of the charge reaches the limit. The bound adds up the dark
-        charge of the frame, crosstalk, and the largest fraction of the light that PIX or a register
-        can contain."""
-        weights, _, limit = self._of_lanes
-        lanes, seen_fraction = self.chip.array.flat_lanes, weights.of_frames(self.light).most_part
-        most_e = seen_fraction.take(lanes) * self._total_e.reshape(-1)
-        most_e += self.chip.current * float(self.chip.program.slot_s.sum())
-        most_e += self._gained_e
-        return np.flatnonzero(most_e >= limit.take(lanes))
-
-    def _charges(self, places: Places) -> tuple[Values, Values]:
-        """Return the largest charge (kinds, places) of each pixel, with and without crosstalk.
-        Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours."""
-        weights, dark_s, _ = self._of_lanes
-        lanes = self.chip.array.flat_lanes[places]
-        frames = self.light.ended.reshape(len(self.light.ended), -1)
-        of_frames = weights.of_frames(self.light).weights
-        seen_e = np.zeros((len(of_frames), len(places)))
-        for frame, weight in zip(frames, of_frames.swapaxes(0, 1), strict=True):
-            seen_e += weight.take(lanes, axis=1) * frame.take(places)
-        seen_e *= self.chip.scale[places]
-        row, col = np.divmod(places, self.light.shape[1])
-        below, right = row + 1 < self.light.shape[0], col + 1 < self.light.shape[1]
-        neighbours = (row > 0).astype(np.int64) + below + (col > 0) + right
-        dark_e = self.chip.current[places] * dark_s[:, lanes]
-        given_fraction = self.chip.exchanged * neighbours
-        most_e = np.maximum(seen_e, (1.0 - given_fraction) * seen_e + self._gained_e[places])
-        return _reaching(most_e + dark_e), _reaching(seen_e + dark_e)
+    Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours. `gained_e`
+    (places,): the charge that pixels receive from their neighbours."""
+    lanes = chip.array.flat_lanes[places]
+    frames = light.ended.reshape(len(light.ended), -1)
+    of_frames = weights.of_frames(light).weights
+    seen_e = np.zeros((len(of_frames), len(places)))
+    for frame, weight in zip(frames, of_frames.swapaxes(0, 1), strict=True):
+        seen_e += weight.take(lanes, axis=1) * frame.take(places)
+    seen_e *= chip.scale[places]
+    row, col = np.divmod(places, light.shape[1])
+    below, right = row + 1 < light.shape[0], col + 1 < light.shape[1]
+    neighbours = (row > 0).astype(np.int64) + below + (col > 0) + right
+    dark_e = chip.current[places] * dark_s[:, lanes]
+    given_fraction = chip.exchanged * neighbours
+    most_e = np.maximum(seen_e, (1.0 - given_fraction) * seen_e + gained_e)
+    return _reaching(most_e + dark_e), _reaching(seen_e + dark_e)
 
 
 def _of_lanes(chip: SimulatedChip) -> tuple[SlotWeights, Values, Values]:

@@ -22,17 +22,15 @@ from nscc_runtime.execution.charge_loop import (
 from nscc_runtime.execution.layout import (
     ACTS,
     SEEN,
-    Fixed,
     Keys,
     LoopProgram,
     LoopWord,
     Numbers,
     OnDevice,
+    PixelState,
     Readouts,
-    RegisterContents,
     Sizes,
     Switches,
-    WordResult,
 )
 from nscc_runtime.execution.word_loop import (
     ADDED,
@@ -69,21 +67,21 @@ def _surround(sizes: Sizes, place: int, places: Ints) -> None:
 @compiled
 def _begin(
     switches: Switches, sizes: Sizes, numbers: Numbers, device: OnDevice, start_keys: Words,
-    place: int, fixed: Fixed, contents: RegisterContents,
+    place: int, state: PixelState,
 ) -> None:  # fmt: skip
     """Set a pixel's fixed patterns and initial registers. `start_keys` begins with PIX's key."""
-    begin(switches, 1, contents, 0)
+    begin(switches, 1, state, 0)
     if sizes.stale:
         for register in range(switches.registers):
             start = uniform(start_keys[register + 1], place) / 2.0
-            contents.value[register] = start * numbers.register_start
-        contents.value[switches.registers] = uniform(start_keys[0], place) / 2.0 * numbers.pix_start
+            state.value[register] = start * numbers.register_start
+        state.value[switches.registers] = uniform(start_keys[0], place) / 2.0 * numbers.pix_start
     if switches.word_errors:
         z = normal(uniform(device.pattern, place))
-        fixed.pattern[0] = numbers.bias + numbers.pattern * z
+        state.pattern[0] = numbers.bias + numbers.pattern * z
     if switches.leaks:
         z = normal(uniform(device.leak, place))
-        fixed.leak[0] = numbers.leak * log_normal_in_loop(numbers.leak_variance, z)
+        state.leak[0] = numbers.leak * log_normal_in_loop(numbers.leak_variance, z)
 
 
 @compiled
@@ -123,22 +121,22 @@ def _fallen(
 
 @compiled
 def _execute(
-    switches: Switches, numbers: Numbers, word: LoopWord, program: LoopProgram, fixed: Fixed,
-    contents: RegisterContents, result: WordResult, drawn: Floats, first: int,
+    switches: Switches, numbers: Numbers, word: LoopWord, program: LoopProgram, state: PixelState,
+    drawn: Floats, first: int,
 ) -> None:  # fmt: skip
     """Run one word, whose errors are drawn[first] and following."""
     if word.resets:
-        reset(switches, numbers, word, 1, 1, contents, result, drawn, first)
+        reset(switches, numbers, word, 1, 1, state, drawn, first)
         return
-    add(switches, numbers, word, 1, 1, program, fixed, contents, result, drawn, first)
-    write(switches, numbers, word, 1, 1, program, fixed, contents, result, drawn, first + 1, 1)
+    add(switches, numbers, word, 1, 1, program, state, drawn, first)
+    write(switches, numbers, word, 1, 1, program, state, drawn, first + 1, 1)
 
 
 @compiled
 def _run(
     switches: Switches, sizes: Sizes, numbers: Numbers, lane: int, slot_us: Floats, lanes: Lanes,
-    program: LoopProgram, sites: Sites, away: Away, counts: CountScratch, drawn: Floats, fixed:
-    Fixed, contents: RegisterContents, result: WordResult,
+    program: LoopProgram, sites: Sites, away: Away, counts: CountScratch, drawn: Floats,
+    state: PixelState,
 ) -> None:  # fmt: skip
     """Run a pixel through its words, and add the charge of the slots between them."""
     slots, pix, first = sizes.slots, switches.registers, lanes.start[lane]
@@ -151,29 +149,26 @@ def _run(
         # Charge that is not read before PIX is reset, and charge on a full PIX, is not computed.
         is_read = lanes.flags[e] & SEEN > 0
         if at < word.begins:
-            if is_read and not contents.full[pix] & ADDED:
+            if is_read and not state.full[pix] & ADDED:
                 if gone > 0.0 and single != at:
                     single = at
                     of_single = _of_slot(sizes, numbers, at, sites, away, counts)
                 charge_e = _fallen(
-                    switches, sizes, numbers, at, word.begins, gone, of_single, sites, away,
-                    counts, contents.value[pix],
+                    switches, sizes, numbers, at, word.begins, gone, of_single, sites, away, counts,
+                    state.value[pix],
                 )  # fmt: skip
-                fill(switches, numbers, contents, pix, charge_e)
+                fill(switches, numbers, state, pix, charge_e)
             at, gone = word.begins, 0.0
         if switches.slow_words:
             slot = at if at < slots else slots - 1
             now = word.end_us / slot_us[slot]
-            if is_read and not contents.full[pix] & ADDED and now > gone:
+            if is_read and not state.full[pix] & ADDED and now > gone:
                 if single != slot:
                     single = slot
                     of_single = _of_slot(sizes, numbers, slot, sites, away, counts)
-                fill(switches, numbers, contents, pix, (now - gone) * of_single)
+                fill(switches, numbers, state, pix, (now - gone) * of_single)
             gone = now
-        _execute(
-            switches, numbers, word, program, fixed, contents, result, drawn,
-            (e - first) * sizes.draws,
-        )  # fmt: skip
+        _execute(switches, numbers, word, program, state, drawn, (e - first) * sizes.draws)
 
 
 @loop
@@ -194,9 +189,7 @@ def run_pixels(
     away: Away,
     counts: CountScratch,
     errors: ErrorScratch,
-    fixed: Fixed,
-    contents: RegisterContents,
-    result: WordResult,
+    state: PixelState,
     out: Written[Annotated[Floats, "buckets pixels"]],
     marked: Written[Annotated[Bytes, "buckets pixels"]],
 ) -> None:
@@ -204,7 +197,7 @@ def run_pixels(
     to its saturation marks.
 
     `group_ids`: numbers of the groups of slots in random keys. `start_keys`: random keys of
-    register contents at the start of a frame. `counts` to `result` are working memory. Places in
+    register contents at the start of a frame. `counts` to `state` are working memory. Places in
     ascending order find most of their neighbours' counts in the cache."""
     streams_of(sizes, keys, group_ids, counts.streams)
     buckets, words = switches.buckets, program.words
@@ -227,11 +220,9 @@ def run_pixels(
                 sizes, buckets, keys.sum_words, keys.part_words, place, lane, lanes, words, WORDS,
                 errors,
             )  # fmt: skip
-        _begin(switches, sizes, numbers, device, start_keys, place, fixed, contents)
+        _begin(switches, sizes, numbers, device, start_keys, place, state)
         _run(
-            switches, sizes, numbers, lane, slot_us, lanes, program, sites, away,
-            counts, errors.drawn, fixed, contents, result,
+            switches, sizes, numbers, lane, slot_us, lanes, program, sites, away, counts,
+            errors.drawn, state,
         )  # fmt: skip
-        read_out(
-            switches, numbers, 1, 1, readouts, fixed, contents, sizes.pixels, i, out, marked
-        )  # fmt: skip
+        read_out(switches, numbers, 1, 1, readouts, state, sizes.pixels, i, out, marked)

@@ -27,14 +27,12 @@ from nscc_runtime.effects.parts import (
 from nscc_runtime.effects.views import LIGHT, THINNED, WITHOUT_LIGHT
 from nscc_runtime.execution.charge_loop import SITES, Away, CountScratch, Sites
 from nscc_runtime.execution.layout import (
-    Fixed,
     Keys,
     LoopProgram,
     Numbers,
     OnDevice,
-    RegisterContents,
+    PixelState,
     Sizes,
-    WordResult,
 )
 from nscc_runtime.execution.loop_words import (
     numbers_of,
@@ -47,7 +45,6 @@ from nscc_runtime.execution.pixel_loop import run_pixels
 from nscc_runtime.execution.site_loop import Laying, Times, needed_places, sites_of
 from nscc_runtime.execution.word_loop import ERRORS, ErrorScratch, Lanes
 from nscc_runtime.light import Light
-from nscc_runtime.loop import Bound
 from nscc_runtime.noise import key
 from nscc_runtime.noise.keys import base
 from nscc_runtime.pool import in_parts
@@ -183,26 +180,22 @@ class Wired:
         return OnDevice(**device_keys(OnDevice, self.device_seed))
 
     @cached_property
-    def loop(self) -> Bound:
-        """The loop, bound to the arguments that do not depend on the scene."""
+    def arguments(self) -> dict[str, Any]:
+        """The arguments of `run_pixels` that do not depend on the scene."""
         words, container = self.words, self.words.reference.container
-        return run_pixels.bound(
-            switches=switches_of(container, self.effects),
-            numbers=self.numbers,
-            device=self._device,
-            slot_us=np.array(container.slot_us, np.float64),
-            group_ids=words.group_ids,
-            start_keys=np.array(
-                [
-                    key(self.device_seed, START, group=group)
-                    for group in range(1 + len(container.target.analog_registers))
-                ],
-                np.uint64,
-            ),
-            lanes=words.lanes,
-            program=words.program,
-            readouts=readouts_of(container),
-        )
+        start_groups = range(1 + len(container.target.analog_registers))
+        start_keys = [key(self.device_seed, START, group=group) for group in start_groups]
+        return {
+            "switches": switches_of(container, self.effects),
+            "numbers": self.numbers,
+            "device": self._device,
+            "slot_us": np.array(container.slot_us, np.float64),
+            "group_ids": words.group_ids,
+            "start_keys": np.array(start_keys, np.uint64),
+            "lanes": words.lanes,
+            "program": words.program,
+            "readouts": readouts_of(container),
+        }
 
     def sizes(self, pixels: int, frame: int, counts_known: bool) -> Sizes:
         """Return the sizes for exposing `pixels` pixels of frame number `frame`."""
@@ -258,9 +251,7 @@ class Wired:
                 keys=np.empty(most, np.uint64),
                 normals=np.empty(most),
             ),
-            "fixed": Fixed.of(1),
-            "contents": RegisterContents.of(len(container.target.analog_registers), 1),
-            "result": WordResult.of(1),
+            "state": PixelState.of(len(container.target.analog_registers), 1),
         }
 
 
@@ -310,18 +301,14 @@ class Running:
                 sizes = wired.sizes(end - begin, frame, known_counts is not None)
                 exposure = np.empty((shape[0], end - begin))
                 bits = np.empty(exposure.shape, np.uint8)
-                wired.loop(
-                    sizes=sizes, chosen=self._chosen[begin:end], sites=sites,
+                run_pixels(
+                    **wired.arguments, sizes=sizes, chosen=self.chosen[begin:end], sites=sites,
                     out=exposure, marked=bits, **common, **wired.scratch(sizes),
                 )  # fmt: skip
                 out[:, begin:end], marked[:, begin:end] = exposure, bits
 
             in_parts(fill, pixel_slice.stop - pixel_slice.start, self.threads, _FEWEST)
         return out, marked
-
-    @cached_property
-    def _chosen(self) -> NDArray[np.int64]:
-        return np.require(self.chosen, np.int64, ["C", "A"])
 
     @cached_property
     def _source(self) -> Light:
@@ -334,7 +321,7 @@ class Running:
 
     def _needed(self, pixel_slice: slice) -> NDArray[np.int64]:
         beside = self.wired.effects.find_part(Exchange) is not None
-        return needed_places(self._chosen[pixel_slice], self.light.shape, beside)
+        return needed_places(self.chosen[pixel_slice], self.light.shape, beside)
 
     @cached_property
     def _pixel_slices(self) -> list[slice]:
@@ -344,7 +331,7 @@ class Running:
         tables = sites = len(self._places)
         if self._source.even:
             tables = min(sites, len(words.lanes.start))
-        bytes_, count = 16 * tables * groups * (slots + 1), len(self._chosen)
+        bytes_, count = 16 * tables * groups * (slots + 1), len(self.chosen)
         slice_pixels = max(1, count // max(1, -(-bytes_ // _MOST_LIGHT)))
         return [
             slice(first, min(first + slice_pixels, count))

@@ -22,9 +22,6 @@ from nscc_runtime.execution.sum_loop import SlotWeights
 from nscc_runtime.reference.capture import Reference
 from nscc_runtime.reference.weights import WeightModel
 
-Weights = NDArray[np.float64]
-
-
 Values = NDArray[np.float64]
 
 _RECENT_MODELS, _RECENT_CHIPS = 40, 4

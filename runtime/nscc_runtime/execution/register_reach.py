@@ -93,11 +93,6 @@ class Tables:
         return factor, np.maximum(square - (factor * factor).sum(axis=2), 0.0)
 
     @remembered
-    def pattern(self, full: WeightModel) -> Weights:
-        """Return the sum (lanes, buckets) of the signed coefficients of analog words' errors."""
-        return self.weights(full).error_sum
-
-    @remembered
     def seen_slots(self) -> NDArray[np.bool_]:
         """Return a mask (N, lanes) of the slots whose charge is on PIX at some read."""
         container = self.container

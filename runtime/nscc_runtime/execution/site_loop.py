@@ -133,8 +133,6 @@ def lay_out(
 
 _FEWEST = 256
 """Smallest number of sites per thread."""
-_SPARSE = 64
-"""If fewer than one pixel in this number is chosen, a list is faster than a mask."""
 _MOST_KEPT = 1 << 21
 """Largest table of the slots of all lanes that is cached for other scenes."""
 
@@ -144,11 +142,6 @@ def needed_places(
 ) -> NDArray[np.int64]:
     """Return the distinct `chosen` places (row * cols + col) in ascending order; with `beside`,
     also the places of their neighbours."""
-    if beside and len(chosen) * _SPARSE < shape[0] * shape[1]:
-        row, col = np.divmod(chosen, shape[1])
-        rows = np.clip(np.stack([row, row - 1, row + 1, row, row]), 0, shape[0] - 1)
-        cols = np.clip(np.stack([col, col, col, col - 1, col + 1]), 0, shape[1] - 1)
-        return np.unique(rows * shape[1] + cols)
     inside = np.zeros(shape, np.bool_)
     inside.reshape(-1)[chosen] = True
     is_needed = inside.copy()

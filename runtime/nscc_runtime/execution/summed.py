@@ -35,7 +35,6 @@ from nscc_runtime.execution.frame_loop import (
 from nscc_runtime.execution.sum_loop import light_sums
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import SUM
@@ -146,7 +145,7 @@ class SummedScene:
 
     def expose(self, seed: int, frame: int, away: Values) -> Values:
         """Return exposures (buckets, pixels) of a frame; `away`: deviations of its counts."""
-        chip, (draws, _) = self.chip, self.chip.noise
+        chip, (draws, sigma) = self.chip, self.chip.noise
         (rows, cols), expected = chip.array.shape, self.expected
         exposure = np.empty(expected.shape)
         noise = [key(seed, stream, SUM, frame, draw) for stream, draw in draws]
@@ -157,28 +156,20 @@ class SummedScene:
             "sources": len(draws), "exchanges": bool(chip.sources) and chip.exchanged > 0,
             "fraction": chip.exchanged,
         }  # fmt: skip
-        adding = chip.compute_once(_adding)
+        exchanges = chip.exchanged > 0
+        neighbour_weights = chip.beside_weights if exchanges else np.zeros(1, np.float32)
 
         def run(begin: int, end: int) -> None:
-            adding(
+            add_up(
                 adding=Adding(begin=begin, end=end, **sizes), noise_keys=noise_keys,
-                expected=expected, away=away, total=np.empty(BLOCK * len(expected)),
-                drawn=np.empty(BLOCK), exposure=exposure,
+                lanes=chip.array.flat_lanes, places=chip.array.places, expected=expected,
+                away=away, own_weights=chip.own_weights, neighbour_weights=neighbour_weights,
+                sigma=sigma, total=np.empty(BLOCK * len(expected)), drawn=np.empty(BLOCK),
+                exposure=exposure,
             )  # fmt: skip
 
         in_parts(run, rows, self.threads)
         return exposure
-
-
-def _adding(chip: SimulatedChip) -> Bound:
-    """Return the loop `add_up`, bound to the arguments that do not depend on the scene."""
-    return add_up.bound(
-        lanes=chip.array.flat_lanes,
-        places=chip.array.places,
-        own_weights=chip.own_weights,
-        neighbour_weights=chip.beside_weights if chip.exchanged > 0 else np.zeros(1, np.float32),
-        sigma=chip.noise[1],
-    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -237,10 +228,7 @@ class LoopConverter:
             )  # fmt: skip
 
         in_parts(run, pixels, threads, BLOCK)
-        frame_shape = buckets, *shape
+        whole = buckets, *shape
         return Frame(
-            frame.reshape(frame_shape),
-            values.reshape(frame_shape),
-            valid.reshape(frame_shape),
-            marked.reshape(frame_shape),
+            frame.reshape(whole), values.reshape(whole), valid.reshape(whole), marked.reshape(whole)
         )

@@ -117,9 +117,7 @@ def file_of(path: Path, content: Content, product: str) -> Product:
     lacks = content.lacks(format_.holds)
     if lacks is not None:
         kind = "clip" if content.moving else "picture"
-        possible_endings = (
-            endings("arrays", kind) if content.light is not None else endings("arrays")
-        )
+        possible_endings = endings("arrays", *([kind] if content.light is not None else []))
         raise rejected(
             "NS0786",
             f"{product} cannot be written as '{path.name}': {lacks}",

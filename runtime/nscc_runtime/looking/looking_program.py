@@ -21,11 +21,9 @@ from nscc_runtime.effects.in_loops import device_keys, draws_keys
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
 from nscc_runtime.execution.layout import (
-    Fixed,
     LoopProgram,
     OnDevice,
-    RegisterContents,
-    WordResult,
+    PixelState,
 )
 from nscc_runtime.execution.loop_words import (
     numbers_of,
@@ -45,7 +43,6 @@ from nscc_runtime.looking.path_loop import (
     run_paths,
 )
 from nscc_runtime.looking.paths import Paths, paths_of
-from nscc_runtime.loop import Bound
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.looks import WORD_DRAWS, Intervals
@@ -133,7 +130,16 @@ class LookingProgram:
         if among is not None:
             begins = np.where(among, begins, -1)  # these pixels have ended already
         intervals = Intervals.of(self.container, every_slot=effects.noiseless)
-        pace, bound = intervals.paced(scene, effects), self._bound(paths, intervals, effects, seeds)
+        pace = intervals.paced(scene, effects)
+        shared: dict[str, Any] = {
+            "switches": switches_of(self.container, effects),
+            "numbers": numbers_of(self.container, self.sensor, effects),
+            "device": OnDevice(**device_keys(OnDevice, seeds[1])),
+            "keys": PathKeys(**draws_keys(PathKeys, seeds[0], WORD_DRAWS)),
+            "program": self.loop_words(paths, intervals.starts),
+            "segments": Segments(paths.start, paths.acting, paths.following),
+            "readouts": readouts_of(self.container),
+        }
         cols = scene.light.shape[1]
         shape = (len(self.container.buckets), len(rows), cols)
         exposure, saturated_by = np.empty(shape), np.empty(shape, np.uint8)
@@ -151,7 +157,7 @@ class LookingProgram:
                     np.require(pace(of_array, fallen.light), np.float64, ["C"]),
                 )
                 exposure[:, out_rows], saturated_by[:, out_rows], ends[out_rows] = self._loop(
-                    bound, paths, charge, begins[of_array], part_rows.start * cols, frame
+                    shared, paths, charge, begins[of_array], part_rows.start * cols, frame
                 )
                 valid[out_rows] = fallen.valid
 
@@ -161,25 +167,12 @@ class LookingProgram:
         is_valid = np.isfinite(exposure) & valid
         return Executed(Exposure(exposure, is_valid, saturated_by), planes)
 
-    def _bound(
-        self, paths: Paths, intervals: Intervals, effects: Selection, seeds: tuple[int, int]
-    ) -> Bound:
-        """Return the loop, bound to the arguments that all rows share."""
-        return run_paths.bound(
-            switches=switches_of(self.container, effects),
-            numbers=numbers_of(self.container, self.sensor, effects),
-            device=OnDevice(**device_keys(OnDevice, seeds[1])),
-            keys=PathKeys(**draws_keys(PathKeys, seeds[0], WORD_DRAWS)),
-            program=self.loop_words(paths, intervals.starts),
-            segments=Segments(paths.start, paths.acting, paths.following),
-            readouts=readouts_of(self.container),
-        )
-
     def _loop(
-        self, bound: Bound, paths: Paths, charge: Charge, begins: NDArray[np.int64],
-        first_place: int, frame: int,
+        self, shared: Mapping[str, Any], paths: Paths, charge: Charge,
+        begins: NDArray[np.int64], first_place: int, frame: int,
     ) -> tuple[NDArray[Any], ...]:  # fmt: skip
-        """Return exposures and saturation marks (buckets, rows, cols), and endings (rows, cols)."""
+        """Return exposures and saturation marks (buckets, rows, cols), and endings (rows, cols).
+        `shared`: the arguments of the loop that do not depend on the rows."""
         container, pixels = self.container, begins.size
         sizes = PathSizes(
             pixels=pixels,
@@ -194,8 +187,8 @@ class LookingProgram:
         out = np.empty((len(container.buckets), pixels))
         marked = np.empty(out.shape, np.uint8)
         ends = np.empty(pixels, np.int32)
-        bound(
-            sizes=sizes, begins=begins.reshape(-1), charge=charge, out=out, marked=marked,
+        run_paths(
+            **shared, sizes=sizes, begins=begins.reshape(-1), charge=charge, out=out, marked=marked,
             ends=ends,
             of_word=WordKeys(
                 reads=np.empty(sizes.steps, np.uint64),
@@ -208,8 +201,7 @@ class LookingProgram:
                 reached=np.empty(BLOCK, np.int64), fallen_fraction=np.empty(BLOCK),
                 normals=np.empty((1 + sizes.numbered) * BLOCK),
             ),
-            fixed=Fixed.of(BLOCK), result=WordResult.of(BLOCK),
-            contents=RegisterContents.of(len(container.target.analog_registers), BLOCK),
+            state=PixelState.of(len(container.target.analog_registers), BLOCK),
         )  # fmt: skip
         shape = (len(out), *begins.shape)
         return out.reshape(shape), marked.reshape(shape), ends.reshape(begins.shape)

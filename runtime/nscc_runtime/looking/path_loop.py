@@ -13,15 +13,13 @@ import numpy as np
 
 from nscc_runtime.effects.spread import log_normal_in_loop
 from nscc_runtime.execution.layout import (
-    Fixed,
     LoopProgram,
     LoopWord,
     Numbers,
     OnDevice,
+    PixelState,
     Readouts,
-    RegisterContents,
     Switches,
-    WordResult,
 )
 from nscc_runtime.execution.word_loop import (
     add,
@@ -135,31 +133,31 @@ def _drawn(
 @compiled
 def _begin(
     switches: Switches, numbers: Numbers, device: OnDevice, place: int, count: int, running: Ints,
-    fixed: Fixed, contents: RegisterContents, block: BlockScratch,
+    state: PixelState, block: BlockScratch,
 ) -> None:  # fmt: skip
     """Set the fixed patterns of the pixels of a block, and empty their registers."""
     for i in range(count):
         running[i] = i
         block.reached[i], block.fallen_fraction[i] = 0, 0.0
-        begin(switches, BLOCK, contents, i)
+        begin(switches, BLOCK, state, i)
     if switches.word_errors:
-        _drawn(device.pattern, place, running, count, fixed.pattern, 0)
+        _drawn(device.pattern, place, running, count, state.pattern, 0)
         for i in range(count):
-            fixed.pattern[i] = numbers.bias + numbers.pattern * fixed.pattern[i]
+            state.pattern[i] = numbers.bias + numbers.pattern * state.pattern[i]
     if switches.leaks:
-        _drawn(device.leak, place, running, count, fixed.leak, 0)
+        _drawn(device.leak, place, running, count, state.leak, 0)
         for i in range(count):
-            fixed.leak[i] = numbers.leak * log_normal_in_loop(numbers.leak_variance, fixed.leak[i])
+            state.leak[i] = numbers.leak * log_normal_in_loop(numbers.leak_variance, state.leak[i])
     if switches.compares_off:
-        _drawn(device.offset, place, running, count, fixed.offset, 0)
+        _drawn(device.offset, place, running, count, state.offset, 0)
         for i in range(count):
-            fixed.offset[i] = numbers.compare_offset * fixed.offset[i]
+            state.offset[i] = numbers.compare_offset * state.offset[i]
 
 
 @compiled
 def _fall(
-    switches: Switches, sizes: PathSizes, numbers: Numbers, word: LoopWord, first: int, running:
-    Ints, count: int, charge: Charge, contents: RegisterContents, block: BlockScratch,
+    switches: Switches, sizes: PathSizes, numbers: Numbers, word: LoopWord, first: int,
+    running: Ints, count: int, charge: Charge, state: PixelState, block: BlockScratch,
 ) -> None:  # fmt: skip
     """Add to PIX the charge that is collected until a word ends."""
     pixels, last = sizes.pixels, sizes.intervals - 1
@@ -168,7 +166,7 @@ def _fall(
         at = switches.registers * BLOCK + i
         for k in range(block.reached[i], word.begins):
             charge_e = charge.electrons[k * pixels + first + i] * (1.0 - block.fallen_fraction[i])
-            fill(switches, numbers, contents, at, charge_e)
+            fill(switches, numbers, state, at, charge_e)
             block.fallen_fraction[i] = 0.0
         block.reached[i] = word.begins
         if switches.slow_words:
@@ -176,7 +174,7 @@ def _fall(
             pace = word.begins * sizes.paces + (first + i if sizes.paces > 1 else 0)
             now = word.end_us * charge.pace[pace]
             charge_e = charge.electrons[k * pixels + first + i] * (now - block.fallen_fraction[i])
-            fill(switches, numbers, contents, at, charge_e)
+            fill(switches, numbers, state, at, charge_e)
             block.fallen_fraction[i] = now
 
 
@@ -221,13 +219,13 @@ def _draw(
 
 @compiled
 def _along(
-    switches: Switches, sizes: PathSizes, numbers: Numbers, segment: int, first: int, program:
-    LoopProgram, segments: Segments, charge: Charge, of_word: WordKeys, block: BlockScratch, fixed:
-    Fixed, contents: RegisterContents, result: WordResult, ends: Ints32,
+    switches: Switches, sizes: PathSizes, numbers: Numbers, segment: int, first: int,
+    program: LoopProgram, segments: Segments, charge: Charge, of_word: WordKeys,
+    block: BlockScratch, state: PixelState, ends: Ints32,
 ) -> None:  # fmt: skip
     """Run a segment's words in all pixels of a block that wait for it, and queue each for its next
     segment."""
-    count, i, place, running = 0, block.head[segment], sizes.first_place + first, result.pixels
+    count, i, place, running = 0, block.head[segment], sizes.first_place + first, state.running
     block.head[segment] = -1
     while i >= 0:
         running[count] = i
@@ -238,22 +236,19 @@ def _along(
         w = segments.acting[e]
         word = program.words[w]
         if word.resets or word.reads_pix:
-            _fall(switches, sizes, numbers, word, first, running, count, charge, contents, block)
+            _fall(switches, sizes, numbers, word, first, running, count, charge, state, block)
         _draw(switches, sizes, word, w, of_word, place, running, count, normals)
         if word.resets:
-            reset(switches, numbers, word, BLOCK, count, contents, result, normals, 0)
+            reset(switches, numbers, word, BLOCK, count, state, normals, 0)
             continue
-        add(switches, numbers, word, BLOCK, count, program, fixed, contents, result, normals, 0)
+        add(switches, numbers, word, BLOCK, count, program, state, normals, 0)
         if word.compares:
             asks = True
-            compare(switches, numbers, BLOCK, count, fixed, result, normals, BLOCK)
+            compare(switches, numbers, BLOCK, count, state, normals, BLOCK)
             continue
-        write(
-            switches, numbers, word, BLOCK, count, program, fixed, contents, result, normals, BLOCK,
-            BLOCK,
-        )  # fmt: skip
+        write(switches, numbers, word, BLOCK, count, program, state, normals, BLOCK, BLOCK)
     for j in range(count):
-        answer = 1 if asks and result.total[j] > 0.0 else 0
+        answer = 1 if asks and state.total[j] > 0.0 else 0
         _hand_on(segments.following[2 * segment + answer], first, running[j], block, ends)
 
 
@@ -271,9 +266,7 @@ def run_paths(
     charge: Charge,
     of_word: WordKeys,
     block: BlockScratch,
-    fixed: Fixed,
-    contents: RegisterContents,
-    result: WordResult,
+    state: PixelState,
     out: Written[Annotated[Floats, "buckets pixels"]],
     marked: Written[Annotated[Bytes, "buckets pixels"]],
     ends: Written[Annotated[Ints32, "pixels"]],
@@ -281,21 +274,18 @@ def run_paths(
     """Set out[b, i] to the exposure of pixel i in bucket b in electrons, marked[b, i] to its
     saturation marks, and ends[i] to its ending.
 
-    `begins`: the first segment of each pixel, or -1 - e for ending e. `of_word` to `result` are
+    `begins`: the first segment of each pixel, or -1 - e for ending e. `of_word` to `state` are
     working memory."""
     _name(sizes, keys, of_word)
     for first in range(0, sizes.pixels, BLOCK):
         count, place = min(BLOCK, sizes.pixels - first), sizes.first_place + first
-        _begin(switches, numbers, device, place, count, result.pixels, fixed, contents, block)
+        _begin(switches, numbers, device, place, count, state.running, state, block)
         for i in range(count):
             _hand_on(begins[first + i], first, i, block, ends)
         for segment in range(sizes.segments):
             if block.head[segment] >= 0:
                 _along(
                     switches, sizes, numbers, segment, first, program, segments, charge, of_word,
-                    block, fixed, contents, result, ends,
+                    block, state, ends,
                 )  # fmt: skip
-        read_out(
-            switches, numbers, BLOCK, count, readouts, fixed, contents, sizes.pixels, first, out,
-            marked
-        )  # fmt: skip
+        read_out(switches, numbers, BLOCK, count, readouts, state, sizes.pixels, first, out, marked)

@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from math import inf
 from typing import Any
 
@@ -239,15 +240,9 @@ def _alive(
     first = np.array([leads_to[k] for k in range(walk.starts)], np.int64)
     if any(last if k < 0 else live[k] for k in first.tolist()):
         raise Pathless("its exposures hang on what the frame before has left")
-    return Paths(
-        words,
-        np.cumsum([0, *map(len, acting)]),
-        np.array([number for segment_words in acting for number in segment_words], np.int64),
-        following,
-        starts,
-        first,
-        endings,
-    )
+    start = np.cumsum([0, *map(len, acting)])
+    numbers = np.array([*chain.from_iterable(acting)], np.int64)
+    return Paths(words, start, numbers, following, starts, first, endings)
 
 
 def _together(registers: Mapping[str, int], names: Iterable[str]) -> int:

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, WordEffect
 from nscc.words.cost import word_us
-from nscc_runtime.noise import key, normals
 from nscc_runtime.reference.digital import Digital
 from nscc_runtime.reference.trace import RunningWord, retention_us
 from nscc_runtime.reference.weights import error_sign
@@ -22,8 +21,6 @@ from nscc_runtime.reference.words import Bits, Values, WordPixels
 
 RANGE_BIT = 32
 """In `saturated_by`: a value left the range of registers, or an exposure was above its `assume`."""
-_DRAWS = 2
-"""Number in random keys that stands for words after an exposure."""
 
 
 @dataclass(eq=False, kw_only=True)
@@ -34,6 +31,7 @@ class ArrayPixels(WordPixels):
     marks. `code`: digital registers after the exposure. `cut_by`: the saturation marks of every
     register."""
 
+    word_draws = 2  # words after an exposure
     shape: tuple[int, int]
     exposed: Mapping[str, Values]
     exposed_by: Mapping[str, NDArray[np.uint8]]
@@ -57,10 +55,6 @@ class ArrayPixels(WordPixels):
 
     def bit(self, name: str) -> Bits:
         return np.asarray(self.digital.read(name) == 1)
-
-    def draw(self, name: str, number: int) -> Values:
-        effect = next(each for each in self.effects.effects if each.name == name)
-        return normals(key(self.seed, effect.stream, _DRAWS, self.frame, number), self.places)
 
     def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
         """Run words in their order, each with its steps of IN."""

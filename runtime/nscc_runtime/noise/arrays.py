@@ -15,8 +15,6 @@ Pixels = NDArray[np.int64]
 RATE_CAP = 1e12
 """Upper limit of rates, infinity included. No well contains this number of electrons."""
 
-_COUNT_CAP = 2.0**53
-
 
 def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
     """Return one uniform number per pixel strictly inside (0, 1), an odd multiple of 2**-53."""
@@ -42,11 +40,8 @@ def poisson(key: np.uint64, pixels: Pixels, rate: Floats) -> tuple[Floats, NDArr
 
     Rates below 0 count as 0, rates above `RATE_CAP` as `RATE_CAP`. For a NaN rate the count is 0
     and not valid. Counts never decrease with the rate: they are the inverse of the distribution
-    function (`nscc_runtime.noise.poisson_law`) at `uniforms` of the same key and pixel. Raises
-    ValueError for a rate of another shape."""
-    if np.shape(rate) != np.shape(pixels):
-        raise ValueError(f"rates {np.shape(rate)} for pixels {np.shape(pixels)}")
-    from nscc_runtime.noise.noise_loops import BLOCK, Counts, fill_poisson
+    function (`nscc_runtime.noise.poisson_law`) at `uniforms` of the same key and pixel."""
+    from nscc_runtime.noise.noise_loops import Counts, fill_poisson
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
     valid = np.empty(np.shape(pixels), np.bool_)
@@ -56,7 +51,6 @@ def poisson(key: np.uint64, pixels: Pixels, rate: Floats) -> tuple[Floats, NDArr
         rate=_floats(rate).reshape(-1),
         out=out.reshape(-1),
         valid=valid.view(np.uint8).reshape(-1),
-        **{name: np.empty(BLOCK) for name in ("rates", "total", "mass", "drawn")},
     )
     return out, valid
 
@@ -67,23 +61,10 @@ def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floa
     `pixels` and `counts` are 1-D. `shares` is (pixels, slots) or, common to all pixels, (slots,).
     Slots are halved recursively (at multiples of powers of two). One binomial draw gives the count
     in the first half, monotonic in that half's share, so the charge of a range of slots needs one
-    draw for each halving that it cuts. Raises ValueError for other shapes, for counts that are not
-    whole numbers in 0 .. 2**53, for shares that are negative or not finite or whose sum is not
-    finite, and for a positive count whose shares are all 0."""
+    draw for each halving that it cuts. Counts are whole numbers up to 2**53. Shares are at least 0;
+    their sum is finite, and above 0 for every count above 0."""
     counts, shares = _floats(counts), _floats(shares)
-    pixel_count, slots = len(counts), shares.shape[-1] if shares.ndim else 0
-    if np.shape(pixels) != counts.shape or counts.ndim != 1:
-        raise ValueError(f"counts {counts.shape} for pixels {np.shape(pixels)}")
-    if shares.shape not in ((slots,), (pixel_count, slots)):
-        raise ValueError(f"shares {shares.shape} for counts {counts.shape}")
-    if not np.all((counts >= 0) & (counts <= _COUNT_CAP) & (counts == np.floor(counts))):
-        raise ValueError("a count is not a whole number in 0 .. 2**53")
-    with np.errstate(over="ignore"):
-        total = shares.sum(axis=-1)
-    if not (np.all(shares >= 0) and np.all(np.isfinite(total))):
-        raise ValueError("a share is negative, or a sum of shares is not finite")
-    if np.any((counts > 0) & (total == 0)):
-        raise ValueError("a count has no slot to go to: all shares are 0")
+    pixel_count, slots = len(counts), shares.shape[-1]
     from nscc_runtime.noise.noise_loops import Spread, fill_thin
 
     out = np.empty((pixel_count, slots))
@@ -99,10 +80,6 @@ def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floa
 
 
 def _places(pixels: Pixels) -> Pixels:
-    """Return pixel indices as 1-D int64. Raises ValueError for negative or fractional indices."""
-    pixels = np.asarray(pixels)
-    if not (np.issubdtype(pixels.dtype, np.integer) and (pixels.size == 0 or pixels.min() >= 0)):
-        raise ValueError("a pixel's place is a whole number from 0 on")
     return np.require(pixels, np.int64, ["C", "A"]).reshape(-1)
 
 

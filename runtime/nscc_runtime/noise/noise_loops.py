@@ -5,7 +5,6 @@ over calls does not change results."""
 
 from __future__ import annotations
 
-import math
 from typing import Annotated
 
 import numpy as np
@@ -15,9 +14,6 @@ from nscc_runtime.noise.binomial_law import binomial
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.keys import bits, unit
 from nscc_runtime.noise.poisson_law import (
-    INVERSE,
-    SEARCH_BELOW,
-    SEARCHED,
     poisson_exact,
 )
 
@@ -43,36 +39,6 @@ def _drawable(rate: float, cap: float) -> float:
     if rate > 0.0:
         return rate if rate < cap else cap
     return 0.0
-
-
-@compiled
-def _searched(
-    rate: Floats, first: int, stop: int, out: Floats, rates: Floats, total: Floats, mass: Floats,
-    drawn: Floats,
-) -> None:  # fmt: skip
-    """Replace the uniform numbers out[i] by counts of `search`, step by step for the whole block.
-    Rates are below SEARCH_BELOW. LLVM vectorises each step."""
-    count = stop - first
-    for i in range(count):
-        rates[i] = rate[first + i] if rate[first + i] > 0.0 else 0.0
-        mass[i] = math.exp(-rates[i])
-    for i in range(count):
-        # exp(-rate) >= 1 - rate, up to rounding.
-        total[i] = mass[i] if out[first + i] > 1.0 - rates[i] else 1.0
-        drawn[i] = 0.0
-    for k in range(1, SEARCHED):
-        going = 0
-        for i in range(count):
-            mass[i] *= rates[i] * INVERSE[k]
-            grown = total[i] + mass[i]
-            on = out[first + i] > total[i] and grown != total[i]
-            total[i] = grown if on else total[i]
-            drawn[i] += 1.0 if on else 0.0
-            going += 1 if on else 0
-        if going == 0:
-            break
-    for i in range(count):
-        out[first + i] = drawn[i]
 
 
 @record
@@ -109,24 +75,15 @@ class Counts:
 @loop
 def fill_poisson(
     counts: Counts, pixels: _Places, rate: Annotated[Floats, "count"], out: _Drawn,
-    valid: Written[Annotated[Bytes, "count"]], rates: Written[Floats], total: Written[Floats],
-    mass: Written[Floats], drawn: Written[Floats],
+    valid: Written[Annotated[Bytes, "count"]],
 ) -> None:  # fmt: skip
     """Set out[i] to a Poisson count of rate[i], drawn at pixels[i], and valid[i] to whether rate[i]
-    is a number. Arguments from `rates` on are working memory for `BLOCK` pixels each."""
-    for first in range(0, counts.count, BLOCK):
-        stop = min(first + BLOCK, counts.count)
-        search_count = 0
-        for i in range(first, stop):
-            valid[i] = rate[i] == rate[i]
-            search_count += not rate[i] >= SEARCH_BELOW
-        for i in range(first, stop):
-            out[i] = uniform(counts.key, pixels[i])
-        if search_count == stop - first:
-            _searched(rate, first, stop, out, rates, total, mass, drawn)
-        else:
-            for i in range(first, stop):
-                out[i] = poisson_exact(out[i], _drawable(rate[i], counts.cap))
+    is a number."""
+    for i in range(counts.count):
+        out[i] = uniform(counts.key, pixels[i])
+    for i in range(counts.count):
+        valid[i] = rate[i] == rate[i]
+        out[i] = poisson_exact(out[i], _drawable(rate[i], counts.cap))
 
 
 @compiled

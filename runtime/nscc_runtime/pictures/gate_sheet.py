@@ -142,13 +142,8 @@ def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None
         if boundaries.index(boundary) % 2 == 0:
             axes.axvspan(band_left, band_left + len(inside), color=look().closed, zorder=0)
         axes.text(band_left + 0.1, top - 0.75, f"{boundary}", size=7, color=look().ink, va="bottom")
-        axes.plot(
-            [band_left, band_left],
-            [top - 1.2, bottom],
-            color=look().grid,
-            linewidth=0.7,
-            clip_on=False,
-        )
+        edge = [band_left, band_left], [top - 1.2, bottom]
+        axes.plot(*edge, color=look().grid, linewidth=0.7, clip_on=False)
     kernel = None
     for node in shown:
         if nodes[node].get("kernel", kernel) != kernel:

@@ -77,7 +77,7 @@ def _run_frame(
     container: Container, machine: StateMachine, nodes: Nodes, wells: Values
 ) -> tuple[Courses, Nodes]:
     """Return a frame that starts in these nodes, and the nodes in which it ends."""
-    share, all_pixels = np.diff(_share(container)), np.arange(len(wells))
+    share = np.diff(_share(container))
     opens = np.zeros((len(wells), *machine.opens.shape[1:]), np.bool_)
     resets = np.zeros((len(wells), machine.slots), np.bool_)
     charge, exposed = np.zeros(len(wells)), np.zeros((machine.opens.shape[1], len(wells)))
@@ -93,11 +93,9 @@ def _run_frame(
             break
         outcome = np.zeros(len(wells), np.int64)
         for bit, comparison in enumerate(machine.at(machine.ends(stage))):
-            signal = (
-                charge
-                if comparison.signal == LIGHT
-                else np.minimum(exposed[comparison.signal], 1.0)
-            )
+            signal = charge
+            if comparison.signal != LIGHT:
+                signal = np.minimum(exposed[comparison.signal], 1.0)
             above = signal > comparison.level * level
             outcome |= above.astype(np.int64) << bit
             turned = np.flatnonzero(above[1:] != above[:-1])
@@ -105,7 +103,7 @@ def _run_frame(
                 (comparison.boundary, float(np.sqrt(wells[k] * wells[k + 1]))) for k in turned
             ]
         nodes = machine.steps[nodes, outcome].astype(np.int64)
-    return Courses(wells, opens, resets, machine.values[nodes[all_pixels]], tuple(flips)), nodes
+    return Courses(wells, opens, resets, machine.values[nodes], tuple(flips)), nodes
 
 
 def _next_start(machine: StateMachine, ended: Nodes) -> Nodes:
@@ -150,18 +148,19 @@ def course_sheet(container: Container, title: str) -> Figure:
     shown = _shown(container)
     high = len(shown) * (_HEIGHT + _BETWEEN) - _BETWEEN
     figure = sheet.blank(CHART_INCHES, high + _ABOVE)
-    for number, view in enumerate(shown):
+    for number, (chart_title, chart_courses) in enumerate(shown):
         top = _ABOVE + number * (_HEIGHT + _BETWEEN)
         wide = CHART_INCHES - _TIMES - _GAP
         chart = sheet.place(figure, 0, top, wide, _HEIGHT)
-        _draw_chart(chart, container, view)
+        _draw_chart(chart, container, chart_courses)
+        chart.set_title(chart_title)
         beside = sheet.place(figure, wide + _GAP, top, _TIMES, _HEIGHT)
-        _draw_times(beside, container, view)
+        _draw_times(beside, container, chart_courses)
     handles: list[Artist] = [
         Line2D([], [], color=look().ink, linewidth=0.8, linestyle=":", label="a look"),
         Line2D([], [], color=look().ink, marker=".", linestyle="", label="its answer turns"),
     ]
-    if any(view.courses.resets.any() for view in shown):
+    if any(chart_courses.resets.any() for _, chart_courses in shown):
         handles.append(
             Line2D([], [], color=look().series[1], marker="|", linestyle="", label="PIX is reset")
         )
@@ -176,14 +175,9 @@ def course_sheet(container: Container, title: str) -> Figure:
     return figure
 
 
-@dataclass(frozen=True, eq=False)
-class _Shown:
-    title: str
-    courses: Courses
-
-
-def _shown(container: Container) -> list[_Shown]:
-    """Return the charts: of some codes, or with kept states of the first and a later frame."""
+def _shown(container: Container) -> list[tuple[str, Courses]]:
+    """Return titles and courses of the charts: of some codes, or with kept states of the first and
+    a later frame."""
     machine, table = container.machine, container.table
     assert machine is not None
     threshold_wells = thresholds(container)
@@ -203,18 +197,18 @@ def _shown(container: Container) -> list[_Shown]:
             chosen_frames = frames if count == 1 else {0: frames[0]}
             for frame, frame_text in chosen_frames.items():
                 text = ", ".join(phrase for phrase in (name, frame_text) if phrase)
-                charts.append(_Shown(text, courses(container, behaviour, wells, frame)))
+                charts.append((text, courses(container, behaviour, wells, frame)))
         else:
-            charts.append(_Shown(name, courses(container, behaviour, wells)))
+            charts.append((name, courses(container, behaviour, wells)))
     return charts
 
 
-def _draw_chart(axes: Axes, container: Container, shown: _Shown) -> None:
+def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
     """Draw the open time, coloured by its total, or by the bucket if there are several buckets."""
     from matplotlib import colormaps
     from matplotlib.colors import to_rgb
 
-    courses, machine = shown.courses, container.machine
+    machine = container.machine
     assert machine is not None
     lights, lanes = courses.opens.shape[:2]
     edges_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
@@ -249,15 +243,14 @@ def _draw_chart(axes: Axes, container: Container, shown: _Shown) -> None:
     axes.plot(edges[flips[:, 0].astype(int)], flips[:, 1], ".", color=look().ink, clip_on=False)
     light, slot = np.nonzero(courses.resets[:, 1:])
     axes.plot(edges[slot + 1], courses.wells[light], "|", color=look().series[1], markersize=2)
-    axes.set_title(shown.title)
     axes.set_xlabel(f"time in the frame, {name}")
     axes.set_ylabel("light of the frame, full wells")
     sheet.round_ticks(axes.yaxis)
 
 
-def _draw_times(axes: Axes, container: Container, shown: _Shown) -> None:
+def _draw_times(axes: Axes, container: Container, courses: Courses) -> None:
     """Draw the total open time against light, and the states that are read."""
-    courses, machine = shown.courses, container.machine
+    machine = container.machine
     assert machine is not None
     slot_us = np.array(container.slot_us)
     scale, name = unit(float(slot_us.sum()))

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import groupby
+from itertools import chain, groupby
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
@@ -92,12 +92,8 @@ def precision_diagram(
         raise ValueError("no points to draw")
     looks = {name: look().of(number) for number, name in enumerate(lines)}
     guides = {guide.name: guide for panel in problems for guide in panel.guides}
-    times = [
-        time
-        for line_points in lines.values()
-        for point in line_points
-        for time in reading.times(point)
-    ]
+    drawn_points = [*chain.from_iterable(lines.values())]
+    times = [time for point in drawn_points for time in reading.times(point)]
     times += [g.time_ms * reading.per_ms for p in problems for g in p.guides if g.time_ms]
     room = max(max(times) / min(times), 3.0) ** 0.06
     columns = min(_COLUMNS, len(problems))
@@ -130,7 +126,7 @@ def precision_diagram(
         if label.name
     }
     handles = [Line2D([], [], label=n, **style) for n, style in looks.items() if n in homeless]
-    if any(point.bound for line_points in lines.values() for point in line_points):
+    if any(point.bound for point in drawn_points):
         handles.append(Line2D([], [], label="proved bound", color=look().faint, linestyle="--"))
     handles += [
         Line2D([], [], label=g.name, color=look().ink, ls=g.dashes) for g in guides.values()

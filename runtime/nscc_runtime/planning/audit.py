@@ -133,11 +133,7 @@ def audit(
     runs, mine, full, other_states_by_frame = [*bands(rows)], [], [], []
     for frame in range(count):
         frame_pair = compare(frame, runs)
-        same = (
-            np.ones(frame_pair.full_e.shape[1:], np.bool_)
-            if frame_pair.same is None
-            else frame_pair.same
-        )
+        same = np.True_ if frame_pair.same is None else frame_pair.same
         mine.append(np.where(same, frame_pair.planned_e, np.nan))
         full.append(np.where(same, frame_pair.full_e, np.nan))
         if frame_pair.same is not None:

@@ -40,10 +40,8 @@ class Demands:
     def on(self, plan: Plan) -> Plan:
         """Return a copy of the plan with these tolerances entered."""
         tolerances = [tolerance for tolerance in (self.allowed, self.most) if tolerance is not None]
-        signal_e, noise_e = (
-            next((value for value in values if value is not None), None)
-            for values in ([t.signal_e for t in tolerances], [t.noise_e for t in tolerances])
-        )
+        signal_e = next((t.signal_e for t in tolerances if t.signal_e is not None), None)
+        noise_e = next((t.noise_e for t in tolerances if t.noise_e is not None), None)
         return replace(
             plan,
             tolerance=self.allowed.text if self.allowed else self.tolerance_text,
@@ -98,10 +96,11 @@ def unmeasured(trial: Trial, demands: Demands, path: Path, why: str, reason: str
         if effect.kind == "after":
             decisions.append(_after_exposure(effect, trial, demands))
         elif effect.name in trial.absent:
-            decisions.append(_of(effect, "absent", forced, effect.absent))
+            decisions.append(Decision(effect.name, effect.kind, "absent", forced, effect.absent))
         else:
             choice: Choice = "kept" if effect in demands.effects else "dropped"
-            decisions.append(_of(effect, choice, forced, demands.reason if forced else reason))
+            why_so = demands.reason if forced else reason
+            decisions.append(Decision(effect.name, effect.kind, choice, forced, why_so))
     sums = path == "sums"
     plan = Plan(
         None if demands.allowed is None else demands.allowed.electrons,
@@ -116,10 +115,6 @@ def unmeasured(trial: Trial, demands: Demands, path: Path, why: str, reason: str
         cost=_cost(trial, setting, 0.0) if sums else None,
     )
     return demands.on(plan)
-
-
-def _of(effect: Effect, choice: Choice, forced: bool, reason: str) -> Decision:
-    return Decision(effect.name, effect.kind, choice, forced, reason, None, None, None, 0.0)
 
 
 def _loop(trial: Trial, setting: Setting) -> Loop:
@@ -137,13 +132,11 @@ def _decision(
         return _after_exposure(effect, trial, demands)
     alone = measured.alone.get(name)
     if name in trial.absent or (trial.alike and alone is not None and not alone.changes):
-        return Decision(name, effect.kind, "absent", forced, effect.absent, 0.0, 0.0, None, 0.0)
+        return Decision(name, effect.kind, "absent", forced, effect.absent, 0.0, 0.0)
     dropped = name in together.setting.dropped or (forced and effect not in demands.effects)
     dropped |= name in trial.slow and trial.executes(together.setting) != "reference"
     saved_ns = trial.saved_ns(name)
-    then_e = None
-    if alone is not None:
-        then_e = _then_e(name, dropped, measured, together)
+    then_e = None if alone is None else _then_e(name, dropped, measured, together)
     if forced:
         reason = demands.reason
     elif demands.reason == FROM_GIVEN_PLAN:
@@ -215,9 +208,8 @@ def _after_exposure(effect: Effect, trial: Trial, demands: Demands) -> Decision:
     rms_e = code_e / math.sqrt(12.0) if effect.parts_of_kind(Codes) else None
     for converter in effect.parts_of_kind(Converter):
         rms_e = converter.sigma_lsb(trial.sensor) * code_e
-    return Decision(
-        effect.name, effect.kind, "kept" if on else "dropped", forced, reason, rms_e, 0.0, None, 0.0
-    )
+    choice: Choice = "kept" if on else "dropped"
+    return Decision(effect.name, effect.kind, choice, forced, reason, rms_e, 0.0)
 
 
 def _cost(trial: Trial, setting: Setting, planning_ms: float) -> Cost:

@@ -20,6 +20,7 @@ from nscc_runtime.planning.plan_parts import (
     LATER,
     MOST_OTHER_STATES,
     Approximation,
+    Choice,
     Cost,
     Decision,
     Loop,
@@ -107,8 +108,21 @@ class Plan:
     cost: Cost | None = field(default=None, metadata=LATER)
     reused: bool = field(default=False, metadata=LATER)
 
+    def names(self, choice: Choice) -> list[str]:
+        """Return the names of the effects with this decision.
+
+        Parameters
+        ----------
+        choice : {"kept", "dropped", "absent"}
+
+        Returns
+        -------
+        list of str
+        """
+        return [decision.name for decision in self.decisions if decision.decision == choice]
+
     def __repr__(self) -> str:
-        kept_names = [decision.name for decision in self.decisions if decision.decision == "kept"]
+        kept_names = self.names("kept")
         error = "no error measured"
         if self.predicted_e is not None and self.tolerance_e is not None:
             error = f"{self.predicted_e:.3g} e of {self.tolerance_e:.4g} e"
@@ -127,10 +141,7 @@ class Plan:
     @property
     def line(self) -> str:
         """The plan in one line: the effects that are simulated, and the predicted error."""
-        kept_names, dropped_names = (
-            [decision.name for decision in self.decisions if decision.decision == choice]
-            for choice in ("kept", "dropped")
-        )
+        kept_names, dropped_names = self.names("kept"), self.names("dropped")
         if not dropped_names:
             return f"every effect simulated: {len(kept_names)} that this run can have"
         error = "no error measured"
@@ -199,26 +210,19 @@ class Plan:
     @cached_property
     def kept(self) -> Selection:
         """The effects that are simulated."""
-        on = {decision.name for decision in self.decisions if decision.decision == "kept"}
-        forced = {decision.name for decision in self.decisions if decision.forced}
-        return Selection(always_on() | on, frozenset(forced))
+        forced = frozenset(decision.name for decision in self.decisions if decision.forced)
+        return Selection(always_on().union(self.names("kept")), forced)
 
     @cached_property
     def requested_effects(self) -> Selection:
         """All effects except those that the user forced off."""
-        off = {
-            decision.name
-            for decision in self.decisions
-            if decision.forced and decision.decision == "dropped"
-        }
-        kept_effects = self.kept
-        return Selection(frozenset(e.name for e in registered()) - off, kept_effects.forced)
+        forced = self.kept.forced
+        return Selection(everything().on - forced.intersection(self.names("dropped")), forced)
 
     @cached_property
     def drops_saturation(self) -> bool:
         """Whether an effect that saturates is dropped."""
-        names = everything().names(Saturates)
-        return any(e.decision == "dropped" and e.name in names for e in self.decisions)
+        return not everything().names(Saturates).isdisjoint(self.names("dropped"))
 
     @cached_property
     def execution(self) -> Execution:
@@ -287,8 +291,7 @@ class Plan:
             follows_unit = plan.tolerance.endswith(unit) or plan.tolerance_max.endswith(unit)
             if follows_unit != (part_of_e is not None):
                 raise ValueError(f"{name} is {part_of_e}")
-        kept_names = {decision.name for decision in plan.decisions if decision.decision == "kept"}
-        if not kept_names.isdisjoint(plan.saturating_lack):
+        if not {*plan.names("kept")}.isdisjoint(plan.saturating_lack):
             raise ValueError(f"saturating_lack is {', '.join(plan.saturating_lack)[:60]}")
         return plan
 
@@ -348,10 +351,9 @@ def _errors(plan: Plan) -> list[str]:
 def approximation_lines(plan: Plan) -> list[str]:
     """Return a line for each approximation of the plan, with its error if measured."""
     return [
-        f"approximation: {name}" + ("" if error_e is None else f": {error_e:.2g} e")
-        for name, error_e in (
-            (approximation.name, approximation.error_e) for approximation in plan.approximations
-        )
+        f"approximation: {approximation.name}"
+        + ("" if approximation.error_e is None else f": {approximation.error_e:.2g} e")
+        for approximation in plan.approximations
     ]
 
 
@@ -369,8 +371,7 @@ def _of_this_version(decisions: tuple[Decision, ...]) -> tuple[Decision, ...]:
         raise ValueError("its effects are not those of this version")
     reason = "the plan's file does not know it"
     return tuple(
-        named.get((name, kind))
-        or Decision(name, kind, "kept", False, reason, None, None, None, 0.0)
+        named.get((name, kind)) or Decision(name, kind, "kept", False, reason)
         for name, kind in known
     )
 

@@ -33,10 +33,10 @@ class Decision:
     decision: Choice
     forced: bool
     reason: str
-    predicted_rms_e: float | None
-    predicted_bias_e: float | None
-    predicted_if_dropped_e: float | None
-    cost_ms_model: float
+    predicted_rms_e: float | None = None
+    predicted_bias_e: float | None = None
+    predicted_if_dropped_e: float | None = None
+    cost_ms_model: float = 0.0
     other_states: float | None = None
 
 

@@ -52,10 +52,8 @@ class WordTrial(SummedTrial):
     def together(self, setting: Setting) -> ExposureErrors:
         """Return the error of a setting, relative to words with every effect."""
         full_execution = Execution("words", self._fast_effects, self._fast_effects, everything())
-        exposed, truth = (
-            self.exposures.expose(execution, 0)
-            for execution in (self.execution(setting), full_execution)
-        )
+        exposed = self.exposures.expose(self.execution(setting), 0)
+        truth = self.exposures.expose(full_execution, 0)
         return ExposureErrors.of(exposed + self._lacked_e, truth)
 
     def moves(self, free: Names) -> Sequence[Move]:

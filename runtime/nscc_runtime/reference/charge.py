@@ -129,10 +129,6 @@ class _Slots(Slots):
             total = shares.sum(axis=0)
             counts, is_valid = poisson(key(*named, group), self.places, total)
             self.valid &= is_valid
-            counted += thin(
-                key(self.seed, stream, THINNED + source, self.frame, group),
-                self.places,
-                counts,
-                shares.T,
-            ).T
+            split_key = key(self.seed, stream, THINNED + source, self.frame, group)
+            counted += thin(split_key, self.places, counts, shares.T).T
         return counted.reshape(shape)

@@ -26,7 +26,7 @@ from nscc_runtime.effects.views import Scene
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.interface import Executed
 from nscc_runtime.light import Light
-from nscc_runtime.noise import key, normals, uniforms
+from nscc_runtime.noise import key, uniforms
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.digital import Digital
@@ -211,6 +211,7 @@ def executed(
 class _LookingPixels(WordPixels):
     """Some pixels that look, during one frame; `pace` is the result of `Intervals.paced`."""
 
+    word_draws = WORD_DRAWS
     program: LookingReference
     code: Mapping[str, Bits]
     pace: Values
@@ -224,10 +225,6 @@ class _LookingPixels(WordPixels):
         self.digital = Digital(
             self.target, {**bits, **self.code}, retention_us(self.effects, self.sensor)
         )
-
-    def draw(self, name: str, number: int) -> Values:
-        effect = next(candidate for candidate in self.effects.effects if candidate.name == name)
-        return normals(key(self.seed, effect.stream, WORD_DRAWS, self.frame, number), self.places)
 
     def run(self, charge: Values) -> Marked:
         """Return exposures and saturation marks for `charge` (intervals, pixels) in electrons."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import groupby
 from math import exp
 from typing import Generic, Literal, TypeVar
@@ -111,7 +112,7 @@ class Backward:
         total = np.zeros(self.slots.shape[1:])
         return sum((weight**2 for weight in weights.values()), total)  # type: ignore[attr-defined]
 
-    @property
+    @cached_property
     def error_sum(self) -> Weights:
         """Sum (lanes, buckets) of the weights of all words: the effect of an error 1 in each."""
         return sum(self.errors.values(), np.zeros(self.slots.shape[1:]))

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,11 +14,12 @@ from nscc.operations import OPERATIONS, Op, WordEffect
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Errors
+from nscc_runtime.effects.registry import by_name
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Word
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
-from nscc_runtime.noise import key, uniforms
+from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.charge import Fallen
 from nscc_runtime.reference.trace import RunningWord
@@ -220,8 +221,10 @@ def converted_frames(
 
 @dataclass(eq=False, kw_only=True)
 class WordPixels(Pixels):
-    """The contents of some pixels while the words of one frame run. All arrays are (pixels,)."""
+    """The contents of some pixels while the words of one frame run. All arrays are (pixels,).
+    `word_draws`: the source number, in random keys, of draws for single words."""
 
+    word_draws: ClassVar[int] = 0
     container: Container
     effects: Selection
 
@@ -247,9 +250,10 @@ class WordPixels(Pixels):
         """Return uniform numbers (pixels,) of the chip for the initial values of a register."""
         return uniforms(key(self.device_seed, START, group=group), self.places)
 
-    @abstractmethod
     def draw(self, name: str, number: int) -> Values:
         """Return the standard normal error (pixels,) of an effect in draw `number` of its words."""
+        stream = by_name()[name].stream
+        return normals(key(self.seed, stream, self.word_draws, self.frame, number), self.places)
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
         number = word.number
@@ -285,12 +289,8 @@ class WordPixels(Pixels):
                     level = read(self, level, word)
                 total += level
             else:
-                total += self.source(name)
+                total += self.register[name]
         return total
-
-    def source(self, name: str) -> Values:
-        """Return the value in electrons that a word reads from an analog register."""
-        return self.register[name]
 
     def bus(self, word: RunningWord, acting: Bits) -> None:
         """Write -(sum of a word's sources) / divisor to its destinations where `acting`."""

@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 
 import numpy as np
 from numpy.typing import NDArray
@@ -165,35 +165,33 @@ def load_builtin(
     return Light.of_still(frame, seconds * factor, factor)
 
 
+def _number(text: str, within: Callable[[float], bool], message: str, *help_texts: str) -> float:
+    """Return the argument of a scene as a number. Raises Rejected (NS0731) unless it is `within`
+    its limits. `help_texts`: a note, and an example."""
+    with suppress(ValueError):
+        if within(float(text)):
+            return float(text)
+    note, example = help_texts
+    raise rejected("NS0731", message, notes=(note,), helps=(f"for instance {example}",))
+
+
 def _clip_share(spec: str, text: str) -> float:
-    try:
-        share = float(text)
-    except ValueError:
-        share = math.nan
-    if 0.0 <= share <= 1.0:
-        return share
-    raise rejected(
-        "NS0731",
+    return _number(
+        text,
+        lambda share: 0.0 <= share <= 1.0,
         f"'{text[:60]}' in '{spec[:80]}' is not a fraction from 0 to 1",
-        notes=(
-            "builtin:motion:PART shows this fraction of the clip, from its middle, in slow motion",
-        ),
-        helps=("for instance builtin:motion:0.2",),
+        "builtin:motion:PART shows this fraction of the clip, from its middle, in slow motion",
+        "builtin:motion:0.2",
     )
 
 
 def _electrons(spec: str, text: str) -> float:
-    try:
-        electrons = float(text)
-    except ValueError:
-        electrons = math.nan
-    if 0.0 <= electrons < 1e38:
-        return electrons
-    raise rejected(
-        "NS0731",
+    return _number(
+        text,
+        lambda electrons: 0.0 <= electrons < 1e38,
         f"invalid number of electrons '{text[:60]}' in '{spec[:80]}'",
-        notes=("builtin:flat:E gives every pixel E electrons over the whole frame, 0 or more",),
-        helps=("for instance builtin:flat:10000",),
+        "builtin:flat:E gives every pixel E electrons over the whole frame, 0 or more",
+        "builtin:flat:10000",
     )
 
 

@@ -59,11 +59,6 @@ def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
         return {str(name): tuple(shape) for name, shape, _ in whosmat(file)}
 
 
-def mat_names(path: Path) -> list[str]:
-    """Return the names of the variables in a .mat file of any version."""
-    return [*mat_shapes(path)]
-
-
 def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
     """Read an array by name, with axes in MATLAB's order. Raises ValueError if it is not an array,
     and InvalidArrays if it needs more than `most_bytes`."""
@@ -332,7 +327,7 @@ def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
     stored). `light` has precedence. Raises Rejected like `read_light`."""
     keys = (KEY, MAT_CLIP_KEY)
     try:
-        names = mat_names(path)
+        names = [*mat_shapes(path)]
         key = next((k for k in keys if k in names), None)
         if key is None:
             raise missing_key(path, names, keys)

@@ -65,17 +65,11 @@ def _counting_part(split_names: Sequence[list[str]]) -> int | None:
     """Return which part of the split names counts; None if not exactly one number differs."""
     if len(split_names) < 2 or len({len(split_name) for split_name in split_names}) != 1:
         return None
-    varying = [
-        k
-        for k in range(len(split_names[0]))
-        if len({split_name[k] for split_name in split_names}) > 1
-    ]
+    varying = [k for k, texts in enumerate(zip(*split_names, strict=True)) if len({*texts}) > 1]
     numbers = len(varying) == 1 and varying[0] % 2 == 1
-    return (
-        varying[0]
-        if numbers and max(len(p[varying[0]]) for p in split_names) <= _MOST_DIGITS
-        else None
-    )
+    if numbers and max(len(p[varying[0]]) for p in split_names) <= _MOST_DIGITS:
+        return varying[0]
+    return None
 
 
 def _counts(name: str, like: list[str], place: int) -> bool:

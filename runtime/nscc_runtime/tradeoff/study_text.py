@@ -73,11 +73,9 @@ def _methods_text(study: Study) -> str:
 def _setting(measured_plan: MeasuredPlan) -> str:
     """Return the setting, with its electrons if it has another unit."""
     plain = measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
-    return (
-        measured_plan.setting
-        if plain
-        else f"{measured_plan.setting}, {measured_plan.tolerance_e:.3g}e"
-    )
+    if plain:
+        return measured_plan.setting
+    return f"{measured_plan.setting}, {measured_plan.tolerance_e:.3g}e"
 
 
 def _remark(point: Point, measured_plan: MeasuredPlan | None, beaten: bool) -> str:
