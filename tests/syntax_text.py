@@ -73,7 +73,7 @@ def statement(text: str) -> Any:
 def bare(value: Any) -> Any:
     """A node as nested tuples without its places."""
     if isinstance(value, t.Node):
-        return (type(value).__name__, *(bare(getattr(value, f)) for f in value.fields[1:]))
+        return (type(value).__name__, *(bare(getattr(value, f)) for f in value.field_names[1:]))
     if isinstance(value, tuple):
         return tuple(map(bare, value))
     return value
@@ -85,7 +85,7 @@ def nodes(value: Any) -> list[t.Node]:
         return [node for item in value for node in nodes(item)]
     if not isinstance(value, t.Node):
         return []
-    return [value, *(node for f in value.fields[1:] for node in nodes(getattr(value, f)))]
+    return [value, *(node for f in value.field_names[1:] for node in nodes(getattr(value, f)))]
 
 
 def expression_text(node: Any, loosest: int = 0) -> str:
