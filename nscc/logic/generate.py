@@ -233,7 +233,7 @@ def _checked_solutions(
     built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):
-            fault_text = None if built_in else _solution_fault(problem, machine, solution)
+            fault_text = None if built_in else solution_fault(problem, machine, solution)
             if fault_text is not None:
                 raise unusable(
                     _GROUP, name, f"its solution does not meet its demands: {fault_text}"
@@ -243,8 +243,8 @@ def _checked_solutions(
         return
 
 
-def _solution_fault(problem: Problem, machine: Machine, solution: object) -> str | None:
-    """Return why a solution of an added generator is invalid; None if it is valid."""
+def solution_fault(problem: Problem, machine: Machine, solution: object) -> str | None:
+    """Return why a solution that nscc did not make is invalid; None if it is valid."""
     if not isinstance(solution, Solution):
         return f"it is not a Solution, but {type(solution).__name__}"
     hash(solution)  # raises an exception if a part is not hashable: solutions are used as keys
