@@ -25,9 +25,6 @@ from nscc.program.problems import clipped, counted
 from nscc.program.program import grouped
 from nscc.words.container import DecodeTable
 
-_DENSE = 2**20
-"""Largest value range that is counted in a table; wider ranges are sorted."""
-
 
 def codes_in_use(
     planes: Sequence[Plane], shape: tuple[int, int]
@@ -47,15 +44,8 @@ def codes_in_use(
 
 def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
     """Return the distinct values of `plane`, ascending, and the index of each pixel's value."""
-    low = int(plane.min())
-    span = int(plane.max()) - low + 1
-    if span > _DENSE:
-        values, ranks = np.unique(plane, return_inverse=True)
-        return values, ranks.reshape(plane.shape).astype(np.int64)
-    offsets = plane - low
-    present = np.zeros(span, dtype=bool)
-    present[offsets] = True
-    return np.flatnonzero(present) + low, (np.cumsum(present) - 1)[offsets]
+    values, ranks = np.unique(plane, return_inverse=True)
+    return values, ranks.reshape(plane.shape).astype(np.int64)
 
 
 Ranges = Mapping[str, tuple[int, int]]

@@ -246,20 +246,7 @@ def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) 
 
 def distinct_rows(packed: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.int32]]:
     """Return the distinct rows in bit order, and the index of every row among them."""
-    width = packed.shape[1]
-    if width <= 8:
-        wide = np.zeros((len(packed), 8), dtype=np.uint8)
-        wide[:, :width] = packed
-        keys = wide.view(">u8")[:, 0].astype(np.uint64)
-        distinct, inverse = np.unique(keys, return_inverse=True)
-        rows = distinct.astype(">u8").view(np.uint8).reshape(-1, 8)[:, :width]
-        return np.ascontiguousarray(rows), inverse.astype(np.int32)
     # Rows as opaque bytes compare from their first byte on.
-    keys = np.ascontiguousarray(packed).view(f"V{width}")[:, 0]
-    order = np.argsort(keys, kind="stable")
-    ranked = packed[order]
-    new = np.ones(len(packed), dtype=bool)
-    new[1:] = (ranked[1:] != ranked[:-1]).any(axis=1)
-    ranks = np.empty(len(packed), dtype=np.int32)
-    ranks[order] = np.cumsum(new, dtype=np.int32) - 1
-    return ranked[new], ranks
+    keys = np.ascontiguousarray(packed).view(f"V{packed.shape[1]}")[:, 0]
+    _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
+    return packed[first], inverse.astype(np.int32)
