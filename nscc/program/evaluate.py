@@ -24,7 +24,6 @@ from nscc.program.arithmetic import (
     either,
     faults_where,
     guard,
-    scalar,
 )
 from nscc.program.expressions import Checked, operands
 from nscc.program.problems import clipped
@@ -47,7 +46,7 @@ def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
         stack.append(_value(node, arguments, expr.constants, bindings, books))
     (result,) = stack
     if isinstance(result.faults, np.ndarray) and not result.faults.any():
-        result = Value(result.data, result.low, result.high)
+        result = Value(result.data)
     return result
 
 
@@ -57,7 +56,7 @@ def fault_at(
     """Return the fault of `expr` at one place of the broadcast `shape`, with the values at that
     place."""
     values_at_place = {
-        name: scalar(int(np.broadcast_to(value.data, shape)[place]))
+        name: Value(int(np.broadcast_to(value.data, shape)[place]))
         for name, value in bindings.items()
     }
     fault = evaluate(expr, values_at_place, books).faults
@@ -81,32 +80,32 @@ def _value(
 ) -> Value:
     match node:
         case tree.Int():
-            return scalar(node.value)
+            return Value(node.value)
         case tree.Bool():
-            return Value(node.value, 0, 1)
+            return Value(node.value)
         case tree.Name():
             known = constants.get(node.text)
-            return bindings[node.text] if known is None else scalar(known)
+            return bindings[node.text] if known is None else Value(known)
         case tree.Unary(op="not"):
-            return Value(arguments[0].data ^ True, 0, 1, arguments[0].faults)
+            return Value(arguments[0].data ^ True, arguments[0].faults)
         case tree.Unary():
             (a,) = arguments
-            return Value(-a.data, -a.high, -a.low, a.faults)
+            return Value(-a.data, a.faults)
         case tree.Binary(op="and"):
             return _junction(arguments[0], arguments[1], True)
         case tree.Binary(op="or"):
             return _junction(arguments[0], arguments[1], False)
         case tree.Binary(op="xor"):
             a, b = arguments
-            return Value(a.data ^ b.data, 0, 1, either(a.faults, b.faults))
+            return Value(a.data ^ b.data, either(a.faults, b.faults))
         case tree.Binary():
             return ARITHMETIC[node.op](node, *arguments)
         case tree.Compare():
             links = [
-                Value(_COMPARE[op](a.data, b.data), 0, 1, b.faults)
+                Value(_COMPARE[op](a.data, b.data), b.faults)
                 for op, (a, b) in zip(node.ops, pairwise(arguments), strict=True)
             ]
-            result = Value(links[0].data, 0, 1, either(arguments[0].faults, links[0].faults))
+            result = Value(links[0].data, either(arguments[0].faults, links[0].faults))
             for link in links[1:]:
                 result = _junction(result, link, True)
             return result
@@ -124,8 +123,7 @@ def _value(
             for b in arguments[1:]:
                 plain = isinstance(result.data, int) and isinstance(b.data, int)
                 data = (pick if plain else of_arrays)(result.data, b.data)
-                low, high = pick(result.low, b.low), pick(result.high, b.high)
-                result = Value(data, low, high, either(result.faults, b.faults))
+                result = Value(data, either(result.faults, b.faults))
             return result
         case tree.Place() | tree.Amount():
             raise AssertionError("`check` refuses levels and bits of neighbours")
@@ -141,24 +139,16 @@ def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
         data: Data = np.where(condition.data, then.data, otherwise.data)
     else:
         data = then.data if condition.data else otherwise.data
-    return Value(
-        data,
-        min(then.low, otherwise.low),
-        max(then.high, otherwise.high),
-        either(condition.faults, branches),
-    )
+    return Value(data, either(condition.faults, branches))
 
 
 def _junction(a: Value, b: Value, conjunction: bool) -> Value:
     undecided = a.data if conjunction else a.data ^ True
     data = a.data & b.data if conjunction else a.data | b.data
-    return Value(data, 0, 1, either(a.faults, faults_where(undecided, b.faults)))
+    return Value(data, either(a.faults, faults_where(undecided, b.faults)))
 
 
 def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tuple[Data, Faults]:
-    if index.low >= 0 and index.high < size:
-        return index.data, index.faults
-
     def fault() -> Fault:
         shown = clipped(index.data)
         return Fault(
@@ -174,12 +164,12 @@ def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tupl
 
 
 def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Value:
-    bits = bindings[bit_count(node.base.text)].low
+    bits = bindings[bit_count(node.base.text)].data
     position, faults = _position(node, index, bits, f"{bits} bits")
     if bits <= CHUNK_BITS:
-        return Value((field.data >> position) & 1 != 0, 0, 1, either(field.faults, faults))
+        return Value((field.data >> position) & 1 != 0, either(field.faults, faults))
     chunks = [bindings[chunk_name(node.base.text, k)].data for k in range(-(-bits // CHUNK_BITS))]
-    return Value(_bit_of_chunks(chunks, position), 0, 1, either(field.faults, faults))
+    return Value(_bit_of_chunks(chunks, position), either(field.faults, faults))
 
 
 def _bit_of_chunks(chunks: list[Data], position: Data) -> Data:
@@ -205,14 +195,14 @@ def _digit(node: tree.Index, index: Value, book: NDArray[np.bool_], slot: Value)
     row, faults = _position(node, index, book.shape[0], f"{book.shape[0]} rows")
     n = slot.data
     if isinstance(row, int) and isinstance(n, int):
-        return Value(bool(book[row, n]), 0, 1, faults)
+        return Value(bool(book[row, n]), faults)
     if isinstance(n, np.ndarray) and n.size == book.shape[1]:
         # All slots at once: take whole rows, which is much faster than single digits.
         if isinstance(row, int):
-            return Value(book[row].reshape(n.shape), 0, 1, faults)
+            return Value(book[row].reshape(n.shape), faults)
         if row.shape[-1] == 1:
-            return Value(book[row[..., 0]], 0, 1, faults)
-    return Value(book[row, n], 0, 1, faults)
+            return Value(book[row[..., 0]], faults)
+    return Value(book[row, n], faults)
 
 
 _COMPARE: dict[str, Callable[[Data, Data], Data]] = {

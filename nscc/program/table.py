@@ -9,7 +9,7 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.arithmetic import Fault, Value, array, scalar
+from nscc.program.arithmetic import Fault, Value
 from nscc.program.evaluate import Books, bit_count, evaluate, fault_at, fault_places
 from nscc.program.expressions import Checked
 from nscc.program.limits import (
@@ -170,7 +170,7 @@ def _decoded(
     """Return whether shutters are open (codes, slots), and the first missing value or None."""
     shape = (len(codes), rules.slots)
     bindings = _bindings(rules, codes)
-    bindings["n"] = array(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))
+    bindings["n"] = Value(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))
     evaluated = evaluate(rule, bindings, rules.books)
     opens = np.broadcast_to(np.asarray(evaluated.data, dtype=bool), shape)
     if evaluated.faults is None:
@@ -190,10 +190,10 @@ def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
     bindings: dict[str, Value] = {}
     for k, field in enumerate(rules.fields):
         column = np.ascontiguousarray(codes[:, k]).reshape(-1, 1)
-        bindings[field.name] = Value(column, field.low, field.high)
+        bindings[field.name] = Value(column)
         if field.bits is not None:
             # The last chunk of a long field has the highest bit.
-            bindings[bit_count(whole_name(field.name))] = scalar(field.first_bit + field.bits)
+            bindings[bit_count(whole_name(field.name))] = Value(field.first_bit + field.bits)
     return bindings
 
 
