@@ -227,12 +227,12 @@ def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Enc
     vectors = [plane for plane, _ in planes]
     covers: dict[int, tuple[tuple[Cube, ...], bool]] = {}
     for predicate in dict.fromkeys(predicates):
-        complement = problem.everything & ~predicate
-        direct = cover(predicate, complement, vectors, problem.everything, budget)
+        direct = cover(predicate, vectors, problem.everything, budget)
         covers[predicate] = tuple(direct), False
         if len(direct) > 1:
             # The complement costs one more gate.
-            of_complement = cover(complement, predicate, vectors, problem.everything, budget)
+            complement = problem.everything & ~predicate
+            of_complement = cover(complement, vectors, problem.everything, budget)
             if len(of_complement) + 1 < len(direct):
                 covers[predicate] = tuple(of_complement), True
     cubes, inverted = zip(*(covers[predicate] for predicate in predicates), strict=True)

@@ -17,7 +17,6 @@ compute the predicate later."""
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -179,16 +178,11 @@ def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, in
     """Return the fewest and most analog words, as in ExposurePlan."""
     shutters = len(program.table.shutters)
     counts = np.zeros(shutters, dtype=np.int64)
-    # Compared by identity, because there are few tuples of words and comparing them is slow.
-    distinct = {id(s.words): s.words for s in steps}
-    alike = Counter((s.predicate, id(s.words)) for s in steps if s.bucket >= 0)
-    for (predicate, known), times in alike.items():
-        words = distinct[known]
-        buses = times * sum(word.operation.effect is WordEffect.BUS for word in words)
-        if predicate is None:
-            counts += buses
-        else:
-            counts[members(predicate, shutters)] += buses
+    for step in steps:
+        if step.bucket >= 0:
+            buses = sum(word.operation.effect is WordEffect.BUS for word in step.words)
+            chosen = slice(None) if step.predicate is None else members(step.predicate, shutters)
+            counts[chosen] += buses
     used = counts[program.table.shutters.any(axis=(1, 2))]
     return (int(used.min()), int(used.max())) if used.size else (0, 0)
 

@@ -54,8 +54,9 @@ def programs(level: int, lowerings: list[str], most_slots: int) -> Iterator[Prog
         values = {**point.values, "level": level}
         if values["slots"] <= most_slots and values["lowering"] in lowerings:
             store = values.get("chip.store_words") or 0
-            name = f"{point.grid_part} {values['slots']}, {values['lowering']}" + f", {store}" * bool(
-                store
+            name = (
+                f"{point.grid_part} {values['slots']}, {values['lowering']}"
+                + f", {store}" * bool(store)
             )
             yield name, partial(compiled_of, values)
 
