@@ -8,7 +8,6 @@ from operator import attrgetter
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.balance import balance, words_at
-from nscc.logic.improve.enrich import enrich
 from nscc.logic.improve.search import improve
 from nscc.logic.problem import Machine, Problem, Solution
 from nscc.lower.lowered import Lowered
@@ -18,7 +17,6 @@ from nscc.lower.lowered import Lowered
 FIRST_STEPS = {2: 8_000, 3: 60_000}
 # Further steps for each of the best. A hundred thousand steps take about a second.
 MORE_STEPS = {2: 60_000, 3: 2_000_000}
-ENRICH_STEPS = {2: 20_000, 3: 400_000}
 # With kernels kept, the first steps are multiplied by this.
 KERNEL_SHARE = 4
 # The share of the store for gates if segments have separate kernels; the rest is for analog words.
@@ -78,10 +76,9 @@ class Refinery:
         steps = MORE_STEPS[self.level]
         if keep_kernels:
             return self._improve_keeping_kernels(candidate.solution, steps)
-        solution = self._improved(candidate.solution, steps // 2)
-        budget = Budget(ENRICH_STEPS[self.level])
-        richer = enrich(solution, self.problem, self.machine, budget)
-        return self._form(self._improved(richer, steps // 2))
+        # The second search repeats the random numbers of the first, on its result.
+        once = self._improved(candidate.solution, steps // 2)
+        return self._form(self._improved(once, steps // 2))
 
     def _improved(self, solution: Solution, steps: int) -> Solution:
         return improve(solution, self.problem, self.machine, Budget(steps))

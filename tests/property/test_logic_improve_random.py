@@ -10,7 +10,6 @@ from improve_oracle import chip, random_solution, words_of
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.balance import balance
-from nscc.logic.improve.enrich import enrich
 from nscc.logic.improve.search import improve
 from nscc.logic.problem import Machine
 from nscc.lower.schedule import allocate, words
@@ -53,16 +52,6 @@ def test_kernels_are_improved_alike(target, seed, steps, room, times):
     assert words_of(improved, problem, target, seed=1) <= before
     if not room:
         assert len(set(improved.segments())) <= len(set(solution.segments()))
-
-
-@given(chips(), st.integers(0, 2**32), STEPS)
-def test_enriched_solutions_answer_the_same_demands(target, seed, steps):
-    machine = Machine.of(target)
-    problem, solution = random_solution(seed, machine)
-    before = words_of(solution, problem, target)
-    richer = enrich(solution, problem, machine, Budget(steps))
-    assert words_of(richer, problem, target, seed=1) <= before
-    assert richer.planes[: len(solution.planes)] == solution.planes
 
 
 def repeated(problem, solution, times):

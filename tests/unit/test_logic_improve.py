@@ -14,7 +14,6 @@ from nscc.logic.cubes import Budget
 from nscc.logic.generate import GENERATORS
 from nscc.logic.improve.balance import balance
 from nscc.logic.improve.code import flatten
-from nscc.logic.improve.enrich import enrich
 from nscc.logic.improve.kernels import blocks_of
 from nscc.logic.improve.search import improve
 from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
@@ -323,39 +322,6 @@ def test_work_moves_to_slots_that_have_time():
     assert max(sum(map(len, answer)) for answer in limited.answers) == 3
     wrong = replace(solution, planes=(A, B, A))
     assert balance(wrong, problem, MACHINE, Budget(3000), [0, 0, 0, 0]) is wrong
-
-
-def test_a_spare_register_holds_what_many_gates_compute():
-    """The same NOR for four demands, each time lost with the scratch: stored, it costs its refresh
-    and is read like any plane."""
-    nor = ALL ^ (A | B)
-    answers = ["t0 = NOR p0 p1; FLAG = WHERE t0"] * 4
-    problem, solution = solved([nor] * 4, answers, flag_lasts=False)
-    found = enrich(solution, problem, MACHINE, Budget(10_000))
-    assert found.planes == (A, B, C, nor)
-    assert len(found.holders) == 4
-    assert words_of(solution, problem, SCAMP) == 8 + REFRESH
-    assert words_of(found, problem, SCAMP) == 4 + REFRESH + 2
-
-
-def test_a_register_is_spared_for_a_plane():
-    """Four registers in use, one of them scratch that the work does not need."""
-    nor = ALL ^ (A | B)
-    answers = ["t0 = NOR p0 p1; t1 = MOV t0; FLAG = WHERE t1"] * 4
-    problem, solution = solved([nor] * 4, answers, flag_lasts=False, scratch=2)
-    small = chip(5)
-    found = enrich(solution, problem, Machine.of(small), Budget(10_000))
-    assert nor in found.planes
-    assert words_of(found, problem, small) == 4 + REFRESH + 2
-
-
-def test_nothing_is_stored_where_it_does_not_pay():
-    answers = ["t0 = NOR p0 p1; FLAG = WHERE t0"]
-    problem, solution = solved([ALL ^ (A | B)], answers)
-    assert enrich(solution, problem, MACHINE, Budget(10_000)) is solution
-    full = chip(4)
-    problem, solution = solved([ALL ^ (A | B)] * 4, answers * 4, flag_lasts=False)
-    assert enrich(solution, problem, Machine.of(full), Budget(10_000)) is solution
 
 
 def test_gates_and_analog_words_apart():

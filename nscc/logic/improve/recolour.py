@@ -34,15 +34,14 @@ class _Value:
     sources: tuple[int, ...] = ()
 
 
-def recoloured(frame: FrameContext, items: Sequence[Item], without: int = 0) -> list[Item] | None:
+def recoloured(frame: FrameContext, items: Sequence[Item]) -> list[Item] | None:
     """Return the same operations with other registers; None if there are too few registers.
 
-    Every result must be read. The registers `without` (a bit mask) are not used."""
+    Every result must be read."""
     values, written = _values(frame, items)
     masks = [value for value in values if value.masks]
     ends = [value.last for value in masks]
     for value in values:
-        value.banned |= without
         following = bisect_right(ends, value.first)
         in_the_way = following < len(masks) and masks[following].first < value.last
         if frame.mask is not None and in_the_way and not value.masks:
