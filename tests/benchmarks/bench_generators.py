@@ -32,7 +32,6 @@ from nscc_training.sweep.point_programs import compiled_of
 ROOT = Path(__file__).parents[2]
 IMPROVERS: dict[str, tuple[str, Callable[..., Any]]] = {
     "balance": ("nscc.lower.refinery.balance", lambda solution, *_: solution),
-    "kernels": ("nscc.logic.improve.search.improve_kernels", lambda _frame, items, *_: items),
     "recolour": ("nscc.logic.improve.search.recoloured", lambda *_: None),
     "shrink": ("nscc.logic.improve.search.shrink", lambda *_: None),
     "wander": ("nscc.logic.improve.search.wander", lambda *_: 0),

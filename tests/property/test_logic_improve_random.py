@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from hypothesis import given
 from hypothesis import strategies as st
 from improve_oracle import chip, random_solution, words_of
@@ -38,37 +36,6 @@ def test_improved_gates_do_the_same(target, seed, steps):
     improved = improve(solution, problem, machine, Budget(steps))
     assert words_of(improved, problem, target, seed=1) <= before
     assert improved.planes == solution.planes
-
-
-@given(chips(), st.integers(0, 2**32), STEPS, st.sampled_from([0, 20, 100]), st.integers(1, 4))
-def test_kernels_are_improved_alike(target, seed, steps, room, times):
-    """Gates whose answers come `times` times over; without room no new kernels come about."""
-    machine = Machine.of(target)
-    problem, solution = repeated(*random_solution(seed, machine), times)
-    before = words_of(solution, problem, target)
-    improved = improve(
-        solution, problem, machine, Budget(steps), keep_kernels=True, room=room
-    )  # fmt: skip
-    assert words_of(improved, problem, target, seed=1) <= before
-    if not room:
-        assert len(set(improved.segments())) <= len(set(solution.segments()))
-
-
-def repeated(problem, solution, times):
-    """A frame that answers the same demands over and over, each time from the opening on."""
-    if solution.state_in_flag:
-        return problem, solution
-    last = problem.demands[-1].boundary + 1
-    demands, answers = [], []
-    for i in range(times):
-        for k, (demand, answer) in enumerate(
-            zip(problem.demands, solution.answers, strict=True)
-        ):  # fmt: skip
-            demands.append(replace(demand, boundary=demand.boundary + i * last))
-            again = (*solution.closing, *solution.opening) if i and not k else ()
-            answers.append((*again, *answer))
-    problem = replace(problem, demands=tuple(demands))
-    return problem, replace(solution, answers=tuple(answers))
 
 
 @given(chips(), st.integers(0, 2**32), st.sampled_from([0, 300, 4000]), st.integers(0, 6))

@@ -13,8 +13,6 @@ from lowering_oracle import program_from
 from nscc.logic.cubes import Budget
 from nscc.logic.generate import GENERATORS
 from nscc.logic.improve.balance import balance
-from nscc.logic.improve.code import flatten
-from nscc.logic.improve.kernels import blocks_of
 from nscc.logic.improve.search import improve
 from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
 from nscc.logic.replay import fault
@@ -56,11 +54,11 @@ def solved(predicates, answers, *, closing="", states=0, scratch=1, planes=(A, B
     return problem, Solution("by hand", planes, names, states, scratch, (), parts, end)
 
 
-def improved(problem, solution, target=SCAMP, steps=3000, **options):
+def improved(problem, solution, target=SCAMP, steps=3000):
     """The improved solution and its words, checked; the words include refresh."""
     machine = Machine.of(target)
     before = words_of(solution, problem, target)
-    found = improve(solution, problem, machine, Budget(steps), **options)
+    found = improve(solution, problem, machine, Budget(steps))
     after = words_of(found, problem, target, seed=3)
     assert after <= before
     return found, after
@@ -240,19 +238,6 @@ def test_state_in_flag_keeps_t0_for_the_analog_words():
     assert words <= 4 + REFRESH
 
 
-def test_equal_segments_stay_equal():
-    answers = [
-        "t0 = NOR p0 p1; t0 = NOT t0; t0 = NOT t0; FLAG = WHERE t0",
-        "p2 = NOT p2 | FLAG = WHERE p2",
-        "t0 = NOR p0 p1; t0 = NOT t0; t0 = NOT t0; FLAG = WHERE t0",
-    ]
-    nor = ALL ^ (A | B)
-    problem, solution = solved([nor, ALL ^ C, nor], answers, closing="p2 = NOT p2")
-    found, words = improved(problem, solution, keep_kernels=True)
-    assert found.answers[0] == found.answers[2]
-    assert words == 2 + 3 + 2 + 2 + 4
-
-
 def test_what_is_wrong_from_the_start_is_left_alone():
     problem, solution = solved([A], ["FLAG = WHERE p1"])
     assert improve(solution, problem, MACHINE, Budget(1000)) is solution
@@ -279,11 +264,10 @@ TABLES = {
 }
 
 
-@pytest.mark.parametrize("keep_kernels", [False, True])
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
 @pytest.mark.parametrize("table", TABLES)
-def test_what_generators_make(table, lowering, keep_kernels):
-    """All generators' gates still answer; those of free rewriting gain in every table."""
+def test_what_generators_make(table, lowering):
+    """All generators' gates still answer, and rewriting gains in every table."""
     program = program_from(TABLES[table])
     plan = plan_exposure(program, lowering, levels(program))
     time = timeline(program.frame.slot_us, 1, program.target)
@@ -298,10 +282,10 @@ def test_what_generators_make(table, lowering, keep_kernels):
             (solution,) = generator.solve(asked, MACHINE, 100_000)
         except GaveUp:
             continue
-        _, words = improved(asked, solution, steps=6000, keep_kernels=keep_kernels)
+        _, words = improved(asked, solution, steps=6000)
         gains.append(words_of(solution, asked, SCAMP) - words)
     assert gains
-    assert keep_kernels or max(gains) > 5
+    assert max(gains) > 5
 
 
 def test_work_moves_to_slots_that_have_time():
@@ -330,31 +314,6 @@ def test_gates_and_analog_words_apart():
     assert parted.answers == ((*solution.answers[0], ()), ())
     assert [s for s in parted.segments() if s] == [s for s in solution.segments() if s]
     assert problem.demands
-
-
-def test_a_sequence_that_comes_again_is_rewritten_as_one():
-    """p2 is turned at every demand, in place: two words. Over two demands it can wander and come
-    home, one word each; the pair of demands is stored once and comes six times."""
-    turned = "p2 = NOT p2 | FLAG = WHERE p2"
-    problem, solution = solved([ALL ^ C, C] * 6, [turned] * 12, flag_lasts=True)
-    problem = replace(problem, demands=tuple(replace(d, flag_kept=False) for d in problem.demands))
-    assert words_of(solution, problem, SCAMP) == 36 + 4
-    alone, words = improved(problem, solution, keep_kernels=True)
-    assert words == 36 + 4
-    assert len(set(alone.segments())) == 2
-    found, words = improved(problem, solution, keep_kernels=True, room=12)
-    assert words <= 24 + REFRESH
-    assert sum(map(len, set(found.segments()))) <= 12
-
-
-def test_sequences_stay_within_their_room():
-    turned = "p2 = NOT p2 | FLAG = WHERE p2"
-    problem, solution = solved([ALL ^ C, C] * 6, [turned] * 12)
-    frame, items = flatten(solution, problem, MACHINE)
-    assert [len(block) for block in blocks_of(frame, items, 0)] == [12, 12]
-    (block,) = blocks_of(frame, items, 3)
-    assert len(block) == 12
-    assert [token.end - token.start for token in block[0]] == [1, 1, 1]
 
 
 def test_an_improvement_that_raises_is_left_out_and_named(monkeypatch):

@@ -68,10 +68,9 @@ def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], l
         holds[item.destination] = len(values)
         written.append(len(values))
         values.append(_Value(k, k, sources=sources))
-    for register in set_bits(frame.unscathed):
+    for register in range(frame.planes):
         values[holds[register]].last = len(items)
-        if register != frame.flag:
-            values[holds[register]].home = register
+        values[holds[register]].home = register
     lossy = [
         (k, forgets)
         for k, item in enumerate(items)
@@ -147,11 +146,10 @@ class _Painter:
             # A value in a plane's home makes that plane go elsewhere first.
             plane = register < self.frame.planes
             in_the_way = plane and register != value.home and value.last > self.homing[register] > k
-            # Sort key: words, including the copy home (impossible in a part of a frame, so away is
-            # more expensive there); then no plane's home blocked; then few changes; then a register
-            # that no plane needs, or only late.
+            # Sort key: words, including the copy home; then no plane's home blocked; then few
+            # changes; then a register that no plane needs, or only late.
             return (
-                in_place + away * (1 if self.frame.ends is None else 2),
+                in_place + away,
                 in_the_way,
                 register != item.destination,
                 -self.homing[register] if self.homing[register] >= 0 else -len(self.items),
@@ -182,8 +180,6 @@ class _Painter:
         astray = {plane: at for plane, at in current_place.items() if plane != at}
         if not astray:
             return out
-        if frame.ends is not None:
-            return None
         import networkx as nx  # slow to import, and most builds do not need it
 
         segment = max(

@@ -23,7 +23,6 @@ from nscc.logic.improve.code import (
     states_before,
     unflatten,
 )
-from nscc.logic.improve.kernels import improve_kernels
 from nscc.logic.improve.recolour import recoloured
 from nscc.logic.improve.rewrite import Rewrite, rewrite, shrink
 from nscc.logic.improve.tracked_run import TrackedRun
@@ -124,43 +123,19 @@ PAIR_SPAN = 8
 WALK_STEPS = 50_000
 # Number of consecutive walks without improvement after which the search ends.
 PATIENCE = 6
-# Steps of a walk over one kernel.
-KERNEL_STEPS = 2_000
 
 
-def improve(
-    solution: Solution,
-    problem: Problem,
-    machine: Machine,
-    budget: Budget,
-    *,
-    keep_kernels: bool = False,
-    room: int = 0,
-) -> Solution:
+def improve(solution: Solution, problem: Problem, machine: Machine, budget: Budget) -> Solution:
     """Return a solution of the same problem with at most as many words per frame.
 
     The encoding is unchanged. The result is deterministic: steps of `budget` are used until nothing
-    is gained. Equal segments may become different. With `keep_kernels` they stay equal: kernels are
-    rewritten in all places, and repeated sequences of kernels together while all distinct segments
-    take at most `room` words."""
+    is gained. Equal segments may become different."""
     frame, items = flatten(solution, problem, machine)
     try:
-        if keep_kernels:
-            # Shorter kernels leave more room, so all are shortened until nothing is gained.
-            words = frame.total(items) + 1
-            while frame.total(items) < words and budget.left > 0:
-                words = frame.total(items)
-                items = improve_kernels(frame, items, budget, _kernel, room)
-        else:
-            items = _exhausted(TrackedRun(frame, items, budget), WALK_STEPS, PATIENCE)
+        items = _exhausted(TrackedRun(frame, items, budget))
     except Illegal:
         return solution
     return settled(frame, items)
-
-
-def _kernel(frame: FrameContext, items: list[Item], budget: Budget) -> list[Item]:
-    """Shorten the items of one kernel by sweeps and a short walk."""
-    return _exhausted(TrackedRun(frame, items, budget), KERNEL_STEPS, patience=1)
 
 
 def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) -> Solution:
@@ -180,19 +155,19 @@ def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) ->
     return candidate if gain > 0 or (as_long and gain == 0) else solution
 
 
-def _exhausted(run: TrackedRun, steps: int, patience: int) -> list[Item]:
-    """Return the items after alternating sweeps and walks of `steps` steps.
+def _exhausted(run: TrackedRun) -> list[Item]:
+    """Return the items after alternating sweeps and walks.
 
-    The search ends with the budget or after `patience` walks without gain."""
+    The search ends with the budget or after PATIENCE walks without gain."""
     try:
         _sweep(run)
         idle = 0
         for seed in count():
-            gained = wander(run, seed, steps)
+            gained = wander(run, seed, WALK_STEPS)
             words = run.words()
             _sweep(run)
             idle = 0 if gained or run.words() < words else idle + 1
-            if idle == patience:
+            if idle == PATIENCE:
                 break
     except GaveUp:
         _recolour(run)
