@@ -8,7 +8,7 @@ Python does not read decimal numbers of thousands of digits."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import astuple, dataclass, field
 from typing import Any
 
@@ -70,36 +70,25 @@ class Results:
         stored one."""
         self.trusted, self.read = False, 0
 
-    def find(self, problem: Problem, machine: Machine, level: int, *context: Any) -> Result:
-        """Look up the solution of a problem; `context` contains everything else that affects the
-        best solution."""
+    def find(
+        self, problem: Problem, machine: Machine, level: int, *context: Any
+    ) -> tuple[str, Solution | None]:
+        """Return the key of a problem's solution, and the solution if it is stored.
+
+        `context` contains everything else that affects the best solution. The key is "" for
+        results that are not cached."""
         version = version_digest() if level >= LEAST_LEVEL else None
         if version is None:
-            return Result()
+            return "", None
         key = digest((version, problem, machine, level, context))
         known = _solution(self.store.read(key), problem, machine) if self.trusted else None
         self.read += known is not None
-        return Result(known, self.store, key)
+        return key, known
 
-
-@dataclass(frozen=True)
-class Result:
-    """The result of a search: the best solution if it is stored, otherwise the key for
-    storing it."""
-
-    known: Solution | None = None
-    store: Store | None = None
-    key: str = ""
-
-    def or_else(self, solutions: Iterable[Solution]) -> Iterable[Solution]:
-        """Return only the known solution; without one, return `solutions`, which are generated
-        lazily."""
-        return solutions if self.known is None else (self.known,)
-
-    def keep(self, best: Solution) -> None:
-        """Store the best solution of a search, unless it came from the store."""
-        if self.store is not None and self.known is None:
-            self.store.write(self.key, to_json(best))
+    def keep(self, key: str, best: Solution) -> None:
+        """Store the best solution of a search under the key that `find` returned."""
+        if key:
+            self.store.write(key, to_json(best))
 
 
 def results_of_user() -> Results | None:
