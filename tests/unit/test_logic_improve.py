@@ -302,8 +302,6 @@ def test_work_moves_to_slots_that_have_time():
     assert max(sum(map(len, answer)) for answer in found.answers) == 2
     busy = balance(solution, problem, MACHINE, Budget(3000), [2, 1, 0, 0])
     assert [sum(map(len, answer)) for answer in busy.answers] == [1, 2, 3]
-    limited = balance(solution, problem, MACHINE, Budget(3000), [0, 0, 0, 0], limit=3)
-    assert max(sum(map(len, answer)) for answer in limited.answers) == 3
     wrong = replace(solution, planes=(A, B, A))
     assert balance(wrong, problem, MACHINE, Budget(3000), [0, 0, 0, 0]) is wrong
 

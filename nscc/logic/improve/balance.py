@@ -19,7 +19,7 @@ from nscc.logic.improve.code import (
     Item,
     flatten,
 )
-from nscc.logic.improve.rewrite import Rewrite, rewrite
+from nscc.logic.improve.rewrite import Rewrite, Rewriter
 from nscc.logic.improve.search import settled
 from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
@@ -34,12 +34,11 @@ def balance(
     machine: Machine,
     budget: Budget,
     other_words: Sequence[int],
-    limit: int = 0,
 ) -> Solution:
     """Move gates to earlier boundaries without adding words to the frame.
 
     `other_words` are the words at each boundary 0..N besides the solution's gates. The words of the
-    largest boundary decrease, but not below `limit`. Returns `solution` if no gate can move."""
+    largest boundary decrease. Returns `solution` if no gate can move."""
     frame, items = flatten(solution, problem, machine)
     try:
         run = TrackedRun(frame, items, budget)
@@ -48,7 +47,7 @@ def balance(
     loads = _Loads(frame, items, other_words)
     with suppress(GaveUp):
         # All gates of the fullest boundaries must move, otherwise the largest stays as large.
-        while (most := max(loads.words)) > limit and all(
+        while (most := max(loads.words)) and all(
             _relieve(run, loads, n, most)
             for n in [n for n, words in enumerate(loads.words) if words >= most]
         ):
@@ -98,7 +97,7 @@ def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
         for start, place, segment in _earlier(run, k, loads, most):
             for target in (item.destination, *run.free(start, {item.destination})):
                 moved = replace(item, destination=target, place=place, segment=segment)
-                rewriting = rewrite(run, start, (moved,), (k,), least=0)
+                rewriting = Rewriter(run, start, least=0).rewrite((moved,), (k,))
                 if rewriting is not None and _take(run, loads, rewriting, boundary, most):
                     return True
     return False

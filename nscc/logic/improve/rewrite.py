@@ -39,7 +39,7 @@ def _drop(run: TrackedRun, *dropped: int) -> bool:
     does."""
     if not all(isinstance(run.items[k], GateOp) for k in dropped):
         return False
-    rewriting = rewrite(run, dropped[0], (), dropped, least=1, deepen=True)
+    rewriting = Rewriter(run, dropped[0], least=1, deepen=True).rewrite((), dropped)
     if rewriting is not None:
         run.splice(rewriting.start, rewriting.end, rewriting.items)
     return rewriting is not None
@@ -55,39 +55,32 @@ class Rewrite:
     gain: int
 
 
-def rewrite(
-    run: TrackedRun,
-    start: int,
-    lead: Sequence[GateOp],
-    dropped: Collection[int],
-    *,
-    least: int,
-    deepen: bool = False,
-    order: Sequence[int] | None = None,
-) -> Rewrite | None:
-    """Insert `lead` before item `start`, drop the items `dropped`, and repair the code after them.
+class Rewriter:
+    """A change of a run from item `start` on, and the repair of the code after it.
 
-    Returns None if this does not save `least` words. With `deepen`, the repair may insert gates.
-    `order` lists the registers by preference as sources."""
-    return _Walk(run, start, least, deepen, order).go(lead, dropped)
+    A rewriting must save `least` words. With `deepen`, the repair may insert gates. `order` lists
+    the registers by preference as sources."""
 
-
-class _Walk:
     def __init__(
-        self, run: TrackedRun, start: int, least: int, deepen: bool, order: Sequence[int] | None
+        self,
+        run: TrackedRun,
+        start: int,
+        *,
+        least: int,
+        deepen: bool = False,
+        order: Sequence[int] | None = None,
     ) -> None:
-        self.run = run
-        self.frame = run.frame
-        self.start = start
-        self.least = least
-        self.deepen = deepen
+        self.run, self.frame, self.start = run, run.frame, start
+        self.least, self.deepen = least, deepen
         self.order = order if order is not None else range(run.frame.flag + 1)
         self.state: list[Content] = list(run.before[start])
         self.changed = 0
         self.gain = 0
         self.out: list[Item] = []
 
-    def go(self, lead: Sequence[GateOp], dropped: Collection[int]) -> Rewrite | None:
+    def rewrite(self, lead: Sequence[GateOp], dropped: Collection[int]) -> Rewrite | None:
+        """Insert `lead` before item `start`, drop the items `dropped`, and repair the code after
+        them; return None if that does not save enough words."""
         run, frame, items = self.run, self.frame, self.run.items
         run.budget.spend(run.step)
         self.gain = sum(frame.words(items[k]) for k in dropped)

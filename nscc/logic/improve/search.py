@@ -24,7 +24,7 @@ from nscc.logic.improve.code import (
     unflatten,
 )
 from nscc.logic.improve.recolour import recoloured
-from nscc.logic.improve.rewrite import Rewrite, rewrite, shrink
+from nscc.logic.improve.rewrite import Rewrite, Rewriter, shrink
 from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -94,7 +94,8 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
         choose.shuffle(dropped)
         dropped = dropped[: choose.randrange(1, 3)]
         start = min([k, *dropped])
-    rewriting = rewrite(run, start, lead, dropped, least=0, deepen=True, order=order)
+    rewriter = Rewriter(run, start, least=0, deepen=True, order=order)
+    rewriting = rewriter.rewrite(lead, dropped)
     if rewriting is None or (
         rewriting.gain == 0 and rewriting.items == run.items[rewriting.start : rewriting.end]
     ):
