@@ -10,11 +10,10 @@ from typing import Literal
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.logic import (
+    bumps,
     encodings,
     events,
-    halved_bumps,
     nested_demands,
-    paired_bumps,
     states,
     windows,
 )
@@ -98,8 +97,8 @@ GENERATORS: dict[str, Generator] = {
     "counted": Generator("family", nested_demands.counted),
     "windows": Generator("family", windows.windows),
     "toggled_windows": Generator("family", windows.toggled_windows),
-    "paired_bumps": Generator("family", paired_bumps.paired_bumps, from_level=1),
-    "halved_bumps": Generator("family", halved_bumps.halved_bumps, from_level=1),
+    "paired_bumps": Generator("family", bumps.paired_bumps, from_level=1),
+    "halved_bumps": Generator("family", bumps.halved_bumps, from_level=1),
     "equalities": Generator("family", events.equalities),
     "gray_times": _emitted("equality", encodings.gray_times),
     "gray_index": _emitted("equality", encodings.gray_index),
