@@ -14,7 +14,6 @@ from nscc.logic import (
     encodings,
     events,
     nested_demands,
-    states,
     windows,
 )
 from nscc.logic.cascade import cascade
@@ -102,8 +101,8 @@ GENERATORS: dict[str, Generator] = {
     "equalities": Generator("family", events.equalities),
     "gray_times": _emitted("equality", encodings.gray_times),
     "gray_index": _emitted("equality", encodings.gray_index),
-    "state_register": _generator_of("equality", states.state_register),
-    "state_in_flag": _generator_of("equality", states.state_in_flag),
+    "state_register": _generator_of("equality", encodings.state_register),
+    "state_in_flag": _generator_of("equality", encodings.state_in_flag),
     "cascade": _generator_of("cascade", cascade),
     "covered_fields": _emitted("cover", encodings.covered_fields),
     "covered_levels": _emitted("cover", encodings.covered_levels),

@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 from operator import attrgetter
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.balance import balance, words_at
-from nscc.logic.improve.search import improve
+from nscc.logic.improve.search import balance, improve, words_at
 from nscc.logic.problem import Machine, Problem, Solution
 from nscc.lower.lowered import Lowered
 

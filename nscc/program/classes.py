@@ -11,8 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.arithmetic import Value
-from nscc.program.evaluate import evaluate
+from nscc.program.evaluate import Value, evaluate
 from nscc.program.expressions import Checked
 from nscc.program.problems import counted
 from nscc.program.table import Rules, distinct_rows

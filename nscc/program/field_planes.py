@@ -13,10 +13,9 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.program.arithmetic import Value
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant, constants_scope, pixels_scope
-from nscc.program.evaluate import evaluate, fault_at, fault_places
+from nscc.program.evaluate import Value, evaluate, fault_at, fault_places
 from nscc.program.expressions import LIMIT, Meaning, check
 from nscc.program.limits import MOST_FIELDS, WORK_LIMIT, work
 from nscc.program.names import Declarations

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from nscc.chips.target import Target
-from nscc.program.arithmetic import Fault, Value
 from nscc.program.constants import at_scope, constant, constants_scope, next_scope
-from nscc.program.evaluate import evaluate
+from nscc.program.evaluate import Fault, Value, evaluate
 from nscc.program.expressions import Checked, Meaning, check
 from nscc.program.names import Declarations, State
 from nscc.program.problems import Problems

@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.program.arithmetic import Fault, Value
-from nscc.program.evaluate import bit_count, evaluate, fault_at, fault_places
+from nscc.program.evaluate import Fault, Value, bit_count, evaluate, fault_at, fault_places
 from nscc.program.expressions import Checked
 from nscc.program.looking import CheckedSense, Looking, can_tell, level_e, level_steps
 from nscc.program.names import LOOKS

@@ -9,8 +9,7 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.arithmetic import Fault, Value
-from nscc.program.evaluate import Books, bit_count, evaluate, fault_at, fault_places
+from nscc.program.evaluate import Books, Fault, Value, bit_count, evaluate, fault_at, fault_places
 from nscc.program.expressions import Checked
 from nscc.program.limits import (
     COMBINATION_LIMIT,

@@ -7,8 +7,7 @@ from hypothesis import strategies as st
 from improve_oracle import chip, random_solution, words_of
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.balance import balance
-from nscc.logic.improve.search import improve
+from nscc.logic.improve.search import balance, improve
 from nscc.logic.problem import Machine
 from nscc.lower.schedule import allocate, words
 

@@ -12,8 +12,7 @@ from lowering_oracle import program_from
 
 from nscc.logic.cubes import Budget
 from nscc.logic.generate import GENERATORS
-from nscc.logic.improve.balance import balance
-from nscc.logic.improve.search import improve
+from nscc.logic.improve.search import balance, improve
 from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
