@@ -15,9 +15,10 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from nscc.syntax.words import parser
+
 from nscc.editing.mentions import DECLARES
 from nscc.program.names import LOOKS, PREDEFINED
-from nscc.syntax.grammar import parser
 from nscc.syntax.words import reserved, statement_words
 
 OUT = Path(__file__).parent / "vscode" / "syntaxes" / "nsl.tmLanguage.json"

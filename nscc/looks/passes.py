@@ -25,6 +25,7 @@ from nscc.lower.exposure_plan import (
     LoweringOption,
     Misfit,
     PlanStep,
+    Timeline,
     frame_time,
 )
 from nscc.lower.lowered import Lowered, assemble
@@ -37,7 +38,6 @@ from nscc.lower.schedule import (
     refreshed_registers,
     words,
 )
-from nscc.lower.timeline import Timeline
 from nscc.operations import Op, op
 from nscc.program.program import Program
 from nscc.words.container import Container

@@ -8,9 +8,8 @@ from nscc.cache.results import Results
 from nscc.logic.generate import GeneratorFault, note_fault, solutions
 from nscc.logic.problem import Machine, Solution
 from nscc.lower.decoding import Decoding, problem_of
-from nscc.lower.exposure_plan import LOWERINGS, ExposurePlan, Lowering, Misfit, Planned
+from nscc.lower.exposure_plan import LOWERINGS, ExposurePlan, Lowering, Misfit, Planned, Timeline
 from nscc.lower.lowered import Lowered, lay_out
-from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
 
 # Number of solutions to improve at each level, the best of each encoding.

@@ -19,7 +19,7 @@ from itertools import chain, groupby
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, Segment, Solution, quietest
 from nscc.lower.decoding import Decoding
-from nscc.lower.timeline import Timeline, fades
+from nscc.lower.exposure_plan import Timeline, fades
 from nscc.operations import Op, WordEffect, op, pair
 from nscc.words.cost import refresh_count, words_us
 

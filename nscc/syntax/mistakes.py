@@ -10,12 +10,13 @@ from fractions import Fraction
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.source import Span
-from nscc.syntax.grammar import END, spellings
 from nscc.syntax.lexer import Stuck, Tokens
 from nscc.syntax.words import (
+    END,
     FORMS,
     expected_words,
     shown,
+    spellings,
     statement_words,
 )
 

@@ -15,8 +15,7 @@ from nscc.logic.improve.search import improve
 from nscc.logic.problem import GaveUp, Machine
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
-from nscc.lower.exposure_plan import levels, plan_exposure
-from nscc.lower.timeline import timeline
+from nscc.lower.exposure_plan import levels, plan_exposure, timeline
 
 CHIPS = st.builds(
     chip,

@@ -19,8 +19,7 @@ from nscc.logic.cube_tables import BumpCubes, number_cubes
 from nscc.logic.digits import cycle
 from nscc.logic.problem import GaveUp, Machine
 from nscc.lower.decoding import problem_of
-from nscc.lower.exposure_plan import levels, plan_exposure
-from nscc.lower.timeline import timeline
+from nscc.lower.exposure_plan import levels, plan_exposure, timeline
 from nscc.prove.proof import prove
 from nscc.words.legality import decoded
 

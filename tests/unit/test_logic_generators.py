@@ -18,8 +18,7 @@ from nscc.logic.generate import GENERATORS, solutions
 from nscc.logic.problem import Gates, GaveUp, Machine
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
-from nscc.lower.exposure_plan import levels, plan_exposure
-from nscc.lower.timeline import timeline
+from nscc.lower.exposure_plan import levels, plan_exposure, timeline
 
 N = np.arange(12)
 TABLES = {

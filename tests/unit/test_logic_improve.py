@@ -16,9 +16,8 @@ from nscc.logic.improve.search import balance, improve
 from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
-from nscc.lower.exposure_plan import levels, plan_exposure
+from nscc.lower.exposure_plan import levels, plan_exposure, timeline
 from nscc.lower.refinery import Refinery, apart
-from nscc.lower.timeline import timeline
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 

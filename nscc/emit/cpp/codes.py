@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.emit.cpp.cpp_text import Call, comment, literal, section, template_lines
 from nscc.emit.cpp.kernels import calls_words
-from nscc.lower.timeline import RETENTION_SHARE
+from nscc.lower.exposure_plan import RETENTION_SHARE
 
 ADDRESS_BITS = 8
 """Number of address bits of a row, and of a column."""
