@@ -17,8 +17,7 @@ from typing import Any
 
 from nscc.editing.mentions import DECLARES
 from nscc.program.names import LOOKS, PREDEFINED
-from nscc.syntax.grammar import parser
-from nscc.syntax.words import reserved, statement_words
+from nscc.syntax.words import parser, reserved, statement_words
 
 OUT = Path(__file__).parent / "vscode" / "syntaxes" / "nsl.tmLanguage.json"
 

@@ -18,7 +18,7 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Options
 from nscc.program.analyse import ranges_of
-from nscc.program.pixel_codes import codes_from_arrays, codes_from_file
+from nscc.program.pixel_codes import codes_from
 from nscc.source import Source
 from nscc.stream.passes import with_planes
 from nscc.syntax.parse import read_source
@@ -57,19 +57,18 @@ def with_pixels(
     own.
 
     Messages call the container `name`. Raises Rejected: NS0741 (status 2) if there are no codes,
-    and the errors of `codes_from_file` and `codes_from_arrays`."""
+    and the errors of `codes_from`."""
     target, fields = container.target, container.table.fields
     if pixels is not None:
-        size = (container.table, target.rows, target.cols)
         program = Path(name)
         source = Source(program.name, "\n".join(container.source_lines))
-        mode, ranges = (
-            container.notes.get("codes", ""), partial(ranges_of, source, target, program.parent)
-        )  # fmt: skip
-        codes = (
-            codes_from_file(pixels, *size, mode=mode, ranges=ranges)
-            if isinstance(pixels, Path)
-            else codes_from_arrays(pixels, *size, mode=mode, ranges=ranges)
+        codes = codes_from(
+            pixels,
+            container.table,
+            target.rows,
+            target.cols,
+            mode=container.notes.get("codes", ""),
+            ranges=partial(ranges_of, source, target, program.parent),
         )
         return _laid(replace(container, pixel_codes=codes))
     if container.pixel_codes is not None:

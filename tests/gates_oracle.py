@@ -9,8 +9,7 @@ import numpy as np
 from lowering_oracle import program_from
 
 from nscc.lower.decoding import problem_of
-from nscc.lower.exposure_plan import levels, plan_exposure
-from nscc.lower.timeline import timeline
+from nscc.lower.exposure_plan import levels, plan_exposure, timeline
 
 
 def book(shutters, slots, seed, density=0.5):

@@ -88,7 +88,7 @@ def _mend(path: Path, options: dict[str, Any]) -> None:
     """Apply all safe fixes to a file repeatedly, because one error may hide another."""
     from nscc.diagnostics.message import mended
     from nscc.files import write_back
-    from nscc.syntax.reading import read_source
+    from nscc.syntax.parse import read_source
 
     count = 0
     for _ in range(_MOST_ROUNDS):

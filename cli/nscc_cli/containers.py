@@ -99,7 +99,7 @@ def prove(file: Path) -> None:
     contains exactly the light of its open slots. For a chip that receives
     bit planes, it follows the light of every pixel through the planes."""
     from nscc.program.problems import counted
-    from nscc.prove.container_proof import prove_file
+    from nscc.prove.shutters import prove_file
 
     container, proof = prove_file(file)
     pixels = f"{counted(proof.pixels, 'pixel')} x " if proof.pixels else ""

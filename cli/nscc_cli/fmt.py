@@ -11,7 +11,7 @@ import click
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.files import write_back
 from nscc.syntax.format import format_source
-from nscc.syntax.reading import MOST_BYTES, read_source, source_of
+from nscc.syntax.parse import MOST_BYTES, read_source, source_of
 from nscc_cli.options import PATH
 from nscc_cli.support import CommonCommand, say_done
 

@@ -20,9 +20,8 @@ from pygls.lsp.server import LanguageServer
 from nscc import __version__
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.editing.complete import Listing, Text, complete, complete_listing
-from nscc.editing.costs import hints
 from nscc.editing.document import Document, all_mended, fixes_at, outline
-from nscc.editing.hover import hover
+from nscc.editing.hover import hints, hover
 from nscc.editing.mentions import CannotRename, alike, declaration, mention_at, renameable, renamed
 from nscc.source import Span
 from nscc.syntax.format import format_source

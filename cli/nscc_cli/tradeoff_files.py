@@ -9,10 +9,10 @@ from typing import Any
 
 from nscc import __version__
 from nscc.cache.digest import content, digest, package_digest
+from nscc.experiment_store import Rows
 from nscc.files import refuse_inputs, refuse_same, write_together
 from nscc.requirements import installed_version
 from nscc.tradeoff.points import csv_text
-from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import processor_name
 from nscc_cli.support import say_done
 

@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING
 from pygments import lex
 from pygments.token import Comment, Keyword, Number
 
-from nscc.editing.costs import hints
 from nscc.editing.document import Document
-from nscc.editing.hover import hover
+from nscc.editing.hover import hints, hover
 from nscc_runtime.pictures.sheet import WIDTH, look, png_of
 from nscc_site.lexer import NslLexer
 

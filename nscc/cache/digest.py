@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from nscc.files import file_sha256
 from nscc.plugins import sources
 
 
@@ -34,11 +35,7 @@ def content(path: Path) -> str:
 @cache
 def _content(path: Path, _size: int, _mtime_ns: int) -> str:
     """Return the digest of a file; memoized by path, size and modification time."""
-    with open(path, "rb") as file:
-        running = sha256()
-        while block := file.read(1 << 20):
-            running.update(block)
-    return running.hexdigest()
+    return file_sha256(path)
 
 
 _ROOT = Path(__file__).resolve().parents[1]

@@ -3,95 +3,51 @@
 The key covers the whole problem (demands, plan, times, target, level) and the compiler with its
 added generators (`nscc.cache.digest.version_digest`). A change of any of them changes the key.
 
-Frozen dataclasses are stored as JSON with strict types: a dataclass as the list of its field
-values, a tuple as a list, a large integer as a hexadecimal string. Reading returns exactly the
-annotated types or raises ValueError."""
+An entry is a solution as the JSON list of its field values. Its planes are hexadecimal, because
+Python does not read decimal numbers of thousands of digits."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from contextlib import suppress
-from dataclasses import dataclass, field, fields, is_dataclass
-from functools import cache
-from types import NoneType, UnionType
-from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
+from collections.abc import Sequence
+from dataclasses import astuple, dataclass, field
+from typing import Any
 
 from nscc.cache.digest import digest, version_digest
 from nscc.cache.store import Store, cache_folder
-from nscc.logic.problem import Machine, Problem, Solution
-from nscc.logic.replay import fault
-from nscc.record import Record
-
-T = TypeVar("T")
-
-_LARGE = 1 << 53
-"""Integers above this are written as text, because not every JSON reader keeps them exact."""
+from nscc.logic.generate import solution_fault
+from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution
 
 
-def to_json(value: Any) -> bytes:
-    """Return a dataclass as one line of JSON; the same value gives the same bytes."""
+def to_json(solution: Solution) -> bytes:
+    """Return a solution as one line of JSON; the same solution gives the same bytes."""
     import json
 
-    return json.dumps(_plain(value), separators=(",", ":")).encode()
+    encoding, planes, *values = astuple(solution)
+    plain = [encoding, [f"{plane:x}" for plane in planes], *values]
+    return json.dumps(plain, separators=(",", ":")).encode()
 
 
-def from_json(kind: type[T], data: bytes) -> T:
-    """Return the inverse of `to_json`; raise ValueError for data that `to_json` cannot have
-    written."""
+def from_json(data: bytes) -> Solution:
+    """Return the inverse of `to_json`.
+
+    Other data raise an exception, or give a solution with members of other types, which
+    `solution_fault` refuses."""
     import json
 
-    try:
-        value: T = _typed(kind, json.loads(data))
-    except RecursionError as error:
-        raise ValueError("nested too deeply") from error
-    return value
+    encoding, planes, holders, states, scratch, opening, answers, closing, in_flag = json.loads(
+        data
+    )
+    return Solution(
+        encoding, tuple(int(plane, 16) for plane in planes), tuple(holders), states, scratch,
+        _segments(opening), tuple(map(_segments, answers)), _segments(closing), in_flag,
+    )  # fmt: skip
 
 
-def _plain(value: Any) -> Any:
-    if value is None or isinstance(value, str | bool):
-        return value
-    if isinstance(value, int):
-        return value if abs(value) < _LARGE else f"{value:x}"
-    if isinstance(value, tuple):
-        return [_plain(member) for member in value]
-    if is_dataclass(value) and not isinstance(value, type):
-        return [_plain(getattr(value, field.name)) for field in fields(value)]
-    raise TypeError(f"{type(value).__name__} has no place in JSON")
-
-
-def _typed(kind: Any, value: Any) -> Any:
-    if kind is int:
-        if type(value) is int:
-            return value
-        if type(value) is str:
-            return int(value, 16)
-        raise ValueError(f"{value!r:.40} is not an integer")
-    if kind in (str, bool, NoneType):
-        if type(value) is kind:
-            return value
-        raise ValueError(f"{value!r:.40} is not a {kind.__name__}")
-    origin = get_origin(kind)
-    if origin in (UnionType, Union):
-        for member in get_args(kind):
-            with suppress(ValueError):
-                return _typed(member, value)
-        raise ValueError(f"{value!r:.40} is not one of {get_args(kind)}")
-    if origin is not tuple and not is_dataclass(kind):
-        raise TypeError(f"{kind} cannot be read back from JSON")
-    if not isinstance(value, list):
-        raise ValueError(f"{value!r:.40} is not a list")
-    kinds = get_args(kind) if origin is tuple else _annotations(kind)
-    if origin is tuple and len(kinds) == 2 and kinds[1] is Ellipsis:
-        return tuple([_typed(kinds[0], member) for member in value])
-    # zip raises ValueError for another number of values.
-    members = [_typed(*pair) for pair in zip(kinds, value, strict=True)]
-    return tuple(members) if origin is tuple else kind(*members)
-
-
-@cache
-def _annotations(kind: Any) -> tuple[Any, ...]:
-    hints = get_type_hints(kind)
-    return tuple(hints[field.name] for field in fields(kind))
+def _segments(run: Sequence[Any]) -> tuple[Segment, ...]:
+    return tuple(
+        tuple(Gate(name, target, tuple(sources), mask) for name, target, sources, mask in gates)
+        for gates in run
+    )
 
 
 LEAST_LEVEL = 2
@@ -114,35 +70,25 @@ class Results:
         stored one."""
         self.trusted, self.read = False, 0
 
-    def find(self, problem: Problem, machine: Machine, level: int, *context: Any) -> Result:
-        """Look up the solution of a problem; `context` contains everything else that affects the
-        best solution."""
+    def find(
+        self, problem: Problem, machine: Machine, level: int, *context: Any
+    ) -> tuple[str, Solution | None]:
+        """Return the key of a problem's solution, and the solution if it is stored.
+
+        `context` contains everything else that affects the best solution. The key is "" for
+        results that are not cached."""
         version = version_digest() if level >= LEAST_LEVEL else None
         if version is None:
-            return Result()
+            return "", None
         key = digest((version, problem, machine, level, context))
         known = _solution(self.store.read(key), problem, machine) if self.trusted else None
         self.read += known is not None
-        return Result(known, self.store, key)
+        return key, known
 
-
-class Result(Record):
-    """The result of a search: the best solution if it is stored, otherwise the key for
-    storing it."""
-
-    known: Solution | None = None
-    store: Store | None = None
-    key: str = ""
-
-    def or_else(self, solutions: Iterable[Solution]) -> Iterable[Solution]:
-        """Return only the known solution; without one, return `solutions`, which are generated
-        lazily."""
-        return solutions if self.known is None else (self.known,)
-
-    def keep(self, best: Solution) -> None:
-        """Store the best solution of a search, unless it came from the store."""
-        if self.store is not None and self.known is None:
-            self.store.write(self.key, to_json(best))
+    def keep(self, key: str, best: Solution) -> None:
+        """Store the best solution of a search under the key that `find` returned."""
+        if key:
+            self.store.write(key, to_json(best))
 
 
 def results_of_user() -> Results | None:
@@ -157,7 +103,8 @@ def _solution(data: bytes | None, problem: Problem, machine: Machine) -> Solutio
     if data is None:
         return None
     try:
-        solution = from_json(Solution, data)
-    except ValueError:
+        solution = from_json(data)
+        is_valid = solution_fault(problem, machine, solution) is None
+    except (ValueError, TypeError, LookupError, RecursionError):
         return None
-    return solution if fault(problem, machine, solution) is None else None
+    return solution if is_valid else None

@@ -27,11 +27,10 @@ from nscc.program.constants import (
 from nscc.program.names import PREDEFINED
 from nscc.record import Record
 from nscc.source import Source, Span
-from nscc.syntax.grammar import END
 from nscc.syntax.lexer import Stuck, Tokens, lex, read
 from nscc.syntax.parse import statement_starts
 from nscc.syntax.tree import Bucket
-from nscc.syntax.words import FORMS, reserved, statement_words
+from nscc.syntax.words import END, FORMS, reserved, statement_words
 from nscc.words.assembly import assemble
 from nscc.words.directives import DIRECTIVES
 

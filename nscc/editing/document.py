@@ -25,8 +25,7 @@ from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.syntax import tree
 from nscc.syntax.lexer import Tokens, lex
-from nscc.syntax.parse import parse
-from nscc.syntax.reading import source_of
+from nscc.syntax.parse import parse, source_of
 from nscc.syntax.tree import File
 
 

@@ -45,16 +45,16 @@ class Budget:
             raise GaveUp("the search used up its steps")
 
 
-def cover(on: int, off: int, planes: Sequence[int], everything: int, budget: Budget) -> list[Cube]:
-    """Return prime cubes whose union contains `on` and avoids `off`, which the planes must
-    distinguish.
+def cover(on: int, planes: Sequence[int], everything: int, budget: Budget) -> list[Cube]:
+    """Return prime cubes whose union is `on`, which the planes must distinguish from the other
+    shutters.
 
     Codes without a shutter are don't-cares. With 13 planes there are too many primes to enumerate
     (Quine, McCluskey). Each cube starts as the code of one uncovered shutter and is expanded
     greedily by newly covered shutters (like Espresso, Brayton et al., 1984)."""
     literals = [(everything & ~plane, plane) for plane in planes]
     cubes: list[Cube] = []
-    uncovered = on
+    uncovered, off = on, everything & ~on
     while uncovered:
         seed = uncovered & -uncovered
         cube = [(i, 1 if plane & seed else 0) for i, plane in enumerate(planes)]

@@ -16,20 +16,11 @@ from nscc.plugins import Group, added, unusable
 from nscc.record import Record
 
 if TYPE_CHECKING:
-    from nscc.logic import (
-        cascade,
-        encodings,
-        events,
-        halved_bumps,
-        nested_demands,
-        paired_bumps,
-        states,
-        windows,
-    )
+    from nscc.logic import bumps, cascade, encodings, events, nested_demands, windows
 else:  # `check` calls few of them
-    _modules = "cascade encodings events halved_bumps nested_demands paired_bumps states windows"
-    cascade, encodings, events, halved_bumps, nested_demands, paired_bumps, states, windows = (
-        LazyFunctions(f"nscc.logic.{name}") for name in _modules.split()
+    bumps, cascade, encodings, events, nested_demands, windows = (
+        LazyFunctions(f"nscc.logic.{name}")
+        for name in ("bumps", "cascade", "encodings", "events", "nested_demands", "windows")
     )
 
 # Search steps of a generator at each level; a step is a cofactor of a truth vector of up to 512
@@ -105,13 +96,13 @@ GENERATORS: dict[str, Generator] = {
     "counted": Generator("family", nested_demands.counted),
     "windows": Generator("family", windows.windows),
     "toggled_windows": Generator("family", windows.toggled_windows),
-    "paired_bumps": Generator("family", paired_bumps.paired_bumps, from_level=1),
-    "halved_bumps": Generator("family", halved_bumps.halved_bumps, from_level=1),
+    "paired_bumps": Generator("family", bumps.paired_bumps, from_level=1),
+    "halved_bumps": Generator("family", bumps.halved_bumps, from_level=1),
     "equalities": Generator("family", events.equalities),
     "gray_times": _emitted("equality", encodings.gray_times),
     "gray_index": _emitted("equality", encodings.gray_index),
-    "state_register": _generator_of("equality", states.state_register),
-    "state_in_flag": _generator_of("equality", states.state_in_flag),
+    "state_register": _generator_of("equality", encodings.state_register),
+    "state_in_flag": _generator_of("equality", encodings.state_in_flag),
     "cascade": _generator_of("cascade", cascade.cascade),
     "covered_fields": _emitted("cover", encodings.covered_fields),
     "covered_levels": _emitted("cover", encodings.covered_levels),
@@ -239,7 +230,7 @@ def _checked_solutions(
     built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):
-            fault_text = None if built_in else _solution_fault(problem, machine, solution)
+            fault_text = None if built_in else solution_fault(problem, machine, solution)
             if fault_text is not None:
                 raise unusable(
                     _GROUP, name, f"its solution does not meet its demands: {fault_text}"
@@ -249,8 +240,8 @@ def _checked_solutions(
         return
 
 
-def _solution_fault(problem: Problem, machine: Machine, solution: object) -> str | None:
-    """Return why a solution of an added generator is invalid; None if it is valid."""
+def solution_fault(problem: Problem, machine: Machine, solution: object) -> str | None:
+    """Return why a solution that nscc did not make is invalid; None if it is valid."""
     if not isinstance(solution, Solution):
         return f"it is not a Solution, but {type(solution).__name__}"
     hash(solution)  # raises an exception if a part is not hashable: solutions are used as keys

@@ -193,11 +193,11 @@ class Gates:
     def nor(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
         """Add destination := NOR(sources), or 1 without sources; the destination may be a
         source."""
-        self._gather("NOR", "NOT", destination, sources, mask)
+        self._gather("NOR", destination, sources, mask)
 
     def or_(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
         """Add destination := OR(sources), or 0 without sources; the destination may be a source."""
-        self._gather("OR", "MOV", destination, sources, mask)
+        self._gather("OR", destination, sources, mask)
 
     def invert(self, register: str) -> None:
         """Add register := NOT register."""
@@ -218,12 +218,7 @@ class Gates:
         self._gates.append(Gate("WHERE", "FLAG", tuple(sources)))
 
     def _gather(
-        self,
-        name: str,
-        single_name: str,
-        destination: str,
-        sources: Sequence[str],
-        mask: str | None,
+        self, name: str, destination: str, sources: Sequence[str], mask: str | None
     ) -> None:
         if not sources:
             self.add(Gate("SET" if name == "NOR" else "CLR", destination, (), mask))
@@ -237,17 +232,13 @@ class Gates:
             room = limit - 1 if in_place else limit
             while len(other_sources) > room:
                 head, other_sources = other_sources[:room], other_sources[room:]
-                self._append("OR", "MOV", destination, [destination] * in_place + head, mask)
+                self._append("OR", destination, [destination] * in_place + head, mask)
                 in_place, room = True, limit - 1
-        self._append(name, single_name, destination, [destination] * in_place + other_sources, mask)
+        self._append(name, destination, [destination] * in_place + other_sources, mask)
 
     def _append(
-        self,
-        many_name: str,
-        single_name: str,
-        destination: str,
-        sources: Sequence[str],
-        mask: str | None,
+        self, name: str, destination: str, sources: Sequence[str], mask: str | None
     ) -> None:
-        name = many_name if len(sources) > 1 else single_name
+        if len(sources) == 1:
+            name = {"NOR": "NOT", "OR": "MOV"}[name]
         self._gates.append(Gate(name, destination, tuple(sources), mask))

@@ -16,7 +16,7 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.logic.problem import Gate, GaveUp, Problem, Segment, Solution
 from nscc.looks.encode import encodings
 from nscc.looks.looking_plan import LookingPlan, Moment, plan_looks
-from nscc.looks.solve import LookingSolution, SetIn, solve
+from nscc.looks.solve import LookingSolution, SetIn, Solver
 from nscc.lower import fit
 from nscc.lower.decoding import Decoding
 from nscc.lower.exposure_plan import (
@@ -25,6 +25,7 @@ from nscc.lower.exposure_plan import (
     LoweringOption,
     Misfit,
     PlanStep,
+    Timeline,
     frame_time,
 )
 from nscc.lower.lowered import Lowered, assemble
@@ -37,7 +38,6 @@ from nscc.lower.schedule import (
     refreshed_registers,
     words,
 )
-from nscc.lower.timeline import Timeline
 from nscc.operations import Op, op
 from nscc.program.program import Program
 from nscc.words.container import Container
@@ -284,7 +284,7 @@ def lowered_of(
         if count >= (enough if any(candidate.fits for candidate in lowerings) else most):
             break
         try:
-            solution = solve(plan, encoding, program.target)
+            solution = Solver(plan, encoding, program.target).solve()
         except GaveUp as given_up:
             reasons[f"{encoding.name}: {given_up}"] = None
             continue

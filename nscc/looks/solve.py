@@ -48,14 +48,9 @@ class LookingSolution(Record, eq=False):
     items: dict[int, tuple[Item, ...]]
 
 
-def solve(plan: LookingPlan, encoding: LooksEncoding, target: Target) -> LookingSolution:
-    """Return the words of a plan.
+class Solver:
+    """A search for the words of a plan with one encoding."""
 
-    Raises GaveUp if no gates are found for a moment or there are too few scratch registers."""
-    return _Solver(plan, encoding, target).solve()
-
-
-class _Solver:
     def __init__(self, plan: LookingPlan, encoding: LooksEncoding, target: Target) -> None:
         self.plan, self.encoding, self.target = plan, encoding, target
         self.machine = plan.machine
@@ -82,6 +77,9 @@ class _Solver:
         return f"s{len(self.states) - 1}"
 
     def solve(self) -> LookingSolution:
+        """Return the words of the plan.
+
+        Raises GaveUp if no gates are found for a moment or there are too few scratch registers."""
         items: dict[int, tuple[Item, ...]] = {}
         scratch = 0
         # Without unchanging code the masked register stays unused, because every write to it needs
@@ -131,7 +129,7 @@ class _Solver:
 class _Moment:
     """The words of one moment, under construction."""
 
-    def __init__(self, solver: _Solver, moment: Moment) -> None:
+    def __init__(self, solver: Solver, moment: Moment) -> None:
         self.solver, self.moment, self.plan = solver, moment, solver.plan
         self.target = solver.target
         self.board = Board(solver.gates, moment.everything, solver.vectors(moment.before))

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.logic.problem import Demand, Problem, Solution
-from nscc.lower.exposure_plan import ExposurePlan, Opens
-from nscc.lower.timeline import Timeline
+from nscc.lower.exposure_plan import ExposurePlan, Opens, Timeline
 from nscc.operations import WordEffect
 from nscc.program.program import Program, whole_name
 from nscc.record import Record

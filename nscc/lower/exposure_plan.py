@@ -13,22 +13,80 @@ a plan computes E in one of three ways (lowerings):
 
 Boundaries are 0..N. Boundary n is before slot n, and slot n is read at boundary n + 1. A
 predicate, a truth vector over the program's shutters, selects the pixels of each step; gates
-compute the predicate later."""
+compute the predicate later.
+
+A plan also needs the times of the frame, because digital registers keep their content only for a
+while."""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from collections.abc import Collection, Iterator, Sequence
+from itertools import accumulate, pairwise
 from typing import Literal, NamedTuple, get_args
 
 import numpy as np
 
-from nscc.lower.timeline import Timeline, timeline
+from nscc.chips.target import Target
 from nscc.operations import Op, WordEffect, op
 from nscc.program.program import Program
 from nscc.record import Record
 from nscc.truth import columns, members
+
+# Share of the retention time that may be used: words take time, and the retention is a typical
+# value.
+RETENTION_SHARE = 0.9
+
+
+class Timeline(Record):
+    """The frame's times in microseconds.
+
+    `boundary_us[n]` is the time of boundary n. `between_us` is the time from boundary N to the next
+    frame's boundary 0 (readout). `keep_us` is the time for which registers keep their content.
+    `refresh_at` are the boundaries within the frame at which registers must be refreshed; None if
+    that is not enough."""
+
+    boundary_us: tuple[float, ...]
+    between_us: float
+    keep_us: float
+    refresh_at: tuple[int, ...] | None
+
+
+def timeline(slot_us: tuple[float, ...], buckets: int, target: Target) -> Timeline:
+    """Return the timeline of a frame with `buckets` readouts."""
+    boundary_us = (0.0, *accumulate(slot_us))
+    between_us = target.readout_us * buckets
+    keep_us = RETENTION_SHARE * target.digital_retention_us
+    refresh_at = _refresh_boundaries(boundary_us, between_us, keep_us)
+    return Timeline(boundary_us, between_us, keep_us, refresh_at)
+
+
+def _refresh_boundaries(
+    boundary_us: tuple[float, ...], between_us: float, keep_us: float
+) -> tuple[int, ...] | None:
+    """Return the fewest boundaries that keep every gap, including the readout, within keep_us.
+
+    None if a single slot or the readout is too long."""
+    at: list[int] = []
+    last = -between_us
+    for n in range(1, len(boundary_us)):
+        if boundary_us[n] - last > keep_us:
+            if boundary_us[n] - boundary_us[n - 1] > keep_us or boundary_us[n - 1] <= last:
+                return None
+            at.append(n - 1)
+            last = boundary_us[n - 1]
+    return tuple(at)
+
+
+def fades(written_at: Collection[int], time: Timeline) -> bool:
+    """Return whether a register written at these boundaries of every frame exceeds the retention
+    time."""
+    if not written_at:
+        return True
+    times = [time.boundary_us[n] for n in sorted(written_at)]
+    wrap = time.boundary_us[-1] - times[-1] + time.between_us + times[0]
+    gaps = [b - a for a, b in pairwise(times)]
+    return max([wrap, *gaps]) > time.keep_us
+
 
 Lowering = Literal["accumulate", "latch", "edges"]
 LOWERINGS: tuple[Lowering, ...] = get_args(Lowering)
@@ -176,16 +234,11 @@ def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, in
     """Return the fewest and most analog words, as in ExposurePlan."""
     shutters = len(program.table.shutters)
     counts = np.zeros(shutters, dtype=np.int64)
-    # Compared by identity, because there are few tuples of words and comparing them is slow.
-    distinct = {id(s.words): s.words for s in steps}
-    alike = Counter((s.predicate, id(s.words)) for s in steps if s.bucket >= 0)
-    for (predicate, known), times in alike.items():
-        words = distinct[known]
-        buses = times * sum(word.operation.effect is WordEffect.BUS for word in words)
-        if predicate is None:
-            counts += buses
-        else:
-            counts[members(predicate, shutters)] += buses
+    for step in steps:
+        if step.bucket >= 0:
+            buses = sum(word.operation.effect is WordEffect.BUS for word in step.words)
+            chosen = slice(None) if step.predicate is None else members(step.predicate, shutters)
+            counts[chosen] += buses
     used = counts[program.table.shutters.any(axis=(1, 2))]
     return (int(used.min()), int(used.max())) if used.size else (0, 0)
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from nscc.cache.results import Result, Results
+from nscc.cache.results import Results
 from nscc.logic.generate import GeneratorFault, note_fault, solutions
 from nscc.logic.problem import Machine, Solution
 from nscc.lower.decoding import Decoding, problem_of
-from nscc.lower.exposure_plan import LOWERINGS, ExposurePlan, Lowering, Misfit, Planned
+from nscc.lower.exposure_plan import LOWERINGS, ExposurePlan, Lowering, Misfit, Planned, Timeline
 from nscc.lower.lowered import Lowered, lay_out
-from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
 from nscc.record import Record
 
@@ -101,11 +100,12 @@ def lower(
         return lay_out(program, Decoding(plan, problem, actions, solution), time, most_words)
 
     def cheapest(level: int) -> Lowered | None:
-        known = Result()
+        key: str = ""
+        known: Solution | None = None
         if results is not None:
-            known = results.find(problem, machine, level, plan, time, target, most_words)
+            key, known = results.find(problem, machine, level, plan, time, target, most_words)
         by_encoding: dict[str, Lowered] = {}
-        for solution in known.or_else(solutions(problem, machine, level, faults)):
+        for solution in solutions(problem, machine, level, faults) if known is None else (known,):
             candidate = priced(solution)
             rival = by_encoding.get(solution.encoding)
             if rival is None or candidate.price < rival.price:
@@ -113,7 +113,7 @@ def lower(
         ranked = sorted(by_encoding.values(), key=lambda lowered: lowered.price)[
             : MOST_IMPROVED[level]
         ]
-        searched = known.known is None and bool(problem.demands)
+        searched = known is None and bool(problem.demands)
         if level >= 2 and searched and ranked:
             from nscc.lower.refinery import Refinery  # `check` does not need it
 
@@ -130,8 +130,8 @@ def lower(
         if not ranked:
             return None
         best = min(ranked, key=lambda lowered: lowered.price)
-        if level >= 2 and searched and not faults:
-            known.keep(best.solution)
+        if results is not None and searched and not faults:
+            results.keep(key, best.solution)
         return best
 
     cheapest_lowered = cheapest(level)

@@ -10,9 +10,8 @@ import numpy as np
 
 from nscc.logic.problem import Solution
 from nscc.lower.decoding import Decoding
-from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, PlanStep
+from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, PlanStep, Timeline
 from nscc.lower.schedule import FrameSchedule, kernel_us, schedule
-from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
 from nscc.record import Record
 from nscc.truth import rows

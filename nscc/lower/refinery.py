@@ -7,9 +7,7 @@ from dataclasses import dataclass, replace
 from operator import attrgetter
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.balance import balance, words_at
-from nscc.logic.improve.enrich import enrich
-from nscc.logic.improve.search import improve
+from nscc.logic.improve.search import balance, improve, words_at
 from nscc.logic.problem import Machine, Problem, Solution
 from nscc.lower.lowered import Lowered
 
@@ -18,14 +16,7 @@ from nscc.lower.lowered import Lowered
 FIRST_STEPS = {2: 8_000, 3: 60_000}
 # Further steps for each of the best. A hundred thousand steps take about a second.
 MORE_STEPS = {2: 60_000, 3: 2_000_000}
-ENRICH_STEPS = {2: 20_000, 3: 400_000}
-# With kernels kept, the first steps are multiplied by this.
-KERNEL_SHARE = 4
-# The share of the store for gates if segments have separate kernels; the rest is for analog words.
-ROOM_SHARE = 0.75
 BEST = {2: 1, 3: 3}
-# If words do not fit, this many of the cheapest are also improved with kernels kept.
-MOST_KEPT = 2
 
 
 _PRICE = attrgetter("price")
@@ -42,63 +33,26 @@ class Refinery:
     priced: Callable[[Solution], Lowered]
     store_words: int
 
-    def __post_init__(self) -> None:
-        # With more demands than stored words, kernels must repeat: few distinct kernels matter more
-        # than few words.
-        self.scarce = len(self.problem.demands) > self.store_words
-        self.room = 0 if self.scarce else int(self.store_words * ROOM_SHARE)
-
     def best(self, candidates: Sequence[Lowered]) -> Lowered:
         """Improve all candidates a little, and the best of them more; return the best result."""
+        if len(self.problem.demands) > self.store_words:
+            # Kernels must repeat to fit the store, and improvement makes equal segments different.
+            return min(candidates, key=_PRICE)
         steps = FIRST_STEPS[self.level]
-        first = [self._first(c, steps, i < MOST_KEPT) for i, c in enumerate(candidates)]
-        first.sort(key=lambda pair: pair[0].price)
-        refined = [
-            self._improve_further(improved, keep_kernels)
-            for improved, keep_kernels in first[: BEST[self.level]]
-        ]
-        best = min([*refined, *(improved for improved, _ in first), *candidates], key=_PRICE)
-        return best if self.scarce else min(best, self._balanced(best), key=_PRICE)
+        first = [self._form(self._improved(c.solution, steps)) for c in candidates]
+        first.sort(key=_PRICE)
+        refined = [self._improve_further(improved) for improved in first[: BEST[self.level]]]
+        best = min([*refined, *first, *candidates], key=_PRICE)
+        return min(best, self._balanced(best), key=_PRICE)
 
-    def _first(self, candidate: Lowered, steps: int, patient: bool) -> tuple[Lowered, bool]:
-        """Return the improved candidate, and whether equal segments had to stay equal.
-
-        Unless `patient`, segments may differ, and a result that does not fit is given up."""
-        if self.scarce:
-            return self._improve_keeping_kernels(candidate.solution, steps), True
-        improved = self._form(self._improved(candidate.solution, steps))
-        if improved.price[0] and patient:
-            # After free rewriting, segments rarely share kernels.
-            with_kernels = self._improve_keeping_kernels(candidate.solution, KERNEL_SHARE * steps)
-            if with_kernels.price < improved.price:
-                return with_kernels, True
-        return improved, False
-
-    def _improve_further(self, candidate: Lowered, keep_kernels: bool) -> Lowered:
-        steps = MORE_STEPS[self.level]
-        if keep_kernels:
-            return self._improve_keeping_kernels(candidate.solution, steps)
-        solution = self._improved(candidate.solution, steps // 2)
-        budget = Budget(ENRICH_STEPS[self.level])
-        richer = enrich(solution, self.problem, self.machine, budget)
-        return self._form(self._improved(richer, steps // 2))
+    def _improve_further(self, candidate: Lowered) -> Lowered:
+        steps = MORE_STEPS[self.level] // 2
+        # The second search repeats the random numbers of the first, on its result.
+        once = self._improved(candidate.solution, steps)
+        return self._form(self._improved(once, steps))
 
     def _improved(self, solution: Solution, steps: int) -> Solution:
         return improve(solution, self.problem, self.machine, Budget(steps))
-
-    def _improve_keeping_kernels(self, solution: Solution, steps: int) -> Lowered:
-        """Improve a solution so that equal segments stay equal, with and without room for more
-        segments."""
-        priced_solutions = []
-        for room in sorted({self.room, 0}, reverse=True):
-            budget = Budget(steps)
-            shorter = improve(
-                solution, self.problem, self.machine, budget, keep_kernels=True, room=room
-            )
-            priced_solutions.append(self._form(shorter))
-            if not priced_solutions[-1].price[0]:
-                break
-        return min(priced_solutions, key=_PRICE)
 
     def _form(self, solution: Solution) -> Lowered:
         """Compute a solution's costs; if it does not fit, also with gates and analog words

@@ -18,7 +18,7 @@ from itertools import chain, groupby
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, Segment, Solution, quietest
 from nscc.lower.decoding import Decoding
-from nscc.lower.timeline import Timeline, fades
+from nscc.lower.exposure_plan import Timeline, fades
 from nscc.operations import Op, WordEffect, op, pair
 from nscc.record import Record
 from nscc.words.cost import refresh_count, words_us

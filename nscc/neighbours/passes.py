@@ -9,8 +9,8 @@ from math import ceil, log2
 
 from nscc.cache.store import Store
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
+from nscc.lower.exposure_plan import RETENTION_SHARE
 from nscc.lower.resources import time_text
-from nscc.lower.timeline import RETENTION_SHARE
 from nscc.neighbours.alternatives import alternatives
 from nscc.neighbours.count_words import MOST_IMAGES
 from nscc.neighbours.held import Leveled, PictureRefused

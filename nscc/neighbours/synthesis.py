@@ -12,7 +12,6 @@ from functools import cached_property, lru_cache
 from math import gcd
 
 from nscc.cache.digest import digest, package_digest
-from nscc.cache.results import from_json, to_json
 from nscc.cache.store import Store
 from nscc.neighbours.addition import additions, halvings_of
 from nscc.neighbours.factors import Key, box_of, quotients, rows
@@ -63,7 +62,8 @@ class Ranged(Record):
         return max((_peak(taps) for taps in values_of(self.program)), default=UNIT)
 
 
-_Programs = tuple[tuple[tuple[tuple[str, ...], tuple[str, ...]], ...], ...]
+def _names(values: list[object]) -> tuple[str, ...]:
+    return tuple(map(str, values))
 
 
 class Synthesis:
@@ -82,26 +82,32 @@ class Synthesis:
         key = frozenset(taps.items())
         if key not in self._variants:
             # The kernel and its inverse share a search, which no other kernel affects.
-            kernels = sorted([dict(taps), added((-1, taps))], key=lambda each: sorted(each.items()))
-            for each, programs in zip(kernels, self._stored(kernels), strict=True):
+            kernels = sorted(
+                [dict(taps), added((-1, taps))], key=lambda kernel: sorted(kernel.items())
+            )
+            for kernel, programs in zip(kernels, self._stored(kernels), strict=True):
                 variants = [Ranged(program) for program in sorted(programs, key=len)]
-                self._variants[frozenset(each.items())] = variants
+                self._variants[frozenset(kernel.items())] = variants
         return self._variants[key]
 
     def _stored(self, kernels: list[Polynomial]) -> list[list[Program]]:
+        import json
+
         items = [sorted(taps.items()) for taps in kernels]
         key = digest((package_digest("nscc.neighbours"), items, self.most_steps, self.forms))
         data = self.store.read(key) if self.store else None
-        with suppress(KeyError, ValueError):
-            read = from_json(tuple[_Programs, ...], data or b"")
-            stored = [[tuple(BusWord(*w) for w in program) for program in each] for each in read]
+        with suppress(LookupError, RecursionError, TypeError, ValueError):
+            stored = [
+                [tuple(BusWord(*map(_names, word)) for word in program) for program in programs]
+                for programs in json.loads(data or b"[]")
+            ]
             pairs = zip(kernels, stored, strict=True)
             if all(p and all(kernel_of(program) == taps for program in p) for taps, p in pairs):
                 return stored
         self._known.clear()
         found = [self._proved(taps) for taps in kernels]
         if self.store:
-            self.store.write(key, to_json(tuple(map(tuple, found))))
+            self.store.write(key, json.dumps(found).encode())
         return found
 
     def _proved(self, taps: Taps) -> list[Program]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import prod
 from typing import TYPE_CHECKING
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.program.classes import Recognised
 from nscc.program.evaluate import Books
-from nscc.program.expressions import Checked, names_in
+from nscc.program.expressions import Checked, nodes_in
 from nscc.program.names import LOOKS, Declarations, Rule
 from nscc.program.problems import Problems, counted, printable
 from nscc.program.program import Field
@@ -258,7 +258,6 @@ def judge_names(
     """Warn about fields that no rule reads (NS0352); note unused lets and codebooks (NS0355).
 
     `rules` are all expressions that shutters depend on; a sense's level may also be a field."""
-    read = _names_read(declared)
     in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
     in_rules |= {s.level.text for s in declared.senses.values() if isinstance(s.level, tree.Name)}
     for field in fields:
@@ -266,8 +265,12 @@ def judge_names(
             place = declared.codes[field.name].name.span
             why = "all its values give the same shutter"
             problems.warning("NS0352", f"no rule depends on the field `{field.name}`", place, why)
+    mentions = Counter(
+        node.text for statement in declared.statements for node in nodes_in(statement)
+        if isinstance(node, tree.Name)
+    )  # fmt: skip
     for name, let in declared.lets.items():
-        if name not in read:
+        if mentions[name] == 1:
             problems.note("NS0355", f"`{name}` is not used", let.name.span, "not used")
     in_rules_or_fields = {book for rule in rules for book in rule.books}
     in_rules_or_fields |= {field.book for field in fields if field.book is not None}
@@ -289,43 +292,3 @@ def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Pro
             notes=(shape.reason,),
             helps=("limit the starts to N - len: `code start : 0..N - len`",),
         )
-
-
-def _names_read(declared: Declarations) -> set[str]:
-    """Return every name in the expressions of the file."""
-    exprs: list[tree.Expr] = [let.value for let in declared.lets.values()]
-    exprs += [r.condition for r in declared.requires]
-    exprs += [r.rule for r in declared.rules]
-    if isinstance(declared.frame, tree.EqualSlots):
-        exprs.append(declared.frame.count)
-    for code in declared.codes.values():
-        if isinstance(code, tree.CodeRange):
-            exprs += [code.low, code.high]
-        elif isinstance(code, tree.CodeBits):
-            exprs.append(code.count)
-    for pixels in declared.pixels.values():
-        if isinstance(pixels, tree.PixelsExpr):
-            exprs.append(pixels.value)
-        elif isinstance(pixels, tree.PixelsTile):
-            values = (value for row in pixels.rows for value in row.values)
-            exprs += [value for value in values if not isinstance(value, tree.Int)]
-    exprs += _looked_at(declared)
-    return {name.text for expr in exprs for name in names_in(expr)}
-
-
-def _looked_at(declared: Declarations) -> Iterator[tree.Expr]:
-    """Yield the expressions in statements of language version 2."""
-    for sense in declared.senses.values():
-        yield sense.at
-        levels = sense.level.items if isinstance(sense.level, tree.Levels) else (sense.level,)
-        yield from (level for level in levels if not isinstance(level, tree.Amount | tree.Levels))
-    for state in declared.states.values():
-        yield state.start
-        if isinstance(state, tree.StateRange):
-            yield from (state.low, state.high)
-    for step in declared.nexts.values():
-        yield step.value
-        if step.condition is not None:
-            yield step.condition
-    if declared.reset is not None:
-        yield declared.reset.condition

@@ -11,8 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.arithmetic import array
-from nscc.program.evaluate import evaluate
+from nscc.program.evaluate import Value, evaluate
 from nscc.program.expressions import Checked
 from nscc.program.problems import counted
 from nscc.program.table import Rules, distinct_rows
@@ -90,7 +89,7 @@ def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
     read |= {k.base.text for k in index.nodes if isinstance(k, Index)}
     if read & fields or not read <= {"n", *rule.constants}:
         return False
-    slots = array(np.arange(rules.slots, dtype=np.int64))
+    slots = Value(np.arange(rules.slots, dtype=np.int64))
     bit_numbers = evaluate(index, {"n": slots}, {})
     return (
         bit_numbers.faults is None and len(set(np.ravel(bit_numbers.data).tolist())) == rules.slots

@@ -7,8 +7,7 @@ from graphlib import CycleError, TopologicalSorter
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label
-from nscc.program.arithmetic import Fault
-from nscc.program.evaluate import evaluate
+from nscc.program.evaluate import Fault, evaluate
 from nscc.program.expressions import FAILED, VARIABLE, Meaning, Scope, Type, check, names_in
 from nscc.program.limits import MOST_SLOTS
 from nscc.program.names import LOOKS, PREDEFINED, Declarations

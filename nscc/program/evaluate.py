@@ -1,6 +1,7 @@
 """Exact values of checked expressions, for many codes, slots or pixels at once.
 
-A fault of arithmetic, or an index outside its bits or rows, leaves a place without a value.
+Integers never wrap: results beyond 2^62 - 1 in magnitude, division by zero and shift counts outside
+0..61 are faults. A fault, or an index outside its bits or rows, leaves a place without a value.
 Operands that do not decide the result are not evaluated: `and`, `or` and a chain of comparisons
 stop at the first operand that decides them, and `A if C else B` evaluates only the branch that C
 selects. So `n != 0 and 8 / n > 2` has no fault at n = 0. (`xor`, `min` and `max` evaluate all their
@@ -10,26 +11,137 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from itertools import pairwise
-from typing import assert_never
+from typing import Any, NamedTuple, assert_never
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.arithmetic import (
-    ARITHMETIC,
-    Data,
-    Fault,
-    Faults,
-    Value,
-    either,
-    faults_where,
-    guard,
-    scalar,
-)
-from nscc.program.expressions import Checked, operands
+from nscc.program.expressions import LIMIT, Checked, operands
 from nscc.program.problems import clipped
 from nscc.program.program import CHUNK_BITS, chunk_name
+from nscc.source import Span
 from nscc.syntax import tree
+from nscc.syntax.tree import Binary
+
+MOST_SHIFT = 61
+
+Data = Any
+"""An int or a bool, or an int64 or bool array that broadcasts with other data."""
+
+
+class Fault(NamedTuple):
+    """The reason why an expression has no value: an error code, a message, the place and its label.
+
+    These are the arguments of `Problems.error`."""
+
+    code: str
+    message: str
+    span: Span
+    text: str
+
+
+Faults = Fault | NDArray[np.bool_] | None
+"""The faults of an expression: none, one for all places, or the places with a fault."""
+
+
+class Value(NamedTuple):
+    """The values of a node. Where `faults` hold, the data is undefined."""
+
+    data: Data
+    faults: Faults = None
+
+
+def either(a: Faults, b: Faults) -> Faults:
+    """Return the union of the faults of two operands."""
+    if a is None or isinstance(b, Fault):
+        return b if a is None or not isinstance(a, Fault) else a
+    if b is None or isinstance(a, Fault):
+        return a
+    return a | b
+
+
+def faults_where(condition: Data, faults: Faults) -> Faults:
+    """Return the faults that remain if only the places of `condition` are evaluated."""
+    if faults is None:
+        return None
+    if isinstance(condition, np.ndarray):
+        if isinstance(faults, Fault):
+            return condition.copy()
+        return condition & faults
+    return faults if condition else None
+
+
+def guard(
+    at_fault: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
+) -> tuple[Data, Faults]:
+    """Return `data` with the value `harmless` at the places `at_fault`, and the faults at these
+    places."""
+    if isinstance(at_fault, np.ndarray):
+        if not at_fault.any():
+            return data, before
+        return np.where(at_fault, harmless, data), either(before, at_fault)
+    if not at_fault:
+        return data, before
+    return harmless, either(before, fault())
+
+
+def _limited(node: Binary, a: Value, b: Value, faults: Faults, data: Data, beyond: Data) -> Value:
+    """Return `data` as a value, with faults where it is `beyond` the limit on integers."""
+
+    def fault() -> Fault:
+        text = f"{clipped(a.data)} {node.op} {clipped(b.data)} is beyond 2^62 - 1"
+        return Fault("NS0305", f"a number is too large: {text}", node.span, text)
+
+    return Value(*guard(beyond, data, 0, fault, faults))
+
+
+def _sum(node: Binary, a: Value, b: Value) -> Value:
+    # Two values within the limit sum to less than 2^63, so that int64 does not wrap.
+    data = a.data + b.data if node.op == "+" else a.data - b.data
+    return _limited(node, a, b, either(a.faults, b.faults), data, np.abs(data) > LIMIT)
+
+
+def _product(node: Binary, a: Value, b: Value) -> Value:
+    beyond = np.abs(a.data) > LIMIT // np.maximum(np.abs(b.data), 1)
+    return _limited(node, a, b, either(a.faults, b.faults), a.data * b.data, beyond)
+
+
+def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
+    message = "division by zero" if node.op == "/" else "remainder of a division by zero"
+    fault = Fault("NS0302", message, node.right.span, "this is 0")
+    return guard(b.data == 0, b.data, 1, lambda: fault, either(a.faults, b.faults))
+
+
+def _quotient(node: Binary, a: Value, b: Value) -> Value:
+    divisor, faults = _divisor(node, a, b)
+    return Value(a.data // divisor, faults)
+
+
+def _remainder(node: Binary, a: Value, b: Value) -> Value:
+    divisor, faults = _divisor(node, a, b)
+    return Value(a.data % divisor, faults)
+
+
+def _shift(node: Binary, a: Value, b: Value) -> Value:
+    def fault() -> Fault:
+        count, place = clipped(b.data), node.right.span
+        return Fault("NS0304", f"invalid shift by {count}", place, f"the count is {count}")
+
+    out_of_range = (b.data < 0) | (b.data > MOST_SHIFT)
+    count, faults = guard(out_of_range, b.data, 0, fault, either(a.faults, b.faults))
+    beyond = np.abs(a.data) > LIMIT >> count
+    return _limited(node, a, b, faults, a.data << count, beyond)
+
+
+ARITHMETIC: dict[str, Callable[[Binary, Value, Value], Value]] = {
+    "+": _sum,
+    "-": _sum,
+    "*": _product,
+    "/": _quotient,
+    "%": _remainder,
+    "<<": _shift,
+}
+
 
 Bindings = Mapping[str, Value]
 Books = Mapping[str, NDArray[np.bool_]]
@@ -47,7 +159,7 @@ def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
         stack.append(_value(node, arguments, expr.constants, bindings, books))
     (result,) = stack
     if isinstance(result.faults, np.ndarray) and not result.faults.any():
-        result = Value(result.data, result.low, result.high)
+        result = Value(result.data)
     return result
 
 
@@ -57,7 +169,7 @@ def fault_at(
     """Return the fault of `expr` at one place of the broadcast `shape`, with the values at that
     place."""
     values_at_place = {
-        name: scalar(int(np.broadcast_to(value.data, shape)[place]))
+        name: Value(int(np.broadcast_to(value.data, shape)[place]))
         for name, value in bindings.items()
     }
     fault = evaluate(expr, values_at_place, books).faults
@@ -81,32 +193,32 @@ def _value(
 ) -> Value:
     match node:
         case tree.Int():
-            return scalar(node.value)
+            return Value(node.value)
         case tree.Bool():
-            return Value(node.value, 0, 1)
+            return Value(node.value)
         case tree.Name():
             known = constants.get(node.text)
-            return bindings[node.text] if known is None else scalar(known)
+            return bindings[node.text] if known is None else Value(known)
         case tree.Unary(op="not"):
-            return Value(arguments[0].data ^ True, 0, 1, arguments[0].faults)
+            return Value(arguments[0].data ^ True, arguments[0].faults)
         case tree.Unary():
             (a,) = arguments
-            return Value(-a.data, -a.high, -a.low, a.faults)
+            return Value(-a.data, a.faults)
         case tree.Binary(op="and"):
             return _junction(arguments[0], arguments[1], True)
         case tree.Binary(op="or"):
             return _junction(arguments[0], arguments[1], False)
         case tree.Binary(op="xor"):
             a, b = arguments
-            return Value(a.data ^ b.data, 0, 1, either(a.faults, b.faults))
+            return Value(a.data ^ b.data, either(a.faults, b.faults))
         case tree.Binary():
             return ARITHMETIC[node.op](node, *arguments)
         case tree.Compare():
             links = [
-                Value(_COMPARE[op](a.data, b.data), 0, 1, b.faults)
+                Value(_COMPARE[op](a.data, b.data), b.faults)
                 for op, (a, b) in zip(node.ops, pairwise(arguments), strict=True)
             ]
-            result = Value(links[0].data, 0, 1, either(arguments[0].faults, links[0].faults))
+            result = Value(links[0].data, either(arguments[0].faults, links[0].faults))
             for link in links[1:]:
                 result = _junction(result, link, True)
             return result
@@ -124,8 +236,7 @@ def _value(
             for b in arguments[1:]:
                 plain = isinstance(result.data, int) and isinstance(b.data, int)
                 data = (pick if plain else of_arrays)(result.data, b.data)
-                low, high = pick(result.low, b.low), pick(result.high, b.high)
-                result = Value(data, low, high, either(result.faults, b.faults))
+                result = Value(data, either(result.faults, b.faults))
             return result
         case tree.Place() | tree.Amount():
             raise AssertionError("`check` refuses levels and bits of neighbours")
@@ -141,24 +252,16 @@ def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
         data: Data = np.where(condition.data, then.data, otherwise.data)
     else:
         data = then.data if condition.data else otherwise.data
-    return Value(
-        data,
-        min(then.low, otherwise.low),
-        max(then.high, otherwise.high),
-        either(condition.faults, branches),
-    )
+    return Value(data, either(condition.faults, branches))
 
 
 def _junction(a: Value, b: Value, conjunction: bool) -> Value:
     undecided = a.data if conjunction else a.data ^ True
     data = a.data & b.data if conjunction else a.data | b.data
-    return Value(data, 0, 1, either(a.faults, faults_where(undecided, b.faults)))
+    return Value(data, either(a.faults, faults_where(undecided, b.faults)))
 
 
 def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tuple[Data, Faults]:
-    if index.low >= 0 and index.high < size:
-        return index.data, index.faults
-
     def fault() -> Fault:
         shown = clipped(index.data)
         return Fault(
@@ -174,12 +277,12 @@ def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tupl
 
 
 def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Value:
-    bits = bindings[bit_count(node.base.text)].low
+    bits = bindings[bit_count(node.base.text)].data
     position, faults = _position(node, index, bits, f"{bits} bits")
     if bits <= CHUNK_BITS:
-        return Value((field.data >> position) & 1 != 0, 0, 1, either(field.faults, faults))
+        return Value((field.data >> position) & 1 != 0, either(field.faults, faults))
     chunks = [bindings[chunk_name(node.base.text, k)].data for k in range(-(-bits // CHUNK_BITS))]
-    return Value(_bit_of_chunks(chunks, position), 0, 1, either(field.faults, faults))
+    return Value(_bit_of_chunks(chunks, position), either(field.faults, faults))
 
 
 def _bit_of_chunks(chunks: list[Data], position: Data) -> Data:
@@ -205,14 +308,14 @@ def _digit(node: tree.Index, index: Value, book: NDArray[np.bool_], slot: Value)
     row, faults = _position(node, index, book.shape[0], f"{book.shape[0]} rows")
     n = slot.data
     if isinstance(row, int) and isinstance(n, int):
-        return Value(bool(book[row, n]), 0, 1, faults)
+        return Value(bool(book[row, n]), faults)
     if isinstance(n, np.ndarray) and n.size == book.shape[1]:
         # All slots at once: take whole rows, which is much faster than single digits.
         if isinstance(row, int):
-            return Value(book[row].reshape(n.shape), 0, 1, faults)
+            return Value(book[row].reshape(n.shape), faults)
         if row.shape[-1] == 1:
-            return Value(book[row[..., 0]], 0, 1, faults)
-    return Value(book[row, n], 0, 1, faults)
+            return Value(book[row[..., 0]], faults)
+    return Value(book[row, n], faults)
 
 
 _COMPARE: dict[str, Callable[[Data, Data], Data]] = {

@@ -103,6 +103,18 @@ def names_in(expr: tree.Expr) -> Iterator[tree.Name]:
             yield node.base
 
 
+def nodes_in(statement: tree.Statement) -> Iterator[tree.Node]:
+    """Yield a statement and all nodes inside it, in any order."""
+    waiting: list[tree.Node] = [statement]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        for name in node.field_names[1:]:
+            value = getattr(node, name)
+            members = value if isinstance(value, tuple) else (value,)
+            waiting += [member for member in members if isinstance(member, tree.Node)]
+
+
 def check(
     expr: tree.Expr, expected: Type, scope: Scope, problems: Problems, role: str
 ) -> Checked | None:

@@ -13,10 +13,9 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.program.arithmetic import array
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant, constants_scope, pixels_scope
-from nscc.program.evaluate import evaluate, fault_at, fault_places
+from nscc.program.evaluate import Value, evaluate, fault_at, fault_places
 from nscc.program.expressions import LIMIT, Meaning, check
 from nscc.program.limits import MOST_FIELDS, WORK_LIMIT, work
 from nscc.program.names import Declarations
@@ -99,8 +98,8 @@ class PlaneMaker:
             self.problems.error("NS0450", message, value.span, helps=helps)
             return None
         bindings = {
-            "y": array(np.arange(rows, dtype=np.int64).reshape(rows, 1)),
-            "x": array(np.arange(cols, dtype=np.int64).reshape(1, cols)),
+            "y": Value(np.arange(rows, dtype=np.int64).reshape(rows, 1)),
+            "x": Value(np.arange(cols, dtype=np.int64).reshape(1, cols)),
         }
         evaluated = evaluate(checked, bindings, {})
         if evaluated.faults is not None:

@@ -7,9 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from nscc.chips.target import Target
-from nscc.program.arithmetic import Fault, array
 from nscc.program.constants import at_scope, constant, constants_scope, next_scope
-from nscc.program.evaluate import evaluate
+from nscc.program.evaluate import Fault, Value, evaluate
 from nscc.program.expressions import Checked, Meaning, check
 from nscc.program.names import Declarations, State
 from nscc.program.problems import Problems
@@ -165,7 +164,7 @@ class _Maker:
         if checked is None or not self.slots:
             return None
         numbers = np.arange(1, self.slots + 1, dtype=np.int64)
-        evaluated = evaluate(checked, {"n": array(numbers)}, {})
+        evaluated = evaluate(checked, {"n": Value(numbers)}, {})
         if isinstance(evaluated.faults, Fault):
             self.problems.error(*evaluated.faults)
             return None

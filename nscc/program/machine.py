@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.program.arithmetic import Fault, Value, array, scalar
-from nscc.program.evaluate import bit_count, evaluate, fault_at, fault_places
+from nscc.program.evaluate import Fault, Value, bit_count, evaluate, fault_at, fault_places
 from nscc.program.expressions import Checked
 from nscc.program.looking import CheckedSense, Looking, can_tell, level_e, level_steps
 from nscc.program.names import LOOKS
@@ -108,21 +107,19 @@ class MachineBuilder:
     def _bindings(self, nodes: Nodes, looks: int) -> dict[str, Value]:
         """Return fields, states and latest answers as columns (nodes, 1), and the number of
         looks."""
-        bindings: dict[str, Value] = {LOOKS: scalar(looks)}
+        bindings: dict[str, Value] = {LOOKS: Value(looks)}
         for k, field in enumerate(self.rules.fields):
             column = self.codes[nodes[:, 0], k].reshape(-1, 1)
-            bindings[field.name] = Value(column, field.low, field.high)
+            bindings[field.name] = Value(column)
             if field.bits is not None:
-                bindings[bit_count(whole_name(field.name))] = scalar(field.first_bit + field.bits)
+                bindings[bit_count(whole_name(field.name))] = Value(field.first_bit + field.bits)
         for k, state in enumerate(self.looking.states, 1):
             column = nodes[:, k : k + 1]
-            bindings[state.name] = Value(
-                column != 0 if state.boolean else column, state.low, state.high
-            )
+            bindings[state.name] = Value(column != 0 if state.boolean else column)
         for sense in self.looking.senses:
-            bindings[sense.name] = Value(np.zeros((len(nodes), 1), np.bool_), 0, 1)
+            bindings[sense.name] = Value(np.zeros((len(nodes), 1), np.bool_))
         for k, sense in enumerate(self.remembered, self.width):
-            bindings[sense.name] = Value(nodes[:, k : k + 1] != 0, 0, 1)
+            bindings[sense.name] = Value(nodes[:, k : k + 1] != 0)
         return bindings
 
     def _rules(
@@ -141,7 +138,7 @@ class MachineBuilder:
             )
             raise TooMuch(message, self.cells, MOST_CELLS)
         bindings = self._bindings(nodes, looks)
-        bindings["n"] = array(np.arange(begin, end, dtype=np.int64).reshape(1, -1))
+        bindings["n"] = Value(np.arange(begin, end, dtype=np.int64).reshape(1, -1))
         shape = (len(nodes), end - begin)
         opens = np.zeros((len(nodes), len(self.rules.rules), slots), np.bool_)
         resets = np.zeros((len(nodes), slots), np.bool_)
@@ -235,12 +232,12 @@ class MachineBuilder:
         rows = np.repeat(nodes, outcomes, axis=0)
         outcome = np.tile(np.arange(outcomes), len(nodes))
         bindings = self._bindings(rows, looks)
-        bindings["n"] = scalar(boundary)
+        bindings["n"] = Value(boundary)
         for sense in self.looking.senses:
             if sense.name in of_sense:
                 bit = outcome >> of_sense[sense.name][rows[:, 0]] & 1
                 answer = (bit == 1) == sense.above
-                bindings[sense.name] = Value(answer.reshape(-1, 1), 0, 1)
+                bindings[sense.name] = Value(answer.reshape(-1, 1))
         after = rows.copy()
         shape = (len(rows), 1)
         for k, state in enumerate(self.looking.states, 1):

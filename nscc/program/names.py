@@ -41,7 +41,8 @@ class Declarations:
     number, once their lengths are known. `refused` are names with an invalid or a second
     declaration; their meaning is unknown, and using them is not reported again."""
 
-    def __init__(self) -> None:
+    def __init__(self, statements: tuple[tree.Statement, ...]) -> None:
+        self.statements = statements
         self.target: tree.TargetByName | tree.TargetFromFile | None = None
         self.frame: tree.EqualSlots | tree.ListedSlots | None = None
         self.lets: dict[str, tree.Let] = {}
@@ -122,7 +123,7 @@ def gather(file: tree.File, problems: Problems) -> Declarations:
     Reports names declared twice (NS0201) or predefined (NS0202), a missing frame or rule (NS0204),
     a statement that occurs twice (NS0205), `open` beside buckets (NS0206), a field defined twice
     (NS0211) and too many fields (NS0450)."""
-    gatherer = _Gatherer(problems)
+    gatherer = _Gatherer(Declarations(file.statements), problems)
     for statement in file.statements:
         gatherer.add(statement)
     gatherer.finish(file)
@@ -130,9 +131,8 @@ def gather(file: tree.File, problems: Problems) -> Declarations:
 
 
 class _Gatherer:
-    def __init__(self, problems: Problems) -> None:
-        self.problems = problems
-        self.declared = Declarations()
+    def __init__(self, declared: Declarations, problems: Problems) -> None:
+        self.declared, self.problems = declared, problems
         self.first_place: dict[str, Span] = {}
         self.mixed = False
 

@@ -25,9 +25,6 @@ from nscc.program.problems import clipped, counted
 from nscc.program.program import grouped
 from nscc.words.container import DecodeTable
 
-_DENSE = 2**20
-"""Largest value range that is counted in a table; wider ranges are sorted."""
-
 
 def codes_in_use(
     planes: Sequence[Plane], shape: tuple[int, int]
@@ -47,23 +44,16 @@ def codes_in_use(
 
 def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
     """Return the distinct values of `plane`, ascending, and the index of each pixel's value."""
-    low = int(plane.min())
-    span = int(plane.max()) - low + 1
-    if span > _DENSE:
-        values, ranks = np.unique(plane, return_inverse=True)
-        return values, ranks.reshape(plane.shape).astype(np.int64)
-    offsets = plane - low
-    present = np.zeros(span, dtype=bool)
-    present[offsets] = True
-    return np.flatnonzero(present) + low, (np.cumsum(present) - 1)[offsets]
+    values, ranks = np.unique(plane, return_inverse=True)
+    return values, ranks.reshape(plane.shape).astype(np.int64)
 
 
 Ranges = Mapping[str, tuple[int, int]]
 """The smallest and the largest value of each field."""
 
 
-def codes_from_file(
-    path: Path,
+def codes_from(
+    pixels: Path | Mapping[str, NDArray[Any]],
     table: DecodeTable,
     rows: int,
     cols: int,
@@ -72,68 +62,42 @@ def codes_from_file(
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
-    """Read pixel codes for a compiled program; return the row of `table.codes` at each pixel.
+    """Return the row of `table.codes` at each pixel, from a file or from arrays by field name.
 
-    The file contains one array for each field of `table`, under the field's name: integers (rows,
-    cols), or single bits (see `nscc.program.field_planes.planes_of`). Messages call the file
-    `shown`. `mode` "open" means that `table` contains every legal code. `ranges` returns the ranges
-    of the fields.
+    There is one array for each field of `table`, under the field's name: integers (rows, cols), or
+    single bits (see `nscc.program.field_planes.planes_of`). Messages call the file `shown`. `mode`
+    "open" means that `table` contains every legal code. `ranges` returns the ranges of the fields.
 
-    Raises Rejected: NS0313 and NS0314 for the file, NS0311 for a value outside its field's range,
-    NS0312 for a code that the program forbids, NS0319 for a code that was not compiled. Errors
-    about pixels name the first such pixel and their number."""
-    file = ArraysFile(path, str(path) if shown is None else shown)
-    planes: list[Stored] = []
-    for name, chunk_names in grouped(table.fields).items():
-        planes += stored_planes(file, name, (rows, cols), len(chunk_names))
-    return _rows_of_table(planes, table, (rows, cols), f'"{file.shown}"', mode, ranges)
-
-
-def codes_from_arrays(
-    arrays: Mapping[str, NDArray[Any]],
-    table: DecodeTable,
-    rows: int,
-    cols: int,
-    *,
-    mode: str = "fixed",
-    ranges: Callable[[], Ranges] = dict,
-) -> NDArray[np.int32]:
-    """Return the row of `table.codes` at each pixel, from arrays by field name.
-
-    Raises Rejected: NS0314 for missing, additional or unsuitable arrays, and the errors of
-    `codes_from_file` for values."""
-    fields = grouped(table.fields)
-    for name in {*arrays} - {*fields}:
-        raise rejected(
-            "NS0314",
-            f"the program's code has no field '{clipped(name)}'",
-            notes=(f"its fields: {', '.join(fields) or 'none'}",),
-            helps=meant(name, fields),
-        )
-    planes: list[Stored] = []
-    for name, chunk_names in fields.items():
-        if name not in arrays:
-            raise rejected("NS0314", f"the array for the code field '{name}' is missing")
-        planes += planes_of(np.asarray(arrays[name]), name, (rows, cols), len(chunk_names))
-    return _rows_of_table(planes, table, (rows, cols), "the arrays", mode, ranges)
-
-
-def _rows_of_table(
-    checked_planes: Sequence[tuple[Plane, NDArray[np.bool_]]],
-    table: DecodeTable,
-    shape: tuple[int, int],
-    origin: str,
-    mode: str,
-    ranges: Callable[[], Ranges],
-) -> NDArray[np.int32]:
-    """Return the row of `table.codes` at each pixel, for planes from `as_plane`.
-
-    Messages name the source as `origin`."""
-    planes = [plane for plane, _ in checked_planes]
+    Raises Rejected: NS0313 and NS0314 for the file, NS0314 for missing, additional or unsuitable
+    arrays, NS0311 for a value outside its field's range, NS0312 for a code that the program
+    forbids, NS0319 for a code that was not compiled. Errors about pixels name the first such pixel
+    and their number."""
+    fields, shape, origin = grouped(table.fields), (rows, cols), "the arrays"
+    stored: list[Stored] = []
+    if isinstance(pixels, Path):
+        file = ArraysFile(pixels, str(pixels) if shown is None else shown)
+        origin = f'"{file.shown}"'
+        for name, chunk_names in fields.items():
+            stored += stored_planes(file, name, shape, len(chunk_names))
+    else:
+        for name in {*pixels} - {*fields}:
+            raise rejected(
+                "NS0314",
+                f"the program's code has no field '{clipped(name)}'",
+                notes=(f"its fields: {', '.join(fields) or 'none'}",),
+                helps=meant(name, fields),
+            )
+        for name, chunk_names in fields.items():
+            if name not in pixels:
+                raise rejected("NS0314", f"the array for the code field '{name}' is missing")
+            stored += planes_of(np.asarray(pixels[name]), name, shape, len(chunk_names))
+    planes = [plane for plane, _ in stored]
     missing = np.zeros(shape, dtype=bool)
-    for _, beyond in checked_planes:
+    for _, beyond in stored:
         missing |= beyond
-    rows, unknown = rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
+    at_pixel, unknown = (
+        rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
+    )
     missing |= unknown
     if missing.any():
         known = ranges()
@@ -141,7 +105,7 @@ def _rows_of_table(
             if name in known:
                 refuse_outside(origin, name, plane, known[name])
         raise _unknown(origin, table, planes, missing, mode)
-    return rows
+    return at_pixel
 
 
 def refuse_outside(origin: str, name: str, plane: Plane, values: tuple[int, int]) -> None:

@@ -9,8 +9,7 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.arithmetic import Fault, Value, array, scalar
-from nscc.program.evaluate import Books, bit_count, evaluate, fault_at, fault_places
+from nscc.program.evaluate import Books, Fault, Value, bit_count, evaluate, fault_at, fault_places
 from nscc.program.expressions import Checked
 from nscc.program.limits import (
     COMBINATION_LIMIT,
@@ -170,7 +169,7 @@ def _decoded(
     """Return whether shutters are open (codes, slots), and the first missing value or None."""
     shape = (len(codes), rules.slots)
     bindings = _bindings(rules, codes)
-    bindings["n"] = array(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))
+    bindings["n"] = Value(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))
     evaluated = evaluate(rule, bindings, rules.books)
     opens = np.broadcast_to(np.asarray(evaluated.data, dtype=bool), shape)
     if evaluated.faults is None:
@@ -190,10 +189,10 @@ def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
     bindings: dict[str, Value] = {}
     for k, field in enumerate(rules.fields):
         column = np.ascontiguousarray(codes[:, k]).reshape(-1, 1)
-        bindings[field.name] = Value(column, field.low, field.high)
+        bindings[field.name] = Value(column)
         if field.bits is not None:
             # The last chunk of a long field has the highest bit.
-            bindings[bit_count(whole_name(field.name))] = scalar(field.first_bit + field.bits)
+            bindings[bit_count(whole_name(field.name))] = Value(field.first_bit + field.bits)
     return bindings
 
 
@@ -246,20 +245,7 @@ def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) 
 
 def distinct_rows(packed: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.int32]]:
     """Return the distinct rows in bit order, and the index of every row among them."""
-    width = packed.shape[1]
-    if width <= 8:
-        wide = np.zeros((len(packed), 8), dtype=np.uint8)
-        wide[:, :width] = packed
-        keys = wide.view(">u8")[:, 0].astype(np.uint64)
-        distinct, inverse = np.unique(keys, return_inverse=True)
-        rows = distinct.astype(">u8").view(np.uint8).reshape(-1, 8)[:, :width]
-        return np.ascontiguousarray(rows), inverse.astype(np.int32)
     # Rows as opaque bytes compare from their first byte on.
-    keys = np.ascontiguousarray(packed).view(f"V{width}")[:, 0]
-    order = np.argsort(keys, kind="stable")
-    ranked = packed[order]
-    new = np.ones(len(packed), dtype=bool)
-    new[1:] = (ranked[1:] != ranked[:-1]).any(axis=1)
-    ranks = np.empty(len(packed), dtype=np.int32)
-    ranks[order] = np.cumsum(new, dtype=np.int32) - 1
-    return ranked[new], ranks
+    keys = np.ascontiguousarray(packed).view(f"V{packed.shape[1]}")[:, 0]
+    _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
+    return packed[first], inverse.astype(np.int32)

@@ -12,8 +12,7 @@ from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from nscc.record import Record
 from nscc.source import Source, Span
-from nscc.syntax.grammar import END, START, parser, spellings
-from nscc.syntax.words import names_in, statement_words
+from nscc.syntax.words import END, START, names_in, parser, spellings, statement_words
 
 
 class Tokens(Record):

@@ -13,6 +13,7 @@ import numpy as np
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.report import report
+from nscc.experiment_store import Rows
 from nscc.limits.families import bits_rule, book_rule, bump_rule, program_text, start_rule
 from nscc.lower.exposure_plan import Lowering
 from nscc.pipeline import LEVELS, Compiled, Options, run_passes
@@ -20,7 +21,6 @@ from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
 from nscc.tradeoff.points import Point
-from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import Stopwatch
 
 Count = Literal["all", "logic"]

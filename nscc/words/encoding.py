@@ -86,16 +86,6 @@ def _fixed(row: Operation) -> int:
     return _INDEX | row.clock << _CLOCK_SHIFT | _raised(row.lines)
 
 
-def _kinds() -> dict[tuple[int, int], tuple[Operation, ...]]:
-    kinds: dict[tuple[int, int], tuple[Operation, ...]] = {}
-    for row in OPERATIONS:
-        mask = _KIND_ANALOG if row.analog else _KIND_DIGITAL
-        key = (row.clock, _fixed(row) & mask)
-        kinds[key] = (*kinds.get(key, ()), row)
-    return kinds
-
-
-_KINDS = _kinds()
 _ANALOG_READS = tuple((name, _READ[name]) for name in (*ANALOG_SOURCES, *NEIGHBOURS))
 _ANALOG_WRITES = tuple((name, _WRITE[name]) for name in (*ANALOG_WRITE, *NEIGHBOURS))
 _DIGITAL_READS = tuple((name, _READ[name]) for name in DIGITAL_SOURCES)
@@ -135,11 +125,12 @@ def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | 
     bits = _joined(word)
     clock = (bits & _CLOCK) >> _CLOCK_SHIFT
     analog = clock == 0
-    kind = bits & (_KIND_ANALOG if analog else _KIND_DIGITAL)
+    kind = _KIND_ANALOG if analog else _KIND_DIGITAL
     reads, writes = (_ANALOG_READS, _ANALOG_WRITES) if analog else (_DIGITAL_READS, _DIGITAL_WRITES)
     destinations = [name for name, mask in writes if bits & mask == mask]
     read = [name for name, mask in reads if bits & mask == mask]
-    for row in (*_KINDS.get((clock, kind), ()), *target_operations):
+    rows = [row for row in OPERATIONS if row.clock == clock and not (_fixed(row) ^ bits) & kind]
+    for row in (*rows, *target_operations):
         sources = read
         if row.effect in (WordEffect.BUS, WordEffect.RESET_PIX):
             sources = [name for name in read if not _fixed(row) & _READ[name]]

@@ -31,9 +31,7 @@ from nscc_training.sweep.point_programs import compiled_of
 
 ROOT = Path(__file__).parents[2]
 IMPROVERS: dict[str, tuple[str, Callable[..., Any]]] = {
-    "balance": ("nscc.lower.gates.balance", lambda solution, *_: solution),
-    "enrich": ("nscc.lower.gates.enrich", lambda solution, *_: solution),
-    "kernels": ("nscc.logic.improve.search.improve_kernels", lambda _frame, items, *_: items),
+    "balance": ("nscc.lower.refinery.balance", lambda solution, *_: solution),
     "recolour": ("nscc.logic.improve.search.recoloured", lambda *_: None),
     "shrink": ("nscc.logic.improve.search.shrink", lambda *_: None),
     "wander": ("nscc.logic.improve.search.wander", lambda *_: 0),
@@ -54,8 +52,9 @@ def programs(level: int, lowerings: list[str], most_slots: int) -> Iterator[Prog
         values = {**point.values, "level": level}
         if values["slots"] <= most_slots and values["lowering"] in lowerings:
             store = values.get("chip.store_words") or 0
-            name = f"{point.part} {values['slots']}, {values['lowering']}" + f", {store}" * bool(
-                store
+            name = (
+                f"{point.grid_part} {values['slots']}, {values['lowering']}"
+                + f", {store}" * bool(store)
             )
             yield name, partial(compiled_of, values)
 

@@ -9,15 +9,13 @@ from hypothesis import strategies as st
 from improve_oracle import chip, words_of
 from lowering_oracle import program_from
 
+from nscc.logic.bumps import halved_bumps, paired_bumps
 from nscc.logic.cubes import Budget
-from nscc.logic.halved_bumps import halved_bumps
 from nscc.logic.improve.search import improve
-from nscc.logic.paired_bumps import paired_bumps
 from nscc.logic.problem import GaveUp, Machine
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
-from nscc.lower.exposure_plan import levels, plan_exposure
-from nscc.lower.timeline import timeline
+from nscc.lower.exposure_plan import levels, plan_exposure, timeline
 
 CHIPS = st.builds(
     chip,

@@ -13,9 +13,8 @@ from syntax_text import bare
 from nscc.chips.load import builtin_target
 from nscc.compiler import compile_source
 from nscc.editing.complete import Listing, complete, complete_listing
-from nscc.editing.costs import hints
 from nscc.editing.document import Document, all_mended, fixes_at, outline
-from nscc.editing.hover import hover
+from nscc.editing.hover import hints, hover
 from nscc.editing.mentions import CannotRename, renamed
 from nscc.lower.resources import time_text
 from nscc.pipeline import Options

@@ -28,7 +28,7 @@ from devkit_oracle import (
 from marks import slow
 from nscc_command import invoke
 
-from nscc.emit.cpp.patterns import patterns_of
+from nscc.emit.cpp.codes import patterns_of
 from nscc.words.container import Container, StoredKernel, with_picture_words
 from nscc.words.encoding import decode
 from nscc.words.file import read_container

@@ -14,14 +14,12 @@ from improve_oracle import chip, words_of
 from lowering_oracle import container_of, does_as_told, lowered_as, program_from
 
 import nscc.logic.cube_tables
+from nscc.logic.bumps import halved_bumps, paired_bumps
 from nscc.logic.cube_tables import BumpCubes, number_cubes
 from nscc.logic.digits import cycle
-from nscc.logic.halved_bumps import halved_bumps
-from nscc.logic.paired_bumps import paired_bumps
 from nscc.logic.problem import GaveUp, Machine
 from nscc.lower.decoding import problem_of
-from nscc.lower.exposure_plan import levels, plan_exposure
-from nscc.lower.timeline import timeline
+from nscc.lower.exposure_plan import levels, plan_exposure, timeline
 from nscc.prove.proof import prove
 from nscc.words.legality import decoded
 

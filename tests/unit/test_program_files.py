@@ -15,7 +15,7 @@ from nscc_command import invoke
 from program_oracle import program_of
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.program.pixel_codes import codes_from_file
+from nscc.program.pixel_codes import codes_from
 from nscc.program.program import Program
 from nscc.words.container import DecodeTable
 
@@ -175,14 +175,14 @@ def test_codes_for_a_compiled_program(tmp_path: Path) -> None:
     rng = np.random.default_rng(1)
     wanted = rng.integers(0, len(table.codes), (5, 7))
     save(tmp_path, a=table.codes[wanted][..., 0], b=table.codes[wanted][..., 1])
-    found = codes_from_file(tmp_path / "f.npz", table, 5, 7)
+    found = codes_from(tmp_path / "f.npz", table, 5, 7)
     assert found.dtype == np.int32
     np.testing.assert_array_equal(found, wanted)
 
 
 def outside_of(folder: Path, table: DecodeTable, **known: Any) -> Diagnostic:
     with pytest.raises(Rejected) as caught:
-        codes_from_file(folder / "f.npz", table, 4, 6, shown="f.npz", **known)
+        codes_from(folder / "f.npz", table, 4, 6, shown="f.npz", **known)
     (found,) = caught.value.diagnostics
     assert not any("--codes open" in each for each in found.helps)
     return found
@@ -210,7 +210,7 @@ def test_a_code_that_was_not_compiled(tmp_path: Path) -> None:
     codes[3, :2] = 900
     save(tmp_path, a=codes)
     with pytest.raises(Rejected) as caught:
-        codes_from_file(tmp_path / "f.npz", table, 4, 6, shown="f.npz")
+        codes_from(tmp_path / "f.npz", table, 4, 6, shown="f.npz")
     (found,) = caught.value.diagnostics
     assert found.code == "NS0319"
     assert "x = 5, y = 2 (row 2, column 5) has a = 5" in found.message
@@ -220,6 +220,6 @@ def test_a_code_that_was_not_compiled(tmp_path: Path) -> None:
     assert outside_of(tmp_path, table, ranges=lambda: {"a": (0, 7)}).code == "NS0311"
     assert outside_of(tmp_path, table, mode="open").code == "NS0312"
     with pytest.raises(Rejected, match="NS0314"):
-        codes_from_file(tmp_path / "f.npz", table, 6, 4)
+        codes_from(tmp_path / "f.npz", table, 6, 4)
     with pytest.raises(Rejected, match="NS0313"):
-        codes_from_file(tmp_path / "g.npz", table, 4, 6)
+        codes_from(tmp_path / "g.npz", table, 4, 6)

@@ -12,7 +12,7 @@ from lark.exceptions import UnexpectedInput
 from syntax_text import codes
 
 from nscc.cache.store import Store
-from nscc.syntax import grammar
+from nscc.syntax import words as grammar
 
 
 @pytest.fixture

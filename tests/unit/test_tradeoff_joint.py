@@ -15,10 +15,10 @@ from PIL import Image
 from nscc.chips.load import builtin_target, target_toml
 from nscc.compiler import compile_source
 from nscc.containers import with_pixels
+from nscc.experiment_store import Rows
 from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.tradeoff.points import COLUMNS, STAGES, Point
-from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.slots import NotJoined, in_fewer, with_slot_us
 from nscc_runtime import capture
 from nscc_runtime.kept_plans import KeptPlans, Turn

@@ -14,10 +14,9 @@ import pytest
 from nscc_command import invoke
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.experiment_store import ExperimentStore
+from nscc.experiment_store import ExperimentStore, Rows
 from nscc.source import Source
 from nscc.tradeoff import synthesis
-from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.synthesis import SynthesisCase, every_way
 
 TEXT = "nsl 1 frame 8 slots of 1ms code stop : 0..7 open when n < stop "

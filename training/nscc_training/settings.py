@@ -105,7 +105,9 @@ class DecoderSettings:
         TextKind(), f"{', '.join(DECODERS)}, or a custom decoder as module:name", "unet2d"
     )
     size: str = key(
-        TextKind(SIZES), "paper: as in the paper; small: at most 0.6 million parameters at width 1", "small"
+        TextKind(SIZES),
+        "paper: as in the paper; small: at most 0.6 million parameters at width 1",
+        "small",
     )
     width: float = key(
         Number(0.01, 4), "factor on the width of the decoder's layers of this size", 1.0

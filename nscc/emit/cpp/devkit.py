@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 
 from nscc.chips.target import Target
-from nscc.emit.cpp.patterns import ADDRESS_BITS
+from nscc.emit.cpp.codes import ADDRESS_BITS
 from nscc.operations import ANALOG_WRITE
 from nscc.words.container import Container
 

@@ -12,7 +12,14 @@ from math import ceil
 from pathlib import PurePath
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
-from nscc.emit.cpp.codes import CodeLoading, bitmap, loading_lines, loading_of, loading_rate
+from nscc.emit.cpp.codes import (
+    ADDRESS_BITS,
+    CodeLoading,
+    bitmap,
+    loading_lines,
+    loading_of,
+    loading_rate,
+)
 from nscc.emit.cpp.cpp_text import comment, entry, literal, safe, section, template_lines
 from nscc.emit.cpp.devkit import Devkit, devkit_fault, devkit_of
 from nscc.emit.cpp.frame import (
@@ -24,7 +31,6 @@ from nscc.emit.cpp.frame import (
     schedule_of,
 )
 from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines, narrowed
-from nscc.emit.cpp.patterns import ADDRESS_BITS
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 from nscc.program.program import Program

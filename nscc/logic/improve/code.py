@@ -43,11 +43,6 @@ class GateOp:
     segment: int
     reads: int
 
-    @property
-    def function(self) -> tuple[bool, int, tuple[int, ...]]:
-        """The operation without its place."""
-        return self.inverted, self.destination, self.sources
-
 
 @dataclass(frozen=True, slots=True)
 class Check:
@@ -67,9 +62,7 @@ Item = GateOp | Check
 class FrameContext:
     """The constants of an improvement: problem, registers, limits, initial state.
 
-    Operations that write `masked` (if not None) are masked: they write only where `mask` is 1. For
-    a whole frame `ends` is None, and the planes must be restored at its end. For a part of a frame
-    `ends` is the bit mask of registers that are read afterwards."""
+    Operations that write `masked` (if not None) are masked: they write only where `mask` is 1."""
 
     solution: Solution
     problem: Problem
@@ -81,17 +74,11 @@ class FrameContext:
     start: tuple[Content, ...]
     masked: int | None
     mask: int | None
-    ends: int | None = None
 
     @property
     def flag(self) -> int:
         """The register number of FLAG."""
         return self.planes + self.states + self.scratch
-
-    @property
-    def unscathed(self) -> int:
-        """The bit mask of registers whose content matters at the end."""
-        return (1 << self.planes) - 1 if self.ends is None else self.ends
 
     def words(self, item: Item) -> int:
         """Return the number of words of an item."""
@@ -102,7 +89,7 @@ class FrameContext:
     def total(self, items: Sequence[Item]) -> int:
         """Return the words of a frame, including refresh of planes that are not written in all
         pixels."""
-        left_alone = self.writes(items).count(0) if self.ends is None else 0
+        left_alone = self.writes(items).count(0)
         return sum(map(self.words, items)) + REFRESH_WORDS * left_alone
 
     def op(
@@ -305,8 +292,6 @@ def states_before(frame: FrameContext, items: Sequence[Item]) -> list[tuple[Cont
         if isinstance(item, GateOp) and state[item.destination] is None:
             raise Illegal("an operation reads what nobody knows")
     states.append(tuple(state))
-    if frame.ends is not None:
-        return states
     if state[: frame.planes] != list(frame.start[: frame.planes]):
         raise Illegal("the planes are not as they were")
     return states

@@ -34,15 +34,14 @@ class _Value:
     sources: tuple[int, ...] = ()
 
 
-def recoloured(frame: FrameContext, items: Sequence[Item], without: int = 0) -> list[Item] | None:
+def recoloured(frame: FrameContext, items: Sequence[Item]) -> list[Item] | None:
     """Return the same operations with other registers; None if there are too few registers.
 
-    Every result must be read. The registers `without` (a bit mask) are not used."""
+    Every result must be read."""
     values, written = _values(frame, items)
     masks = [value for value in values if value.masks]
     ends = [value.last for value in masks]
     for value in values:
-        value.banned |= without
         following = bisect_right(ends, value.first)
         in_the_way = following < len(masks) and masks[following].first < value.last
         if frame.mask is not None and in_the_way and not value.masks:
@@ -69,10 +68,9 @@ def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], l
         holds[item.destination] = len(values)
         written.append(len(values))
         values.append(_Value(k, k, sources=sources))
-    for register in set_bits(frame.unscathed):
+    for register in range(frame.planes):
         values[holds[register]].last = len(items)
-        if register != frame.flag:
-            values[holds[register]].home = register
+        values[holds[register]].home = register
     lossy = [
         (k, forgets)
         for k, item in enumerate(items)
@@ -148,11 +146,10 @@ class _Painter:
             # A value in a plane's home makes that plane go elsewhere first.
             plane = register < self.frame.planes
             in_the_way = plane and register != value.home and value.last > self.homing[register] > k
-            # Sort key: words, including the copy home (impossible in a part of a frame, so away is
-            # more expensive there); then no plane's home blocked; then few changes; then a register
-            # that no plane needs, or only late.
+            # Sort key: words, including the copy home; then no plane's home blocked; then few
+            # changes; then a register that no plane needs, or only late.
             return (
-                in_place + away * (1 if self.frame.ends is None else 2),
+                in_place + away,
                 in_the_way,
                 register != item.destination,
                 -self.homing[register] if self.homing[register] >= 0 else -len(self.items),
@@ -183,8 +180,6 @@ class _Painter:
         astray = {plane: at for plane, at in current_place.items() if plane != at}
         if not astray:
             return out
-        if frame.ends is not None:
-            return None
         import networkx as nx  # slow to import, and most builds do not need it
 
         segment = max(

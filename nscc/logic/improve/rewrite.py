@@ -7,7 +7,13 @@ later must stay equal.
 
 This is resubstitution with don't-cares. It is close to the transduction method for NOR networks
 (Muroga, Kambayashi, Lai and Culliney, IEEE Trans. Computers 38, 1989), which computes a gate's
-permissible functions first; here a change is tried and followed while it makes a difference."""
+permissible functions first; here a change is tried and followed while it makes a difference.
+
+A target of a gate is (ones, zeros): the shutters in which the result must be 1 and those in which
+it must be 0. An OR computes it if its sources avoid `zeros` and together cover `ones`; a NOR if
+they avoid `ones` and cover `zeros`. So a gate exists if all sources that may be read cover the
+target. Covers are made small greedily; their size matters only if the number of sources is limited,
+because a word costs the same with any number of sources."""
 
 from __future__ import annotations
 
@@ -15,8 +21,124 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from nscc.logic.improve.code import Check, Content, GateOp, Item
-from nscc.logic.improve.covers import gate, inner
 from nscc.logic.improve.tracked_run import HORIZON, TrackedRun
+from nscc.truth import union
+
+
+def cover(
+    target: int, sources: Sequence[tuple[int, int]], limit: int | None
+) -> tuple[int, ...] | None:
+    """Return a small set of `sources` (register, content) that covers `target`, at most `limit` of
+    them.
+
+    None if all sources together do not cover it. Of equally good sources, earlier ones are taken.
+    """
+    reachable = 0
+    for _, content in sources:
+        reachable |= content
+    if target & ~reachable:
+        return None
+    uncovered = target
+    chosen: list[tuple[int, int]] = []
+    while uncovered:
+        gain = 0
+        best = sources[0]
+        for source in sources:
+            covered = (source[1] & uncovered).bit_count()
+            if covered > gain:
+                gain, best = covered, source
+        chosen.append(best)
+        uncovered &= ~best[1]
+    if len(chosen) > 2:
+        for source in list(chosen):
+            other_contents = [content for register, content in chosen if register != source[0]]
+            if not target & ~union(other_contents):
+                chosen.remove(source)
+    if limit is not None and len(chosen) > limit:
+        exact = _within(target, sources, limit)
+        return None if exact is None else tuple(sorted(exact))
+    return tuple(sorted(register for register, _ in chosen))
+
+
+def _within(target: int, sources: Sequence[tuple[int, int]], limit: int) -> tuple[int, ...] | None:
+    """Return at most `limit` sources that cover `target`, by exhaustive search; None if there are
+    none.
+
+    Each step tries the sources that contain the first uncovered shutter."""
+    if not target:
+        return ()
+    if limit == 0:
+        return None
+    low = target & -target
+    for register, content in sources:
+        if content & low:
+            deeper = _within(target & ~content, sources, limit - 1)
+            if deeper is not None:
+                return (register, *deeper)
+    return None
+
+
+def gate(
+    ones: int,
+    zeros: int,
+    state: Sequence[Content],
+    readable: Sequence[int],
+    limit: int | None,
+    *,
+    inverted: tuple[bool, ...] = (False, True),
+    fewest: int = 0,
+) -> tuple[bool, tuple[int, ...]] | None:
+    """Return a gate over `readable` registers that is 1 on `ones` and 0 on `zeros`, as (inverted,
+    sources).
+
+    None if there is no such gate. With `fewest` 1 at least one source is read, as WHERE requires.
+    """
+    best: tuple[bool, tuple[int, ...]] | None = None
+    for invert in inverted:
+        avoid, target = (ones, zeros) if invert else (zeros, ones)
+        allowed = _avoiding(avoid, state, readable)
+        chosen = cover(target, allowed, limit)
+        if chosen is None:
+            continue
+        if len(chosen) < fewest:
+            if not allowed:
+                continue
+            chosen = (allowed[0][0],)
+        if best is None or len(chosen) < len(best[1]):
+            best = invert, chosen
+    return best
+
+
+def inner(
+    ones: int,
+    zeros: int,
+    state: Sequence[Content],
+    readable: Sequence[int],
+    inverted: tuple[bool, ...] = (False, True),
+) -> list[tuple[bool, int, int]]:
+    """Return gates that would be 1 on `ones` and 0 on `zeros` if they had one additional source.
+
+    Each item is (inverted, ones', zeros'). `inverted` means a NOR, otherwise the gate is an OR. The
+    additional source must be 1 on ones' and 0 on zeros'. The gate also reads all other registers
+    that it may read."""
+    ways = []
+    for invert in inverted:
+        avoid, target = (ones, zeros) if invert else (zeros, ones)
+        for _, content in _avoiding(avoid, state, readable):
+            target &= ~content
+        ways.append((invert, target, avoid))
+    return ways
+
+
+def _avoiding(
+    avoid: int, state: Sequence[Content], readable: Sequence[int]
+) -> list[tuple[int, int]]:
+    """Return the `readable` registers, with their contents, that are 0 in all of `avoid`."""
+    return [
+        (register, content)
+        for register in readable
+        if (content := state[register]) is not None and not content & avoid
+    ]
 
 
 def shrink(run: TrackedRun, span: int) -> None:
@@ -39,7 +161,7 @@ def _drop(run: TrackedRun, *dropped: int) -> bool:
     does."""
     if not all(isinstance(run.items[k], GateOp) for k in dropped):
         return False
-    rewriting = rewrite(run, dropped[0], (), dropped, least=1, deepen=True)
+    rewriting = Rewriter(run, dropped[0], least=1, deepen=True).rewrite((), dropped)
     if rewriting is not None:
         run.splice(rewriting.start, rewriting.end, rewriting.items)
     return rewriting is not None
@@ -55,39 +177,32 @@ class Rewrite:
     gain: int
 
 
-def rewrite(
-    run: TrackedRun,
-    start: int,
-    lead: Sequence[GateOp],
-    dropped: Collection[int],
-    *,
-    least: int,
-    deepen: bool = False,
-    order: Sequence[int] | None = None,
-) -> Rewrite | None:
-    """Insert `lead` before item `start`, drop the items `dropped`, and repair the code after them.
+class Rewriter:
+    """A change of a run from item `start` on, and the repair of the code after it.
 
-    Returns None if this does not save `least` words. With `deepen`, the repair may insert gates.
-    `order` lists the registers by preference as sources."""
-    return _Walk(run, start, least, deepen, order).go(lead, dropped)
+    A rewriting must save `least` words. With `deepen`, the repair may insert gates. `order` lists
+    the registers by preference as sources."""
 
-
-class _Walk:
     def __init__(
-        self, run: TrackedRun, start: int, least: int, deepen: bool, order: Sequence[int] | None
+        self,
+        run: TrackedRun,
+        start: int,
+        *,
+        least: int,
+        deepen: bool = False,
+        order: Sequence[int] | None = None,
     ) -> None:
-        self.run = run
-        self.frame = run.frame
-        self.start = start
-        self.least = least
-        self.deepen = deepen
+        self.run, self.frame, self.start = run, run.frame, start
+        self.least, self.deepen = least, deepen
         self.order = order if order is not None else range(run.frame.flag + 1)
         self.state: list[Content] = list(run.before[start])
         self.changed = 0
         self.gain = 0
         self.out: list[Item] = []
 
-    def go(self, lead: Sequence[GateOp], dropped: Collection[int]) -> Rewrite | None:
+    def rewrite(self, lead: Sequence[GateOp], dropped: Collection[int]) -> Rewrite | None:
+        """Insert `lead` before item `start`, drop the items `dropped`, and repair the code after
+        them; return None if that does not save enough words."""
         run, frame, items = self.run, self.frame, self.run.items
         run.budget.spend(run.step)
         self.gain = sum(frame.words(items[k]) for k in dropped)

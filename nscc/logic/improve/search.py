@@ -1,4 +1,5 @@
-"""Repetition of the improvement passes, while they save words and steps are left.
+"""Repetition of the improvement passes, while they save words and steps are left; and the balance
+of words between boundaries.
 
 Between sweeps, a random walk among solutions of equal cost looks for a cheaper one nearby. Every
 step drops one to three operations, or moves one, and keeps the repaired result unless it costs more
@@ -8,12 +9,15 @@ registers and times, so that another point of the plateau may have a cheaper nei
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
-from itertools import count
+from itertools import count, islice
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.code import (
+    CLOSING,
+    OPENING,
     Check,
     FrameContext,
     GateOp,
@@ -23,9 +27,8 @@ from nscc.logic.improve.code import (
     states_before,
     unflatten,
 )
-from nscc.logic.improve.kernels import improve_kernels
 from nscc.logic.improve.recolour import recoloured
-from nscc.logic.improve.rewrite import Rewrite, rewrite, shrink
+from nscc.logic.improve.rewrite import Rewrite, Rewriter, shrink
 from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -95,7 +98,8 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
         choose.shuffle(dropped)
         dropped = dropped[: choose.randrange(1, 3)]
         start = min([k, *dropped])
-    rewriting = rewrite(run, start, lead, dropped, least=0, deepen=True, order=order)
+    rewriter = Rewriter(run, start, least=0, deepen=True, order=order)
+    rewriting = rewriter.rewrite(lead, dropped)
     if rewriting is None or (
         rewriting.gain == 0 and rewriting.items == run.items[rewriting.start : rewriting.end]
     ):
@@ -124,43 +128,19 @@ PAIR_SPAN = 8
 WALK_STEPS = 50_000
 # Number of consecutive walks without improvement after which the search ends.
 PATIENCE = 6
-# Steps of a walk over one kernel.
-KERNEL_STEPS = 2_000
 
 
-def improve(
-    solution: Solution,
-    problem: Problem,
-    machine: Machine,
-    budget: Budget,
-    *,
-    keep_kernels: bool = False,
-    room: int = 0,
-) -> Solution:
+def improve(solution: Solution, problem: Problem, machine: Machine, budget: Budget) -> Solution:
     """Return a solution of the same problem with at most as many words per frame.
 
     The encoding is unchanged. The result is deterministic: steps of `budget` are used until nothing
-    is gained. Equal segments may become different. With `keep_kernels` they stay equal: kernels are
-    rewritten in all places, and repeated sequences of kernels together while all distinct segments
-    take at most `room` words."""
+    is gained. Equal segments may become different."""
     frame, items = flatten(solution, problem, machine)
     try:
-        if keep_kernels:
-            # Shorter kernels leave more room, so all are shortened until nothing is gained.
-            words = frame.total(items) + 1
-            while frame.total(items) < words and budget.left > 0:
-                words = frame.total(items)
-                items = improve_kernels(frame, items, budget, _kernel, room)
-        else:
-            items = _exhausted(TrackedRun(frame, items, budget), WALK_STEPS, PATIENCE)
+        items = _exhausted(TrackedRun(frame, items, budget))
     except Illegal:
         return solution
     return settled(frame, items)
-
-
-def _kernel(frame: FrameContext, items: list[Item], budget: Budget) -> list[Item]:
-    """Shorten the items of one kernel by sweeps and a short walk."""
-    return _exhausted(TrackedRun(frame, items, budget), KERNEL_STEPS, patience=1)
 
 
 def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) -> Solution:
@@ -180,19 +160,19 @@ def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) ->
     return candidate if gain > 0 or (as_long and gain == 0) else solution
 
 
-def _exhausted(run: TrackedRun, steps: int, patience: int) -> list[Item]:
-    """Return the items after alternating sweeps and walks of `steps` steps.
+def _exhausted(run: TrackedRun) -> list[Item]:
+    """Return the items after alternating sweeps and walks.
 
-    The search ends with the budget or after `patience` walks without gain."""
+    The search ends with the budget or after PATIENCE walks without gain."""
     try:
         _sweep(run)
         idle = 0
         for seed in count():
-            gained = wander(run, seed, steps)
+            gained = wander(run, seed, WALK_STEPS)
             words = run.words()
             _sweep(run)
             idle = 0 if gained or run.words() < words else idle + 1
-            if idle == patience:
+            if idle == PATIENCE:
                 break
     except GaveUp:
         _recolour(run)
@@ -212,3 +192,113 @@ def _recolour(run: TrackedRun) -> None:
     if items is not None and run.frame.total(items) < run.words():
         with suppress(Illegal):
             run.restart(items)
+
+
+# How many answers a gate may move forward; its value needs a register in between.
+REACH = 6
+
+
+def balance(
+    solution: Solution,
+    problem: Problem,
+    machine: Machine,
+    budget: Budget,
+    other_words: Sequence[int],
+) -> Solution:
+    """Move gates to earlier boundaries without adding words to the frame.
+
+    `other_words` are the words at each boundary 0..N besides the solution's gates. The words of the
+    largest boundary decrease. Returns `solution` if no gate can move."""
+    frame, items = flatten(solution, problem, machine)
+    try:
+        run = TrackedRun(frame, items, budget)
+    except Illegal:
+        return solution
+    loads = _Loads(frame, items, other_words)
+    with suppress(GaveUp):
+        # All gates of the fullest boundaries must move, otherwise the largest stays as large.
+        while (most := max(loads.words)) and all(
+            _relieve(run, loads, n, most)
+            for n in [n for n, words in enumerate(loads.words) if words >= most]
+        ):
+            pass
+    if max(loads.words) >= max(loads.counted(items)):
+        return solution
+    return settled(frame, run.items, as_long=True)
+
+
+def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int) -> list[int]:
+    """Return the words of a solution's gates at each boundary 0..slots."""
+    frame, items = flatten(solution, problem, machine)
+    return _Loads(frame, items, [0] * (slots + 1)).words
+
+
+class _Loads:
+    """The number of words at each boundary."""
+
+    def __init__(
+        self, frame: FrameContext, items: Sequence[Item], other_words: Sequence[int]
+    ) -> None:
+        self._frame = frame
+        self._boundaries = [demand.boundary for demand in frame.problem.demands]
+        self._other_words = other_words
+        self.words = self.counted(items)
+
+    def boundary(self, place: int) -> int:
+        """Return the boundary of a place."""
+        if place == OPENING:
+            return 0
+        return len(self._other_words) - 1 if place == CLOSING else self._boundaries[place]
+
+    def counted(self, items: Sequence[Item]) -> list[int]:
+        """Return the words at each boundary for these items."""
+        words = list(self._other_words)
+        for item in items:
+            words[self.boundary(item.place)] += self._frame.words(item)
+        return words
+
+
+def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
+    for k, item in enumerate(run.items):
+        if isinstance(item, Check) or loads.boundary(item.place) != boundary:
+            continue
+        if item.destination in (run.frame.flag, run.frame.masked):
+            continue
+        for start, place, segment in _earlier(run, k, loads, most):
+            for target in (item.destination, *run.free(start, {item.destination})):
+                moved = replace(item, destination=target, place=place, segment=segment)
+                rewriting = Rewriter(run, start, least=0).rewrite((moved,), (k,))
+                if rewriting is not None and _take(run, loads, rewriting, boundary, most):
+                    return True
+    return False
+
+
+def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
+    """Return (item, place, segment) at the ends of earlier answers with room for another word."""
+    places = []
+    own_boundary = loads.boundary(run.items[k].place)
+    checks = (at for at in range(k - 1, -1, -1) if isinstance(run.items[at], Check))
+    for at in islice(checks, REACH):
+        item = run.items[at]
+        boundary = loads.boundary(item.place)
+        if boundary == own_boundary or loads.words[boundary] + 1 >= most:
+            continue
+        before = run.items[at - 1] if at else item
+        segment = before.segment if isinstance(before, GateOp) else 0
+        places.append((at, item.place, segment))
+    return places
+
+
+def _take(run: TrackedRun, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:
+    """Apply a rewriting if the boundary then has fewer than `most` words and no other reaches
+    `most`."""
+    words = loads.counted(
+        [*run.items[: rewriting.start], *rewriting.items, *run.items[rewriting.end :]]
+    )
+    if words[boundary] >= most or any(
+        now >= most and now > was for now, was in zip(words, loads.words, strict=True)
+    ):
+        return False
+    run.splice(rewriting.start, rewriting.end, rewriting.items)
+    loads.words = loads.counted(run.items)
+    return True

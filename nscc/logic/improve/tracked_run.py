@@ -38,7 +38,7 @@ class TrackedRun:
         self.before = states_before(frame, items)
         self.items = list(items)
         self.live = [0] * (len(items) + 1)
-        self.live[-1] = frame.unscathed
+        self.live[-1] = (1 << frame.planes) - 1
         self._cares: list[tuple[int, int] | None] = [None] * len(items)
         self._writes = frame.writes(items)
         self._settle(self._revive(0, len(items)), len(items))
@@ -62,8 +62,6 @@ class TrackedRun:
 
     def refresh(self, old: Sequence[Item], new: Sequence[Item]) -> int:
         """Return the additional refresh words if `new` replaces `old`."""
-        if self.frame.ends is not None:
-            return 0
         after = self._after(old, new)
         return REFRESH_WORDS * (after.count(0) - self._writes.count(0))
 
@@ -181,6 +179,6 @@ class TrackedRun:
         if last < len(items):
             return everything, last - k
         for register, content in flipped.items():
-            if frame.unscathed >> register & 1:
+            if register < frame.planes:
                 matters |= content ^ before[-1][register]  # type: ignore[operator]
         return matters, last - k

@@ -28,6 +28,9 @@ from nscc_runtime.pool import in_parts
 BLOCK = 512
 """Number of pixels whose sums stay in the processor cache for all frames."""
 
+TOGETHER = 4
+"""Number of frames that are added in one pass over the sums."""
+
 
 @record
 class SceneSizes:
@@ -68,9 +71,9 @@ def _moved(
 @compiled
 def _smear(
     sizes: SceneSizes, frames: Floats32, share: Floats32, frame: int, first: int, stop: int,
-    lit: Floats32,
+    lit: Floats32, at: int,
 ) -> None:  # fmt: skip
-    """Set lit[i] to q + fraction laplacian(q) at pixel first + i, where q = share * frame. The
+    """Set lit[at + i] to q + fraction laplacian(q) at pixel first + i, where q = share * frame. The
     border reflects. All pixels belong to one row."""
     cols, c = sizes.cols, np.float32(sizes.fraction)
     row = first // cols
@@ -78,32 +81,31 @@ def _smear(
     down_step = cols if row + 1 < sizes.rows else 0
     # Inner pixels have all neighbours: no branch, so LLVM vectorises the loop.
     for p in range(first + 1, stop - 1):
-        lit[p - first] = _moved(frames, share, frame, p, up_step, down_step, -1, 1, c)
+        lit[at + p - first] = _moved(frames, share, frame, p, up_step, down_step, -1, 1, c)
     left_step, right_step = -1 if first % cols else 0, 1 if first + 1 < (row + 1) * cols else 0
-    lit[0] = _moved(frames, share, frame, first, up_step, down_step, left_step, right_step, c)
+    lit[at] = _moved(frames, share, frame, first, up_step, down_step, left_step, right_step, c)
     left_step, right_step = -1 if (stop - 1) % cols else 0, 1 if stop % cols else 0
-    lit[stop - 1 - first] = _moved(
+    lit[at + stop - 1 - first] = _moved(
         frames, share, frame, stop - 1, up_step, down_step, left_step, right_step, c
     )
 
 
 @compiled
 def _gather(
-    sizes: SceneSizes, frames: Floats32, k: int, count: int, first: int, stop: int, gathered: Floats
+    source: Floats32, at: int, step: int, count: int, first: int, stop: int, gathered: Floats
 ) -> None:
-    """Add the light at first + i of the frames k to k + count - 1 to gathered[i], four frames in
-    one pass over the sums."""
-    pixels, fours = sizes.rows * sizes.cols, k + count - count % 4
-    for four in range(k, fours, 4):
-        a, b, c, d = four * pixels, (four + 1) * pixels, (four + 2) * pixels, (four + 3) * pixels
+    """Add the light at first + i of `count` frames, `step` apart, to gathered[i]."""
+    for k in range(0, count - count % TOGETHER, TOGETHER):
+        frame = at + k * step
         for p in range(first, stop):
-            total = gathered[p - first] + frames[a + p]
-            total += frames[b + p]
-            total += frames[c + p]
-            gathered[p - first] = total + frames[d + p]
-    for last in range(fours, k + count):
+            total = gathered[p - first] + source[frame + p]
+            total += source[frame + step + p]
+            total += source[frame + 2 * step + p]
+            gathered[p - first] = total + source[frame + 3 * step + p]
+    for k in range(count - count % TOGETHER, count):
+        frame = at + k * step
         for p in range(first, stop):
-            gathered[p - first] += frames[last * pixels + p]
+            gathered[p - first] += source[frame + p]
 
 
 @compiled
@@ -111,12 +113,14 @@ def _gather_smeared(
     sizes: SceneSizes, frames: Floats32, share: Floats32, k: int, count: int, first: int,
     stop: int, lit: Floats32, gathered: Floats,
 ) -> None:  # fmt: skip
-    """Add the light of these frames after crosstalk, like `_gather`."""
+    """Add the light of frames k to k + count - 1 after crosstalk to `gathered`."""
     pixels = sizes.rows * sizes.cols
-    for frame in range(k, k + count):
-        _smear(sizes, frames, share, frame * pixels, first, stop, lit)
-        for i in range(stop - first):
-            gathered[i] += lit[i]
+    for first_frame in range(0, count, TOGETHER):
+        together = min(TOGETHER, count - first_frame)
+        for index in range(together):
+            frame = (k + first_frame + index) * pixels
+            _smear(sizes, frames, share, frame, first, stop, lit, index * BLOCK)
+        _gather(lit, -first, BLOCK, together, first, stop, gathered)
 
 
 @compiled
@@ -139,7 +143,7 @@ def _add_alike(
         if smeared:
             _gather_smeared(sizes, frames, share, k, alike, first, stop, lit, gathered)
         else:
-            _gather(sizes, frames, k, alike, first, stop, gathered)
+            _gather(frames, k * pixels, pixels, alike, first, stop, gathered)
         for j in range(begin, end):
             if lit_sums[j * count + k]:
                 row = (j * count + k) * lane_count
@@ -167,7 +171,7 @@ def scene_sums(
     float32. `share`: `scale` in float32, for sums with crosstalk. `lit_sums`: whether any lane has
     a nonzero weight. `alike`: number of consecutive frames from frame k on with equal weights;
     these are added up before they are weighted. `lit` and `gathered` are working memory for
-    `BLOCK` pixels."""
+    `TOGETHER` times `BLOCK` pixels and for `BLOCK` pixels."""
     cols, count, pixels = sizes.cols, sizes.count, sizes.rows * sizes.cols
     for row in range(sizes.begin, sizes.end):
         for first in range(row * cols, (row + 1) * cols, BLOCK):
@@ -305,9 +309,11 @@ def light_sums(
         def run(
             begin: int, end: int, arrays: dict[str, Any] = arrays, sizes: dict[str, Any] = sizes
         ) -> None:
+            lit = np.empty(TOGETHER * BLOCK, np.float32)
+            gathered = np.empty(BLOCK)
             scene_sums(
-                sizes=SceneSizes(begin=begin, end=end, **sizes),
-                lit=np.empty(BLOCK, np.float32), gathered=np.empty(BLOCK), **arrays,
+                sizes=SceneSizes(begin=begin, end=end, **sizes), lit=lit, gathered=gathered,
+                **arrays,
             )  # fmt: skip
 
         in_parts(run, shape[0], threads)

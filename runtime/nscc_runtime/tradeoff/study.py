@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.experiment_store import Rows
 from nscc.tradeoff.points import Point
-from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import Stopwatch
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight

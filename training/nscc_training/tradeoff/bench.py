@@ -17,12 +17,12 @@ from numpy.typing import NDArray
 from nscc.containers import is_compiled, load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.experiment_store import Rows
 from nscc.pipeline import Options
 from nscc.requirements import line_for
 from nscc.source import Source
 from nscc.syntax.parse import read_source
 from nscc.tradeoff.points import STAGES, Point, Refused
-from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import Stopwatch
 from nscc.words.container import Container
 from nscc.words.file import to_bytes

@@ -14,8 +14,8 @@ import numpy as np
 import torch
 
 from nscc.diagnostics.rejection import rejected
+from nscc.experiment_store import Rows
 from nscc.tradeoff.points import Point
-from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import Stopwatch
 from nscc_training.decoders.blocks import BlockNet
 from nscc_training.decoders.declared import DECODERS

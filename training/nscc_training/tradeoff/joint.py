@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.experiment_store import Rows
 from nscc.tradeoff.points import Point, Refused, table_text
-from nscc.tradeoff.rows import Rows
 from nscc_training.tradeoff.bench import Bench, JointRequest, StageResult, misfit
 from nscc_training.tradeoff.chip_stages import compiling, effects, lowering, slots
 from nscc_training.tradeoff.decoder_stage import decoding

@@ -15,9 +15,9 @@ from nscc.chips.load import load_target
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.examples import examples
+from nscc.experiment_store import Rows
 from nscc.pipeline import Options
 from nscc.tradeoff.points import Point, Refused
-from nscc.tradeoff.rows import Rows
 from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.simulate import Request

@@ -14,12 +14,12 @@ import numpy as np
 from nscc.chips.load import load_target
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.experiment_store import Rows
 from nscc.lower.exposure_plan import Lowering
 from nscc.pipeline import Compiled
 from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.tradeoff.points import Point, Refused
-from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.synthesis import CompileVariant, SynthesisCase, compiled_or_not
 from nscc.words.container import Container
 from nscc_runtime.light import Light
