@@ -333,10 +333,14 @@ def test_lessons_go_on_where_they_stopped(lessons: str, tmp_path: Path) -> None:
     assert "nan" not in (tmp_path / "whole/metrics.csv").read_text()
 
 
-@pytest.mark.parametrize("shape", [(3, 20), (20, 3), (8, 2, 2, 2)])
+@pytest.mark.parametrize("shape", [(3, 20), (20, 3), (8, 2, 2, 2), (8, 2, 3, 3, 3)])
 def test_steps_of_muon_are_orthogonal(shape: tuple[int, ...]) -> None:
-    """By singular values: those of a step are alike, and its directions the gradient's."""
-    weight = torch.zeros(shape, requires_grad=True)
+    """By singular values: those of a step are alike, and its directions the gradient's. Weights of
+    3D networks have channels last in memory."""
+    weight = torch.zeros(shape)
+    if weight.ndim == 5:
+        weight = weight.to(memory_format=torch.channels_last_3d)
+    weight.requires_grad_()
     gradient = torch.randn(*shape, generator=torch.Generator().manual_seed(4))
     optimizer = Muon([weight], lr=1.0)
     weight.grad = gradient

@@ -23,15 +23,22 @@ class Muon(torch.optim.Muon):
 
     def __init__(self, weights: Iterable[Tensor], lr: float) -> None:
         self.weights = list(weights)
-        self.matrices = [weight.detach().view(len(weight), -1) for weight in self.weights]
+        self.matrices = [_in_rows(weight.detach(), weight) for weight in self.weights]
         super().__init__(self.matrices, lr, weight_decay=0.0, adjust_lr_fn="match_rms_adamw")
 
     @torch.no_grad()
     def step(self, closure: Any = None) -> None:  # type: ignore[override]
         """Take a step with the current gradients; `closure` is not used."""
         for weight, matrix in zip(self.weights, self.matrices, strict=True):
-            matrix.grad = None if weight.grad is None else weight.grad.reshape_as(matrix)
+            matrix.grad = None if weight.grad is None else _in_rows(weight.grad, weight)
         super().step()  # type: ignore[no-untyped-call]
+
+
+def _in_rows(values: Tensor, weight: Tensor) -> Tensor:
+    """Return values in the shape of a weight as a matrix with a row for each output, columns in the
+    order of the weight's memory: 3D networks have channels last."""
+    order = sorted(range(weight.ndim), key=weight.stride, reverse=True)
+    return values.permute(order).reshape(len(weight), -1)
 
 
 def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
