@@ -105,10 +105,10 @@ class Synthesis:
             if all(p and all(kernel_of(program) == taps for program in p) for taps, p in pairs):
                 return stored
         self._known.clear()
-        found = [self._proved(taps) for taps in kernels]
+        proved = [self._proved(taps) for taps in kernels]
         if self.store:
-            self.store.write(key, json.dumps(found).encode())
-        return found
+            self.store.write(key, json.dumps(proved).encode())
+        return proved
 
     def _proved(self, taps: Taps) -> list[Program]:
         self.steps = self.most_steps
