@@ -21,8 +21,8 @@ from nscc.words.legality import decoded
 @pytest.fixture(autouse=True)
 def few_steps(monkeypatch):
     """Enough steps for a few sweeps."""
-    module = importlib.import_module("nscc.lower.gates")
-    for name in ("FIRST_STEPS", "MORE_STEPS", "ENRICH_STEPS"):
+    module = importlib.import_module("nscc.lower.refinery")
+    for name in ("FIRST_STEPS", "MORE_STEPS"):
         monkeypatch.setitem(getattr(module, name), 2, 800)
 
 
