@@ -159,8 +159,7 @@ def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
         return container, []
     from nscc.neighbours.passes import with_pictures
 
-    store = None if job.results is None else job.results.store
-    return with_pictures(container, program, job.options.level, store)
+    return with_pictures(container, program, job.options.level, job.results)
 
 
 def lay_out_looking(layouts: Sequence[Lowered], job: Job) -> tuple[Choice, Found]:

@@ -70,6 +70,10 @@ class Results:
         stored one."""
         self.trusted, self.read = False, 0
 
+    def entry(self, key: str) -> bytes | None:
+        """Return a stored entry, if there is one and the store is trusted."""
+        return self.store.read(key) if self.trusted else None
+
     def find(
         self, problem: Problem, machine: Machine, level: int, *context: Any
     ) -> tuple[str, Solution | None]:
@@ -81,7 +85,7 @@ class Results:
         if version is None:
             return "", None
         key = digest((version, problem, machine, level, context))
-        known = _solution(self.store.read(key), problem, machine) if self.trusted else None
+        known = _solution(self.entry(key), problem, machine)
         self.read += known is not None
         return key, known
 

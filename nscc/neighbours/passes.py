@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from math import ceil, log2
 
-from nscc.cache.store import Store
+from nscc.cache.results import Results
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.lower.exposure_plan import RETENTION_SHARE
 from nscc.lower.resources import time_text
@@ -31,7 +31,7 @@ _LEVEL_OF_ALTERNATIVES = 2
 
 
 def with_pictures(
-    container: Container, program: Program, level: int, store: Store | None = None
+    container: Container, program: Program, level: int, results: Results | None = None
 ) -> tuple[Container, Sequence[Diagnostic]]:
     """Return the container with the words of the program's images and planes, or diagnostics.
 
@@ -44,7 +44,7 @@ def with_pictures(
     if far is not None:
         return container, [far]
     try:
-        lowering = lowered(container, pictures, level, store)
+        lowering = lowered(container, pictures, level, results)
     except PictureRefused as refused:
         return container, [_refusal(refused, container, program, level)]
     kernels, launches = grouped(lowering.words)
@@ -76,7 +76,7 @@ def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[Pi
 
 
 def lowered(
-    container: Container, pictures: Pictures, level: int, store: Store | None = None
+    container: Container, pictures: Pictures, level: int, results: Results | None = None
 ) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
     do not fit. From level 2 on, the shortest of several alternatives is returned."""
@@ -84,7 +84,7 @@ def lowered(
     best: Lowering | None = None
     refused: PictureRefused | None = None
     for forms in WordForms.choices(container.target):
-        synthesis = Synthesis(STEPS_OF_LEVEL[level], forms, store)
+        synthesis = Synthesis(STEPS_OF_LEVEL[level], forms, results)
         for way in ways:
             try:
                 lowering = _lowered(container, way, synthesis)

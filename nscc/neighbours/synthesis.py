@@ -12,7 +12,7 @@ from functools import cached_property, lru_cache
 from math import gcd
 
 from nscc.cache.digest import digest, package_digest
-from nscc.cache.store import Store
+from nscc.cache.results import Results
 from nscc.neighbours.addition import additions, halvings_of
 from nscc.neighbours.factors import Key, box_of, quotients, rows
 from nscc.neighbours.programs import (
@@ -69,10 +69,10 @@ def _names(values: list[object]) -> tuple[str, ...]:
 class Synthesis:
     """Finds programs for kernels; decomposes at most `steps` kernels for each.
 
-    Programs that an earlier compilation found come from `store`."""
+    Programs that an earlier compilation found come from `results`."""
 
-    def __init__(self, steps: int, forms: WordForms, store: Store | None = None) -> None:
-        self.most_steps, self.forms, self.store = steps, forms, store
+    def __init__(self, steps: int, forms: WordForms, results: Results | None = None) -> None:
+        self.most_steps, self.forms, self.results = steps, forms, results
         self.steps = 0
         self._known: dict[Key, tuple[int, list[Ranged]]] = {}
         self._variants: dict[Key, list[Ranged]] = {}
@@ -95,19 +95,21 @@ class Synthesis:
 
         items = [sorted(taps.items()) for taps in kernels]
         key = digest((package_digest("nscc.neighbours"), items, self.most_steps, self.forms))
-        data = self.store.read(key) if self.store else None
+        data = self.results.entry(key) if self.results else None
         with suppress(LookupError, RecursionError, TypeError, ValueError):
             stored = [
                 [tuple(BusWord(*map(_names, word)) for word in program) for program in programs]
                 for programs in json.loads(data or b"[]")
             ]
             pairs = zip(kernels, stored, strict=True)
-            if all(p and all(kernel_of(program) == taps for program in p) for taps, p in pairs):
+            if all(p and all(self._right(program, taps) for program in p) for taps, p in pairs):
+                if self.results:
+                    self.results.read += 1
                 return stored
         self._known.clear()
         proved = [self._proved(taps) for taps in kernels]
-        if self.store:
-            self.store.write(key, json.dumps(proved).encode())
+        if self.results:
+            self.results.store.write(key, json.dumps(proved).encode())
         return proved
 
     def _proved(self, taps: Taps) -> list[Program]:
@@ -117,8 +119,12 @@ class Synthesis:
             candidates = list(filter(reads_news_once, candidates))
         if len(taps) <= _MOST_ADDED or not candidates:
             candidates += additions(taps, self.forms)
-        assert all(kernel_of(program) == dict(taps) for program in candidates)
+        assert all(self._right(program, dict(taps)) for program in candidates)
         return candidates
+
+    def _right(self, program: Program, taps: Polynomial) -> bool:
+        """Return whether the program computes a kernel, by words that the chip has."""
+        return kernel_of(program) == taps and all(map(self.forms.allow, program))
 
     def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
         key = frozenset(taps.items())

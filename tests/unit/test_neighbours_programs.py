@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -12,6 +13,7 @@ import pytest
 from network_kernels import ANALOGNET2, MAX_POOLED
 from scipy.ndimage import correlate
 
+from nscc.cache.results import Results
 from nscc.cache.store import Store
 from nscc.chips.load import builtin_target
 from nscc.neighbours.addition import additions
@@ -21,6 +23,7 @@ from nscc.neighbours.programs import (
     UNIT,
     BusWord,
     Program,
+    added,
     exact_taps,
     kernel_of,
     noise_gain,
@@ -278,16 +281,34 @@ def test_stored_programs_are_those_of_a_search(
     """Whatever was searched before, and whatever a damaged entry contains."""
     kernels = [exact_taps(weights_of(*each)) for each in ((LAPLACE_8, 8), (GAUSS_5, 64))]
     found = [Synthesis(60, PUBLIC).variants(taps) for taps in kernels]
-    both = Synthesis(60, PUBLIC, Store(tmp_path))
+    both = Synthesis(60, PUBLIC, Results(Store(tmp_path)))
     assert [both.variants(taps) for taps in reversed(kernels)] == found[::-1]
     entries = list(tmp_path.iterdir())
     assert len(entries) == 2  # a kernel and its inverse share one
     with monkeypatch.context() as patched:
         patched.setattr(Synthesis, "_proved", None)
-        known = Synthesis(60, PUBLIC, Store(tmp_path))
+        known = Synthesis(60, PUBLIC, Results(Store(tmp_path)))
         assert [known.variants(taps) for taps in kernels] == found
     store = Store(tmp_path)
     for wrong in (b"", b"[]", b'[[],[[[["a"],["b"]]]]]', store.read(entries[0].name) or b""):
         for entry in entries:
             store.write(entry.name, wrong)
-        assert Synthesis(60, PUBLIC, store).variants(kernels[1]) == found[1]
+        assert Synthesis(60, PUBLIC, Results(store)).variants(kernels[1]) == found[1]
+
+
+def test_stored_programs_of_words_that_the_chip_lacks_are_not_taken(tmp_path: Path) -> None:
+    """An entry that another chip could have written computes the kernel all the same."""
+    results = Results(Store(tmp_path))
+    taps = exact_taps(weights_of(LAPLACE_8, 8))
+    found = Synthesis(60, PUBLIC).variants(taps)
+    assert Synthesis(60, PUBLIC, results).variants(taps) == found
+    (entry,) = tmp_path.iterdir()
+    programs = [
+        [ranged.program for ranged in Synthesis(60, ALL).variants(kernel)]
+        for kernel in sorted([taps, added((-1, taps))], key=lambda kernel: sorted(kernel.items()))
+    ]
+    results.store.write(entry.name, json.dumps(programs).encode())
+    assert Synthesis(60, PUBLIC, results).variants(taps) == found
+    assert results.read == 0
+    results.distrust()
+    assert results.entry(entry.name) is None
