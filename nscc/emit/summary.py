@@ -85,11 +85,11 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
 
 def _looks_lines(machine: StateMachine, buckets: tuple[str, ...], target: Target) -> list[str]:
     """Return the comparisons, one line for each signal and level, and the states."""
+    from nscc.words.machine import LIGHT
+
     at: dict[tuple[int, int], list[int]] = {}
     for comparison in machine.comparisons:
         at.setdefault((comparison.signal, comparison.level), []).append(comparison.boundary)
-    from nscc.words.machine import LIGHT
-
     lines = []
     for (signal, level), boundaries in at.items():
         electrons = level * target.electrons_per_step
