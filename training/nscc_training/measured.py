@@ -99,11 +99,10 @@ class Measured(Generic[Array]):
         else:
             # The covariance (batch, rows, cols, B, B) of each pixel's frames, over sigma squared.
             of = namespace(gap)
-            masks = of.moveaxis(self.mask, (1, 2), (3, 4))
             noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
             # Avoid a division by 0 for pixels that never open in a frame.
             identity = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
-            joint = masks @ masks.mT + (noise + 1e-4)[..., None] * identity
+            joint = self.overlap + (noise + 1e-4)[..., None] * identity
             last = of.moveaxis(gap, 1, -1)[..., None]
             shares = of.moveaxis(of.linalg.solve(joint, last)[..., 0], -1, 1)
         update: Array = (self.mask * shares[:, :, None]).sum(1)
@@ -114,6 +113,13 @@ class Measured(Generic[Array]):
         """Return whether no light of a pixel is in two frames, as in the frames of a film."""
         shared = (self.mask != 0).sum(1) > 1
         return self.mask.shape[1] == 1 or not bool(shared.any())
+
+    @cached_property
+    def overlap(self) -> Array:
+        """The sums over N of products of two frames' masks, (batch or 1, rows, cols, B, B)."""
+        masks = namespace(self.mask).moveaxis(self.mask, (1, 2), (3, 4))
+        overlap: Array = masks @ masks.mT
+        return overlap
 
     @property
     def energy(self) -> Array:

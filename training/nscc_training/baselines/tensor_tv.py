@@ -8,22 +8,30 @@ from torch import Tensor
 
 from nscc_training.baselines.tv_loop import tv_denoised_arrays
 
+# Declared by its schema: calling an operator of `torch.library.custom_op` imports the compiler of
+# torch, which takes seconds.
+torch.library.define(
+    "nscc::tv_denoise", "(Tensor clips, float weight, int iterations, float time) -> Tensor"
+)
 
-@torch.library.custom_op("nscc::tv_denoise", mutates_args=(), device_types="cpu")
+
 def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
     """Denoise clips (batch, T, rows, cols) as `tv_denoise`: on the CPU by the compiled loop, which
     reads memory less, else by operators."""
+    denoised: Tensor = torch.ops.nscc.tv_denoise(clips, weight, iterations, time)
+    return denoised
+
+
+def _by_loop(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
     # The same memory as an array: nothing is copied.
     image = np.from_dlpack(clips.detach().float().contiguous())
     return torch.from_numpy(tv_denoised_arrays(image, weight, iterations, time))
 
 
-@tv_denoised.register_fake
 def _shape(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
     return torch.empty_like(clips, dtype=torch.float32)
 
 
-@tv_denoised.register_kernel(None)
 def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
     """Denoise clips like `tv_denoised`, but with torch's operators, on any device."""
     image = clips.detach().float()
@@ -48,6 +56,11 @@ def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) 
         for axis, (component, slope) in enumerate(zip(field, slopes, strict=True), start=1):
             _before(component, axis).sub_(slope, alpha=step).mul_(_before(shrink, axis))
     return out
+
+
+torch.library.impl("nscc::tv_denoise", "CPU", _by_loop)
+torch.library.impl("nscc::tv_denoise", "CompositeExplicitAutograd", tv_by_operators)
+torch.library.register_fake("nscc::tv_denoise", _shape)
 
 
 def _before(values: Tensor, axis: int) -> Tensor:
