@@ -33,9 +33,9 @@ def test_labels_cover_nothing(
         for number, points in enumerate(lines):
             own = look().of(number)
             axes.plot(*zip(*points, strict=True), **own)
-            labels.append(ChartLabel("m" * long, points, own["color"], name=True))
+            labels.append(ChartLabel("m" * long, *points[-1], own["color"], name=True))
             labels += [
-                ChartLabel(f"s{at}", [point], own["color"]) for at, point in enumerate(points)
+                ChartLabel(f"s{at}", *point, own["color"]) for at, point in enumerate(points)
             ]
         sheet.lay_out(figure)
         left_out = place_labels(axes, labels)
@@ -62,10 +62,10 @@ def test_names_keep_off_lines_and_from_each_other(across: float) -> None:
         axes.set(xlim=(0, 1), ylim=(0, 1))
         axes.axvline(across)
         labels = [
-            ChartLabel(f"a name {x}", [(x, 0.5)], look().ink, name=True) for x in (0.26, 0.52)
+            ChartLabel(f"a name {x}", x, 0.5, look().ink, name=True) for x in (0.26, 0.52)
         ]
         for label in labels:
-            axes.plot(*label.anchors[0], "o")
+            axes.plot(label.x, label.y, "o")
         sheet.lay_out(figure)
         assert not place_labels(axes, labels)
         one, other = (t.get_window_extent() for t in axes.texts if t.get_text())
@@ -83,11 +83,11 @@ def test_a_text_that_is_sought_stands_further_off() -> None:
         x, y = np.meshgrid(np.linspace(0.4, 0.6, 9), np.linspace(0.4, 0.6, 7))
         axes.plot(x.ravel(), y.ravel(), "o", markersize=12, fillstyle="none")
         sheet.lay_out(figure)
-        plain = ChartLabel("edges, -O0", [(0.5, 0.5)], look().ink)
+        plain = ChartLabel("edges, -O0", 0.5, 0.5, look().ink)
         sought = replace(plain, sought=True)
         assert place_labels(axes, [plain]) == [plain]
         assert place_labels(axes, [sought]) == []
-        assert len(axes.texts) == 2, "the text, and a line to its mark"
+        assert (len(axes.texts), len(axes.lines)) == (1, 2), "the text, and a line to its mark"
 
 
 def test_a_text_without_room_is_told() -> None:
@@ -95,7 +95,7 @@ def test_a_text_without_room_is_told() -> None:
         figure, [axes] = sheet.panels(1, (2, 2), 1)
         sheet.lay_out(figure)
         long = ChartLabel(
-            "a name that is longer than its panel is wide", [(0.5, 0.5)], look().ink, True
+            "a name that is longer than its panel is wide", 0.5, 0.5, look().ink, True
         )
         assert place_labels(axes, [long]) == [long]
         assert not axes.texts

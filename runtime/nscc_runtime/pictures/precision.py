@@ -22,9 +22,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-_MOST_ANCHORS = 40
-"""Largest number of anchors of a line's name besides its ends. The time of placement grows with
-their number times the number of marks."""
 _EXACT = 1e-7
 """On a logarithmic axis, errors below this fraction of the largest error are drawn at the end of
 the axis, pointing down."""
@@ -161,15 +158,13 @@ def _draw(
             )  # fmt: skip
             # A method with a single setting is described by its text.
             text, sought = reading.text(point), len(line_points) == 1
-            labels.append((hollow, ChartLabel(text, [(time, error)], colour, sought=sought)))
-        ends = [*zip(medians, errors, strict=True)]
-        between = ends[1 : -1 : 1 + len(ends) // _MOST_ANCHORS]
-        names.append(ChartLabel(name, [ends[-1], ends[0], *between], colour, name=True))
+            labels.append((hollow, ChartLabel(text, time, error, colour, sought=sought)))
+        names.append(ChartLabel(name, medians[-1], errors[-1], colour, name=True))
         if name in bounds:
             axes.axhline(bounds[name], color=colour, linewidth=1, linestyle="--")
             left_time, right_time = axes.get_xlim()
             edge = left_time * (right_time / left_time) ** 0.05
-            labels.append((False, ChartLabel(f"{bounds[name]:g}", [(edge, bounds[name])], colour)))
+            labels.append((False, ChartLabel(f"{bounds[name]:g}", edge, bounds[name], colour)))
     for guide in panel.guides:
         line: dict[str, Any] = {"color": look().ink, "lw": 1.1, "ls": guide.dashes, "zorder": 1}
         if guide.time_ms:

@@ -115,7 +115,7 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
         axes.plot(x, ends[0], markersize=9, fillstyle="none", clip_on=False, **style)
         axes.plot(x, ends[1], markersize=4, clip_on=False, **style)
         if measured < low:
-            labels.append(ChartLabel(f"{measured:.1g}", [(x, ends[1])], style["color"]))
+            labels.append(ChartLabel(f"{measured:.1g}", x, ends[1], style["color"]))
     sheet.round_ticks(axes.xaxis)
     sheet.round_ticks(axes.yaxis)
     dot: dict[str, Any] = {"color": look().faint, "linestyle": "", "marker": "o"}

@@ -131,7 +131,7 @@ def _draw(
         chosen = look().of(names.index(name))
         axes.plot([x for x, _ in places], [y for _, y in places], clip_on=False, **chosen)
         if places and name:
-            labels.append(ChartLabel(name, places[::-1], chosen["color"], name=True))
+            labels.append(ChartLabel(name, *places[-1], chosen["color"], name=True))
     across.lay(axes, "x")
     upwards.lay(axes, "y")
     return labels
