@@ -11,13 +11,13 @@ from nscc.logic.improve.search import balance, improve, words_at
 from nscc.logic.problem import Machine, Problem, Solution
 from nscc.lower.lowered import Lowered
 
-# Levels differ in steps, not in seconds, so the same input gives the same words everywhere. First
-# every solution gets this many steps, because only then their order is known.
-FIRST_STEPS = {2: 8_000, 3: 60_000}
-# Further steps for each of the best. A hundred thousand steps take about a second.
-MORE_STEPS = {2: 60_000, 3: 2_000_000}
-BEST = {2: 1, 3: 3}
-
+# Levels differ in steps, not in seconds, so the same input gives the same words everywhere. In each
+# round, the first number of best solutions get the second number of steps each. In the first round
+# all get some, because only then their order is known. 100,000 steps take about a second.
+ROUNDS = {
+    2: ((6, 8_000), (3, 10_000), (1, 30_000), (1, 30_000)),
+    3: ((16, 60_000), (3, 1_000_000), (3, 1_000_000)),
+}
 
 _PRICE = attrgetter("price")
 
@@ -38,21 +38,17 @@ class Refinery:
         if len(self.problem.demands) > self.store_words:
             # Kernels must repeat to fit the store, and improvement makes equal segments different.
             return min(candidates, key=_PRICE)
-        steps = FIRST_STEPS[self.level]
-        first = [self._form(self._improved(c.solution, steps)) for c in candidates]
-        first.sort(key=_PRICE)
-        refined = [self._improve_further(improved) for improved in first[: BEST[self.level]]]
-        best = min([*refined, *first, *candidates], key=_PRICE)
+        known, current = list(candidates), list(candidates)
+        for count, steps in ROUNDS[self.level]:
+            current = [self._improved(best, steps) for best in sorted(current, key=_PRICE)[:count]]
+            known = [*current, *known]
+        best = min(known, key=_PRICE)
         return min(best, self._balanced(best), key=_PRICE)
 
-    def _improve_further(self, candidate: Lowered) -> Lowered:
-        steps = MORE_STEPS[self.level] // 2
-        # The second search repeats the random numbers of the first, on its result.
-        once = self._improved(candidate.solution, steps)
-        return self._form(self._improved(once, steps))
-
-    def _improved(self, solution: Solution, steps: int) -> Solution:
-        return improve(solution, self.problem, self.machine, Budget(steps))
+    def _improved(self, candidate: Lowered, steps: int) -> Lowered:
+        # A further search repeats the random numbers of the one before, on its result.
+        solution = improve(candidate.solution, self.problem, self.machine, Budget(steps))
+        return self._form(solution)
 
     def _form(self, solution: Solution) -> Lowered:
         """Compute a solution's costs; if it does not fit, also with gates and analog words
@@ -68,7 +64,7 @@ class Refinery:
         other_words = [
             all_ - gate_words for all_, gate_words in zip(other_words, gates, strict=True)
         ]
-        budget = Budget(FIRST_STEPS[self.level])
+        budget = Budget(ROUNDS[self.level][0][1])
         return self._form(balance(solution, self.problem, self.machine, budget, other_words))
 
 

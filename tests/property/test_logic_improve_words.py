@@ -22,8 +22,7 @@ from nscc.words.legality import decoded
 def few_steps(monkeypatch):
     """Enough steps for a few sweeps."""
     module = importlib.import_module("nscc.lower.refinery")
-    for name in ("FIRST_STEPS", "MORE_STEPS"):
-        monkeypatch.setitem(getattr(module, name), 2, 800)
+    monkeypatch.setitem(module.ROUNDS, 2, ((6, 800), (1, 400), (1, 400)))
 
 
 @st.composite
