@@ -84,7 +84,9 @@ def method_for(still: bool, method: Method | None = None) -> Method:
     return method or "network"
 
 
-def gap_tv_clip(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
+def gap_tv_clip(
+    measured: Measured[NDArray[Any]], iterations: int = _ITERATIONS
+) -> NDArray[np.float32]:
     """Return the clip (N, rows, cols) that GAP-TV reconstructs from a batch of one, in its unit.
 
     The weight of total variation assumes that white is 1. The 99.5 % quantile of the light of
@@ -92,7 +94,7 @@ def gap_tv_clip(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
     opened = np.broadcast_to(measured.mask.sum(axis=(1, 2)) > 0, measured.mean().shape)
     light = measured.mean()[opened]
     white = np.quantile(light, _WHITE).clip(min=1e-6) if light.size else 1.0
-    clip, _ = gap_tv_of(measured.over(np.array([white], np.float32)), _ITERATIONS)
+    clip, _ = gap_tv_of(measured.over(np.array([white], np.float32)), iterations)
     return np.asarray(clip[0].clip(min=0) * white, np.float32)
 
 
