@@ -112,8 +112,6 @@ def test_the_schema_is_a_configuration(tmp_path: Path) -> None:
         (["data.train=."], 2, "NS0811"),
         (["data.protocol=hdr-v2"], 2, "NS0815"),
         (["data.protocol=sci8"], 2, "NS0815"),
-        (["data.saturated=[0.5, 0.2]"], 2, "NS0815"),
-        (["data.brightness=[2.0, 1.0]"], 2, "NS0815"),
         (["shutter.init=no_such_run"], 2, "NS0815"),
         (["train.device=cuda"], 2, "NS0815"),
         (["sensor.file=none.toml"], 2, "NS0751"),

@@ -152,7 +152,7 @@ def capture_toml(setup: TrainingSetup) -> str:
 def _exposure(setup: TrainingSetup) -> str:
     """Return a description of how scenes are exposed."""
     if setup.still:
-        low, high = setup.settings.data.saturated
+        low, high = sorted(setup.settings.data.saturated)
         share = f"{100 * low:g}" if low == high else f"{100 * low:g} to {100 * high:g}"
         return f"{share} % of the pixels saturate when always open"
     grey_e = setup.protocol.mid_grey_e

@@ -292,10 +292,6 @@ def _check_settings(settings: RunSettings, protocol: Protocol) -> None:
          "classes are learned with the loss `class`"),
         (classes and len(set(classes)) < max(2, len(classes)), "data.classes",
          "name at least two classes, each once"),
-        (data.saturated[0] > data.saturated[1], "data.saturated",
-         "its first number is larger than its second"),
-        (data.brightness[0] > data.brightness[1], "data.brightness",
-         "its first number is larger than its second"),
         (unknown, "data.classes", f"procedural scenes have the classes {', '.join(DIRECTIONS)}, "
          f"not {''.join(unknown[:1])[:40]}"),
         (classes and data.augment, "data.augment",
