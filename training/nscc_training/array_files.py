@@ -105,7 +105,8 @@ def _chosen(path: Path, key: str | None, names: list[str]) -> str:
         candidates = names
     if candidates and candidates[0] in names:
         return candidates[0]
-    unnamed = f"name the array with an option; without one, nscc looks for {', '.join(KEYS)}"
+    looked = f"nscc looks for {', '.join(KEYS)}"
+    unnamed = f"name the array with --truth-key or --rec-key; without them, {looked}"
     raise rejected(
         "NS0801",
         f"'{path}' has no array '{key}'"

@@ -100,7 +100,7 @@ def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_W
     tensors = measured.tensors()
 
     def by_tv(iterations: int) -> Values:
-        return gap_tv_clip(measured, iterations) * slots
+        return np.asarray(gap_tv_clip(measured, iterations) * slots)
 
     def by_any(stages: int) -> Values:
         return np.asarray(decoded_clip(tensors, stages)[0].numpy() * slots)
