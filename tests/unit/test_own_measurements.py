@@ -153,6 +153,7 @@ def test_the_command_states_noise_and_no_psnr(tmp_path: Path) -> None:
         ({"mask": MASK, "meas": np.full((ROWS, COLS), np.nan)}, "not finite"),
         ({"mask": MASK, "meas": np.ones((ROWS, COLS), complex)}, "not real"),
         ({"mask": MASK, "meas": np.ones(5)}, "shape (5,)"),
+        ({"mask": MASK * 1e-16, "meas": np.ones((ROWS, COLS))}, "largest value of `mask`"),
     ],
 )
 def test_what_cannot_be_used(tmp_path: Path, arrays: dict[str, np.ndarray], reason: str) -> None:

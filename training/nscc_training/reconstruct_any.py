@@ -234,6 +234,8 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
     mask, values = read_mask(mask_path or path), real_array(path, "meas")
     if values.ndim not in (2, 3) or 0 in values.shape:
         raise refused(path, f"`meas` has the shape {values.shape}")
+    if np.abs(values).max() > MOST * mask.max():
+        raise refused(path, f"`meas` is more than {MOST:g} times the largest value of `mask`")
     # If both axes are possible, time is the last one, as in MATLAB.
     for axis, name in ((2, "last"), (0, "first")):
         size = tuple(np.delete(mask.shape, axis))
@@ -261,7 +263,7 @@ def reconstruct_measurement(
     clips: list[NDArray[np.float32]] = []
     for values in measurement.values:
         variance = noise.read_sd**2 + noise.gain * np.maximum(values, 0)
-        scaled = (values / most, variance / most**2)
+        scaled = (values / most, np.minimum(variance / most**2, MOST**2))
         value, spread = (np.asarray(array, np.float32)[None, None] for array in scaled)
         measured = Measured(value, opened, spread, np.zeros(value.shape, bool))
         if method == "gap-tv":
