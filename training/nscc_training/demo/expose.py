@@ -150,11 +150,12 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
     dark, or cannot be read, or is not of the run's kind (NS0821)."""
     run = settings.run or (RUNS[True] if subject.still else None)
     like = run_capture(run or RUNS[False])
-    if like.still != subject.still:
+    if like.still != subject.still or like.classifies:
         kinds = {True: "a still", False: "a clip"}
+        made = "names classes" if like.classifies else f"reconstructs {kinds[like.still]}"
         raise rejected(
             "NS0821", f"'{subject.scene.name}' is {kinds[subject.still]}, but the run '{run}' "
-                      f"reconstructs {kinds[like.still]}",
+                      f"{made}",
             helps=("name another scene, or leave --run out",),
         )  # fmt: skip
     program = settings.program if run is None else like.program
