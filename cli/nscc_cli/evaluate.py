@@ -16,7 +16,6 @@ from nscc_cli.support import (
     CommonCommand,
     NumberRange,
     Subcommands,
-    progress,
     say_compiling,
     say_done,
 )
@@ -139,26 +138,6 @@ def of(
         trust_code=trust_code,
     )  # fmt: skip
     _of_scenes(*evaluation, **outputs)
-
-
-@command.command("looks", cls=CommonCommand)
-@click.option("--data", required=True, type=PATH, metavar="DIR",
-              help="The folder of panoramas.")  # fmt: skip
-@click.option("--results", required=True, type=OUT, metavar="DIR",
-              help="The folder that stores each row as soon as it is complete; existing rows "
-                   "are not computed again.")  # fmt: skip
-@click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of noise.")
-@_outputs
-def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
-    """Score the methods of hdr-v1 whose pixels look, under all conditions, as a Markdown table.
-
-    The methods are looks-2, looks-5, looks-9 and the designs for each crop. The conditions are the
-    protocol's noise, 10 and 50 % of saturated pixels, all effects of the sensor, and comparators
-    with 1, 2 and 4 % of noise and offset."""
-    from nscc_training.sweep.looks_table import looks_table
-
-    rows, text = looks_table(data, results, seed, progress)
-    _finish(rows, text, {}, **outputs)
 
 
 @command.command("tables", cls=CommonCommand)

@@ -63,7 +63,9 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     if isinstance(error, OSError) and error.errno is not None and not _of_nscc(error.filename):
         file_text = f" '{error.filename}'" if error.filename else ""
         reason = error.strerror or str(error)
-        return Diagnostic("NS0784", f"cannot read or write{file_text}: {reason}"), WRONG_USAGE
+        hint = "name another file or folder, or make this one accessible"
+        refused = f"cannot read or write{file_text}: {reason}"
+        return Diagnostic("NS0784", refused, helps=(hint,)), WRONG_USAGE
     notes, hint = save_reproducer("".join(traceback.format_exception(error)), arguments)
     failed = f"nscc itself failed: {type(error).__name__}: {error_text}"
     return Diagnostic("NS0901", failed, notes=notes, helps=(hint,)), FAULT

@@ -45,7 +45,7 @@ def import_mask(mask: Path, out: Path, slot_us: float, target: str) -> None:
     write_together(products)
     rows, cols = imported.tile
     say_done("\n".join([
-        f"class {imported.kind}, a tile of {rows} x {cols}, "
+        f"class {imported.kind}, a tile of {rows} x {cols}, {imported.axes}, "
         f"{imported.words_per_slot:g} words a slot",
         *(f"  not {reason}" for reason in imported.reasons),
         *(f"wrote {path.as_posix()}" for path in products),

@@ -58,7 +58,14 @@ def command(
     nscc sweep grid.toml --out results --scheduler tcp://10.0.0.1:8786"""
     from nscc_runtime.pool import processors
     from nscc_training.sweep.grid import of_parts, read_grid
-    from nscc_training.sweep.run_sweep import How, failures, known, summary_lines, sweep
+    from nscc_training.sweep.run_sweep import (
+        How,
+        failures,
+        known,
+        summary_lines,
+        sweep,
+        work_text,
+    )
 
     if scheduler is not None and workers is not None:
         raise click.UsageError(
@@ -68,7 +75,7 @@ def command(
     how = How(processors() if workers is None else workers, threads, scheduler, again)
     if dry_run:
         count, known_count = known(of_parts(whole_grid, grid_parts), out, how)
-        click.echo(f"{count} points: {known_count} known, {count - known_count} to compute")
+        click.echo(work_text(count, count - known_count))
         return 0
     swept = sweep(
         whole_grid, out, how, grid_parts=grid_parts, parquet=parquet, track=progress,

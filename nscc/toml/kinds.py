@@ -148,7 +148,8 @@ class Several(Kind, Record):
 
     @property
     def allowed(self) -> str:
-        return self.text or f"a list of {self.count}, each {self.element.allowed}"
+        count = f" of {self.count}" if self.count else ""
+        return self.text or f"a list{count}, each {self.element.allowed}"
 
     def read(self, value: Any) -> tuple[Any, ...]:
         if not isinstance(value, list | tuple) or self.count not in (None, len(value)):

@@ -223,6 +223,12 @@ def test_a_searched_pattern_does_what_the_search_says() -> None:
     assert psnr(truth, shown, 1.0) == pytest.approx(best.linear_db, abs=0.3)
 
 
+@pytest.mark.parametrize("slots", [2, 5])
+def test_a_frame_of_few_slots_has_no_tile_of_four_stops(slots: int) -> None:
+    made = design_pattern([scene()[:16, :16]], Frame(slots=slots, level=0))
+    assert "2 x 2" not in {label for label, _ in made.lines}
+
+
 def test_words_decide_between_patterns_that_are_nearly_as_good() -> None:
     one, two = (replace(p, linear_db=30.0, mu_db=db) for p, db in zip(patterns(4), (30, 30.1),
                 strict=False))  # fmt: skip

@@ -1,9 +1,8 @@
-"""Rows of pixels that look under hdr-v1: kept as they are done, printed under every condition."""
+"""Rows of pixels that look under hdr-v1: designs, comparators, and data that is refused."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import cv2
 import numpy as np
@@ -11,10 +10,9 @@ import pytest
 from nscc_command import invoke
 
 from nscc_training.evaluation import looks_rows
-from nscc_training.evaluation.looks_rows import DESIGNED, LOOKING, evaluate_looks
+from nscc_training.evaluation.looks_rows import DESIGNED, evaluate_looks
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
-from nscc_training.sweep.looks_table import looks_table
 
 GOOD, BAD = (
     (f"comparator_noise_fraction={size}", f"comparator_offset_fraction={size}")
@@ -39,37 +37,6 @@ def mu_db(name: str, folder: Path, effects: str = "", changes: Changes = ()) -> 
     """PSNR-mu of a row, under effects and with a sensor of other numbers."""
     found, _ = evaluate_looks(name, folder, 0, effects, changes)
     return finite_mean(number(item["mu_psnr_db"]) for item in found["items"])
-
-
-def test_the_table_goes_on_and_shows_every_condition(
-    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """What an interruption leaves is taken up; results of other data are others."""
-    real, _ = evaluate_looks("looks-2", folder)
-    asked: list[str] = []
-
-    def told(name: str, *_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-        asked.append(name)
-        if len(asked) == 3:
-            raise KeyboardInterrupt
-        return {**real, "method": name}, {}
-
-    monkeypatch.setattr("nscc_training.evaluation.runs.evaluate_looks", told)
-    kept = tmp_path / "kept"
-    with pytest.raises(KeyboardInterrupt):
-        looks_table(folder, kept)
-    found, text = looks_table(folder, kept)
-    assert len(asked) == 26  # of 5 rows under 5 conditions one was begun twice
-    assert {each["method"] for each in found} == set(LOOKING)
-    lines = text.splitlines()
-    assert [line.split(" | ")[0] for line in lines[2:]] == [f"| {name}" for name in LOOKING]
-    also = real["also_saturated"][0]
-    mu = finite_mean(number(item["mu_psnr_db"]) for item in real["items"])
-    assert f"| {mu:.2f} / {real['mean']:.2f} |" in lines[-1]
-    assert f"| {also['mean_mu_psnr_db']:.2f} / {also['mean_psnr_db']:.2f} |" in lines[-1]
-    (folder / "p.hdr").rename(folder / "q.hdr")
-    looks_table(folder, kept)
-    assert len(asked) == 51
 
 
 @pytest.mark.slow
@@ -109,5 +76,5 @@ def test_designs_for_worse_comparators(folder: Path, monkeypatch: pytest.MonkeyP
 
 
 def test_the_command_needs_panoramas(tmp_path: Path) -> None:
-    asked = ["evaluate", "looks", "--data", ".", "--results", "r"]
+    asked = ["evaluate", "looks-2", "--data", ".", "--protocol", "hdr-v1"]
     assert invoke(asked, tmp_path).codes == ["NS0811"]

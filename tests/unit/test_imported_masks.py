@@ -71,6 +71,17 @@ def test_the_smallest_tile(tmp_path: Path) -> None:
     assert any("class c" in reason for reason in found.reasons)
 
 
+def test_an_open_shutter_is_a_bump_as_long_as_the_frame(tmp_path: Path) -> None:
+    found, _ = imported(tmp_path, np.ones((2, 3, 8)))
+    assert found.kind == "a"
+    assert all("words a slot" in reason for reason in found.reasons)
+
+
+def test_the_axes_of_an_ambiguous_mask_are_named(tmp_path: Path) -> None:
+    mask = by_stop(1 + np.arange(16).reshape(4, 4) % 4)
+    assert imported(tmp_path, mask)[0].axes == "8 slots (the last axis of `mask`)"
+
+
 def test_a_code_for_every_pixel(tmp_path: Path) -> None:
     mask = by_stop(RNG.integers(1, 9, (256, 256)))
     found, shutters = imported(tmp_path, mask)
@@ -102,7 +113,8 @@ def test_the_command_and_pixels(tmp_path: Path) -> None:
     np.savez(tmp_path / "m.npz", mask=mask)
     done = invoke(["import-mask", "m.npz", "-o", "p.nsl"], tmp_path)
     assert done.status == 0, done.err
-    assert "class b, a tile of 8 x 8" in done.err
+    assert "class b, a tile of 8 x 8, " in done.err
+    assert " axis of `mask`), " in done.err
     assert {path.name for path in tmp_path.iterdir()} == {"m.npz", "p.nsl", "p.codes.npz"}
     text = "nsl 1\nframe 8 slots of 1ms\ncode stop : 1..N\nopen when n < stop\n"
     (tmp_path / "q.nsl").write_text(text)

@@ -93,6 +93,20 @@ def test_fractional_masks_reconstruct_the_clip() -> None:
         assert np.abs(measured(found, mask) - values / unit).mean() < 2
 
 
+@pytest.mark.parametrize("scale", [0.5, 2.0**-14])
+def test_a_dim_mask_gives_the_same_clip(scale: float) -> None:
+    from nscc_training.reconstruct_any import Measurement
+
+    found = [
+        reconstruct_measurement(
+            Measurement(measured(clip_of()) * share, MASK * share, ""), NoiseModel(3.0 * share)
+        )
+        for share in (1.0, scale)
+    ]
+    np.testing.assert_array_equal(found[0].light, found[1].light)
+    assert found[0].content.tone_text.split()[-1].replace(".", "").isdigit(), "no unit is known"
+
+
 def test_noise_that_is_stated_is_not_followed() -> None:
     from nscc_training.reconstruct_any import Measurement
 
@@ -116,7 +130,7 @@ def test_the_command_states_noise_and_no_psnr(tmp_path: Path) -> None:
         assert file["video"].shape == (SLOTS, ROWS, COLS)
     done = invoke(["reconstruct", "any", "m.npz", "-o", "p.npz", "--noise", "3,0.5"], tmp_path)
     assert "standard deviation of the readout 3, variance of photons 0.5 times" in done.err
-    for more in (["--noise", "x"], ["--noise", "-1"], ["--noise", "1,2,3"], ["--noise", "nan"]):
+    for more in (["--noise", "x"], ["--noise", "-1"], ["--noise", "1,2,3"], ["--noise", "1e30"]):
         refused = invoke(["reconstruct", "any", "m.npz", "-o", "q.npz", *more], tmp_path)
         assert (refused.status, refused.codes) == (2, ["NS0846"])
     assert (
@@ -139,6 +153,7 @@ def test_the_command_states_noise_and_no_psnr(tmp_path: Path) -> None:
         ({"mask": MASK, "meas": np.full((ROWS, COLS), np.nan)}, "not finite"),
         ({"mask": MASK, "meas": np.ones((ROWS, COLS), complex)}, "not real"),
         ({"mask": MASK, "meas": np.ones(5)}, "shape (5,)"),
+        ({"mask": MASK * 1e-16, "meas": np.ones((ROWS, COLS))}, "largest value of `mask`"),
     ],
 )
 def test_what_cannot_be_used(tmp_path: Path, arrays: dict[str, np.ndarray], reason: str) -> None:

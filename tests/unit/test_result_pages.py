@@ -190,6 +190,13 @@ def test_texts_of_results(update_cases: bool) -> None:
     compare_with_recorded(shown, "commands/results", update_cases)
 
 
+def test_texts_of_pixels_that_look_name_no_training() -> None:
+    for path in (shipped_evaluations() / "looks").rglob("*.json"):
+        line = result_text(read_result(path)).splitlines()[1]
+        assert line.startswith("  on a chip with effects ")
+        assert "trained" not in line
+
+
 def test_one_long_film_does_not_hide_the_others() -> None:
     found = read_result(shipped_evaluations() / LEARNED / "seed0.json")
     assert result_text(found).count("by source 29.02 dB: 68 of 94 items are of one file") == 1

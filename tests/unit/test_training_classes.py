@@ -145,6 +145,9 @@ def test_each_command_refuses_runs_of_the_other_task(run: Path, tmp_path: Path) 
     assert refused.status == 2
     assert "NS0821" in refused.err
     assert f"nscc classify {run} f.npz" in refused.err
+    refused = invoke(["demo", "builtin:motion", "--run", str(run), "-o", "demo"], tmp_path)
+    assert "names classes" in refused.err
+    assert not (tmp_path / "demo").exists()
     refused = invoke(["classify", "clip", "f.npz"], tmp_path)
     assert refused.status == 2
     assert "NS0821" in refused.err

@@ -111,6 +111,8 @@ def test_the_schema_is_a_configuration(tmp_path: Path) -> None:
         (["data.train=none"], 2, "NS0811"),
         (["data.train=."], 2, "NS0811"),
         (["data.protocol=hdr-v2"], 2, "NS0815"),
+        (["data.protocol=sci8"], 2, "NS0815"),
+        (["shutter.init=no_such_run"], 2, "NS0815"),
         (["train.device=cuda"], 2, "NS0815"),
         (["sensor.file=none.toml"], 2, "NS0751"),
     ],

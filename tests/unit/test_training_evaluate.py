@@ -28,7 +28,7 @@ from nscc_training.evaluation.baselines import BASELINES  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.protocol_scenes.hdr import Crop, exposed_crop  # noqa: E402
 from nscc_training.protocol_scenes.protocol_scene import Unusable  # noqa: E402
-from nscc_training.protocol_scenes.video import encoded  # noqa: E402
+from nscc_training.protocol_scenes.video import encoded, windows  # noqa: E402
 from nscc_training.protocols import load_protocol  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 
@@ -394,6 +394,13 @@ def test_baselines_of_clips(tmp_path: Path) -> None:
     assert {k: v["sees"] for k, v in found.items()} == {
         "adjoint": "capture", "gap-tv": "capture", "thin-out": "truth"
     }  # fmt: skip
+
+
+def test_a_small_clip_is_named_with_its_own_size(tmp_path: Path) -> None:
+    savemat(tmp_path / "flat.mat", {"orig": np.ones((64, 300, 16), np.uint8)})
+    (left_out,) = windows([tmp_path / "flat.mat"], load_protocol("video-v1"))
+    assert isinstance(left_out, Unusable)
+    assert left_out.reason == "64 x 300 is smaller than 256 x 256"
 
 
 def test_data_of_which_nothing_can_be_used(tmp_path: Path) -> None:

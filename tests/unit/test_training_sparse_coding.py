@@ -81,3 +81,14 @@ def test_edges_come_back_sharper_than_by_merging() -> None:
               for x in (coarse, found)]  # fmt: skip
     assert errors[1] < errors[0]
     assert np.isfinite(found).all()
+
+
+def test_dark_codes_below_the_offset_are_finite() -> None:
+    """Codes minus the converter's offset may be negative; a small code has little noise."""
+    codes = np.random.default_rng(2).integers(-3, 40, (16, 16)).astype(np.float32)
+    share, full = np.tile([[1.0, 0.25], [0.5, 0.125]], (8, 8)), np.zeros((16, 16), bool)
+    coarse = merged(codes, share, 0.5, full, 0.1)
+    low, high = (codes * 0.5 / share).min(), (codes * 0.5 / share).max()
+    assert ((low <= coarse) & (coarse <= high)).all()
+    light = coded_still(codes, share, coarse, 0.5, full, 100.0, iterations=2)
+    assert np.isfinite(light).all()

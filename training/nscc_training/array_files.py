@@ -105,12 +105,13 @@ def _chosen(path: Path, key: str | None, names: list[str]) -> str:
         candidates = names
     if candidates and candidates[0] in names:
         return candidates[0]
-    unnamed = f"name the array with an option; without one, nscc looks for {', '.join(KEYS)}"
+    looked = f"nscc looks for {', '.join(KEYS)}"
+    unnamed = f"name the array with --truth-key or --rec-key; without them, {looked}"
     raise rejected(
         "NS0801",
         f"'{path}' has no array '{key}'"
         if key
-        else f"'{path}' contains several arrays, and nscc cannot tell which one to use",
+        else f"nscc cannot tell which array of '{path}' to use",
         notes=(f"it holds {listed(sorted(names))}",),
         helps=meant(key or "", names, unnamed),
     )
@@ -152,7 +153,7 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
 
 Floats = NDArray[np.float64]
 
-_MOST = 1e15
+MOST = 1e15
 """Largest value of a measurement: its square fits single precision."""
 
 
@@ -178,8 +179,8 @@ def real_array(path: Path, name: str) -> Floats:
     bad_count = int(np.count_nonzero(~np.isfinite(values)))
     if bad_count:
         raise refused(path, f"{bad_count} of {values.size} values of `{name}` are not finite")
-    if (np.abs(values) > _MOST).any():
-        raise refused(path, f"`{name}` has values beyond {_MOST:g}")
+    if (np.abs(values) > MOST).any():
+        raise refused(path, f"`{name}` has values beyond {MOST:g}")
     return values
 
 

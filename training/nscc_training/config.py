@@ -37,10 +37,12 @@ def config_toml(settings: RunSettings, *, remarks: bool = False) -> str:
         "A training run of nscc: `nscc train CONFIG.toml --out RUN`.",
         "Every key has its default here; those that are left out keep it.",
     )
-    values = {
-        key.path: getattr(getattr(settings, key.section), key.attribute) for key in SCHEMA.keys
-    }
-    return file_text(SCHEMA, values, remark, head if remarks else ())
+    return file_text(SCHEMA, values_of(settings), remark, head if remarks else ())
+
+
+def values_of(settings: RunSettings) -> dict[str, Any]:
+    """Return the value of each setting, by its path, such as `train.steps`."""
+    return {key.path: getattr(getattr(settings, key.section), key.attribute) for key in SCHEMA.keys}
 
 
 def _settings(

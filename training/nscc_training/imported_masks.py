@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.program.problems import counted
 from nscc.words.container import Container
 from nscc_training.array_files import Floats, read_mask
 from nscc_training.code_choices import ShutterSpec, over_array
@@ -31,14 +32,15 @@ class ImportedMask:
     """A program that opens the shutters of a mask.
 
     `text` is the program, `codes` the content of its code file (empty if not needed), `kind` its
-    class, and `tile` its size (rows, cols). `reasons` explain why the other classes were not
-    chosen."""
+    class, and `tile` its size (rows, cols). `axes` says how the axes of the mask were read.
+    `reasons` explain why the other classes were not chosen."""
 
     text: str
     codes: bytes
     kind: str
     tile: tuple[int, int]
     words_per_slot: float
+    axes: str
     reasons: tuple[str, ...]
 
 
@@ -67,7 +69,8 @@ def import_mask(
     chip = Chip(target, slot_us)
     table = load_target(target, Path())
     array = (table.rows, table.cols)
-    mask = _slots_first(read_binary_mask(path), array)
+    mask, axis_name = _slots_first(read_binary_mask(path), array)
+    axes = f"{counted(len(mask), 'slot')} (the {axis_name} axis of `mask`)"
     shutters, tile = _tile(mask, array, path)
     reasons: list[str] = []
     fitting: list[ImportedMask] = []
@@ -90,7 +93,7 @@ def import_mask(
         words = words_per_slot(compiled_program)
         packed = codes_bytes(codes) if codes else b""
         size = (tile.shape[0], tile.shape[1])
-        fitting.append(ImportedMask(text, packed, spec.kind, size, words, ()))
+        fitting.append(ImportedMask(text, packed, spec.kind, size, words, axes, ()))
     if not fitting:
         raise rejected(
             "NS0847",
@@ -129,7 +132,7 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
         NS0845 and NS0847 for the mask, and NS0847 for shutters that the program does not have.
     """
     target, table = container.target, container.table
-    mask = _slots_first(read_binary_mask(path), (target.rows, target.cols), container.slots)
+    mask, _ = _slots_first(read_binary_mask(path), (target.rows, target.cols), container.slots)
     known = {row.tobytes(): code for code, row in reversed([*enumerate(
         np.packbits(table.shutters[table.shutter_of_code, 0], axis=-1))])}  # fmt: skip
     shutters, tile = _tile(mask, (target.rows, target.cols), path)
@@ -148,15 +151,17 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
     return {name: np.ascontiguousarray(codes[..., k]) for k, name in enumerate(table.fields)}
 
 
-def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None) -> Bits:
-    """Return the mask as (slots, rows, cols).
+def _slots_first(
+    mask: Floats, array: tuple[int, int], slots: int | None = None
+) -> tuple[Bits, str]:
+    """Return the mask as (slots, rows, cols), and whether time was its first or last axis.
 
     Time is the axis that does not match the array; for a tile, the last axis, as in MATLAB."""
     if slots is not None and (mask.shape[2] == slots) != (mask.shape[0] == slots):
         last = mask.shape[2] == slots
     else:
         last = mask.shape[:2] == array or mask.shape[1:] != array
-    return np.asarray((np.moveaxis(mask, 2, 0) if last else mask) > 0)
+    return (np.moveaxis(mask, 2, 0) if last else mask) > 0, "last" if last else "first"
 
 
 def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
@@ -204,7 +209,7 @@ def _candidates(
             yield ShutterSpec("b", slots, shape), {"stop": stop[tile]}
         else:
             reasons.append(f"class b: {np.count_nonzero(start)} of {count} shutters open later")
-        if len(set(lengths)) == 1 and lengths[0] < slots:
+        if len(set(lengths)) == 1:
             length = int(lengths[0])
             yield ShutterSpec("c", slots, shape, length=length), {"start": start[tile]}
         else:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import file_sha256
+from nscc.program.problems import counted
 from nscc_training import metrics
 from nscc_training.array_files import read_picture_or_clip
 from nscc_training.metrics import WINDOW, mean_square_error
@@ -170,5 +171,6 @@ def measures_text(values: Mapping[str, Any]) -> str:
             text = value if isinstance(value, str) else f"{value:.4f}"
             lines.append(f"  {name:28}{text}{unit}")
     if values["infinite"]:
-        lines.append(f"  {values['infinite']} frames without any error are left out of the mean")
+        frames = counted(values["infinite"], "frame")
+        lines.append(f"  {frames} without any error: left out of the mean, unless all are")
     return "\n".join(lines) + "\n"

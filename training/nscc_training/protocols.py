@@ -11,10 +11,11 @@ from typing import Any
 
 from nscc.diagnostics.rejection import unknown_name
 
-NAMES = (
-    "hdr-v1", "video-v1", "sci8", "deblur-v1", "two-bucket-v1", "staggered-v1", "codes-v1",
-    "class-v1",
+TRAINED = (
+    "hdr-v1", "video-v1", "deblur-v1", "two-bucket-v1", "staggered-v1", "codes-v1", "class-v1",
 )  # fmt: skip
+"""The protocols whose scenes a run can learn from."""
+NAMES = (*TRAINED, "sci8")
 PROCEDURAL = "procedural"
 """The name of scenes without files."""
 _PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)

@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import InvalidArrays, npz_arrays
+from nscc.program.problems import counted
 from nscc_runtime.formats import Content
 from nscc_runtime.machine_code import working_s
 from nscc_training.any_code.frames import CodedFrame, read_coded_frames
-from nscc_training.array_files import Floats, array_names, read_mask, real_array, refused
+from nscc_training.array_files import MOST, Floats, array_names, read_mask, real_array, refused
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.baselines.hdr import merge_neighbours
 from nscc_training.measured import Measured
@@ -34,7 +35,7 @@ class Reconstruction:
     `light` is float32, a picture (rows, cols) in electrons over the frame, or a clip (T, rows,
     cols) in electrons per slot; with `colour` the last axis is red, green, blue. `messages` are
     warnings about the frame. `decode_s` is the decoding time in seconds. `method` names the method
-    of the decoder for any code, else it is empty."""
+    of the decoder for any code, else it is empty. `unit` is "e", or "" for own measurements."""
 
     light: NDArray[np.float32]
     still: bool
@@ -42,6 +43,7 @@ class Reconstruction:
     messages: tuple[Diagnostic, ...]
     decode_s: float
     method: str = ""
+    unit: str = "e"
 
     @property
     def content(self) -> Content:
@@ -53,7 +55,7 @@ class Reconstruction:
         turned = arrays if self.still else arrays | {"video": np.moveaxis(self.light, 0, -1)}
         return Content(
             arrays, self.light, not self.still, self.colour, benchmark=lambda: turned,
-            usual="log" if self.still else "srgb",
+            usual="log" if self.still else "srgb", unit=self.unit,
         )  # fmt: skip
 
 
@@ -82,7 +84,9 @@ def method_for(still: bool, method: Method | None = None) -> Method:
     return method or "network"
 
 
-def gap_tv_clip(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
+def gap_tv_clip(
+    measured: Measured[NDArray[Any]], iterations: int = _ITERATIONS
+) -> NDArray[np.float32]:
     """Return the clip (N, rows, cols) that GAP-TV reconstructs from a batch of one, in its unit.
 
     The weight of total variation assumes that white is 1. The 99.5 % quantile of the light of
@@ -90,7 +94,7 @@ def gap_tv_clip(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
     opened = np.broadcast_to(measured.mask.sum(axis=(1, 2)) > 0, measured.mean().shape)
     light = measured.mean()[opened]
     white = np.quantile(light, _WHITE).clip(min=1e-6) if light.size else 1.0
-    clip, _ = gap_tv_of(measured.over(np.array([white], np.float32)), _ITERATIONS)
+    clip, _ = gap_tv_of(measured.over(np.array([white], np.float32)), iterations)
     return np.asarray(clip[0].clip(min=0) * white, np.float32)
 
 
@@ -168,12 +172,13 @@ class NoiseModel:
             numbers = [float(item) for item in text.split(",")]
         except ValueError:
             numbers = []
-        if len(numbers) not in (1, 2) or not all(0 <= number < np.inf for number in numbers):
+        if len(numbers) not in (1, 2) or not all(0 <= number <= MOST for number in numbers):
             raise rejected(
                 "NS0846",
                 f"invalid noise model '{text[:60]}'",
                 notes=("--noise SD[,GAIN]: the standard deviation of the readout in the unit of "
-                       "`meas`, and the amount that one photon adds to `meas`",),
+                       "`meas`, and the amount that one photon adds to `meas`, each from 0 to "
+                       f"{MOST:g}",),
                 helps=("for instance --noise 2.5, or --noise 2.5,0.1",),
             )  # fmt: skip
         return cls(*numbers)
@@ -229,6 +234,8 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
     mask, values = read_mask(mask_path or path), real_array(path, "meas")
     if values.ndim not in (2, 3) or 0 in values.shape:
         raise refused(path, f"`meas` has the shape {values.shape}")
+    if np.abs(values).max() > MOST * mask.max():
+        raise refused(path, f"`meas` is more than {MOST:g} times the largest value of `mask`")
     # If both axes are possible, time is the last one, as in MATLAB.
     for axis, name in ((2, "last"), (0, "first")):
         size = tuple(np.delete(mask.shape, axis))
@@ -237,8 +244,8 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
         ]
         if values.shape == size or fits:
             turned = values[None] if values.ndim == 2 else np.moveaxis(values, fits[0], 0)
-            text = (f"{size[0]} x {size[1]} pixels, {mask.shape[axis]} slots (the {name} axis of "
-                    f"`mask`), {len(turned)} measurement{'s' * (len(turned) > 1)}")  # fmt: skip
+            text = (f"{size[0]} x {size[1]} pixels, {counted(mask.shape[axis], 'slot')} (the "
+                    f"{name} axis of `mask`), {counted(len(turned), 'measurement')}")  # fmt: skip
             return Measurement(turned, np.moveaxis(mask, axis, 0), text)
     raise refused(
         path, f"`meas` is {values.shape}, but `mask` is {mask.shape}: rows and columns differ"
@@ -250,11 +257,14 @@ def reconstruct_measurement(
 ) -> Reconstruction:
     """Reconstruct the clip (K * slots, rows, cols), in the unit of the measurement per slot."""
     method, begin = method_for(still=False, method=method), working_s()
-    opened = np.asarray(measurement.mask, np.float32)[None, None]
+    # The decoders are made for masks up to 1.
+    most = measurement.mask.max()
+    opened = np.asarray(measurement.mask / most, np.float32)[None, None]
     clips: list[NDArray[np.float32]] = []
     for values in measurement.values:
         variance = noise.read_sd**2 + noise.gain * np.maximum(values, 0)
-        value, spread = (np.asarray(array, np.float32)[None, None] for array in (values, variance))
+        scaled = (values / most, np.minimum(variance / most**2, MOST**2))
+        value, spread = (np.asarray(array, np.float32)[None, None] for array in scaled)
         measured = Measured(value, opened, spread, np.zeros(value.shape, bool))
         if method == "gap-tv":
             clips.append(gap_tv_clip(measured))
@@ -263,4 +273,4 @@ def reconstruct_measurement(
 
         clips.append(decoded_clip(measured.tensors())[0].numpy())
     light = np.concatenate(clips)
-    return Reconstruction(light, False, False, (), working_s() - begin, method)
+    return Reconstruction(light, False, False, (), working_s() - begin, method, unit="")

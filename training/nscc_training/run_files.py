@@ -34,7 +34,7 @@ _ELECTRONS = (".npz", ".npy")
 @dataclass(frozen=True)
 class RunCapture:
     """The conditions under which a run's decoder expects frames; no `sensor` or `target` means the
-    default one."""
+    default one. `classifies`: the decoder names classes."""
 
     program: Path
     still: bool
@@ -44,6 +44,7 @@ class RunCapture:
     transfer: Transfer | None
     sensor: Path | None
     target: Path | None
+    classifies: bool
 
     def exposure_of(self, scene: str) -> str | None:
         """Return the exposure of a scene by name; None for scenes in electrons."""
@@ -120,4 +121,5 @@ def run_capture(folder: Path) -> RunCapture:
     return RunCapture(
         program, still, shutter.slots, shutter.slot_us, exposure, transfers.get(data.transfer),
         own_sensor if settings.sensor.file and own_sensor.is_file() else None, own_target,
+        protocol.classifies,
     )  # fmt: skip

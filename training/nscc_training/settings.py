@@ -8,7 +8,7 @@ from nscc.toml.kinds import Flag, Integer, Number, Several, TextKind
 from nscc.toml.schema import FileCodes, Schema, key, keys_of
 from nscc_training.code_choices import RELAXATIONS, STARTS
 from nscc_training.decoders.declared import DECODERS, SIZES
-from nscc_training.protocols import NAMES
+from nscc_training.protocols import TRAINED
 
 _COUNT = Integer(1, 100_000)
 
@@ -186,7 +186,7 @@ class DataSettings:
         TextKind(), "the same; empty: every fifth file of `train`, or other procedural scenes", ""
     )
     protocol: str = key(
-        TextKind(NAMES), "stills (hdr-v1), clips, or classes of clips (class-v1)", "hdr-v1"
+        TextKind(TRAINED), "stills (hdr-v1), clips, or classes of clips (class-v1)", "hdr-v1"
     )
     classes: tuple[str, ...] = key(
         Several(TextKind()),

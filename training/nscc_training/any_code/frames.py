@@ -30,7 +30,10 @@ from nscc_training.problems import one_line, why_no_arrays
 
 _TOP = 255
 """The largest converter code, used as saturated if a frame does not mark saturated pixels."""
-_WRITE = "`nscc run FILE --scene .. -o FRAME.npz` writes one"
+_WRITE = (
+    "`nscc run FILE --scene .. -o FRAME.npz` writes one; a measurement of another camera contains "
+    "`meas` and `mask`"
+)
 _MOST_VALUES = 1 << 28
 """Largest number of slots times pixels of a clip: 4096 slots of 256 x 256 pixels."""
 

@@ -25,7 +25,8 @@ def merged(
     exposure = frame.astype(np.float64) * electrons_per_lsb
     share = np.where(open_share > 0, open_share, 1.0)
     usable = ~saturated & (open_share > 0)
-    variance = (exposure + read_noise_e**2 + electrons_per_lsb**2 / 12) / share**2
+    # Noise may give a dark pixel less than the offset, but photons have no negative variance.
+    variance = (np.maximum(exposure, 0) + read_noise_e**2 + electrons_per_lsb**2 / 12) / share**2
     precision = np.where(usable, 1.0 / variance, 0.0)
     light = exposure / share
     return merge_neighbours(

@@ -67,7 +67,7 @@ def coded_still(
     relative = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
     usable = ~saturated & (open_share > 0)
     root = sparse_coded(
-        np.sqrt(np.maximum(coarse_e, 0) / full_well_e), np.sqrt(relative),
+        np.sqrt(np.maximum(coarse_e, 0) / full_well_e), np.sqrt(np.maximum(relative, 0)),
         np.where(usable, share**0.25, 0.0), made_filters(), iterations,
     )  # fmt: skip
     light = np.square(np.maximum(root, 0.0))

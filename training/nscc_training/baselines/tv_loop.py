@@ -10,85 +10,46 @@ from numpy.typing import NDArray
 from nscc_runtime.loop import Floats32, Written, inlined, loop, record
 
 _ONE = np.float32(1.0)
-_ZERO = np.float32(0.0)
 
 
 @inlined
 def _primal_row(
-    cols: int, at: int, plane: int, links: int, time: np.float32,
+    cols: int, at: int, above: int, before: int, time: np.float32,
     image: Floats32, later: Floats32, down: Floats32, right: Floats32, out: Floats32,
 ) -> None:  # fmt: skip
     """Compute out = image + div(field) in the row that begins at `at`.
 
-    `links` are bits for existing neighbours: 1 for the row above, 2 for the frame before."""
-    if links == 3:
-        for k in range(at + 1, at + cols):
-            out[k] = (
-                image[k] - right[k] + right[k - 1] - down[k] + down[k - cols]
-                + time * (later[k - plane] - later[k])
-            )  # fmt: skip
-    elif links == 2:
-        for k in range(at + 1, at + cols):
-            out[k] = (
-                image[k] - right[k] + right[k - 1] - down[k] + time * (later[k - plane] - later[k])
-            )
-    elif links == 1:
-        for k in range(at + 1, at + cols):
-            out[k] = image[k] - right[k] + right[k - 1] - down[k] + down[k - cols] - time * later[k]
-    else:
-        for k in range(at + 1, at + cols):
-            out[k] = image[k] - right[k] + right[k - 1] - down[k] - time * later[k]
+    The neighbours are `above` and `before` elements back. If a neighbour is missing, that element
+    is in the last row or frame, where its component of the field is 0."""
+    for k in range(at + 1, at + cols):
+        out[k] = (
+            image[k] - right[k] + right[k - 1] - down[k] + down[k - above]
+            + time * (later[k - before] - later[k])
+        )  # fmt: skip
     first = image[at] - right[at] - down[at] - time * later[at]
-    if links & 1:
-        first += down[at - cols]
-    if links & 2:
-        first += time * later[at - plane]
-    out[at] = first
+    out[at] = first + down[at - above] + time * later[at - before]
 
 
 @inlined
 def _dual_row(
-    cols: int, at: int, plane: int, links: int, step: np.float32, pull: np.float32,
+    cols: int, at: int, below: int, after: int, step: np.float32, pull: np.float32,
     time: np.float32, out: Floats32, later: Floats32, down: Floats32, right: Floats32,
 ) -> None:  # fmt: skip
     """Take a descent step of the field in one row, projected back into the ball of radius `weight`.
 
-    `links` are bits for existing neighbours: 1 for the row below, 2 for the frame after. Without a
-    neighbour, that component of the field stays 0."""
+    The neighbours are `below` and `after` elements ahead; 0 if a neighbour is missing, so that its
+    component of the field stays 0."""
     end = at + cols - 1
-    last_down, last_later = _ZERO, _ZERO
-    if links & 1:
-        last_down = out[end + cols] - out[end]
-    if links & 2:
-        last_later = time * (out[end + plane] - out[end])
-    if links == 3:
-        for k in range(at, end):
-            r, d, t = out[k + 1] - out[k], out[k + cols] - out[k], time * (out[k + plane] - out[k])
-            scale = _ONE / (_ONE + pull * np.sqrt(r * r + d * d + t * t))
-            right[k] = (right[k] - step * r) * scale
-            down[k] = (down[k] - step * d) * scale
-            later[k] = (later[k] - step * t) * scale
-    elif links == 2:
-        for k in range(at, end):
-            r, t = out[k + 1] - out[k], time * (out[k + plane] - out[k])
-            scale = _ONE / (_ONE + pull * np.sqrt(r * r + t * t))
-            right[k] = (right[k] - step * r) * scale
-            later[k] = (later[k] - step * t) * scale
-    elif links == 1:
-        for k in range(at, end):
-            r, d = out[k + 1] - out[k], out[k + cols] - out[k]
-            scale = _ONE / (_ONE + pull * np.sqrt(r * r + d * d))
-            right[k] = (right[k] - step * r) * scale
-            down[k] = (down[k] - step * d) * scale
-    else:
-        for k in range(at, end):
-            r = out[k + 1] - out[k]
-            right[k] = (right[k] - step * r) / (_ONE + pull * abs(r))
+    last_down, last_later = out[end + below] - out[end], time * (out[end + after] - out[end])
+    for k in range(at, end):
+        r, d, t = out[k + 1] - out[k], out[k + below] - out[k], time * (out[k + after] - out[k])
+        scale = _ONE / (_ONE + pull * np.sqrt(r * r + d * d + t * t))
+        right[k] = (right[k] - step * r) * scale
+        down[k] = (down[k] - step * d) * scale
+        later[k] = (later[k] - step * t) * scale
     scale = _ONE / (_ONE + pull * np.sqrt(last_down * last_down + last_later * last_later))
-    if links & 1:
-        down[end] = (down[end] - step * last_down) * scale
-    if links & 2:
-        later[end] = (later[end] - step * last_later) * scale
+    down[end] = (down[end] - step * last_down) * scale
+    later[end] = (later[end] - step * last_later) * scale
 
 
 @record
@@ -120,22 +81,24 @@ def _denoise_clip(
     step = _ONE / (np.float32(4.0) + np.float32(2.0) * time * time)
     pull = step / weight
     for turn in range(iterations + 1):
-        for frame in range(frames):
-            before = 2 if frame > 0 else 0
-            for row in range(rows):
-                links = before + (1 if row > 0 else 0)
-                at = begin + frame * plane + row * cols
-                _primal_row(cols, at, plane, links, time, image, later, down, right, out)
-            if frame > 0 and turn < iterations:
+        for frame in range(frames + 1):
+            # The field of a frame changes after both of its neighbours in time are computed.
+            at = begin + frame * plane
+            if frame < frames:
+                before = plane if frame > 0 else plane - frames * plane
                 for row in range(rows):
-                    links = 2 + (1 if row < rows - 1 else 0)
-                    at = begin + (frame - 1) * plane + row * cols
-                    _dual_row(cols, at, plane, links, step, pull, time, out, later, down, right)
-        if turn < iterations:
-            for row in range(rows):
-                links = 1 if row < rows - 1 else 0
-                at = begin + (frames - 1) * plane + row * cols
-                _dual_row(cols, at, plane, links, step, pull, time, out, later, down, right)
+                    above = cols if row > 0 else cols - plane
+                    _primal_row(
+                        cols, at + row * cols, above, before, time, image, later, down, right, out
+                    )
+            if frame > 0 and turn < iterations:
+                after = plane if frame < frames else 0
+                for row in range(rows):
+                    below = cols if row < rows - 1 else 0
+                    _dual_row(
+                        cols, at - plane + row * cols, below, after, step, pull, time,
+                        out, later, down, right,
+                    )  # fmt: skip
 
 
 @loop

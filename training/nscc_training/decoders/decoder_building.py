@@ -49,7 +49,10 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
     if declared is None or size not in SIZES:
         known = (*DECODERS, *added_decoders())
         if size not in SIZES or not (is_import_path(name) or name in known):
-            raise ValueError(f"{name!r} {size!r} is not one of {known} in the sizes {SIZES}")
+            raise ValueError(
+                f"'{name}' of the size '{size}' is unknown; the decoders are {', '.join(known)}, "
+                f"the sizes {' and '.join(SIZES)}, and module:name is a custom decoder"
+            )
         if width != 1:
             raise ValueError(f"decoder.width applies only to nscc's own decoders, not to '{name}'")
         _check_guess(name, False, task)

@@ -1,5 +1,4 @@
-"""Exposure of a demo's scene: with coded shutters, an ordinary camera, and dark frames of both; and
-reconstruction without a network."""
+"""Exposure of a demo's scene: with coded shutters, an ordinary camera, and dark frames of both."""
 
 from __future__ import annotations
 
@@ -20,7 +19,7 @@ from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
-from nscc_runtime.effects import everything, selected
+from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import FrameFile, meta
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.machine_code import working_s
@@ -29,9 +28,6 @@ from nscc_runtime.response import with_table
 from nscc_runtime.scenes import Fit, PlacedLight, Scene
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener, Request
-from nscc_training.baselines.hdr import merged
-from nscc_training.baselines.sci import gap_tv
-from nscc_training.code_choices import over_array
 from nscc_training.demo.subject import Subject
 from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.scene import best_stop
@@ -154,11 +150,12 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
     dark, or cannot be read, or is not of the run's kind (NS0821)."""
     run = settings.run or (RUNS[True] if subject.still else None)
     like = run_capture(run or RUNS[False])
-    if like.still != subject.still:
+    if like.still != subject.still or like.classifies:
         kinds = {True: "a still", False: "a clip"}
+        made = "names classes" if like.classifies else f"reconstructs {kinds[like.still]}"
         raise rejected(
             "NS0821", f"'{subject.scene.name}' is {kinds[subject.still]}, but the run '{run}' "
-                      f"reconstructs {kinds[like.still]}",
+                      f"{made}",
             helps=("name another scene, or leave --run out",),
         )  # fmt: skip
     program = settings.program if run is None else like.program
@@ -267,45 +264,3 @@ def _frame_file(capture: Taken, keep: Sequence[str] = ()) -> FrameFile:
     about = meta(capture.container, light, simulated.frame, simulated.origin) | capture.laid
     file = FrameFile.of(capture.container, light, simulated.frame, about, keep)
     return with_table(file, capture.container)
-
-
-def dark_codes(dark: Taken) -> NDArray[np.float64]:
-    """Return the mean dark value of each pixel (rows, cols), in converter codes, for one bucket."""
-    return np.asarray(dark.simulated.frame.frame[:, 0].mean(axis=0))
-
-
-def laid_like(offset: NDArray[np.float64], codes: NDArray[np.uint8]) -> NDArray[np.float64]:
-    """Return the array's offsets, repeated over `codes` (rows, cols[, colours])."""
-    tiled = over_array(offset, *codes.shape[:2])
-    return tiled if codes.ndim == 2 else tiled[..., None]
-
-
-def merged_light(
-    capture: Taken, offset: NDArray[np.float64], sensor: Sensor
-) -> tuple[NDArray[np.float32], str]:
-    """Return the light of a frame with one bucket, as `Exposed.truth`, and the method; `offset` is
-    the array's dark value in codes."""
-    frame, container = capture.simulated.frame, capture.container
-    assert container.pixel_codes is not None  # the frame has been exposed
-    lanes = container.table.shutter_of_code[container.pixel_codes]
-    codes, saturated = (values[..., 0, :, :] for values in (frame.frame, frame.saturated))
-    lsb_e, size = sensor.electrons_per_lsb, codes.shape[-2:]
-    shutters = container.table.shutters[:, 0]
-
-    def of_colour(codes: NDArray[Any], full: NDArray[Any]) -> NDArray[np.floating]:
-        seen_lsb = codes - laid_like(offset, codes)
-        if capture.light.kind == "still":
-            share = shutters @ (np.array(container.slot_us) / sum(container.slot_us))
-            noise_e = everything().converter_lsb(sensor) * lsb_e
-            return merged(seen_lsb, share[lanes].astype(np.float64), lsb_e, full, noise_e)
-        white_e = sensor.full_well_e / container.slots
-        mask = np.moveaxis(shutters.astype(np.float32)[lanes], -1, 0)
-        relative_light = np.maximum(seen_lsb, 0.0) * (lsb_e / white_e)
-        clip = gap_tv(relative_light.astype(np.float32), np.ascontiguousarray(mask))
-        return np.maximum(clip, 0) * np.float32(white_e)
-
-    colour_lights = [of_colour(*colour_arrays) for colour_arrays in zip(codes.reshape(-1, *size),
-            saturated.reshape(-1, *size), strict=True)]  # fmt: skip
-    light = colour_lights[0] if codes.ndim == 2 else np.stack(colour_lights, axis=-1)
-    how = "neighbours merged" if capture.light.kind == "still" else "total variation (GAP-TV)"
-    return np.asarray(light, np.float32), how

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from nscc.files import Product, write_together
 from nscc_runtime.formats import Content, file_of
-from nscc_runtime.machine_code import working_s
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.scenes import Scene
 from nscc_runtime.simulate import Listener
@@ -20,12 +19,11 @@ from nscc_training.demo.expose import (
     DARK_SEED,
     Exposed,
     Settings,
-    dark_codes,
     exposed,
-    merged_light,
 )
 from nscc_training.demo.sheet import Shown, demo_sheet, readouts_text
 from nscc_training.demo.subject import subject
+from nscc_training.reconstruct_any import Method, reconstruct_any
 from nscc_training.run_files import run_capture
 
 BUILTIN = ("builtin:hdr", "builtin:motion:0.15")
@@ -97,23 +95,27 @@ def _reconstructed(
     exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings
 ) -> tuple[NDArray[np.float32], float, str]:
     """Return the light in the shape of the truth, its seconds, and the method's name."""
-    if not settings.learned:
-        begin = working_s()
-        light, how = merged_light(
-            exposed_scene.coded_capture, dark_codes(exposed_scene.dark), exposed_scene.sensor
-        )
-        return light, working_s() - begin, how
-    if exposed_scene.run is not None:
+    if settings.learned and exposed_scene.run is not None:
         from nscc_training.reconstruct import reconstruct
 
         reconstruction = reconstruct(exposed_scene.run, frames[0], force=False, dark=frames[1])
         how = f"{'U-Net of ' if settings.run is None else ''}run {exposed_scene.run.name}"
     else:
-        from nscc_training.reconstruct_any import reconstruct_any
-
-        reconstruction = reconstruct_any(frames[0], kind="video", dark=frames[1])
-        how = f"{readouts_text(exposed_scene.readouts)}, decoder for any code"
+        reconstruction = reconstruct_any(
+            frames[0], dark=frames[1], method=_method(exposed_scene, settings)
+        )
+        how = {
+            "network": f"{readouts_text(exposed_scene.readouts)}, decoder for any code",
+            "merge": "neighbours merged", "gap-tv": "total variation (GAP-TV)",
+        }[reconstruction.method]  # fmt: skip
     return reconstruction.light, reconstruction.decode_s, how
+
+
+def _method(exposed_scene: Exposed, settings: Settings) -> Method:
+    """Return the method of `nscc reconstruct any` for the scene."""
+    if settings.learned:
+        return "network"
+    return "merge" if exposed_scene.still else "gap-tv"
 
 
 def _commands(
@@ -138,5 +140,7 @@ def _commands(
     night = f"--scene builtin:dark --effects auto --repeat {DARK_FRAMES} --seed {seed}"
     expose = f"nscc run {program} {' '.join(scene_options)} -o {frame}"
     darkness = f"nscc run {program} {night} -o {dark}"
-    decode = f"nscc reconstruct {exposed_scene.run or 'any'} {frame} --dark {dark} -o {product}"
-    return (expose, darkness, decode) if settings.learned else (expose, darkness)
+    decoder = exposed_scene.run or "any"
+    if not settings.learned:
+        decoder = f"any --method {_method(exposed_scene, settings)}"
+    return expose, darkness, f"nscc reconstruct {decoder} {frame} --dark {dark} -o {product}"

@@ -13,7 +13,9 @@ from numpy.typing import NDArray
 
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.tone import Tone, fitted
-from nscc_training.demo.expose import Exposed, Looked, dark_codes, laid_like
+from nscc_runtime.pieces import Taken
+from nscc_training.code_choices import over_array
+from nscc_training.demo.expose import Exposed, Looked
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
 
 if TYPE_CHECKING:
@@ -73,27 +75,26 @@ class Shown:
     @cached_property
     def usual_light(self) -> NDArray[np.float64]:
         """The light estimated from always open pixels, in the shape of the ground truth."""
-        usual = self.exposed_scene.codes(self.exposed_scene.usual)
-        dark = laid_like(dark_codes(self.exposed_scene.usual_dark), usual)
-        light = (usual - dark) * self.exposed_scene.sensor.electrons_per_lsb
-        if self.still:
-            return light
-        return np.broadcast_to(light / len(self.truth), self.truth.shape)
+        return self._camera_light(self.exposed_scene.usual, self.exposed_scene.usual_dark)
 
     @cached_property
     def fair_light(self) -> NDArray[np.float64] | None:
-        """The light of an ordinary camera at its best, or None; a burst's frames are shown for as
-        long as they were open."""
-        if self.exposed_scene.fair is None:
-            return None
-        capture, dark = self.exposed_scene.fair
+        """The light of an ordinary camera at its best, or None."""
+        fair = self.exposed_scene.fair
+        return None if fair is None else self._camera_light(*fair)
+
+    def _camera_light(self, capture: Taken, dark: Taken) -> NDArray[np.float64]:
+        """Return the light of an ordinary camera; the frames of a clip are shown for as long as
+        they were open."""
         shutters = capture.container.table.shutters[0]
         dark_codes = dark.simulated.frame.frame.mean(axis=0)
         frames = []
         for k, open_slots in enumerate(shutters.sum(axis=-1)):
             codes = self.exposed_scene.codes(capture, k)
-            light = (codes - laid_like(dark_codes[k], codes)) / open_slots
-            frames += [light * self.exposed_scene.sensor.electrons_per_lsb] * int(open_slots)
+            offset = over_array(dark_codes[k], *codes.shape[:2])
+            offset = offset if codes.ndim == 2 else offset[..., None]
+            light = (codes - offset) / open_slots * self.exposed_scene.sensor.electrons_per_lsb
+            frames += [light] * int(open_slots)
         return frames[0] * shutters.shape[-1] if self.still else np.stack(frames)
 
     @property

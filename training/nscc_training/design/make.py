@@ -241,16 +241,19 @@ def design_pattern(
         [pattern.mean_db for pattern in ranked],
         lambda k: container_of(ranked[k].stops.tolist()).words_per_frame,
     )]  # fmt: skip
-    uniform = next(pattern for pattern in ranked if pattern.name == "uniform")
-    tile = next(pattern for pattern in ranked if pattern.name == "2 x 2")
+    best_of_shape = {pattern.name: pattern for pattern in reversed(ranked)}
+    # Frames of few slots have no 2 x 2 tile of four stops.
+    others = [best_of_shape[name] for name in ("uniform", "2 x 2") if name in best_of_shape]
     remark = f"The pattern of stops that merging is best behind, of {len(ranked)}: {best.name}."
     text = text_of(best.stops.tolist(), remark)
     lines = (
         ("pattern", _pattern_text(best, frame.slots)),
         ("tried", f"{len(ranked)} patterns, by merging under every effect"),
         ("reached", _reached_text(best)),
-        ("uniform", f"{_pattern_text(uniform, frame.slots)}: {_reached_text(uniform)}"),
-        ("2 x 2", f"{_pattern_text(tile, frame.slots)}: {_reached_text(tile)}"),
+        *(
+            (other.name, f"{_pattern_text(other, frame.slots)}: {_reached_text(other)}")
+            for other in others
+        ),
     )
     return PatternDesign(text, frame.compiled("pattern.nsl", text), lines, best, tuple(ranked))
 

@@ -198,7 +198,9 @@ class Start(Bump):
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         if spec.length is None or not 1 <= spec.length <= spec.slots:
-            raise ValueError(f"a bump of {spec.length} slots in a frame of {spec.slots}")
+            raise ValueError(
+                f"class c needs the length of its bumps, 1 to {spec.slots} slots, not {spec.length}"
+            )
         self.length, self.last = spec.length, spec.slots - spec.length
         super().__init__(spec, relaxation, {"start": (0, self.last)})
 

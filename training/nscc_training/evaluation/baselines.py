@@ -233,7 +233,8 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
             try:
                 make_encoder(spec, start)
             except ValueError as error:
-                raise rejected("NS0840", f"'{text}' names no codes: {error}") from error
+                reason = f"'{text[:40]}' does not name codes: {error}"
+                raise rejected("NS0840", reason, helps=(f"such as {kind}:quad",)) from error
             return spec, start
         reason = f"'{text[:40]}' does not name codes of protocol {protocol.name}"
         note = f"its classes are {', '.join(known)}; starts are {', '.join(STARTS)}"

@@ -302,8 +302,10 @@ def result_text(result: dict[str, Any]) -> str:
         f"{result['method']}, protocol {result['protocol']} ({result['protocol_sha256'][:12]})"
     ]
     if effects := result["settings"].get("effects"):
-        trained = result["settings"]["trained_effects"] or "noise and full well alone"
-        lines.append(f"  on a chip with effects {effects}; trained with {trained}")
+        trained = result["settings"].get("trained_effects")
+        lines.append(f"  on a chip with effects {effects}")
+        if trained is not None:
+            lines[-1] += f"; trained with {trained or 'noise and full well alone'}"
     if result["sees"] == "truth":
         lines.append("  an oracle: it reads the truth, not the capture")
     classified = score_of(result) == "correct"

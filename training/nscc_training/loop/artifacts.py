@@ -152,7 +152,9 @@ def capture_toml(setup: TrainingSetup) -> str:
 def _exposure(setup: TrainingSetup) -> str:
     """Return a description of how scenes are exposed."""
     if setup.still:
-        return "30 % of the pixels saturate when always open"
+        low, high = sorted(setup.settings.data.saturated)
+        share = f"{100 * low:g}" if low == high else f"{100 * low:g} to {100 * high:g}"
+        return f"{share} % of the pixels saturate when always open"
     grey_e = setup.protocol.mid_grey_e
     if grey_e is None:
         part = "" if setup.protocol.light == 1 else f"{setup.protocol.light:g} of "

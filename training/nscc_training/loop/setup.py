@@ -217,6 +217,9 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
         try:
             path = run_path(Path(chosen.init))
             path = path / programs.CODES_FILE if path.is_dir() else path
+            if not path.suffix and not path.exists():
+                starts = ", ".join(_STARTS)
+                raise ValueError(f"no file or run has this name, and the starts are {starts}")
             if path.suffix.lower() == ".nsl":
                 _begin_as(encoder, path, chip)
             else:
@@ -248,6 +251,8 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
 
     path = run_path(Path(run)) / WEIGHTS
     try:
+        if not path.is_file():
+            raise ValueError(f"the run has no {WEIGHTS}")
         check_size(path.stat().st_size)
         decoder.load_state_dict(load_file(str(path)))
     except Exception as error:  # safetensors raises its own type and several others

@@ -17,12 +17,16 @@ import torch
 from torch import Tensor
 from torch.optim.swa_utils import AveragedModel
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import check_size
+from nscc_training.config import load_config, values_of
 from nscc_training.data import Scenes
 from nscc_training.loop.artifacts import config_digest, split_digest
 from nscc_training.loop.optimizers import Muon
 from nscc_training.loop.setup import TrainingSetup
+from nscc_training.problems import listed
+from nscc_training.run_files import CONFIG
 from nscc_training.settings import RunSettings
 
 CHECKPOINT = "checkpoint.safetensors"
@@ -132,7 +136,7 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
         about.get("other_settings_sha256") == _other_settings_digest(settings)
         and about.get("steps", np.inf) < settings.train.steps
     ):
-        raise _refused(path, "it was made with another configuration")
+        raise _refused(path, f"it was made with another configuration{_changed(path, settings)}")
     changed = [name for name, digest in _file_digests(state.setup).items()
                if about.get("files", {}).get(name) != digest]  # fmt: skip
     if changed:
@@ -150,6 +154,17 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
         raise _refused(path, f"a part is missing: {' '.join(str(error).split())[:100]}") from error
     progress.best = best or None
     return progress
+
+
+def _changed(checkpoint: Path, settings: RunSettings) -> str:
+    """Return the settings that differ from those beside a checkpoint, as the end of a sentence."""
+    try:
+        before = load_config(checkpoint.with_name(CONFIG))
+    except Rejected:
+        return ""
+    names = [key for key, value in values_of(settings).items() if values_of(before)[key] != value]
+    more = " (train.steps may only grow)" if "train.steps" in names else ""
+    return f"; changed: {listed(names)}{more}"
 
 
 def _copied(value: Tensor) -> Tensor:

@@ -18,6 +18,7 @@ from torch.utils.data import DataLoader, Dataset
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_together
+from nscc.program.problems import counted
 from nscc_runtime.progress import Progress as Track
 from nscc_runtime.progress import unseen
 from nscc_training.any_code.lessons import Lesson, LessonSet
@@ -351,7 +352,7 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
     run.log.add(step, "val", loss=scores.loss, words_per_slot=words, dead_share=dead,
                 **scores.means)  # fmt: skip
     report(f"step {step}: loss {scores.loss:.5f}, {means_text(scores.means)} "
-           f"({setup.protocol.name}, {len(run.shown)} scenes of validation)"
+           f"({setup.protocol.name}, {counted(len(run.shown), 'validation scene')})"
            + (f", {words:.1f} words a slot" if words is not None else ""))  # fmt: skip
     counts = words is not None and within(settings.shutter, words)
     if counts and scores.loss < run.progress.best_loss:

@@ -53,7 +53,9 @@ def windows(files: Sequence[Path], protocol: Protocol) -> Iterator[ClipWindow | 
         srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
         size = int(protocol["size"])
         frames: Iterable[NDArray[Any]] = frames_in(path)
-        lights = (light_in(centre_of(f, size), "srgb" if srgb else "linear") for f in frames)
+        # A frame that is too small stays whole, because the reason names its size.
+        cut = (centre_of(f, size) if min(f.shape[:2]) >= size else f for f in frames)
+        lights = (light_in(frame, "srgb" if srgb else "linear") for frame in cut)
         clip_windows = windows_of(path, lights, srgb, protocol)
         yield from islice(clip_windows, protocol.values.get("windows"))
 

@@ -67,6 +67,11 @@ def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
     return len(keys), sum(known_flags)
 
 
+def work_text(count: int, todo: int) -> str:
+    """Return a line on how many of a grid's points have results."""
+    return f"{counted(count, 'point')}: {count - todo} known, {todo} to compute"
+
+
 def sweep(
     grid: Grid, out: Path, how: How, *, grid_parts: Sequence[str] = (), parquet: bool = False,
     track: Progress = unseen, report: Callable[[str], None] = lambda _text: None,
@@ -91,7 +96,7 @@ def sweep(
             if not _is_known(rows.get(keys[point]), how, _output_path(out, point, keys[point]))
         }
         count = len({keys[point] for point in points})
-        report(f"{count} points: {count - len(todo)} known, {len(todo)} to compute")
+        report(work_text(count, len(todo)))
         for key in todo.keys() & rows.keys():  # points that failed before or lost their output
             store.forget(POINTS, key)
         tasks = [_task(point, keys, grid, out, how) for point in todo.values()]

@@ -9,6 +9,7 @@ from typing import Any
 from nscc import html
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
+from nscc.program.problems import counted
 from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
 from nscc_training.sweep.grid import Grid
 from nscc_training.sweep.kinds import KINDS
@@ -33,7 +34,7 @@ def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
         html.table(([_short(v) for v in row] for row in rows), shown),
         html.folded("the grid", html.plain(grid.text)),
     ]
-    count = f"{len(table)} points"
+    count = counted(len(table), "point")
     if len(table) > _MOST_ROWS:
         count += f", {_MOST_ROWS} of them below, all in the table"
     body = html.card(grid.name, count, *blocks)

@@ -14,6 +14,7 @@ from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of
 from nscc_runtime.simulate import Simulated
+from nscc_training.reconstruct_any import gap_tv_clip
 from nscc_training.tradeoff.bench import PERCENT, Bench, StageResult, rms_percent
 
 Values = NDArray[Any]
@@ -76,7 +77,7 @@ def _of_looks(bench: Bench, capture: Simulated) -> Iterator[_Way]:
 
 
 def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_Way]:
-    from nscc_training.any_code.decode import decoded_still
+    from nscc_training.any_code.decode import decoded_clip, decoded_still
     from nscc_training.any_code.frames import coded_capture
     from nscc_training.any_code.stages import STILL_STAGES
 
@@ -95,14 +96,19 @@ def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_W
         notes.append(f"clips were decoded on the middle {rows} x {cols} pixels")
     cropped, clip = coded.crop(*middle), np.asarray(light.part(*middle).dense())
     slots = (cropped.slot_us / cropped.slot_us.mean()).astype(np.float32)[:, None, None]
-    measured = cropped.clip().tensors()
-    if len(container.buckets) == 1 and np.all(cropped.slot_us == cropped.slot_us[0]):
-        for count in TV_ITERATIONS:
-            run = partial(_by_tv, measured, count)
-            yield _Way("gap-tv", f"{count} iterations", run, clip)
+    measured = cropped.clip()
+    tensors = measured.tensors()
+
+    def by_tv(iterations: int) -> Values:
+        return np.asarray(gap_tv_clip(measured, iterations) * slots)
+
+    def by_any(stages: int) -> Values:
+        return np.asarray(decoded_clip(tensors, stages)[0].numpy() * slots)
+
+    for count in TV_ITERATIONS:
+        yield _Way("gap-tv", f"{count} iterations", partial(by_tv, count), clip)
     for count in ANY_STAGES:
-        run = partial(_by_any, measured, count, slots)
-        yield _Way("any", _stages(count), run, clip)
+        yield _Way("any", _stages(count), partial(by_any, count), clip)
     yield from _of_run(bench, capture, clip, middle)
 
 
@@ -120,23 +126,6 @@ def _merged(bench: Bench, capture: Simulated) -> Values:
 
 def _stages(count: int) -> str:
     return f"{count} stage{'s' * (count > 1)}"
-
-
-def _by_any(measured: Any, stages: int, slots: Values) -> Values:
-    """Return the clip (N, rows, cols) of the decoder for any code, in electrons per slot."""
-    from nscc_training.any_code.decode import decoded_clip
-
-    return np.asarray(decoded_clip(measured, stages)[0].numpy() * slots)
-
-
-def _by_tv(measured: Any, iterations: int) -> Values:
-    """Return the clip (N, rows, cols) of GAP-TV, in whose unit white is 1."""
-    from nscc_training.any_code.decode import white
-    from nscc_training.baselines.sci import gap_tv
-
-    unit = float(white(measured)[0])
-    frame, mask = measured.value[0, 0].numpy() / unit, measured.mask[0, 0].numpy()
-    return np.asarray(gap_tv(frame.astype(np.float32), mask, iterations=iterations)) * unit
 
 
 def _of_run(
