@@ -191,7 +191,7 @@ def check_device(call: str, device: object) -> None:
     except (AssertionError, RuntimeError, TypeError) as error:
         reason = str(error).strip().partition("\n")[0][:150]
         raise wrong_argument(
-            f"{call}: torch cannot use the device {shown(device)}",
+            f"{call}: torch cannot compute on the torch_device {device[:60]!r}",
             notes=(reason,),
             helps=("leave torch_device out to use the processor",),
         ) from error

@@ -204,6 +204,7 @@ WRONG = {
     "transfer": (lambda p: nscc_runtime.scene("x", transfer="sgb"), "did you mean `srgb`"),
     "pairs": (lambda p: nscc_runtime.captures([p] * 2, [LIGHT] * 3), "3 scenes for 2 programs"),
     "none": (lambda p: nscc_runtime.captures([], [LIGHT]), "1 scenes for 0 programs"),
+    "path": (lambda p: nscc_runtime.capture(p, LIGHT).save(3), "save takes a path, not 3"),
     "keep": (lambda p: nscc_runtime.capture(p, LIGHT).save("x.npz", ["a"]), "save can keep light"),
     "threads": (lambda p: nscc_runtime.capture(p, LIGHT, threads=0), "threads is a whole number"),
     "a number": (lambda p: nscc_runtime.sensor_for(p, full_well_e="a"), "full_well_e is a number"),

@@ -170,5 +170,5 @@ def measures_text(values: Mapping[str, Any]) -> str:
             text = value if isinstance(value, str) else f"{value:.4f}"
             lines.append(f"  {name:28}{text}{unit}")
     if values["infinite"]:
-        lines.append(f"  {values['infinite']} frames without any error are left out of the mean")
+        lines.append(f"  frames without any error, left out of the mean: {values['infinite']}")
     return "\n".join(lines) + "\n"

@@ -31,11 +31,14 @@ def emulated_chip(
 ) -> EmulatedChip:
     """Return an emulated chip that sees `scene` with any program.
 
-    Raises Rejected now for a scene that suits no program. Later, `warn` is called with messages
-    about the scene, and `failed` with the reason for a missing frame, because the host only learns
-    that it is missing."""
-    if scene.name.startswith("builtin:") or not Path(scene.name).exists():
+    Raises Rejected now for a scene that suits no program; the number of frames (NS0735) depends on
+    the program. Later, `warn` is called with messages about the scene, and `failed` with the reason
+    for a missing frame, because the host only learns that it is missing."""
+    try:
         scene.light((1000.0,), target)
+    except Rejected as error:
+        if Path(scene.name).is_dir() or error.diagnostics[0].code != "NS0735":
+            raise
     return EmulatedChip(
         lambda slot_us: scene.light(slot_us, target, warn), target, sensor, device_seed, failed
     )

@@ -35,6 +35,8 @@ def exr_pages(path: Path) -> Pages:
     channel_names: set[str] = set()
     with OpenEXR.File(str(path), separate_channels=True) as file:
         for file_part in file.parts:
+            if not file_part.channels:  # the library drops those that it cannot read
+                raise ValueError("its pixels are incomplete")
             channel_names.update(file_part.channels)
             layer = _picture_layer(file_part.channels)
             if layer is None:
@@ -148,5 +150,5 @@ def _primaries_note(header: Mapping[str, Any]) -> list[Note]:
 
 
 def _listed(names: list[str]) -> str:
-    shown = ", ".join(name[:40] for name in names[:_LAYERS_SHOWN]) or "none"
+    shown = ", ".join(name[:40] for name in names[:_LAYERS_SHOWN])
     return shown + (f" and {len(names) - _LAYERS_SHOWN} more" * (len(names) > _LAYERS_SHOWN))
