@@ -33,10 +33,12 @@ def exr_pages(path: Path) -> Pages:
     names: list[str] = []
     notes: list[Note] = []
     channel_names: set[str] = set()
+    with OpenEXR.File(str(path), header_only=True) as file:
+        count = len(file.parts)
     with OpenEXR.File(str(path), separate_channels=True) as file:
+        if len(file.parts) < count:  # the library leaves out the parts that it cannot read
+            raise ValueError(f"{count - len(file.parts)} of {count} parts are incomplete")
         for file_part in file.parts:
-            if not file_part.channels:  # the library drops those that it cannot read
-                raise ValueError("its pixels are incomplete")
             channel_names.update(file_part.channels)
             layer = _picture_layer(file_part.channels)
             if layer is None:
