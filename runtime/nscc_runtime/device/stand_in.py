@@ -13,7 +13,6 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.device import firmware, qemu
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.firmware import RunningFirmware
-from nscc_runtime.device.serving import LineFaults, StandInServer
 from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import Sensor
 
@@ -42,27 +41,6 @@ def emulated_chip(
     return EmulatedChip(
         lambda slot_us: scene.light(slot_us, target, warn), target, sensor, device_seed, failed
     )
-
-
-def serve(
-    loader: RunningFirmware,
-    faults: LineFaults,
-    *,
-    opened: Callable[[str], None],
-    moved: Callable[[str], None] = lambda _: None,
-    once: bool = False,
-    seconds: float | None = None,
-) -> None:
-    """Serve a loader behind a pseudo-terminal, over a simulated line.
-
-    `opened` is called with the name of the port, and `moved` with its new name if the old name is
-    taken. Ends after the first host with `once`, after `seconds`, or never."""
-    server = StandInServer(loader, faults, moved)
-    try:
-        opened(server.terminal.name)
-        server.serve(once=once, seconds=seconds)
-    finally:
-        server.terminal.close()
 
 
 @contextmanager
