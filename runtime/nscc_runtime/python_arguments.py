@@ -105,9 +105,9 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
     )
 
 
-def changes_of(call: str, values: Mapping[str, float]) -> list[str]:
-    """Return values as arguments of `--sensor-set`. Raises WrongArgument for other values."""
-    return [f"{name} = {number(call, str(name), value)!r}" for name, value in values.items()]
+def changes_of(call: str, values: Mapping[str, float]) -> dict[str, float]:
+    """Return values by name as floats. Raises WrongArgument for other values."""
+    return {str(name): number(call, str(name), value) for name, value in values.items()}
 
 
 def number(call: str, name: str, value: object) -> float:

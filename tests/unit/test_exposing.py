@@ -234,7 +234,7 @@ def test_wrong_arguments_are_told_in_a_sentence(wrong: str, program: nscc.Shutte
     ("options", "words"),
     [
         ({"effects": "shott"}, "NS0756.*'shott'"),
-        ({"sensor": {"full_well": 3}}, "NS0753.*\n.*did you mean `full_well_e`"),
+        ({"sensor": {"full_well": 3}}, "NS0753.: a sensor has no .*\n.*did you mean `full_well_e`"),
         ({"sensor": {"full_well_e": float("nan")}}, "NS0754"),
         ({"tolerance": "5"}, "NS0746"),
         ({"effects": "auto", "fidelity": "reference"}, "NS0739.*effects auto with fidelity ref"),
