@@ -126,7 +126,9 @@ def _array(call: str, light: object) -> NDArray[Any]:
     """Return an array from an array, list or CPU tensor. Raises WrongArgument for other objects."""
     if isinstance(light, np.ndarray) or hasattr(light, "__array__") or isinstance(light, Sequence):
         try:
-            return np.asarray(light)
+            # Masked values are rejected like NaN.
+            mask = np.ma.getmask(light)
+            return np.where(mask, np.nan, light) if mask.any() else np.asarray(light)
         except (RuntimeError, TypeError, ValueError) as error:
             reason = " ".join(str(error).split())[:150]
             raise wrong_argument(

@@ -247,6 +247,12 @@ def test_what_the_command_refuses_is_refused(
         nscc_runtime.capture(program, LIGHT, **options)
 
 
+def test_masked_values_are_not_light(program: nscc.ShutterProgram) -> None:
+    masked = np.ma.masked_greater(LIGHT, np.partition(LIGHT, -2, axis=None)[-2])
+    with pytest.raises(nscc.Rejected, match=r"NS0736.*1 not a number"):
+        nscc_runtime.capture(program, masked)
+
+
 def test_a_program_without_data_has_no_frame() -> None:
     empty = nscc.compile(TEXT, target=TARGET, level=1)
     with pytest.raises(nscc.Rejected, match="NS0741"):
