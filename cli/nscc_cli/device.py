@@ -53,7 +53,7 @@ def serve(**options: Any) -> None:
     on SCENE. Press Ctrl-C to stop."""
     from nscc.chips.load import load_target
     from nscc_runtime.device import stand_in
-    from nscc_runtime.device.serving import LineFaults, parse_faults
+    from nscc_runtime.device.serving import LineFaults, StandInServer, parse_faults
     from nscc_runtime.emulator.loops import expose_pixels
 
     faults = parse_faults(options["fault"]) if options["fault"] else LineFaults()
@@ -67,11 +67,11 @@ def serve(**options: Any) -> None:
     support.say_compiling(expose_pixels, "the emulator's loops")
     expose_pixels.load()
     with stand_in.loaded(options["machine"], target, chip, say_done) as running:
-        stand_in.serve(
-            running, faults, opened=click.echo,
-            moved=lambda port: say_done(f"the port is {port} now: its old name was taken"),
-            once=options["once"], seconds=options["seconds"],
-        )  # fmt: skip
+        server = StandInServer(
+            running, faults, lambda port: say_done(f"the port is {port} now: its name was taken")
+        )
+        click.echo(server.terminal.name)
+        server.serve(once=options["once"], seconds=options["seconds"])
 
 
 def _report(error: Exception) -> None:

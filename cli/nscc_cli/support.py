@@ -166,6 +166,14 @@ class CommonCommand(click.Command):
             ),
         ]  # fmt: skip
 
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Parse the arguments; every usage error names the command, so that its help is found."""
+        try:
+            return super().parse_args(ctx, args)
+        except click.UsageError as error:
+            error.ctx = error.ctx or ctx
+            raise
+
     def option_sections(self, ctx: click.Context) -> dict[str, list[tuple[str, str]]]:
         """Return the options and their help texts, by section title."""
         sections: dict[str, list[tuple[str, str]]] = {}

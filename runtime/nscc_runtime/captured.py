@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc import html
-from nscc.diagnostics.arguments import wrong_argument
+from nscc.diagnostics.arguments import path_of, wrong_argument
 from nscc.files import write_together
 from nscc.words.container import Container
 from nscc_runtime.formats import check_ending, endings, file_of
@@ -180,7 +180,7 @@ class Capture(Frame):
         Rejected
             NS0786 for other endings, NS0784 if the file cannot be written.
         """
-        out = Path(path)
+        out = path_of("save", path)
         check_ending(out, endings(), "a frame")
         named = (keep,) if isinstance(keep, str) else tuple(keep)
         for name in named:

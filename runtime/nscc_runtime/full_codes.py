@@ -20,12 +20,11 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.effects import everything
-from nscc_runtime.effects.parts import Leak, SlowWords, Soft, Well, WordGain
+from nscc_runtime.effects.parts import Leak, Well, WordGain
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import OnDevice
 from nscc_runtime.execution.program import AnalysedProgram, analysed
-from nscc_runtime.reference.trace import AnalogWord
-from nscc_runtime.reference.weights import error_sign
-from nscc_runtime.reference.words import Marks
+from nscc_runtime.reference.words import Marked, WordPixels
 from nscc_runtime.response import converter_e2, shutter_response
 
 Values = NDArray[np.float64]
@@ -104,63 +103,38 @@ def _steady(
     never = seen_s <= 0
     scale = effects.require_part(Well).full_e(sensor) / np.where(never, 1.0, seen_s)
     rate = (_LEVELS[:, None] * np.where(never, 0.0, scale)).reshape(-1)
-    pixels = _SteadyPixels(program, rate, np.tile(lanes, len(_LEVELS)))
-    for word in program.tables.decayed:
-        pixels.run(word)
+    pixels = _SteadyPixels(
+        sensor=sensor, seed=0, device_seed=0, frame=0, places=np.arange(rate.size),
+        container=container, effects=effects,
+    )  # fmt: skip
+    exposure, marked = pixels.run(program, rate, np.tile(lanes, len(_LEVELS)))
     shape = len(container.buckets), len(_LEVELS), len(lanes)
-    exposure, marked = np.empty((shape[0], rate.size)), np.empty((shape[0], rate.size), np.uint8)
-    tau_s = effects.require_part(Leak).tau_s(sensor)
-    for order, readout in enumerate(container.readouts):
-        bucket = container.buckets.index(readout.bucket)
-        waited_s = order * container.target.readout_us * 1e-6
-        factor = readout.gain * np.exp(-(pixels.since_s() + waited_s) / tau_s)
-        exposure[bucket] = pixels.register[readout.register] * factor
-        marked[bucket] = pixels.marks.read_out(readout.register, readout.gain)
     return exposure.reshape(shape), marked.reshape(shape)
 
 
-class _SteadyPixels:
-    """Pixels in steady light of `rate` electrons per second while words run."""
+class _SteadyPixels(WordPixels):
+    """Pixels of a chip without noise and without differences: errors and patterns are scalars."""
 
-    def __init__(self, program: AnalysedProgram, rate: Values, lanes: NDArray[np.integer]) -> None:
-        self.program, self.rate, self.lanes = program, rate, lanes
-        self.sensor, self.effects = program.sensor, everything()
-        self.start_s = np.concatenate(([0.0], np.cumsum(program.slot_s)))
-        self.now_s = 0.0
-        names = (*program.container.target.analog_registers, "IN")
-        self.register = {name: np.zeros(len(rate)) for name in names}
-        self.charge = np.zeros(len(rate))
-        self.marks = Marks(self.effects, self.sensor, (*names, "PIX"), len(rate))
+    def draw(self, name: str, number: int) -> Values:
+        return np.zeros(())
 
-    def since_s(self) -> float:
-        """Return the seconds from the last word to the end of the frame."""
-        return max(0.0, float(self.start_s[-1]) - self.now_s)
+    def fixed(self, make: OnDevice) -> Values:
+        gain, leak = self.effects.require_part(WordGain), self.effects.require_part(Leak)
+        means = {
+            gain.error_e: gain.mean_e(self.sensor), leak.per_s: 1.0 / leak.tau_s(self.sensor)
+        }  # fmt: skip
+        return np.asarray(means[make])
 
-    def run(self, word: AnalogWord) -> None:
-        """Collect the light up to a word's end, and execute the word."""
-        slow = self.effects.find_part(SlowWords) is not None
-        ends_s = float(self.start_s[word.boundary]) + slow * word.after_us * 1e-6
-        passed_s = max(0.0, ends_s - self.now_s)
-        self.now_s += passed_s
-        charge, full_e = self.charge + self.rate * passed_s, self.effects.require_part(Well).full_e
-        self.charge = np.minimum(charge, full_e(self.sensor))
-        self.marks.fill(self.charge < charge)
-        remaining = np.exp(-passed_s / self.effects.require_part(Leak).tau_s(self.sensor))
-        self.register = {name: value * remaining for name, value in self.register.items()}
-        acting = word.lanes[self.lanes]
-        if word.resets:
-            self.charge = np.where(acting, 0.0, self.charge)
-            self.marks.empty(acting)
-            return
-        total = sum(self.charge if n == "PIX" else self.register[n] for n in word.op.sources)
-        gain, soft = self.effects.require_part(WordGain), self.effects.require_part(Soft)
-        exact = -gain.gain(self.sensor) * total / word.op.operation.divisor
-        nowhere = np.zeros(len(self.lanes), np.bool_)
-        full, lost_e = self.marks.gathered(word.op, nowhere, nowhere)
-        for name in word.op.destinations:
-            sign = error_sign(name, self.program.container)
-            value = exact + sign * gain.mean_e(self.sensor)
-            over_e = soft.lost_e(self.sensor, np.abs(value))
-            value = value - np.copysign(over_e, value)
-            self.register[name] = np.where(acting, value, self.register[name])
-            self.marks.write(name, acting, full, lost_e + over_e)
+    def run(self, program: AnalysedProgram, rate: Values, lanes: NDArray[np.integer]) -> Marked:
+        """Return exposures and saturation marks for light of `rate` electrons per second."""
+        start_s = np.concatenate(([0.0], np.cumsum(program.slot_s)))
+        now_s = 0.0
+        for word in program.tables.decayed:
+            ends_s = start_s[word.boundary] + 1e-6 * sum(ends(word) for ends in self.at("time"))
+            passed_s = max(0.0, float(ends_s) - now_s)
+            now_s += passed_s
+            self.fall(rate * passed_s)
+            self.hold(passed_s)
+            (self.reset if word.resets else self.bus)(word, word.lanes[lanes])
+        self.hold(max(0.0, float(start_s[-1]) - now_s))
+        return self.read_out()

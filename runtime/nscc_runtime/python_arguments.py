@@ -105,9 +105,9 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
     )
 
 
-def changes_of(call: str, values: Mapping[str, float]) -> list[str]:
-    """Return values as arguments of `--sensor-set`. Raises WrongArgument for other values."""
-    return [f"{name} = {number(call, str(name), value)!r}" for name, value in values.items()]
+def changes_of(call: str, values: Mapping[str, float]) -> dict[str, float]:
+    """Return values by name as floats. Raises WrongArgument for other values."""
+    return {str(name): number(call, str(name), value) for name, value in values.items()}
 
 
 def number(call: str, name: str, value: object) -> float:
@@ -126,7 +126,9 @@ def _array(call: str, light: object) -> NDArray[Any]:
     """Return an array from an array, list or CPU tensor. Raises WrongArgument for other objects."""
     if isinstance(light, np.ndarray) or hasattr(light, "__array__") or isinstance(light, Sequence):
         try:
-            return np.asarray(light)
+            # Masked values are rejected like NaN.
+            mask = np.ma.getmask(light)
+            return np.where(mask, np.nan, light) if mask.any() else np.asarray(light)
         except (RuntimeError, TypeError, ValueError) as error:
             reason = " ".join(str(error).split())[:150]
             raise wrong_argument(
@@ -191,7 +193,7 @@ def check_device(call: str, device: object) -> None:
     except (AssertionError, RuntimeError, TypeError) as error:
         reason = str(error).strip().partition("\n")[0][:150]
         raise wrong_argument(
-            f"{call}: torch cannot use the device {shown(device)}",
+            f"{call}: torch cannot compute on the torch_device {device[:60]!r}",
             notes=(reason,),
             helps=("leave torch_device out to use the processor",),
         ) from error

@@ -14,6 +14,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+import cv2
 import numpy as np
 import pytest
 from device_server import LIMIT_S, SIZE, serving, start, write_files
@@ -297,6 +298,10 @@ def test_what_serve_does_not_take(folder: Path) -> None:
     failed(invoke(line, folder), "NS0744", 2)
     failed(invoke([*line, "--scene", "builtin:nothing"], folder), "NS0731", 2)
     failed(invoke([*line, "--scene", "absent.npz"], folder), "NS0730", 2)
+    np.save(folder / "other_size.npy", np.ones((2, 3)))
+    failed(invoke([*line, "--scene", "other_size.npy"], folder), "NS0734", 2)
+    cv2.imwrite(str(folder / "p.png"), np.zeros((300, 300), np.uint8))
+    failed(invoke([*line, "--scene", "p.png"], folder), "NS0737", 2)
     outcome = invoke([*line, "--scene", "builtin:hdr", "--fault", "drop=2"], folder)
     failed(outcome, "NS0769", 2)
 

@@ -78,6 +78,9 @@ def test_a_plan_is_one_line_and_its_table_is_there_to_look_at(folder: Path) -> N
     tables = [invoke(["effects", "--plan", name], folder).out for name in ("plan.json", "f.npz")]
     assert tables[0] == tables[1]
     assert tables[0].splitlines()[0].split()[:2] == ["effect", "rms"]
+    assert run(folder, "-o", "none.npz").status == 0
+    refused = invoke(["effects", "--plan", "none.npz"], folder)
+    assert "its frame was exposed without a plan" in refused.err
     refused = invoke(["effects", "--plan", "p.nsl"], folder)
     assert refused.status == 2
     assert "NS0747" in refused.err

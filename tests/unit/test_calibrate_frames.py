@@ -291,6 +291,15 @@ def test_a_file_whose_name_looks_like_a_time(
     assert "is not a format for frames" in found.err
 
 
+@pytest.mark.parametrize("time", ["1h", "-1ms", "", "2", "1e300s", "1.2.3s"])
+def test_an_invalid_exposure_time_is_named(time: str, tmp_path: Path) -> None:
+    np.save(tmp_path / "f.npy", np.zeros((2, 4, 4), np.uint8))
+    words = ["calibrate", f"f.npy@{time}", "--dark", "f.npy", "-o", "s.toml"]
+    found = invoke(words, tmp_path)
+    assert found.status == 2
+    assert f"error[NS0757]: invalid exposure time of 'f.npy@{time}': '{time}'" in found.err
+
+
 def test_files_that_are_no_frames(tmp_path: Path) -> None:
     for name, said in _bad_files(tmp_path).items():
         for words in (

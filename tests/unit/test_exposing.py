@@ -204,6 +204,7 @@ WRONG = {
     "transfer": (lambda p: nscc_runtime.scene("x", transfer="sgb"), "did you mean `srgb`"),
     "pairs": (lambda p: nscc_runtime.captures([p] * 2, [LIGHT] * 3), "3 scenes for 2 programs"),
     "none": (lambda p: nscc_runtime.captures([], [LIGHT]), "1 scenes for 0 programs"),
+    "path": (lambda p: nscc_runtime.capture(p, LIGHT).save(3), "save takes a path, not 3"),
     "keep": (lambda p: nscc_runtime.capture(p, LIGHT).save("x.npz", ["a"]), "save can keep light"),
     "threads": (lambda p: nscc_runtime.capture(p, LIGHT, threads=0), "threads is a whole number"),
     "a number": (lambda p: nscc_runtime.sensor_for(p, full_well_e="a"), "full_well_e is a number"),
@@ -233,7 +234,7 @@ def test_wrong_arguments_are_told_in_a_sentence(wrong: str, program: nscc.Shutte
     ("options", "words"),
     [
         ({"effects": "shott"}, "NS0756.*'shott'"),
-        ({"sensor": {"full_well": 3}}, "NS0753.*\n.*did you mean `full_well_e`"),
+        ({"sensor": {"full_well": 3}}, "NS0753.: a sensor has no .*\n.*did you mean `full_well_e`"),
         ({"sensor": {"full_well_e": float("nan")}}, "NS0754"),
         ({"tolerance": "5"}, "NS0746"),
         ({"effects": "auto", "fidelity": "reference"}, "NS0739.*effects auto with fidelity ref"),
@@ -244,6 +245,12 @@ def test_what_the_command_refuses_is_refused(
 ) -> None:
     with pytest.raises(nscc.Rejected, match=words):
         nscc_runtime.capture(program, LIGHT, **options)
+
+
+def test_masked_values_are_not_light(program: nscc.ShutterProgram) -> None:
+    masked = np.ma.masked_greater(LIGHT, np.partition(LIGHT, -2, axis=None)[-2])
+    with pytest.raises(nscc.Rejected, match=r"NS0736.*1 not a number"):
+        nscc_runtime.capture(program, masked)
 
 
 def test_a_program_without_data_has_no_frame() -> None:

@@ -137,6 +137,9 @@ def test_the_command_and_pixels(tmp_path: Path) -> None:
     np.savez(tmp_path / "other.npz", mask=MASKS["c"])
     refused = invoke([*line, "other.npz", "--codes", "open"], tmp_path)
     assert (refused.status, refused.codes) == (2, ["NS0847"])
+    (tmp_path / "q.nsl").write_text(text.replace("frame 8", "frame 9"))
+    refused = invoke([*line, "m.npz", "--codes", "open"], tmp_path)
+    assert "the mask has 8 slots of one bucket, the program has 9 slots" in refused.err
 
 
 @pytest.mark.parametrize("suffix", [".npz", ".mat"])

@@ -108,6 +108,8 @@ def test_a_clip_may_begin_later_or_be_a_still(tmp_path: Path) -> None:
     )
     with pytest.raises(Rejected, match=r"NS0735.* has 1 frame from frame 3 on, but 2 are needed"):
         laid(tmp_path / "clip.gif", first=3)
+    with pytest.raises(Rejected, match="use a smaller --first"):
+        laid(tmp_path / "clip.gif", first=9)
 
 
 @pytest.mark.parametrize("name", ["clip.gif", "folder", "clip.mat"])

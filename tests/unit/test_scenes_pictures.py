@@ -136,6 +136,8 @@ def test_parts_of_an_exr(tmp_path: Path) -> None:
     assert "beauty, left" in pages.notes[0][0]
     OpenEXR.File(parts[:1]).write(str(tmp_path / "none.exr"))
     assert "but Z" in refusal(tmp_path / "none.exr").message
+    (tmp_path / "cut.exr").write_bytes((tmp_path / "one.exr").read_bytes()[:-100])
+    assert "cannot read" in refusal(tmp_path / "cut.exr").message
 
 
 def test_layers_of_an_exr(tmp_path: Path) -> None:

@@ -138,12 +138,15 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
     shutters, tile = _tile(mask, (target.rows, target.cols), path)
     shutter_codes = [known.get(row.tobytes()) for row in np.packbits(shutters, axis=-1)]
     missing = shutter_codes.count(None)
-    if missing or len(container.buckets) != 1 or shutters.shape[1] != container.slots:
+    fits = shutters.shape[1] == container.slots and len(container.buckets) == 1
+    if missing or not fits:
         raise rejected(
             "NS0847",
             f"the program does not have the shutters of the mask in '{path}'",
-            notes=(f"{missing} of {len(shutter_codes)} shutters of the mask are unknown to it; it "
-                   f"has {container.slots} slots and {len(container.buckets)} bucket(s)",),
+            notes=(f"{missing} of {len(shutter_codes)} shutters of the mask are unknown to it"
+                   if fits else
+                   f"the mask has {shutters.shape[1]} slots of one bucket, the program has "
+                   f"{container.slots} slots; buckets: {', '.join(container.buckets)}",),
             helps=("`nscc import-mask MASK -o P.nsl` writes a program that does; `--codes open` "
                    "compiles for every legal code",),
         )  # fmt: skip

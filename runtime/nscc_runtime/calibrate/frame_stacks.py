@@ -32,7 +32,7 @@ Codes = NDArray[np.uint16]
 TIME_KEY = "exposure_us"
 KEYS = ("frame", "frames")
 _SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
-_TIMED = re.compile(r"(.+)@([0-9.]+(?:e[+-]?[0-9]+)?)(s|ms|us)")
+_TIME = re.compile(r"([0-9.]+(?:e[+-]?[0-9]+)?)(s|ms|us)")
 _MOST_PIXELS, _MOST_BYTES = 1 << 24, 1 << 30
 _no_frames = partial(rejected, "NS0757")
 _SAME_PROGRAM = ("program_sha256", "scene_sha256", "sensor_sha256", "device_seed")
@@ -110,16 +110,14 @@ def grouped(stacks: Iterable[Stack]) -> list[Stack]:
 
 def _timed(source: str) -> tuple[Path, float | None]:
     """Split PATH@TIME into path and seconds (None without TIME), unless a file has this name."""
-    match = _TIMED.fullmatch(source)
-    if match is None or Path(source).exists():
+    path, at, time = source.rpartition("@")
+    if not at or Path(source).exists():
         return Path(source), None
-    try:
-        seconds = float(match[2]) * _SECONDS[match[3]]
-    except ValueError:
-        return Path(source), None
-    if not _is_time(seconds * 1e6):
-        raise _wrong_time(source, f"{match[2]}{match[3]}")
-    return Path(match[1]), seconds
+    match = _TIME.fullmatch(time)
+    with suppress(ValueError):
+        if match is not None and _is_time(float(match[1]) * _SECONDS[match[2]] * 1e6):
+            return Path(path), float(match[1]) * _SECONDS[match[2]]
+    raise _wrong_time(source, f"'{time[:40]}'")
 
 
 def _is_time(us: float) -> bool:
@@ -262,7 +260,10 @@ def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
     if values.ndim != 3 or 0 in values.shape or min(values.shape[1:]) < 2:
         raise _no_frames(
             f"'{key}' in '{name}' is {size(values.shape)}, not frames",
-            notes=("a frame is (rows, cols), frames of one level (K, rows, cols)",),
+            notes=(
+                "a frame is (rows, cols), frames of one level (K, rows, cols); photon transfer "
+                "needs at least 2 rows and 2 columns",
+            ),
             helps=("in a .mat file frames are (rows, cols, K)",),
         )
     if values.dtype.kind not in "uif":

@@ -13,7 +13,6 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.device import firmware, qemu
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.firmware import RunningFirmware
-from nscc_runtime.device.serving import LineFaults, StandInServer
 from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import Sensor
 
@@ -31,35 +30,17 @@ def emulated_chip(
 ) -> EmulatedChip:
     """Return an emulated chip that sees `scene` with any program.
 
-    Raises Rejected now for a scene that suits no program. Later, `warn` is called with messages
-    about the scene, and `failed` with the reason for a missing frame, because the host only learns
-    that it is missing."""
-    if scene.name.startswith("builtin:") or not Path(scene.name).exists():
+    Raises Rejected now for a scene that suits no program; the number of frames (NS0735) depends on
+    the program. Later, `warn` is called with messages about the scene, and `failed` with the reason
+    for a missing frame, because the host only learns that it is missing."""
+    try:
         scene.light((1000.0,), target)
+    except Rejected as error:
+        if Path(scene.name).is_dir() or error.diagnostics[0].code != "NS0735":
+            raise
     return EmulatedChip(
         lambda slot_us: scene.light(slot_us, target, warn), target, sensor, device_seed, failed
     )
-
-
-def serve(
-    loader: RunningFirmware,
-    faults: LineFaults,
-    *,
-    opened: Callable[[str], None],
-    moved: Callable[[str], None] = lambda _: None,
-    once: bool = False,
-    seconds: float | None = None,
-) -> None:
-    """Serve a loader behind a pseudo-terminal, over a simulated line.
-
-    `opened` is called with the name of the port, and `moved` with its new name if the old name is
-    taken. Ends after the first host with `once`, after `seconds`, or never."""
-    server = StandInServer(loader, faults, moved)
-    try:
-        opened(server.terminal.name)
-        server.serve(once=once, seconds=seconds)
-    finally:
-        server.terminal.close()
 
 
 @contextmanager

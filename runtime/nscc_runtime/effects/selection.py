@@ -9,7 +9,7 @@ from math import hypot
 from typing import Any, TypeVar
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.rejection import rejected, unknown_name
 from nscc.diagnostics.suggest import meant
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects.effect import RESERVED, Effect, Mark
@@ -146,7 +146,12 @@ def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
                 )
             continue
         add, name = item[0] != "-", item.lstrip("+-") if item[0] in "+-" else item
-        effect = named(name)
+        effect = by_name().get(name)
+        if effect is None:
+            raise _invalid_selection(
+                f"unknown effect {name[:60]!a}",
+                *meant(name, (*by_name(), *RESERVED), "`nscc effects` lists the effects"),
+            )
         if effect.always and not add:
             raise _invalid_selection(f"the effect `{name}` is always on", f"leave -{name} out")
         if not effect.always:
@@ -159,9 +164,8 @@ def named(name: str) -> Effect:
     """Return the effect with this name. Raises Rejected (NS0756, status 2) for an unknown name."""
     effect = by_name().get(name)
     if effect is None:
-        raise _invalid_selection(
-            f"unknown effect {name[:60]!a}",
-            *meant(name, (*by_name(), *RESERVED), "`nscc effects` lists the effects"),
+        raise unknown_name(
+            "NS0756", "unknown effect '{}'", name, tuple(by_name()), "the effects are {}"
         )
     return effect
 

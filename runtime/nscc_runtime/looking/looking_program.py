@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -95,34 +95,15 @@ class LookingProgram:
         frame: int,
         rows: range | None = None,
         threads: int = 1,
-    ) -> Executed:
-        """Return a frame, or consecutive rows of it, like `LookingReference.expose`. Results do not
-        depend on `threads`. Raises ValueError if `lacks` returns reasons."""
-        intervals = Intervals.of(self.container, every_slot=effects.noiseless)
-        joined = intervals.joined(scene)
-
-        def fall(part_rows: range) -> Fallen:
-            return charge_of_rows(joined, None, self.sensor, effects, seeds, frame, part_rows)
-
-        rows = range(scene.light.shape[0]) if rows is None else rows
-        return self.run(scene, loaded, effects, seeds, frame, rows, fall, threads)
-
-    def run(
-        self,
-        scene: Scene,
-        loaded: Mapping[str, Bits],
-        effects: Selection,
-        seeds: tuple[int, int],
-        frame: int,
-        rows: range,
-        fall: Callable[[range], Fallen],
-        threads: int = 1,
+        fallen_in: Callable[[range], Fallen] | None = None,
         among: Bits | None = None,
     ) -> Executed:
-        """Return a frame like `expose`, with the charge of rows returned by `fall`.
+        """Return a frame, or consecutive rows of it, like `LookingReference.expose`. Results do not
+        depend on `threads`.
 
-        `among` (rows, cols): the pixels whose words run, None for all. The results of other pixels
-        are meaningless. Raises ValueError if `lacks` returns reasons."""
+        `fallen_in`: returns the charge of rows; None to draw it. `among` (rows, cols): the pixels
+        whose words run, None for all. The results of other pixels are meaningless. Raises
+        ValueError if `lacks` returns reasons."""
         lacking, paths = self.lacks(effects), self._paths(effects)
         if lacking or isinstance(paths, str):
             raise ValueError("; ".join(lacking))
@@ -131,6 +112,10 @@ class LookingProgram:
             begins = np.where(among, begins, -1)  # these pixels have ended already
         intervals = Intervals.of(self.container, every_slot=effects.noiseless)
         pace = intervals.paced(scene, effects)
+        rows = range(scene.light.shape[0]) if rows is None else rows
+        fall = fallen_in or partial(
+            charge_of_rows, intervals.joined(scene), None, self.sensor, effects, seeds, frame
+        )
         shared: dict[str, Any] = {
             "switches": switches_of(self.container, effects),
             "numbers": numbers_of(self.container, self.sensor, effects),

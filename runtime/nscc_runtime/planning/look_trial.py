@@ -124,14 +124,13 @@ class LookTrial(Trial):
         return series
 
     def _exposed(self, effects: Selection, frame: int, loaded: Mapping[str, Bits]) -> Executed:
-        rows = range(self._places.shape[0])
         if self.program.lacks(effects):
             reference = LookingReference(self.program.container, self.sensor, effects)
             return reference.expose(self._scene, loaded, _SEEDS, frame)
         before = frozenset(e.name for e in effects.effects if e.reference.keys() & BEFORE_WORDS)
         fallen = self._fallen(before, effects.noiseless, frame)
-        return self.program.run(
-            self._scene, loaded, effects, _SEEDS, frame, rows, lambda rows_of_part:
+        return self.program.expose(
+            self._scene, loaded, effects, _SEEDS, frame, fallen_in=lambda rows_of_part:
             fallen.rows(slice(rows_of_part.start, rows_of_part.stop)), among=self._measured,
         )  # fmt: skip
 

@@ -56,6 +56,8 @@ def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
     try:
         if path.suffix.lower() == ".npz":
             values = read_frame_arrays(path, lambda _name: False)[1]
+            if (values["plan"] or {"tolerance": None}).get("tolerance", "") is None:
+                raise ValueError("its frame was exposed without a plan")
         else:
             values = json.loads(read_whole(path))
             if values["schema"] != PLAN_SCHEMA:
@@ -67,9 +69,9 @@ def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
     ) as error:  # fmt: skip
         raise rejected(
             "NS0747",
-            f"invalid plan '{path}': it does not belong to this version of nscc",
+            f"'{path}' contains no plan of this version of nscc",
             notes=(_reason(error),),
-            helps=("give --plan a name that does not exist: nscc writes a new plan there",),
+            helps=("`nscc run .. --plan FILE` writes a plan to a file that does not exist",),
         ) from error
 
 

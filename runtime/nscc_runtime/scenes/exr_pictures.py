@@ -33,7 +33,11 @@ def exr_pages(path: Path) -> Pages:
     names: list[str] = []
     notes: list[Note] = []
     channel_names: set[str] = set()
+    with OpenEXR.File(str(path), header_only=True) as file:
+        count = len(file.parts)
     with OpenEXR.File(str(path), separate_channels=True) as file:
+        if len(file.parts) < count:  # the library leaves out the parts that it cannot read
+            raise ValueError(f"{count - len(file.parts)} of {count} parts are incomplete")
         for file_part in file.parts:
             channel_names.update(file_part.channels)
             layer = _picture_layer(file_part.channels)
@@ -148,5 +152,5 @@ def _primaries_note(header: Mapping[str, Any]) -> list[Note]:
 
 
 def _listed(names: list[str]) -> str:
-    shown = ", ".join(name[:40] for name in names[:_LAYERS_SHOWN]) or "none"
+    shown = ", ".join(name[:40] for name in names[:_LAYERS_SHOWN])
     return shown + (f" and {len(names) - _LAYERS_SHOWN} more" * (len(names) > _LAYERS_SHOWN))

@@ -186,6 +186,7 @@ def _existing(spec: str) -> Path:
         "NS0730",
         f"the scene '{spec[:200]}' cannot be opened: {reason}",
         helps=(
+            *(("--scene takes a pattern only with --bracket",) if "*" in spec else ()),
             *((did_you_mean(f"builtin:{suggestion}"),) if suggestion and not path.suffix else ()),
             "name a file, a folder of pictures or a builtin scene: builtin:hdr, builtin:motion, "
             "builtin:flat:E, builtin:dark",

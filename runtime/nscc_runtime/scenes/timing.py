@@ -133,13 +133,14 @@ def too_short(
     else:
         why = f"the {slots} slots last {need} frames at {fps:g} frames per second"
         ways = "a lower --fps, or a program with a shorter frame"
+    earlier = "a smaller --first, " if first else ""
     return rejected(
         "NS0735",
         f"the clip '{name}' has "
         f"{have} frame{'' if have == 1 else 's'}{f' from frame {first} on' if first else ''}, "
         f"but {need} are needed",
         notes=(why,),
-        helps=(f"use a longer clip, {ways}",),
+        helps=(f"use {earlier}a longer clip, {ways}",),
         data={"frames": have, "needed": need},
     )
 

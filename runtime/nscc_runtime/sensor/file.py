@@ -38,8 +38,12 @@ def schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
     )
 
 
-def load_sensor(target: Target, path: Path | None = None, changes: Sequence[str] = ()) -> Sensor:
-    """Read a sensor file (None: all defaults) and apply `changes`, each NAME=VALUE.
+Changes = Sequence[str] | Mapping[str, float]
+"""Changes of parameters: texts NAME=VALUE, as the command line takes them, or values by name."""
+
+
+def load_sensor(target: Target, path: Path | None = None, changes: Changes = ()) -> Sensor:
+    """Read a sensor file (None: all defaults) and apply `changes`.
 
     Raises Rejected (status 2) with all errors at once: NS0751 for a file that cannot be read,
     NS0752 if it is not TOML, NS0753 for unknown names, NS0754 for wrong values, NS0755 for a change
@@ -53,10 +57,13 @@ def read_sensor(path: Path) -> bytes:
     return file_bytes(schema(), path)
 
 
-def parse_sensor(target: Target, data: bytes, name: str, changes: Sequence[str] = ()) -> Sensor:
+def parse_sensor(target: Target, data: bytes, name: str, changes: Changes = ()) -> Sensor:
     """Return the sensor of a file's bytes; `name` is for messages. Raises like `load_sensor`."""
     file_sensor_values, problems, _ = file_values(schema(), data, name)
-    changed, wrong_too = schema().changed(changes)
+    if isinstance(changes, Mapping):
+        changed, wrong_too = schema().read(changes)
+    else:
+        changed, wrong_too = schema().changed(changes)
     if problems or wrong_too:
         raise Rejected([*problems, *wrong_too], status=2)
     return completed({**file_sensor_values, **changed}, target)
