@@ -12,7 +12,14 @@ from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import LEVEL, OUT
-from nscc_cli.support import CommonCommand, NumberRange, progress, say, say_done
+from nscc_cli.support import (
+    CommonCommand,
+    NumberRange,
+    progress,
+    refuse_ignored,
+    say,
+    say_done,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -93,6 +100,8 @@ def command(
         raise click.UsageError("--criterion applies to stills: leave it out, or leave out --motion")
     if search and criterion:
         raise click.UsageError("--search counts PSNR: leave --criterion out")
+    if not motion:
+        refuse_ignored("it limits the codes of --motion", "max_words")
     target = load_target(options["target"], Path())
     of_clips = search and _are_clips(scenes, target, options)
     options["slots"] = options["slots"] or (_CLIP_SLOTS if motion or of_clips else _STILL_SLOTS)

@@ -16,6 +16,7 @@ from nscc_cli.support import (
     CommonCommand,
     NumberRange,
     Subcommands,
+    refuse_ignored,
     say_compiling,
     say_done,
 )
@@ -73,6 +74,8 @@ def sci8(
         )
     if method.endswith("-tv"):
         say_compiling(denoise, "the loop of total variation")
+    else:
+        refuse_ignored(f"{method[:60]} has no total variation", "iterations", "weight")
     _of_scenes(*evaluate_sci8(list(clips), method, iterations, weight), **outputs)
 
 

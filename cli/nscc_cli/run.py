@@ -23,7 +23,14 @@ from nscc_cli.frames import (
 )
 from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, progress, say, say_done
+from nscc_cli.support import (
+    CommonCommand,
+    given_options,
+    progress,
+    refuse_ignored,
+    say,
+    say_done,
+)
 
 if TYPE_CHECKING:
     from nscc_training.run_files import RunCapture
@@ -106,6 +113,7 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
         raise click.UsageError("name a program, FILE.nsl or FILE.icw, or a run: --like RUN")
     refuse_swapped(program, options["scene"])
     if options["place"] == "emulator":
+        refuse_ignored("the emulator has no port (--on PORT)", "baud", "patience")
         _run_on_emulator(program, options, keep, of_run)
     else:
         run_on_device(program, options, keep)
@@ -218,14 +226,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
 
 def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> None:
     """Raise NS0770 if the user gave options that have no meaning for a device."""
-    context = click.get_current_context()
-    meaningless = [*_MEANINGLESS, *(() if scene else _SCENE)]
-    named = {parameter.name: parameter.opts[-1] for parameter in context.command.params}
-    refused_options = [
-        named[name]
-        for name in meaningless
-        if context.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE
-    ]
+    refused_options = given_options((*_MEANINGLESS, *(() if scene else _SCENE)))
     if not scene:
         refused_options += [f"--keep {name}" for name in keep if name in ("light", "truth")]
     if refused_options:

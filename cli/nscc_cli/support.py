@@ -212,6 +212,22 @@ def _to_session(context: click.Context, option: click.Parameter, value: Any) -> 
         setattr(context.find_root().ensure_object(Session), str(option.name), value)
 
 
+def given_options(names: Iterable[str]) -> list[str]:
+    """Return those of the current command's options `names` that are on the command line, as users
+    write them."""
+    context = click.get_current_context()
+    written = {parameter.name: parameter.opts[-1] for parameter in context.command.params}
+    on_command_line = click.core.ParameterSource.COMMANDLINE
+    return [written[n] for n in names if context.get_parameter_source(n) is on_command_line]
+
+
+def refuse_ignored(why: str, *names: str) -> None:
+    """Raise UsageError if one of the options `names` was given, which have no effect, because
+    `why`."""
+    for option in given_options(names):
+        raise click.UsageError(f"{option} has no effect, because {why}: leave {option} out")
+
+
 class Subcommands(CommonCommand, click.Group):
     """A command with subcommands; other names go to the subcommand `of` if it `accepts` them, else
     they are rejected (NS0781)."""

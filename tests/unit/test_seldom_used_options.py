@@ -182,3 +182,22 @@ def test_hovering_over_a_bucket_tells_how_long_it_is_open(rule: str, told: str) 
     found = hover(Document("a.nsl", text, Path()), text.index("a open"))
     assert found is not None
     assert told in found.text
+
+
+@pytest.mark.parametrize(
+    ("line", "option"),
+    [
+        ("run p.nsl --scene builtin:dark --patience 3", "--patience"),
+        ("run p.nsl --scene builtin:dark --skip", "--skip"),
+        ("run p.nsl --scene light.npy --skip", "--skip"),
+        ("run p.nsl --scene '*.png' --bracket --skip", "--skip"),
+        ("design --looks 3 --scene builtin:hdr --max-words 4", "--max-words"),
+        ("evaluate sci8 a.mat --method adjoint --iterations 3", "--iterations"),
+        ("evaluate sci8 a.mat --method adjoint --weight 0.2", "--weight"),
+    ],
+)
+def test_options_without_effect_are_refused(line: str, option: str, tmp_path: Path) -> None:
+    invoke(["new", "p"], tmp_path)
+    np.save(tmp_path / "light.npy", np.ones((256, 256), np.float32))
+    outcome = run(line, tmp_path, 2)
+    assert outcome.err.count(f"leave {option} out") == 1

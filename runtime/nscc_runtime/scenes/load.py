@@ -142,7 +142,7 @@ def laid_scene(
         from nscc_runtime.scenes.builtin import load_builtin
 
         why = "a built-in scene already fits the array and the program's slots"
-        _refuse(request, why, "transfer", "fps", "crop", "first", "white", "bracket")
+        _refuse(request, why, "transfer", "fps", "crop", "first", "white", "bracket", "skip")
         light = load_builtin(spec, slot_us=request.slot_us, rows=rows, cols=cols, exposure=exposure)
         if light.kind != "still":
             _refuse(request, why, "single")
@@ -152,7 +152,7 @@ def laid_scene(
     else:
         from nscc_runtime.scenes.bracket import bracket_files, merged_bracket
 
-        _refuse(request, "a bracket is one still", "first", "transfer", "white")
+        _refuse(request, "a bracket is one still", "first", "transfer", "white", "skip")
         files = bracket_files(spec)
         return _still(request, lambda: merged_bracket(files, request.times), "linear")
     return _load_path(request, _existing(spec))
@@ -205,6 +205,7 @@ def _load_path(request: _Request, path: Path) -> PlacedLight:
         transfer = request.transfer or picture_files.transfer_of(files[0])
         frames = picture_files.read_folder(files, request.skip, request.warn)
         return _clip(request, frames, transfer)
+    _refuse(request, "only a folder of pictures can lack frames", "skip")
     if suffix in ARRAYS:
         return _array(request, path)
     if suffix in picture_files.PICTURES:

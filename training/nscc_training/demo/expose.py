@@ -145,8 +145,7 @@ class Exposed:
 def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed:
     """Expose a still with its run's program, or a clip with the program for its number of readouts.
 
-    Uses the default sensor and the effects that `auto` selects. Raises
-    Rejected for a scene that is
+    Uses the default sensor and the effects that `auto` selects. Raises Rejected for a scene that is
     dark, or cannot be read, or is not of the run's kind (NS0821)."""
     run = settings.run or (RUNS[True] if subject.still else None)
     like = run_capture(run or RUNS[False])
