@@ -15,6 +15,7 @@ from nscc.syntax.words import (
     END,
     FORMS,
     expected_words,
+    names_in,
     shown,
     spellings,
     statement_words,
@@ -36,7 +37,6 @@ _SIGNS = {
     "\u00d7": ("it is written `*`", "*"),
     "\u2212": ("it is written `-`", "-"),
     "\u2026": ("it is written `..`", ".."),
-    "\u00a0": ("this is not an ordinary space", " "),
     ".": ("a range has two dots, `0..7`; only times have decimals", None),
     "'": ('write paths in double quotes, "like this"', None),
     "\u201c": ('write paths in straight quotes, "like this"', '"'),
@@ -122,14 +122,14 @@ def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
     words = statement_words(tokens.version)
     spelling = closest(word, words)
     span = tokens.span(token)
-    later = next((v for v in (2, 3) if v > tokens.version and word in statement_words(v)), None)
+    later = min((v for v in (2, 3) if word in names_in(tokens.version) - names_in(v)), default=None)
     return Diagnostic(
         "NS0109",
         f"unknown statement {shown(word)}",
         source=tokens.source,
         label=Label(span, "a statement must begin here, or the previous one continue"),
         notes=("statements begin with " + ", ".join(words),),
-        helps=(f"`{word}` is a statement of version {later}: begin the file with `nsl {later}`",)
+        helps=(f"`{word}` is a word of version {later}: begin the file with `nsl {later}`",)
         * (later is not None),
         fixes=(Fix(did_you_mean(spelling), span, spelling, sure=False),) if spelling else (),
     )
@@ -154,7 +154,9 @@ def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
         )
     hint, instead = _SIGNS.get(text, ("remove it; comments begin with `#`", None))
     file = _file_hint(tokens, token) if text == "." else None
-    if text == ";" and "]" in expected:
+    if text.isspace():
+        hint, instead = "this is not an ordinary space", " "
+    elif text == ";" and "]" in expected:
         hint, instead = "separate rows and values with commas", ","
     elif file is not None:
         hint = file
@@ -292,6 +294,8 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
         yield "rows of values are a tile, which is repeated over the array: `tile [[4, 3], [2, 1]]`"
     elif stuck.expected == {"["} and statement == "pixels":
         yield "a tile is a list of rows: `tile [[4, 3], [2, 1]]`, a single row `tile [[4, 3]]`"
+    elif kind == "exposure" and statement == "read":
+        yield "only a named exposure can be read: `bucket NAME open when ...`, `read NAME`"
     elif kind == "from" and statement == "pixels":
         yield (
             '`pixels from "codes.npz"` sets every field without its own `pixels` statement, by name'
