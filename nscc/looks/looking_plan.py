@@ -144,7 +144,7 @@ def _moments(machine: StateMachine) -> Iterator[Moment]:
         fresh = always_open[span]
         for boundary in (*np.flatnonzero(changes[begin : end - 1]) + begin + 1, end):
             fresh = fresh & opens[:, :, begin:boundary].all(axis=2)
-            fresh &= ~resets[:, begin:boundary].any(axis=1)[:, None]
+            fresh &= ~resets[:, begin:boundary].any(axis=1, keepdims=True)
             begin = int(boundary)
             if begin < end:
                 yield _moment(machine, fresh, begin, (), nodes, nodes)

@@ -52,7 +52,7 @@ def with_pictures(
         pictures,
         kernels=tuple(tuple(encode(word) for word in kernel) for kernel in kernels),
         launches=launches,
-        registers=lowering.registers,
+        registers=dict(sorted(lowering.registers.items())),
         costs=_costs_of_text(lowering.costs, pictures),
     )
     complete = replace(container, pictures=with_words)
