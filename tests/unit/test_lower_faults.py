@@ -226,6 +226,21 @@ def test_programs_that_do_less_than_asked_are_not_advised(version, text):
     assert len(found.ways_out) == (version == 1)
 
 
+@pytest.mark.parametrize(("slot_s", "readout_s", "buckets"), [(2, 0, 1), (0, 2, 1), (0, 0.7, 2)])
+def test_bits_that_decay_in_a_slot_or_a_readout(slot_s, readout_s, buckets):
+    """Bits of codes, and those of states in a program that looks."""
+    target = replace(load_target("scamp5", Path()), readout_us=readout_s * 1e6)
+    frame = f"frame 4 slots of {slot_s or 0.001}s\n"
+    looks = "sense b when light > 45% at n == 2\nstate c : bit = 0\nnext c = b\nread c\n"
+    rules = "".join(f"bucket b{i} open when not c\n" for i in range(buckets))
+    codes = "code s : 1..4\n" + rules.replace("not c", "n < s")
+    for version, text in ((2, looks + rules), (1, codes)):
+        found = fault(frame + text, target=target, version=version)
+        assert found.code == "NS0602"
+        assert found.data["required"] == max(slot_s, readout_s * buckets) * 1e6
+        assert ("split the slot" in found.helps[0]) == (slot_s == 2)
+
+
 def test_gates_that_were_not_found():
     found = fault("frame 13 slots of 1ms\ncode b : bit[13]\nopen when b[n]", lowering="edges")
     assert found.code == "NS0502"
