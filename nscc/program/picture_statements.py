@@ -134,6 +134,8 @@ class PictureMaker:
             lacks = "have no processor"
         elif not target.sees_neighbours or "NEWS" not in target.analog_registers:
             lacks = "cannot read values of their neighbours"
+        elif target.analog_scratch != "NEWS":
+            lacks = f"use NEWS for exposures, because `analog_scratch` is {target.analog_scratch}"
         if lacks is not None:
             self.problems.error(
                 "NS0538", f"the pixels of {target.name} {lacks}", self._place(),
