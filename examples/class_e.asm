@@ -1,5 +1,5 @@
 ; 13 slots, 13000 us of light a frame
-; 122 words stored in 14 kernels; 122 executed a frame in 14 launches, 34.4 us
+; 110 words stored in 14 kernels; 110 executed a frame in 14 launches, 32 us
 .target
 | # A target of nscc: what the compiler, the checker and the emulator know of a chip.
 | # Keys marked (not public) are this project's defaults; they may be left out.
@@ -20,10 +20,10 @@
 | masked = "R12"                             # the register that `mask` guards; both are "none" on a chip without this
 |
 | [behaviour]                                # these values are not public: each key has a default
-| reset_honours_flag = "yes"                 # does rpix reset only where FLAG is 1? "no", "yes" or "unknown" (not public)
+| reset_honours_flag = "no"                  # does rpix reset only where FLAG is 1? "no", "yes" or "unknown" (not public)
 | where_reads_flag = false                   # may WHERE read FLAG, which it also writes? (not public)
 | where_obeys_flag = false                   # does the analog `where` itself act only where FLAG is 1? (not public)
-| or_sources = "any"                         # most sources of an OR or NOR word: "any" or a number (not public)
+| or_sources = 3                             # most sources of an OR or NOR word: "any" or a number (not public)
 | where_sources = "any"                      # most sources of a WHERE word: "any" or a number (not public)
 |
 | [store]
@@ -86,110 +86,98 @@
     bus NEWS, PIX
     bus B, NEWS
 
-.kernel k1                               ; 7 words, 2.3 us; launched at 1
+.kernel k1                               ; 6 words, 2.1 us; launched at 1
     WHERE R12
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop
 
-.kernel k2                               ; 7 words, 2.3 us; launched at 2
+.kernel k2                               ; 6 words, 2.1 us; launched at 2
     WHERE R0
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop
 
-.kernel k3                               ; 7 words, 2.3 us; launched at 3
+.kernel k3                               ; 6 words, 2.1 us; launched at 3
     WHERE R1
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop
 
-.kernel k4                               ; 7 words, 2.3 us; launched at 4
+.kernel k4                               ; 6 words, 2.1 us; launched at 4
     WHERE R2
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop
 
-.kernel k5                               ; 7 words, 2.3 us; launched at 5
+.kernel k5                               ; 6 words, 2.1 us; launched at 5
     WHERE R3
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop
 
-.kernel k6                               ; 7 words, 2.3 us; launched at 6
+.kernel k6                               ; 6 words, 2.1 us; launched at 6
     WHERE R4
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop
 
-.kernel k7                               ; 7 words, 2.3 us; launched at 7
+.kernel k7                               ; 6 words, 2.1 us; launched at 7
     WHERE R5
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop
 
-.kernel k8                               ; 7 words, 2.3 us; launched at 8
+.kernel k8                               ; 6 words, 2.1 us; launched at 8
     WHERE R6
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop
 
-.kernel k9                               ; 7 words, 2.3 us; launched at 9
+.kernel k9                               ; 6 words, 2.1 us; launched at 9
     WHERE R7
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop
 
-.kernel k10                              ; 7 words, 2.3 us; launched at 10
+.kernel k10                              ; 6 words, 2.1 us; launched at 10
     WHERE R8
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop
 
-.kernel k11                              ; 7 words, 2.3 us; launched at 11
+.kernel k11                              ; 6 words, 2.1 us; launched at 11
     WHERE R9
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop
 
-.kernel k12                              ; 7 words, 2.3 us; launched at 12
+.kernel k12                              ; 6 words, 2.1 us; launched at 12
     WHERE R10
     bus NEWS, A, PIX
     bus A, B, NEWS
-    all
     rpix
     rpix
     nop

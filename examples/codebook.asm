@@ -1,5 +1,5 @@
 ; 32 slots, 32000 us of light a frame
-; 36 words stored in 6 kernels; 152 executed a frame in 33 launches, 58.6 us
+; 22 words stored in 5 kernels; 78 executed a frame in 33 launches, 35.04 us
 .target
 | # A target of nscc: what the compiler, the checker and the emulator know of a chip.
 | # Keys marked (not public) are this project's defaults; they may be left out.
@@ -8,7 +8,7 @@
 | description = "SCAMP-5: global PIX reset, non-destructive read"
 |
 | [array]                                    # the pixels
-| rows = 256                                 # pixels from top to bottom
+| rows = 1                                   # pixels from top to bottom
 | cols = 256                                 # pixels from left to right
 |
 | [registers]                                # of one pixel
@@ -24,14 +24,14 @@
 | where_reads_flag = false                   # may WHERE read FLAG, which it also writes? (not public)
 | where_obeys_flag = false                   # does the analog `where` itself act only where FLAG is 1? (not public)
 | or_sources = "any"                         # most sources of an OR or NOR word: "any" or a number (not public)
-| where_sources = 2                          # most sources of a WHERE word: "any" or a number (not public)
+| where_sources = "any"                      # most sources of a WHERE word: "any" or a number (not public)
 |
 | [store]
 | words = 1024                               # largest number of ICWs in all stored kernels
 | tables_count = true                        # do constant kernel tables count against the store? (not public)
 |
 | [time]
-| analog_word_us = 0.2                       # one analog word (not public)
+| analog_word_us = 0.02                      # one analog word (not public)
 | digital_word_us = 0.1                      # one digital word (not public)
 | launch_us = 1.0                            # overhead of one kernel launch (not public)
 | wait_us = 1.0                              # the frame loop's own time at a boundary (not public)
@@ -84,7 +84,7 @@
 
 .wait 1000us x32
 
-.kernel k0                               ; 8 words, 2.6 us; launched at 0
+.kernel k0                               ; 8 words, 1.16 us; launched at 0
     all
     bus NEWS
     bus A, NEWS
@@ -94,64 +94,44 @@
     bus NEWS, PIX
     bus B, NEWS
 
-.kernel k1                               ; 3 words, 1.5 us; launched at 1..29/4
-    WHERE R1, R2
-    bus NEWS, A, PIX
-    bus A, B, NEWS
-
-.kernel k2                               ; 6 words, 2 us; launched at 2..30/4
-    WHERE R3
-    bus NEWS, A, PIX
-    bus A, B, NEWS
-    WHERE R2
-    bus NEWS, A, B
-    bus A, NEWS, PIX
-
-.kernel k3                               ; 5 words, 1.9 us; launched at 3..31/4
-    bus NEWS, A, PIX
-    bus A, B, NEWS
+.kernel k1                               ; 3 words, 1.14 us; launched at 1
     WHERE R1
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+
+.kernel k2                               ; 2 words, 1.04 us; launched at 2..30/2
     bus NEWS, A, B
     bus A, NEWS, PIX
 
-.kernel k4                               ; 3 words, 1.5 us; launched at 4..28/4
-    WHERE R2, R3
-    bus NEWS, A, B
-    bus A, NEWS, PIX
+.kernel k3                               ; 2 words, 1.04 us; launched at 3..31/2
+    bus NEWS, A, PIX
+    bus A, B, NEWS
 
-.kernel k5                               ; 11 words, 2.3 us; launched at 32
-    WHERE R1, R4
+.kernel k4                               ; 7 words, 1.54 us; launched at 32
+    WHERE R2
     bus NEWS, A, PIX
     bus A, B, NEWS
     REFRESH R1
     REFRESH R2
-    REFRESH R3
-    REFRESH R4
 
 .slot 0 k0
-.slot 1..29/4 k1
-.slot 2..30/4 k2
-.slot 3..31/4 k3
-.slot 4..28/4 k4
-.slot 32 k5
+.slot 1 k1
+.slot 2..30/2 k2
+.slot 3..31/2 k3
+.slot 32 k4
 
 .bucket frame
 .readout A frame 1
 
-.load R1 R2 R3 R4
+.load R1 R2
 .fields id
 ; a line a shutter: R0..R12 at the start of a frame, then the open slots of each bucket
-.shutter 0100000000000 x99999999         ; 0
-.shutter 0010000000000 0..30/2           ; 1
-.shutter 0001000000000 x33333333         ; 2
-.shutter 0000100000000 0..31             ; 3
+.shutter 0100000000000 0..30/2           ; 0
+.shutter 0010000000000 0..31             ; 1
 ; a line a code: its shutter, then its fields
-.code 3 0
-.code 1 1
-.code 2 2
-.code 0 3
+.code 1 0
+.code 0 1
 
 ; the code of every pixel
-.pixels tile 2 2
+.pixels tile 1 2
 | 0 1
-| 2 3

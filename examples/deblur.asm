@@ -8,7 +8,7 @@
 | description = "SCAMP-5: global PIX reset, non-destructive read"
 |
 | [array]                                    # the pixels
-| rows = 2                                   # pixels from top to bottom
+| rows = 256                                 # pixels from top to bottom
 | cols = 256                                 # pixels from left to right
 |
 | [registers]                                # of one pixel
@@ -24,7 +24,7 @@
 | where_reads_flag = false                   # may WHERE read FLAG, which it also writes? (not public)
 | where_obeys_flag = false                   # does the analog `where` itself act only where FLAG is 1? (not public)
 | or_sources = "any"                         # most sources of an OR or NOR word: "any" or a number (not public)
-| where_sources = 3                          # most sources of a WHERE word: "any" or a number (not public)
+| where_sources = "any"                      # most sources of a WHERE word: "any" or a number (not public)
 |
 | [store]
 | words = 1024                               # largest number of ICWs in all stored kernels
@@ -54,7 +54,7 @@
 |
 | [neighbours]                               # how words reach the pixels to the north, east, south and west
 | sees_neighbours = true                     # do words reach the NEWS, and the digital registers, of neighbours? (not public)
-| directed_sources = 2                       # most analog sources of a word that writes or reads a neighbour's NEWS (not public)
+| directed_sources = 4                       # most analog sources of a word that writes or reads a neighbour's NEWS (not public)
 | directed_halving = false                   # may a bus2 word read a neighbour's NEWS? (not public)
 | news_read_keeps = true                     # does NEWS keep its value when neighbours read it? (not public)
 .note class "b"
@@ -177,6 +177,12 @@
 .code 7 8
 
 ; the code of every pixel
-.pixels tile 2 8
+.pixels tile 8 8
 | 4 0 6 4 2 7 5 2
 | 1 2 5 1 0 3 4 6
+| 7 4 3 2 6 1 0 3
+| 0 1 5 0 4 5 6 1
+| 3 6 2 7 1 3 7 2
+| 2 4 5 3 2 0 1 6
+| 3 0 7 0 6 3 5 4
+| 3 6 2 4 1 4 2 3

@@ -50,7 +50,7 @@
 | in_low = -127                              # least value of IN, in steps (not public)
 | in_high = 126                              # largest value of IN, in steps (not public)
 | in_step_e = "auto"                         # electrons a step of IN; "auto": register_max_e / 127 (not public)
-| in_settle_us = 6.0                         # time from setting IN to the first word that reads it (not public)
+| in_settle_us = 5000.0                      # time from setting IN to the first word that reads it (not public)
 |
 | [neighbours]                               # how words reach the pixels to the north, east, south and west
 | sees_neighbours = true                     # do words reach the NEWS, and the digital registers, of neighbours? (not public)

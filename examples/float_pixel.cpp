@@ -8,12 +8,11 @@
 //            closed_at; R5 state closed_at; R6 state closed_at; R7 state closed_at; R8 state
 //            closed_at
 // analog     A exposure of frame; B reset level of PIX; NEWS scratch of analog words
-// words      61 stored in 10 kernels, 61 a frame; 1 more load the codes and prepare readout
+// words      61 stored in 10 kernels, 61 a frame; 4 more load the codes and prepare readout
 // time       the exposure begins 2 us after the frame's first word and ends 32002 us after it; a
 //            launch waits for its moment on a clock that runs on, so that no error adds up; words
 //            take, by the target's figures, 0.2 us (analog) and 0.1 us (digital), a launch 1 us
-// readout    exposures as they are, in the upper half of a symmetric converter's codes, 235.294 e
-//            each
+// readout    2 x exposure - full well: all codes for 0 to 30000 e, 117.647 e each
 // state      closed_at in R1 R2 R3 R4 R5 R6 R7 R8: 0 is 00000000, 1 is 10000000, 2 is 01000000, 3
 //            is 00100000, 4 is 00010000, 5 is 00001000, 6 is 00000100, 7 is 00000010, 8 is 00000001
 // array      256 x 256 pixels; the devkit's (0, 0) is the top right one
@@ -379,8 +378,16 @@ int main() {
         }
 #endif
         // Pixels that FLAG leaves out would be left out of readout.
+        // A converter that is symmetric around 0 has all of its codes for 2 x exposure - full well.
+        scamp5_load_in(-127);
+#ifdef __LPC43XX__
+        vs_wait(5);
+#endif
         scamp5_kernel_begin();
             all();
+            bus(F, A, IN);
+            bus(NEWS, A, IN);
+            bus(A, NEWS, F, IN);
         scamp5_kernel_end();
         scamp5_output_image(A, display_0);
         scamp5_output_image(R1, display_1);

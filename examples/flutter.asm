@@ -23,7 +23,7 @@
 | reset_honours_flag = "no"                  # does rpix reset only where FLAG is 1? "no", "yes" or "unknown" (not public)
 | where_reads_flag = false                   # may WHERE read FLAG, which it also writes? (not public)
 | where_obeys_flag = false                   # does the analog `where` itself act only where FLAG is 1? (not public)
-| or_sources = 4                             # most sources of an OR or NOR word: "any" or a number (not public)
+| or_sources = "any"                         # most sources of an OR or NOR word: "any" or a number (not public)
 | where_sources = "any"                      # most sources of a WHERE word: "any" or a number (not public)
 |
 | [store]
@@ -35,7 +35,7 @@
 | digital_word_us = 0.1                      # one digital word (not public)
 | launch_us = 1.0                            # overhead of one kernel launch (not public)
 | wait_us = 1.0                              # the frame loop's own time at a boundary (not public)
-| readout_us = 16.7                          # reading one analog register, or all taps, of the whole array out (not public)
+| readout_us = 16700.0                       # reading one analog register, or all taps, of the whole array out (not public)
 | digital_retention_us = 1500000.0           # time for which a digital register keeps an unwritten bit
 |
 | [range]
@@ -50,7 +50,7 @@
 | in_low = -127                              # least value of IN, in steps (not public)
 | in_high = 126                              # largest value of IN, in steps (not public)
 | in_step_e = "auto"                         # electrons a step of IN; "auto": register_max_e / 127 (not public)
-| in_settle_us = 5.0                         # time from setting IN to the first word that reads it (not public)
+| in_settle_us = 5000.0                      # time from setting IN to the first word that reads it (not public)
 |
 | [neighbours]                               # how words reach the pixels to the north, east, south and west
 | sees_neighbours = true                     # do words reach the NEWS, and the digital registers, of neighbours? (not public)

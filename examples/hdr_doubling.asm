@@ -1,5 +1,5 @@
 ; 8 slots, 16000 us of light a frame
-; 39 words stored in 6 kernels; 58 executed a frame in 9 launches, 17.2 us
+; 48 words stored in 9 kernels; 48 executed a frame in 9 launches, 16.2 us
 .target
 | # A target of nscc: what the compiler, the checker and the emulator know of a chip.
 | # Keys marked (not public) are this project's defaults; they may be left out.
@@ -14,7 +14,8 @@
 | [registers]                                # of one pixel
 | analog = ["A", "B", "C", "D", "E", "F", "NEWS"] # analog registers of one pixel
 | analog_scratch = "NEWS"                    # register that every analog sequence overwrites
-| digital = ["R0", "R5", "R7", "R12"]        # one-bit registers of one pixel
+| # one-bit registers of one pixel
+| digital = ["R0", "R1", "R2", "R3", "R4", "R5", "R6", "R7", "R8", "R9", "R10", "R11", "R12"]
 | mask = "R0"                                # a word changes `masked` only in pixels where this register is 1
 | masked = "R12"                             # the register that `mask` guards; both are "none" on a chip without this
 |
@@ -40,7 +41,7 @@
 | [range]
 | full_well_e = 30000.0                      # electrons that PIX, or a tap, can hold (not public)
 | register_min_e = -30000.0                  # least value of an analog register, below 0 (not public)
-| register_max_e = 30000.0                   # largest value of an analog register, above 0 (not public)
+| register_max_e = 2.0                       # largest value of an analog register, above 0 (not public)
 | adc_bits = 8                               # bits of the readout
 | adc_offset_lsb = 0.0                       # offset added to the converter code of an exposure of 0 (not public)
 | readout = "spread"                         # codes of 0 .. full_well_e: spread, all of them (2 x exposure - full well is converted); full, the upper half, for the converter is symmetric around 0; half, 0 to the middle (not public)
@@ -86,63 +87,78 @@
     bus NEWS, PIX
     bus B, NEWS
 
-.kernel k1                               ; 4 words, 1.6 us; launched at 1
-    NOR R0, R5, R7, R12
-    WHERE R0
+.kernel k1                               ; 3 words, 1.5 us; launched at 1
+    WHERE R1
     bus NEWS, A, PIX
     bus A, B, NEWS
 
-.kernel k2                               ; 6 words, 1.8 us; launched at 2..6/2
-    NOT R5
-    NOR R0, R5, R7, R12
-    WHERE R0
+.kernel k2                               ; 3 words, 1.5 us; launched at 2
+    WHERE R2
     bus NEWS, A, PIX
     bus A, B, NEWS
 
-.kernel k3                               ; 7 words, 1.9 us; launched at 3,7
-    SET R0
-    NOT R12
-    NOR R0, R5, R7, R12
-    WHERE R0
+.kernel k3                               ; 3 words, 1.5 us; launched at 3
+    WHERE R3
     bus NEWS, A, PIX
     bus A, B, NEWS
 
-.kernel k4                               ; 6 words, 1.8 us; launched at 5
-    NOT R7
-    NOR R0, R5, R7, R12
-    WHERE R0
+.kernel k4                               ; 3 words, 1.5 us; launched at 4
+    WHERE R4
     bus NEWS, A, PIX
     bus A, B, NEWS
 
-.kernel k5                               ; 8 words, 2 us; launched at 8
-    NOT R5
-    NOR R0, R5, R7, R12
-    WHERE R0
+.kernel k5                               ; 3 words, 1.5 us; launched at 5
+    WHERE R5
     bus NEWS, A, PIX
     bus A, B, NEWS
-    NOT R7
+
+.kernel k6                               ; 3 words, 1.5 us; launched at 6
+    WHERE R6
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+
+.kernel k7                               ; 3 words, 1.5 us; launched at 7
+    WHERE R7
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+
+.kernel k8                               ; 19 words, 3.1 us; launched at 8
+    WHERE R8
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+    REFRESH R1
+    REFRESH R2
+    REFRESH R3
+    REFRESH R4
+    REFRESH R5
+    REFRESH R6
+    REFRESH R7
+    REFRESH R8
 
 .slot 0 k0
 .slot 1 k1
-.slot 2..6/2 k2
-.slot 3,7 k3
-.slot 5 k4
-.slot 8 k5
+.slot 2 k2
+.slot 3 k3
+.slot 4 k4
+.slot 5 k5
+.slot 6 k6
+.slot 7 k7
+.slot 8 k8
 
 .bucket frame
 .readout A frame 1
 
-.load R12 R5 R7
+.load R1 R2 R3 R4 R5 R6 R7 R8
 .fields stop
 ; a line a shutter: R0..R12 at the start of a frame, then the open slots of each bucket
-.shutter 0000 0                          ; 0
-.shutter 0100 0..1                       ; 1
-.shutter 0101 0..2                       ; 2
-.shutter 0001 0..3                       ; 3
-.shutter 0011 0..4                       ; 4
-.shutter 0111 0..5                       ; 5
-.shutter 0110 0..6                       ; 6
-.shutter 0010 0..7                       ; 7
+.shutter 0100000000000 0                 ; 0
+.shutter 0010000000000 0..1              ; 1
+.shutter 0001000000000 0..2              ; 2
+.shutter 0000100000000 0..3              ; 3
+.shutter 0000010000000 0..4              ; 4
+.shutter 0000001000000 0..5              ; 5
+.shutter 0000000100000 0..6              ; 6
+.shutter 0000000010000 0..7              ; 7
 ; a line a code: its shutter, then its fields
 .code 0 1
 .code 1 2

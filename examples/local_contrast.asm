@@ -21,8 +21,8 @@
 |
 | [behaviour]                                # these values are not public: each key has a default
 | reset_honours_flag = "no"                  # does rpix reset only where FLAG is 1? "no", "yes" or "unknown" (not public)
-| where_reads_flag = false                   # may WHERE read FLAG, which it also writes? (not public)
-| where_obeys_flag = true                    # does the analog `where` itself act only where FLAG is 1? (not public)
+| where_reads_flag = true                    # may WHERE read FLAG, which it also writes? (not public)
+| where_obeys_flag = false                   # does the analog `where` itself act only where FLAG is 1? (not public)
 | or_sources = "any"                         # most sources of an OR or NOR word: "any" or a number (not public)
 | where_sources = "any"                      # most sources of a WHERE word: "any" or a number (not public)
 |
@@ -35,7 +35,7 @@
 | digital_word_us = 0.1                      # one digital word (not public)
 | launch_us = 1.0                            # overhead of one kernel launch (not public)
 | wait_us = 1.0                              # the frame loop's own time at a boundary (not public)
-| readout_us = 16700.0                       # reading one analog register, or all taps, of the whole array out (not public)
+| readout_us = 16701.0                       # reading one analog register, or all taps, of the whole array out (not public)
 | digital_retention_us = 1500000.0           # time for which a digital register keeps an unwritten bit
 |
 | [range]
@@ -49,7 +49,7 @@
 | [in]                                       # the global value IN that every pixel can compare with; set between kernels
 | in_low = -127                              # least value of IN, in steps (not public)
 | in_high = 126                              # largest value of IN, in steps (not public)
-| in_step_e = "auto"                         # electrons a step of IN; "auto": register_max_e / 127 (not public)
+| in_step_e = 1000.0                         # electrons a step of IN; "auto": register_max_e / 127 (not public)
 | in_settle_us = 5.0                         # time from setting IN to the first word that reads it (not public)
 |
 | [neighbours]                               # how words reach the pixels to the north, east, south and west
@@ -110,7 +110,7 @@
 .code 0
 
 ; images and planes: these words follow the last slot's
-; kernel 0, IN at -114
+; kernel 0, IN at -27
 ;     all
 ;     where B, IN
 ;     MOV R1, FLAG
@@ -136,23 +136,23 @@
 ; R1 holds full
 .pictures
 | eyJjb3N0cyI6W1siZnVsbCIsMywwLjAsMC4wXSxbImhkciIsNiwxLjAsMS41XSxbImNvbnRyYXN0IiwxMSwxLjAsMy4yNDgx
-| OTY2MTUwNDY1NzA2XV0sIml0ZW1zIjpbWyJmdWxsIixbIkFib3ZlIixbIlNvdXJjZSIsImxvbmciXSwxMTRdXSxbImhkciIs
-| WyJDaG9zZW4iLFsiQml0IiwiZnVsbCJdLFsiU291cmNlIiwic2hvcnQiXSxbIlN1bSIsWzEsNCxbIlNvdXJjZSIsImxvbmci
-| XV1dXV0sWyJjb250cmFzdCIsWyJTdW0iLFsxLDEsWyJTb3VyY2UiLCJoZHIiXV0sWy0xLDEsWyJGaWx0ZXJlZCIsImFyb3Vu
-| ZCIsWyJTb3VyY2UiLCJoZHIiXV1dXV1dLCJrZXJuZWxzIjpbWyJhcm91bmQiLFtbMSwyLDFdLFsyLDQsMl0sWzEsMiwxXV0s
-| MTZdXSwibGF1bmNoZXMiOltbMCwtMTE0XV0sImxpbWl0c19lIjp7ImxvbmciOjMwMDAwLjAsInNob3J0IjozMDAwMC4wfSwi
-| b3V0c2lkZSI6bnVsbCwicmVhZHMiOlsiY29udHJhc3QiLCJmdWxsIl0sInJlZ2lzdGVycyI6eyJjb250cmFzdCI6IkQiLCJm
-| dWxsIjoiUjEifSwicmVwb3J0cyI6W10sIndvcmRzIjpbW1syMDQ4LDY5NjMyLDEzMTA3MiwyMDQ4MDAsMjYyMTQ0XSxbMzIs
-| NjU2MTYsMTMxMDcyLDE5NjYwOCwyNjIxNDRdLFs1MjQzODQsNjU1MzYsMTM1MTY4LDI1Mzk1MiwyNjIxNDRdLFsyMDQ4LDY5
-| NjMyLDEzMTA3MiwyMDQ4MDAsMjYyMTQ0XSxbMzM3OTIsNjU5ODUsMTMxMDcyLDE5NjYwOCwyNjIxNDRdLFsxNzQwOCw2NTk4
-| NSwxMzEwNzIsMTk2NjA4LDI2MjE0NF0sWzAsNjYxMTQsMTMxMDcyLDE5NjYwOCwyNjIxNDRdLFs1MjYzMzYsNjU1NTIsMTMx
-| MDczLDIwNDgwMCwyNjIxNDRdLFswLDY2MDgyLDEzMTA3MiwxOTY2MDgsMjYyMTQ0XSxbMjA0OCw2OTYzMiwxMzEwNzIsMjA0
-| ODAwLDI2MjE0NF0sWzAsNzQ0OTcsMTMxMDcyLDE5NjYwOCwyNjIxNDRdLFs5MjE2LDY3MzY0LDEzMTA3MiwxOTY2MDgsMjYy
-| MTQ0XSxbMTAyNCw2ODM5MywxMzEwNzIsMTk2NjA4LDI2MjE0NF0sWzgxOTIsNzYwNjQsMTMxMDcyLDE5NjYwOCwyNjIxNDRd
-| LFsxMjgsNjU4MjUsMTMxMDcyLDE5NjYwOCwyNjIxNDRdLFsxMDI0LDY4OTA4LDEzMTA3MiwxOTY2MDgsMjYyMTQ0XSxbMTAy
-| NCw2ODkwNSwxMzEwNzIsMTk2NjA4LDI2MjE0NF0sWzEyOCw2ODg2OCwxMzEwNzIsMTk2NjA4LDI2MjE0NF0sWzEwMjQsNjYz
-| MDUsMTMxMDcyLDE5NjYwOCwyNjIxNDRdLFsxMDI0LDY4ODcyLDEzMTA3MiwxOTY2MDgsMjYyMTQ0XSxbMCw2ODA5OCwxMzEw
-| NzIsMTk2NjA4LDI2MjE0NF1dXX0=
+| OTY2MTUwNDY1NzA2XV0sIml0ZW1zIjpbWyJmdWxsIixbIkFib3ZlIixbIlNvdXJjZSIsImxvbmciXSwyN11dLFsiaGRyIixb
+| IkNob3NlbiIsWyJCaXQiLCJmdWxsIl0sWyJTb3VyY2UiLCJzaG9ydCJdLFsiU3VtIixbMSw0LFsiU291cmNlIiwibG9uZyJd
+| XV1dXSxbImNvbnRyYXN0IixbIlN1bSIsWzEsMSxbIlNvdXJjZSIsImhkciJdXSxbLTEsMSxbIkZpbHRlcmVkIiwiYXJvdW5k
+| IixbIlNvdXJjZSIsImhkciJdXV1dXV0sImtlcm5lbHMiOltbImFyb3VuZCIsW1sxLDIsMV0sWzIsNCwyXSxbMSwyLDFdXSwx
+| Nl1dLCJsYXVuY2hlcyI6W1swLC0yN11dLCJsaW1pdHNfZSI6eyJsb25nIjozMDAwMC4wLCJzaG9ydCI6MzAwMDAuMH0sIm91
+| dHNpZGUiOm51bGwsInJlYWRzIjpbImNvbnRyYXN0IiwiZnVsbCJdLCJyZWdpc3RlcnMiOnsiY29udHJhc3QiOiJEIiwiZnVs
+| bCI6IlIxIn0sInJlcG9ydHMiOltdLCJ3b3JkcyI6W1tbMjA0OCw2OTYzMiwxMzEwNzIsMjA0ODAwLDI2MjE0NF0sWzMyLDY1
+| NjE2LDEzMTA3MiwxOTY2MDgsMjYyMTQ0XSxbNTI0Mzg0LDY1NTM2LDEzNTE2OCwyNTM5NTIsMjYyMTQ0XSxbMjA0OCw2OTYz
+| MiwxMzEwNzIsMjA0ODAwLDI2MjE0NF0sWzMzNzkyLDY1OTg1LDEzMTA3MiwxOTY2MDgsMjYyMTQ0XSxbMTc0MDgsNjU5ODUs
+| MTMxMDcyLDE5NjYwOCwyNjIxNDRdLFswLDY2MTE0LDEzMTA3MiwxOTY2MDgsMjYyMTQ0XSxbNTI2MzM2LDY1NTUyLDEzMTA3
+| MywyMDQ4MDAsMjYyMTQ0XSxbMCw2NjA4MiwxMzEwNzIsMTk2NjA4LDI2MjE0NF0sWzIwNDgsNjk2MzIsMTMxMDcyLDIwNDgw
+| MCwyNjIxNDRdLFswLDc0NDk3LDEzMTA3MiwxOTY2MDgsMjYyMTQ0XSxbOTIxNiw2NzM2NCwxMzEwNzIsMTk2NjA4LDI2MjE0
+| NF0sWzEwMjQsNjgzOTMsMTMxMDcyLDE5NjYwOCwyNjIxNDRdLFs4MTkyLDc2MDY0LDEzMTA3MiwxOTY2MDgsMjYyMTQ0XSxb
+| MTI4LDY1ODI1LDEzMTA3MiwxOTY2MDgsMjYyMTQ0XSxbMTAyNCw2ODkwOCwxMzEwNzIsMTk2NjA4LDI2MjE0NF0sWzEwMjQs
+| Njg5MDUsMTMxMDcyLDE5NjYwOCwyNjIxNDRdLFsxMjgsNjg4NjgsMTMxMDcyLDE5NjYwOCwyNjIxNDRdLFsxMDI0LDY2MzA1
+| LDEzMTA3MiwxOTY2MDgsMjYyMTQ0XSxbMTAyNCw2ODg3MiwxMzEwNzIsMTk2NjA4LDI2MjE0NF0sWzAsNjgwOTgsMTMxMDcy
+| LDE5NjYwOCwyNjIxNDRdXV19
 
 ; the code of every pixel
 .pixels tile 1 1

@@ -22,7 +22,7 @@
 | [behaviour]                                # these values are not public: each key has a default
 | reset_honours_flag = "no"                  # does rpix reset only where FLAG is 1? "no", "yes" or "unknown" (not public)
 | where_reads_flag = false                   # may WHERE read FLAG, which it also writes? (not public)
-| where_obeys_flag = false                   # does the analog `where` itself act only where FLAG is 1? (not public)
+| where_obeys_flag = true                    # does the analog `where` itself act only where FLAG is 1? (not public)
 | or_sources = "any"                         # most sources of an OR or NOR word: "any" or a number (not public)
 | where_sources = "any"                      # most sources of a WHERE word: "any" or a number (not public)
 |
@@ -35,14 +35,14 @@
 | digital_word_us = 0.1                      # one digital word (not public)
 | launch_us = 1.0                            # overhead of one kernel launch (not public)
 | wait_us = 1.0                              # the frame loop's own time at a boundary (not public)
-| readout_us = 16701.0                       # reading one analog register, or all taps, of the whole array out (not public)
+| readout_us = 16700.0                       # reading one analog register, or all taps, of the whole array out (not public)
 | digital_retention_us = 1500000.0           # time for which a digital register keeps an unwritten bit
 |
 | [range]
 | full_well_e = 30000.0                      # electrons that PIX, or a tap, can hold (not public)
 | register_min_e = -30000.0                  # least value of an analog register, below 0 (not public)
 | register_max_e = 30000.0                   # largest value of an analog register, above 0 (not public)
-| adc_bits = 8                               # bits of the readout
+| adc_bits = 2                               # bits of the readout
 | adc_offset_lsb = 0.0                       # offset added to the converter code of an exposure of 0 (not public)
 | readout = "spread"                         # codes of 0 .. full_well_e: spread, all of them (2 x exposure - full well is converted); full, the upper half, for the converter is symmetric around 0; half, 0 to the middle (not public)
 |

@@ -54,7 +54,7 @@
 |
 | [neighbours]                               # how words reach the pixels to the north, east, south and west
 | sees_neighbours = true                     # do words reach the NEWS, and the digital registers, of neighbours? (not public)
-| directed_sources = 1                       # most analog sources of a word that writes or reads a neighbour's NEWS (not public)
+| directed_sources = 2                       # most analog sources of a word that writes or reads a neighbour's NEWS (not public)
 | directed_halving = false                   # may a bus2 word read a neighbour's NEWS? (not public)
 | news_read_keeps = true                     # does NEWS keep its value when neighbours read it? (not public)
 .note class "general"

@@ -1,5 +1,5 @@
 ; 16 slots, 2000 us of light a frame
-; 154 words stored in 17 kernels; 154 executed a frame in 17 launches, 25.07 us
+; 154 words stored in 17 kernels; 154 executed a frame in 17 launches, 39.8 us
 .target
 | # A target of nscc: what the compiler, the checker and the emulator know of a chip.
 | # Keys marked (not public) are this project's defaults; they may be left out.
@@ -22,7 +22,7 @@
 | [behaviour]                                # these values are not public: each key has a default
 | reset_honours_flag = "no"                  # does rpix reset only where FLAG is 1? "no", "yes" or "unknown" (not public)
 | where_reads_flag = false                   # may WHERE read FLAG, which it also writes? (not public)
-| where_obeys_flag = false                   # does the analog `where` itself act only where FLAG is 1? (not public)
+| where_obeys_flag = true                    # does the analog `where` itself act only where FLAG is 1? (not public)
 | or_sources = "any"                         # most sources of an OR or NOR word: "any" or a number (not public)
 | where_sources = "any"                      # most sources of a WHERE word: "any" or a number (not public)
 |
@@ -31,7 +31,7 @@
 | tables_count = true                        # do constant kernel tables count against the store? (not public)
 |
 | [time]
-| analog_word_us = 0.001                     # one analog word (not public)
+| analog_word_us = 0.2                       # one analog word (not public)
 | digital_word_us = 0.1                      # one digital word (not public)
 | launch_us = 1.0                            # overhead of one kernel launch (not public)
 | wait_us = 1.0                              # the frame loop's own time at a boundary (not public)
@@ -82,7 +82,7 @@
 
 .wait 125us x16
 
-.kernel k0                               ; 9 words, 1.009 us; launched at 0
+.kernel k0                               ; 9 words, 2.8 us; launched at 0
     all
     bus NEWS
     bus A, NEWS
@@ -93,7 +93,7 @@
     bus NEWS, PIX
     bus C, NEWS
 
-.kernel k1                               ; 8 words, 1.404 us; launched at 1
+.kernel k1                               ; 8 words, 2.2 us; launched at 1
     NOR R0, R1, R4, R5, R8
     WHERE R0
     bus NEWS, B, PIX
@@ -103,7 +103,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k2                               ; 8 words, 1.404 us; launched at 2
+.kernel k2                               ; 8 words, 2.2 us; launched at 2
     NOR R0, R2, R4, R5, R8
     WHERE R0
     bus NEWS, B, PIX
@@ -113,7 +113,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k3                               ; 8 words, 1.404 us; launched at 3
+.kernel k3                               ; 8 words, 2.2 us; launched at 3
     NOR R0, R2, R3, R5, R8
     WHERE R0
     bus NEWS, B, PIX
@@ -123,7 +123,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k4                               ; 8 words, 1.404 us; launched at 4
+.kernel k4                               ; 8 words, 2.2 us; launched at 4
     NOR R0, R1, R3, R5, R8
     WHERE R0
     bus NEWS, B, PIX
@@ -133,7 +133,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k5                               ; 8 words, 1.404 us; launched at 5
+.kernel k5                               ; 8 words, 2.2 us; launched at 5
     NOR R0, R1, R4, R6, R8
     WHERE R0
     bus NEWS, B, PIX
@@ -143,7 +143,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k6                               ; 8 words, 1.404 us; launched at 6
+.kernel k6                               ; 8 words, 2.2 us; launched at 6
     NOR R0, R2, R4, R6, R8
     WHERE R0
     bus NEWS, B, PIX
@@ -153,7 +153,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k7                               ; 8 words, 1.404 us; launched at 7
+.kernel k7                               ; 8 words, 2.2 us; launched at 7
     NOR R0, R2, R3, R6, R8
     WHERE R0
     bus NEWS, B, PIX
@@ -163,7 +163,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k8                               ; 8 words, 1.404 us; launched at 8
+.kernel k8                               ; 8 words, 2.2 us; launched at 8
     NOR R0, R1, R3, R6, R8
     WHERE R0
     bus NEWS, B, PIX
@@ -173,7 +173,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k9                               ; 8 words, 1.404 us; launched at 9
+.kernel k9                               ; 8 words, 2.2 us; launched at 9
     NOR R0, R1, R3, R6, R7
     WHERE R0
     bus NEWS, B, PIX
@@ -183,7 +183,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k10                              ; 8 words, 1.404 us; launched at 10
+.kernel k10                              ; 8 words, 2.2 us; launched at 10
     NOR R0, R2, R3, R6, R7
     WHERE R0
     bus NEWS, B, PIX
@@ -193,7 +193,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k11                              ; 8 words, 1.404 us; launched at 11
+.kernel k11                              ; 8 words, 2.2 us; launched at 11
     NOR R0, R2, R4, R6, R7
     WHERE R0
     bus NEWS, B, PIX
@@ -203,7 +203,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k12                              ; 8 words, 1.404 us; launched at 12
+.kernel k12                              ; 8 words, 2.2 us; launched at 12
     NOR R0, R1, R4, R6, R7
     WHERE R0
     bus NEWS, B, PIX
@@ -213,7 +213,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k13                              ; 8 words, 1.404 us; launched at 13
+.kernel k13                              ; 8 words, 2.2 us; launched at 13
     NOR R0, R1, R4, R5, R7
     WHERE R0
     bus NEWS, B, PIX
@@ -223,7 +223,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k14                              ; 8 words, 1.404 us; launched at 14
+.kernel k14                              ; 8 words, 2.2 us; launched at 14
     NOR R0, R2, R4, R5, R7
     WHERE R0
     bus NEWS, B, PIX
@@ -233,7 +233,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k15                              ; 8 words, 1.404 us; launched at 15
+.kernel k15                              ; 8 words, 2.2 us; launched at 15
     NOR R0, R2, R3, R5, R7
     WHERE R0
     bus NEWS, B, PIX
@@ -243,7 +243,7 @@
     bus NEWS, B, C
     bus B, NEWS, PIX
 
-.kernel k16                              ; 25 words, 3.005 us; launched at 16
+.kernel k16                              ; 25 words, 4 us; launched at 16
     all
     bus NEWS, A, PIX
     bus A, C, NEWS
