@@ -41,17 +41,20 @@ def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str
     scratch, mask, masked = map(registers.get, ("analog_scratch", "mask", "masked"))
     if analog is not None and "analog_scratch" in registers and scratch not in analog:
         message = f"analog_scratch is {shown(scratch)}, not in registers.analog"
-        yield "analog_scratch", message, ""
+        yield "analog_scratch", message, "name one of the registers in registers.analog"
     if (mask is None) != (masked is None):
         key_given, absent = ("mask", "masked") if masked is None else ("masked", "mask")
         message = f"registers.{key_given} is given and registers.{absent} is not: "
         message += "give both or neither"
-        yield key_given, message, ""
+        yield key_given, message, f'name two registers, or write `{key_given} = "none"`'
     elif mask is not None and mask == masked:
-        yield "masked", f"registers.mask and registers.masked are both {shown(mask)}", ""
+        message = f"registers.mask and registers.masked are both {shown(mask)}"
+        yield "masked", message, "name two registers"
     for key, name in (("mask", mask), ("masked", masked)):
         if name is not None and digital is not None and name not in digital:
-            yield key, f"registers.{key} is {shown(name)}, not in registers.digital", ""
+            message = f"registers.{key} is {shown(name)}, not in registers.digital"
+            help_text = 'name one of registers.digital, or write "none" for both mask and masked'
+            yield key, message, help_text
 
 
 def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
@@ -76,7 +79,7 @@ def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, s
     registers."""
     for index, name in enumerate(names):
         if name in names[:index]:
-            yield f"{shown(name)} twice", ""
+            yield f"{shown(name)} twice", "list each register once"
         elif name not in known:
             known_text = ", ".join(known) if len(known) < 10 else f"{known[0]} to {known[-1]}"
             yield (

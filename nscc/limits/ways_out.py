@@ -1,7 +1,8 @@
 """Alternatives for a program that does not fit: similar programs that were compiled and fit.
 
 A similar program keeps the target, the slot length and the user's limits. It does less: only the
-used codes, fewer codebook rows, fewer slots, one bump per pixel, or a codebook of few shutters. The
+used codes, fewer codebook rows, fewer slots, one bump per pixel, or a codebook of few shutters. A
+program with senses, images or planes only gets the used codes; several buckets only codebooks. The
 numbers of rows and slots are found by search. Codebooks that the user would have to provide are
 replaced by pseudo-random rows."""
 
@@ -14,10 +15,10 @@ from itertools import islice
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nscc.limits.families import (
     bits_rule,
-    book_rule,
     book_text,
     bump_rule,
     program_text,
@@ -76,10 +77,13 @@ def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOu
         if lowered is not None:
             in_use = counted(len(lowered.program.table.shutters), "shutter")
             yield _way_out("`--codes fixed`", f"only the {in_use} in use", lowered, level)
+    if program.machine is not None or program.pictures is not None:
+        return
     yield from _fewer_rows(program, attempt, most)
-    yield from _fewer_slots(program, attempt, level)
-    for rule, change, why in _simpler(program):
-        lowered = attempt(_source(program, rule, len(program.frame.slot_us)), "open", level)
+    if len(program.buckets) == 1:
+        yield from _fewer_slots(program, attempt, level)
+    for source, change, why in _simpler(program):
+        lowered = attempt(source, "open", level)
         if lowered is not None:
             yield _way_out(change, why, lowered, level)
 
@@ -95,12 +99,17 @@ def _source(program: Program, rule: str, slots: int) -> Source:
     return Source("way-out.nsl", program_text(slots, f"{max(slot_us, 0.001):.3f}us", rule))
 
 
+def _book(program: Program, shutters: NDArray[np.bool_]) -> Source:
+    """Return a codebook of `shutters` (rows, buckets, slots) for the same frame and buckets."""
+    buckets = [bucket.name for bucket in program.buckets]
+    return Source("way-out.nsl", book_text(program.frame.slot_us, buckets, shutters))
+
+
 def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
     """Yield the program with the most codebook rows, of those in use, that fits the same frame."""
     if program.class_name != "codebook" or len(program.fields) != 1:
         return
     table, slots = program.table, len(program.frame.slot_us)
-    buckets = [bucket.name for bucket in program.buckets]
     rows = len(table.codes)
     digits = slots * len(program.buckets)
     registers = len(program.target.digital_registers)
@@ -111,8 +120,7 @@ def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayO
     )
 
     def of_first(count: int) -> Source:
-        shutters = table.shutters[table.shutter_of_code[:count]]
-        return Source("way-out.nsl", book_text(program.frame.slot_us, buckets, shutters))
+        return _book(program, table.shutters[table.shutter_of_code[:count]])
 
     count, lowered = _largest(1, most, of_first, partial(attempt, level=level), _ROW_TRIALS)
     if lowered is None:
@@ -174,22 +182,28 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
         yield _way_out(f"frame {count} slots", why, lowered, level)
 
 
-def _simpler(program: Program) -> Iterator[tuple[str, str, str]]:
-    """Yield programs of other classes for the same frame as (rule, what to write, description)."""
-    slots = len(program.frame.slot_us)
-    rows = random_rows(_BOOK_ROWS, slots)
+def _simpler(program: Program) -> Iterator[tuple[Source, str, str]]:
+    """Yield programs of other classes for the same frame as (program, what to write,
+    description)."""
+    slots, buckets = len(program.frame.slot_us), [bucket.name for bucket in program.buckets]
+    rows = random_rows(_BOOK_ROWS, len(buckets) * slots)
     if slots <= _LONGEST_BOOK and len(rows) < len(program.table.shutters):
+        shutters = np.array([list(row) for row in rows]) == "1"
+        shutters = shutters.reshape(len(rows), len(buckets), slots)
         yield (
-            book_rule(rows),
+            _book(program, shutters),
             "`code id : row of book`",
             f"{slots} slots kept, {len(rows)} shutters instead of {len(program.table.shutters)} "
             "(compiled with pseudo-random rows)",
         )
+    if len(buckets) > 1:
+        return
     if program.class_name not in ("b", "c", "d"):
-        yield bump_rule(), "`start <= n < stop`", f"{slots} slots kept, one bump a pixel"
+        source = _source(program, bump_rule(), slots)
+        yield source, "`start <= n < stop`", f"{slots} slots kept, one bump a pixel"
     if program.class_name != "b":
         yield (
-            stop_rule("1"),
+            _source(program, stop_rule("1"), slots),
             "`n < stop`",
             f"{slots} slots kept, open from the start to a stop of each pixel",
         )

@@ -12,13 +12,14 @@ machine that a pixel can be in before the boundary, with one outcome of the boun
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cached_property
 from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.lower.exposure_plan import Misfit, analog_registers
+from nscc.lower.exposure_plan import LoweringOption, Misfit, analog_registers
 from nscc.operations import Op, op
 from nscc.program.program import Program
 from nscc.record import Record
@@ -101,21 +102,38 @@ class LookingPlan(Record, eq=False):
         return (self.scratch,) if self.latches else (self.scratch, self.reference)
 
 
-def plan_looks(program: Program, machine: StateMachine) -> LookingPlan | Misfit:
-    """Return the plan of a program, or a Misfit if analog registers are missing."""
+def plan_looks(
+    program: Program, machine: StateMachine, lowering: LoweringOption
+) -> LookingPlan | Misfit:
+    """Return the plan of a program, or a Misfit if analog registers are missing or `lowering`
+    cannot implement it."""
+    if lowering == "accumulate":
+        return Misfit(
+            "accumulate resets PIX in every slot, so a program with `sense` cannot use it"
+        )
     analog = analog_registers(program, "edges", reference=True)
     if isinstance(analog, Misfit):
         return analog
     assert analog.reference is not None
-    return LookingPlan(
-        program, machine, tuple(_moments(machine)), analog.holders, analog.buckets,
-        analog.reference, analog.scratch,
+    moments = _moments(machine)
+    if lowering == "edges":
+        moments = (replace(m, copies=(False,) * len(m.copies)) for m in moments)
+    plan = LookingPlan(
+        program, machine, tuple(moments), analog.holders, analog.buckets, analog.reference,
+        analog.scratch,
     )  # fmt: skip
+    if lowering == "latch" and not plan.latches:
+        return Misfit(
+            "latch requires shutters that open in slot 0 and close once, with no `reset` before"
+        )
+    return plan
 
 
 def _moments(machine: StateMachine) -> Iterator[Moment]:
     """Yield every boundary with comparisons, opening or closing shutters, or resets."""
-    fresh = _fresh(machine)
+    # Whether a shutter was open and PIX was not reset, from the frame's start to the stage's, on
+    # every path to the node.
+    always_open = np.ones((len(machine.behaviour), machine.opens.shape[1]), np.bool_)
     for stage in range(machine.stages):
         span = machine.nodes(stage)
         nodes = np.arange(span.start, span.stop)
@@ -123,17 +141,23 @@ def _moments(machine: StateMachine) -> Iterator[Moment]:
         # Most slots are equal to the previous one in every node.
         opens, resets = machine.opens[span], machine.resets[span]
         changes = (opens[:, :, 1:] != opens[:, :, :-1]).any(axis=(0, 1)) | resets[:, 1:].any(axis=0)
-        for boundary in (np.flatnonzero(changes) + 1).tolist():
-            if begin < boundary < end:
-                yield _moment(machine, fresh, boundary, (), nodes, nodes)
+        fresh = always_open[span]
+        for boundary in (*np.flatnonzero(changes[begin : end - 1]) + begin + 1, end):
+            fresh = fresh & opens[:, :, begin:boundary].all(axis=2)
+            fresh &= ~resets[:, begin:boundary].any(axis=1, keepdims=True)
+            begin = int(boundary)
+            if begin < end:
+                yield _moment(machine, fresh, begin, (), nodes, nodes)
         if stage + 1 < machine.stages:
             comparisons = machine.at(end)
             outcomes = 1 << len(comparisons)
             before = np.repeat(nodes, outcomes)
             outcome = np.tile(np.arange(outcomes), len(nodes))
             after = machine.steps[before, outcome].astype(np.intp)
+            fresh = np.repeat(fresh, outcomes, axis=0)
+            np.logical_and.at(always_open, after, fresh)
             yield _moment(machine, fresh, end, comparisons, before, after, outcome)
-        elif begin < end:
+        elif machine.starts(stage) < end:
             yield _moment(machine, fresh, end, (), nodes, nodes)
 
 
@@ -153,7 +177,7 @@ def _moment(
     resets = machine.resets[after, boundary] if inside else np.zeros(len(after), np.bool_)
     falls = was & (~becomes | resets[:, None])
     rises = becomes & ~was & ~resets[:, None]
-    copies = [bool(fresh[before[falls[:, b]], b].all()) for b in range(buckets)]
+    copies = [bool(fresh[falls[:, b], b].all()) for b in range(buckets)]
     return Moment(
         boundary,
         comparisons,
@@ -165,24 +189,3 @@ def _moment(
         vector(np.flatnonzero(resets)),
         tuple(vector(np.flatnonzero(rises[:, b])) for b in range(buckets)),
     )
-
-
-def _fresh(machine: StateMachine) -> Bits:
-    """Return bool (nodes, buckets): whether a shutter that is open at the stage's end was always
-    open.
-
-    That is, it was open since the start of the frame without a reset, on every path to the node."""
-    nodes, buckets = len(machine.behaviour), machine.opens.shape[1]
-    fresh = np.zeros((nodes, buckets), np.bool_)
-    fresh[: machine.first[1]] = True
-    reached = np.zeros(nodes, np.bool_)
-    for stage in range(machine.stages):
-        span, slots = machine.nodes(stage), slice(machine.starts(stage), machine.ends(stage))
-        always_open = machine.opens[span][:, :, slots].all(axis=2)
-        reset = np.asarray(machine.resets[span, slots].any(axis=1))
-        fresh[span] &= always_open & ~reset[:, None]
-        for node in range(span.start, span.stop):
-            for step in {step for step in machine.steps[node].tolist() if step >= 0}:
-                fresh[step] = fresh[node] & (fresh[step] | ~reached[step])
-                reached[step] = True
-    return fresh

@@ -258,14 +258,10 @@ def plan_of(
 ) -> tuple[LookingPlan | Misfit, Sequence[Diagnostic]]:
     """Return the plan and no errors, or a Misfit and the error NS0413 or NS0414."""
     assert program.machine is not None
-    plan = plan_looks(program, program.machine)
+    plan = plan_looks(program, program.machine, lowering)
     if isinstance(plan, Misfit):
-        return plan, [fit.plan_fault(program, {"edges": plan})]
-    if lowering == "accumulate":
-        reason = Misfit(
-            "accumulate resets PIX in every slot, but `light` needs its charge since the last reset"
-        )
-        return reason, [fit.plan_fault(program, {lowering: reason})]
+        name = "edges" if lowering == "auto" else lowering
+        return plan, [fit.plan_fault(program, {name: plan})]
     return plan, []
 
 

@@ -66,6 +66,8 @@ def _refresh_boundaries(
     """Return the fewest boundaries that keep every gap, including the readout, within keep_us.
 
     None if a single slot or the readout is too long."""
+    if between_us > keep_us:
+        return None
     at: list[int] = []
     last = -between_us
     for n in range(1, len(boundary_us)):

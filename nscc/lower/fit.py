@@ -115,7 +115,7 @@ def plan_fault(program: Program, misfits: Mapping[Lowering, Misfit]) -> Diagnost
     buckets = len(program.buckets)
     most = least.available - (least.required - buckets)
     helps = [f"keep at most {most} buckets"]
-    if len(misfits) == 1:
+    if len(misfits) == 1 and program.machine is None:
         helps.append("leave --lowering at auto: lowerings need different numbers of registers")
     return Diagnostic(
         "NS0413",

@@ -116,7 +116,9 @@ class Lowered(Record):
     @property
     def retained(self) -> bool:
         """Whether digital registers keep their content from one refresh to the next."""
-        return self.time.refresh_at is not None or not self.schedule.allocation.code_registers
+        allocation = self.schedule.allocation
+        kept = allocation.code_registers or allocation.state_registers
+        return self.time.refresh_at is not None or not kept
 
     @property
     def fits(self) -> bool:

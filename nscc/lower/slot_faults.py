@@ -15,21 +15,26 @@ def retention_fault(lowered: Lowered) -> Diagnostic:
     program = lowered.program
     longest = max(range(len(program.frame.slot_us)), key=program.frame.slot_us.__getitem__)
     slot_us = program.frame.slot_us[longest]
-    keep_us = lowered.time.keep_us
+    keep_us, readout_us = lowered.time.keep_us, lowered.time.between_us
+    label = "registers are refreshed between slots, not within a slot"
+    help_text = "split the slot into several slots; the rule can open the shutter in all of them"
+    if readout_us > keep_us:
+        label = "registers are not refreshed during the readout"
+        help_text = "read out fewer buckets, or use a chip with a shorter `readout_us`"
     return Diagnostic(
         "NS0602",
         f"digital registers lose their bits within this frame: slot {longest} lasts "
-        f"{time_text(slot_us)}, and the readout {time_text(lowered.time.between_us)}; "
+        f"{time_text(slot_us)}, and the readout {time_text(readout_us)}; "
         f"{program.target.name} keeps a bit for "
         f"{time_text(program.target.digital_retention_us)}",
         source=program.source,
-        label=Label(program.frame.span, "registers are refreshed between slots, not within a slot"),
+        label=Label(program.frame.span, label),
         notes=(
             f"every bit must be refreshed within {time_text(keep_us)}, which includes a "
             "margin of 10 %",
         ),
-        helps=("split the slot into several slots; the rule can open the shutter in all of them",),
-        data=resource("retention_us", slot_us, keep_us, proved=True),
+        helps=(help_text,),
+        data=resource("retention_us", max(slot_us, readout_us), keep_us, proved=True),
     )
 
 

@@ -52,7 +52,7 @@ def with_pictures(
         pictures,
         kernels=tuple(tuple(encode(word) for word in kernel) for kernel in kernels),
         launches=launches,
-        registers=lowering.registers,
+        registers=dict(sorted(lowering.registers.items())),
         costs=_costs_of_text(lowering.costs, pictures),
     )
     complete = replace(container, pictures=with_words)
@@ -238,12 +238,17 @@ def _beyond_range(
     assert pictures is not None
     target = container.target
     helps = []
+    notes = [
+        f"registers of {target.name} hold {target.register_min_e:g} to {target.register_max_e:g} e"
+    ]
     least = max(1, ceil(log2(over) - 1e-9))
+    other = refused
     for halvings in range(least, least + _MORE_HALVINGS):
         smaller = _with_item_divided(pictures, refused.name, 2**halvings)
         try:
             lowered(container, smaller, level)
-        except PictureRefused:
+        except PictureRefused as refused_smaller:
+            other = refused_smaller
             continue
         helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: this compiles")
         break
@@ -257,19 +262,23 @@ def _beyond_range(
             continue
         helps.append(f"limit the exposure: `assume exposure <= {share}%` compiles")
         break
+    if not helps:
+        helps.append("use smaller factors, or fewer and smaller convolution kernels")
+        if other.kind != "range":
+            notes.append(
+                "smaller values do not fit either: "
+                + _refusal(other, container, program, level).message
+            )
     return Diagnostic(
         "NS0540",
-        f"while `{refused.name}` is computed, a value reaches {over:.3g} times the range of the "
-        "registers",
+        f"while `{refused.name}` is computed, a value reaches {ceil(over * 1000) / 1000:.4g} times "
+        "the range of the registers",
         Severity.ERROR,
         source=program.source,
         label=Label(
             place_of(program.source, refused.name), "too large for exposures up to a full well"
         ),
-        notes=(
-            f"registers of {target.name} hold {target.register_min_e:g} to "
-            f"{target.register_max_e:g} e",
-        ),
+        notes=tuple(notes),
         helps=tuple(helps),
         data={"resource": "range", "required": over, "available": 1.0},
     )

@@ -44,9 +44,11 @@ def judge_looking(
     if untold is not None:
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)
+        state = f"`state changed_at : 0..{len(machine.looks)} = 0`"
         helps = (f"`read {names}` gives the open time",) if names else (
-            "add a state that stores when the shutter closed, `state closed_at : 0..3 = 0`, "
-                "and read it",
+            f"add a state that stores the look at which the shutter changes, {state}, and read it",
+            "use this state in the rule, so that the shutter changes only once: "
+                "`changed_at == 0` or `changed_at > 0`",
         )  # fmt: skip
         problems.error(
             "NS0324", "the readout does not determine how long a pixel was open", rule.span,

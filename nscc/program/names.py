@@ -81,8 +81,10 @@ class Declarations:
 
     @property
     def has_pictures(self) -> bool:
-        """Whether the file has a statement about images, planes, kernels or reports."""
-        return bool(self.pictures or self.reports or self.kernels or self.assumes)
+        """Whether the file has a statement about images, planes, kernels or reports, or a `next`
+        that steps on comparisons of exposures, without any look."""
+        steps = self.nexts and self.version > 2 and not self.senses
+        return bool(self.pictures or self.reports or self.kernels or self.assumes or steps)
 
     @property
     def has_pixels(self) -> bool:

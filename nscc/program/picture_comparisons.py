@@ -56,10 +56,10 @@ class PictureComparer(ABC):
         ):
             if op in ("==", "!="):
                 raise self._report(
-                    "NS0533", "charges are compared by `>` and `<`", compare.span,
-                    f"this is `{op}`",
-                    ("a pixel compares with both sides of a small range: "
-                     "`-2% < image < 2%`",),
+                    "NS0533", "images are compared by `>`, `<`, `>=` and `<=`", compare.span,
+                    "tests whether they are equal",
+                    ("compare with both sides of a small range: `-2% < image < 2%`, "
+                     "`3 <= count <= 3`",),
                     notes=("no comparator can tell whether two charges are equal",),
                 )  # fmt: skip
             comparison = self._one_comparison(op, first, second, compare.span)

@@ -133,9 +133,10 @@ class Reader(PictureComparer):
         if expr.op == "*" and self._is_number(image):
             image, factor = factor, image
         if not self._is_number(factor):
+            both = [self._image(side) for side in (image, factor) if not self._is_number(side)]
             raise self._report(
                 "NS0531", "an image can be multiplied or divided only by an integer", expr.span,
-                "two images" if not self._is_number(image) else "divided by an image",
+                "two images" if len(both) > 1 else "divided by an image",
                 ("a pixel can add, subtract and halve values, but not multiply two values",),
             )  # fmt: skip
         number = constant(factor, self.constants, self.problems, "a factor")
@@ -278,7 +279,9 @@ class Reader(PictureComparer):
             "kernel": [*self.kernels, *_FUNCTIONS[:3]],
             "function": ["any", "all"],
             "plane": [name for name, kind in self.kinds.items() if kind == "plane"],
-        }.get(kind, [*self.buckets, *(n for n, k in self.kinds.items() if k == "image")])
+        }.get(kind, ["exposure", *(n for n, k in self.kinds.items() if k == "image")])
+        if kind == "image" and len(self.buckets) > 1:
+            known[:1] = self.buckets
         self.problems.unknown(category, text, name.span, known)
         return WrongPicture()
 

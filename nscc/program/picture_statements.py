@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal, cast
@@ -55,6 +55,7 @@ class PictureMaker:
         self.buckets = [
             rule.name.text if isinstance(rule, tree.Bucket) else "frame" for rule in declared.rules
         ]
+        self.named = [bucket for bucket in self.buckets if bucket != "frame"]
 
     def make(self) -> Pictures | None:
         """Return the statements of version 3; None, or something unusable, after reporting errors.
@@ -80,7 +81,7 @@ class PictureMaker:
         states = self._states(reader) if self.declared.keeps_planes else ()
         names = []
         for name in self.declared.reads.values():
-            kinds = {**dict.fromkeys(self.buckets, "bucket"), **reader.kinds}
+            kinds = {**dict.fromkeys(self.named, "bucket"), **reader.kinds}
             if name.text in kinds:
                 names.append(name.text)
             elif name.text not in (*self.declared.refused, *reader.failed):
@@ -122,9 +123,8 @@ class PictureMaker:
 
     def _place(self) -> Span:
         declared = self.declared
-        kernels = declared.kernels.values()
-        first = next(iter([*declared.pictures, *declared.reports, *kernels]), None)
-        return first.span if first else declared.assumes[0].span
+        kernels, nexts = declared.kernels.values(), declared.nexts.values()
+        return [*declared.pictures, *declared.reports, *kernels, *declared.assumes, *nexts][0].span
 
     def _possible(self) -> bool:
         """Return whether the chip and the other statements allow images; report if not."""
@@ -134,6 +134,8 @@ class PictureMaker:
             lacks = "have no processor"
         elif not target.sees_neighbours or "NEWS" not in target.analog_registers:
             lacks = "cannot read values of their neighbours"
+        elif target.analog_scratch != "NEWS":
+            lacks = f"use NEWS for exposures, because `analog_scratch` is {target.analog_scratch}"
         if lacks is not None:
             self.problems.error(
                 "NS0538", f"the pixels of {target.name} {lacks}", self._place(),
@@ -185,11 +187,7 @@ class PictureMaker:
                 refuse_divisor(self.problems, number, kernel.divisor.span)
                 return None
             divisor = number
-        fault = _kernel_fault(rows)
-        if fault is not None:
-            self._bad_kernel(name, fault, kernel.span)
-            return None
-        return Weights(name, tuple(rows), divisor)
+        return self._weights(name, rows, divisor, kernel.span)
 
     def _from_file(self, kernel: tree.KernelFromFile) -> Weights | None:
         try:
@@ -204,20 +202,22 @@ class PictureMaker:
         if array.ndim != 2:
             self._bad_kernel(kernel.name.text, f"its array has {array.ndim} axes", kernel.path.span)
             return None
-        rows = [tuple(int(v) for v in row) for row in array]
-        fault = _kernel_fault(rows)
-        if fault is not None:
-            self._bad_kernel(kernel.name.text, fault, kernel.path.span)
-            return None
-        return Weights(kernel.name.text, tuple(rows), 1)
+        return self._weights(kernel.name.text, array.tolist(), 1, kernel.path.span)
 
-    def _bad_kernel(self, name: str, fault: str, span: Span) -> None:
+    def _weights(self, name: str, rows: Sequence[Any], divisor: int, span: Span) -> Weights | None:
+        """Return a convolution kernel; None after reporting that it is invalid (NS0530)."""
+        fault, helps = _kernel_fault(rows)
+        if not fault:
+            return Weights(name, tuple(map(tuple, rows)), divisor)
+        self._bad_kernel(name, fault, span, helps)
+        return None
+
+    def _bad_kernel(self, name: str, fault: str, span: Span, helps: tuple[str, ...] = ()) -> None:
         self.problems.error(
             "NS0530", f"`{clipped(name)}` is not a valid convolution kernel: {fault}", span,
-            "this kernel",
+            "this kernel", helps=helps,
             notes=(f"the numbers of rows and columns must be odd and at most {MOST_SIDE}; the "
                    "centre is the pixel itself",),
-            helps=("add zeros: `[[0, 1, 1], ..]` instead of two columns `[[1, 1], ..]`",),
         )  # fmt: skip
 
     # --- kept states: they step once a frame, after all images and planes
@@ -308,12 +308,21 @@ class PictureMaker:
         target = self.target
         full_e = min(target.full_well_e, target.register_max_e)
         limits = dict.fromkeys(self.buckets, full_e)
+        assumed: dict[str | None, tree.Assume] = {}
         for assumption in self.declared.assumes:
             names = [assumption.bucket.text] if assumption.bucket is not None else self.buckets
             if assumption.bucket is not None and assumption.bucket.text not in limits:
                 self.problems.unknown(
-                    "a bucket", assumption.bucket.text, assumption.bucket.span, limits
+                    "a bucket", assumption.bucket.text, assumption.bucket.span, self.named
                 )
+                continue
+            first = assumed.setdefault(names[0] if assumption.bucket else None, assumption)
+            if first is not assumption:
+                self.problems.error(
+                    "NS0537", "`assume` is given twice for the same exposure", assumption.span,
+                    "the second", related=(Label(first.span, "the first"),),
+                    helps=("keep one of them",),
+                )  # fmt: skip
                 continue
             most_e = level_e(float(assumption.level.value), assumption.level.unit, target)
             if assumption.comparison != "<=" or not 0 < most_e <= full_e:
@@ -328,17 +337,20 @@ class PictureMaker:
         return limits
 
 
-def _kernel_fault(rows: list[tuple[Any, ...]]) -> str | None:
-    """Return the error in a convolution kernel as half a sentence; None if it is valid."""
+def _kernel_fault(rows: Sequence[Any]) -> tuple[str, tuple[str, ...]]:
+    """Return the error in a convolution kernel as half a sentence, "" if it is valid, and helps."""
     widths = {len(row) for row in rows}
-    if len(widths) != 1:
-        return "its rows have different lengths"
-    height, width = len(rows), widths.pop()
+    add_zeros = ("add zeros: `[[0, 1, 1], ..]` instead of two columns `[[1, 1], ..]`",)
+    if len(widths) > 1:
+        return "its rows have different lengths", add_zeros
+    height, width = len(rows), max(widths, default=0)
     if height % 2 == 0 or width % 2 == 0 or max(height, width) > MOST_SIDE:
-        return f"it has {counted(height, 'row')} and {counted(width, 'column')}"
+        shape = f"it has {counted(height, 'row')} and {counted(width, 'column')}"
+        smaller = "apply two smaller kernels one after the other: `k(j(exposure))`"
+        return shape, add_zeros if max(height, width) < MOST_SIDE else (smaller,)
     flat = [weight for row in rows for weight in row]
     if not any(flat):
-        return "all its weights are 0"
+        return "all its weights are 0", ()
     if max(map(abs, flat)) > MOST_WEIGHT:
-        return f"a weight is larger than {MOST_WEIGHT}"
-    return None
+        return f"a weight is larger than {MOST_WEIGHT}", ()
+    return "", ()

@@ -4,7 +4,7 @@ in the syntax of other languages and with common units."""
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Set
+from collections.abc import Iterable, Iterator, Set
 from fractions import Fraction
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
@@ -15,6 +15,7 @@ from nscc.syntax.words import (
     END,
     FORMS,
     expected_words,
+    names_in,
     shown,
     spellings,
     statement_words,
@@ -36,7 +37,6 @@ _SIGNS = {
     "\u00d7": ("it is written `*`", "*"),
     "\u2212": ("it is written `-`", "-"),
     "\u2026": ("it is written `..`", ".."),
-    "\u00a0": ("this is not an ordinary space", " "),
     ".": ("a range has two dots, `0..7`; only times have decimals", None),
     "'": ('write paths in double quotes, "like this"', None),
     "\u201c": ('write paths in straight quotes, "like this"', '"'),
@@ -63,7 +63,7 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
         if kind == "STRAY":
             return _stray(tokens, stuck.token, stuck.expected)
         if END in stuck.expected and kind == "NAME":
-            return unknown_statement(tokens, stuck.token)
+            return unknown_statement(tokens, stuck.token, filter(_is_word, stuck.expected))
         if _is_word(kind) and stuck.expected <= {"NAME", "TARGET_NAME", "TEXT", "from"}:
             word = tokens.text(stuck.token)
             return Diagnostic(
@@ -116,20 +116,21 @@ def misspelt_statement(
     return None
 
 
-def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
-    """Return the error (NS0109) for an unknown word at the start of a statement."""
+def unknown_statement(tokens: Tokens, token: int, others: Iterable[str] = ()) -> Diagnostic:
+    """Return the error (NS0109) for an unknown word at the start of a statement, where the words
+    `others` could also stand."""
     word = tokens.text(token)
     words = statement_words(tokens.version)
-    spelling = closest(word, words)
     span = tokens.span(token)
-    later = next((v for v in (2, 3) if v > tokens.version and word in statement_words(v)), None)
+    later = min((v for v in (2, 3) if word in names_in(tokens.version) - names_in(v)), default=None)
+    spelling = None if later else closest(word, (*words, *others))
     return Diagnostic(
         "NS0109",
         f"unknown statement {shown(word)}",
         source=tokens.source,
         label=Label(span, "a statement must begin here, or the previous one continue"),
         notes=("statements begin with " + ", ".join(words),),
-        helps=(f"`{word}` is a statement of version {later}: begin the file with `nsl {later}`",)
+        helps=(f"`{word}` is a word of version {later}: begin the file with `nsl {later}`",)
         * (later is not None),
         fixes=(Fix(did_you_mean(spelling), span, spelling, sure=False),) if spelling else (),
     )
@@ -154,7 +155,9 @@ def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
         )
     hint, instead = _SIGNS.get(text, ("remove it; comments begin with `#`", None))
     file = _file_hint(tokens, token) if text == "." else None
-    if text == ";" and "]" in expected:
+    if text.isspace():
+        hint, instead = "this is not an ordinary space", " "
+    elif text == ";" and "]" in expected:
         hint, instead = "separate rows and values with commas", ","
     elif file is not None:
         hint = file
@@ -175,7 +178,7 @@ def _forms(statement: str) -> tuple[str, ...]:
 def _open_brackets(tokens: Tokens, first: int, stuck: Stuck) -> list[int]:
     opened: list[int] = []
     for index in range(first, stuck.token):
-        if tokens.kinds[index] in "[(":
+        if tokens.kinds[index] in ("[", "(", "PLACE"):
             opened.append(index)
         elif tokens.kinds[index] in "])" and opened:
             opened.pop()
@@ -188,7 +191,7 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
         return
     kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
     if kind == "MALFORMED":
-        yield from _number_hints(tokens, stuck.token)
+        yield from _number_hints(tokens, first, stuck.token)
     elif kind == "GROUPED":
         yield "only the rows of `shutters` have digits in groups"
     elif kind == "TIME" and tokens.kinds[first] != "frame":
@@ -198,6 +201,8 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
     elif kind in ("/", "*") and tokens.kinds[stuck.token - 1] in ("/", "*"):
         pair = tokens.text(stuck.token - 1) + text
         yield "the language has no powers" if pair == "**" else "comments begin with `#`"
+    elif kind == "(" and tokens.kinds[first] in ("image", "plane"):
+        yield "a kernel is applied by its name: `k(exposure)`; the product with 2 is `2 * image`"
     elif kind == "(" and tokens.kinds[stuck.token - 1] == "NAME":
         name = tokens.text(stuck.token - 1)
         yield f"functions are `min` and `max`; a bit of a field, or a digit of a row, is {name}[..]"
@@ -215,7 +220,7 @@ def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]
     usual = list(_habit_fixes(tokens, last, stuck))
     if usual:
         yield from usual
-    elif kind == "=" and "COMPARISON" in stuck.expected:
+    elif kind == "=" and {"COMPARISON", "or"} <= stuck.expected:
         yield Fix("equality is written `==`", span, "==")
     elif kind == "NAME":
         spelling = closest(text, (word for word in stuck.expected if _is_word(word)))
@@ -292,6 +297,14 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
         yield "rows of values are a tile, which is repeated over the array: `tile [[4, 3], [2, 1]]`"
     elif stuck.expected == {"["} and statement == "pixels":
         yield "a tile is a list of rows: `tile [[4, 3], [2, 1]]`, a single row `tile [[4, 3]]`"
+    elif statement == "sense" and "%" in (before, text):
+        yield "a level is one number with its unit, without a sign or a blank: `45%`"
+    elif kind == "=" and stuck.expected == {"COMPARISON"}:
+        yield "light is compared by `>` or `<`: a comparator cannot test whether charges are equal"
+    elif kind == "]" and statement in ("plane", "next"):
+        yield "the bit of a neighbour is PLANE[dx, dy]: dx columns to the right, dy rows down"
+    elif kind == "exposure" and statement == "read":
+        yield "only a named exposure can be read: `bucket NAME open when ...`, `read NAME`"
     elif kind == "from" and statement == "pixels":
         yield (
             '`pixels from "codes.npz"` sets every field without its own `pixels` statement, by name'
@@ -300,12 +313,12 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
         yield 'random codes are data: save them with numpy.savez, and `pixels from "codes.npz"`'
 
 
-def _number_hints(tokens: Tokens, at: int) -> Iterator[str]:
+def _number_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
     """Yield hints for token `at`, which starts like a number but is invalid."""
     text = tokens.text(at)
     if re.fullmatch(r"[0-9]{1,9}\.[0-9]{1,9}", text):
         yield "numbers are integers; only times have decimals, with a unit: 1.6ms"
-        yield from _quotient(tokens, at)
+        yield from _quotient(tokens, first, at)
     elif "." in text:
         yield "only times have decimals, with the unit ns, us, ms or s: 1.6ms"
     elif re.fullmatch("0[xX][0-9a-fA-F]{1,15}|0[bB][01]{1,60}|0[oO][0-7]{1,20}", text):
@@ -329,7 +342,7 @@ def _text(tokens: Tokens, at: int, last: int) -> str:
     return tokens.text(at) if 0 <= at < last else ""
 
 
-def _quotient(tokens: Tokens, at: int) -> Iterator[str]:
+def _quotient(tokens: Tokens, first: int, at: int) -> Iterator[str]:
     """Yield a hint for multiplying or dividing by a decimal number in integer arithmetic."""
     kinds, number = tokens.kinds, tokens.text(at)
     before, after = kinds[at - 1], kinds[at + 1 : at + 2]
@@ -347,7 +360,8 @@ def _quotient(tokens: Tokens, at: int) -> Iterator[str]:
     times = f"* {fraction.numerator}" if fraction.numerator > 1 or fraction.denominator == 1 else ""
     over = f"/ {fraction.denominator}" if fraction.denominator > 1 else ""
     expression = " ".join(filter(None, (name, times, over)))
-    yield f"`{name} {before} {number}` is written `{expression}`; `/` rounds down"
+    rounds = "" if kinds[first] == "image" else "; `/` rounds down"
+    yield f"`{name} {before} {number}` is written `{expression}`{rounds}"
 
 
 def _time(number: str, unit: str) -> str | None:

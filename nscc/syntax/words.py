@@ -194,4 +194,4 @@ def expected_words(terminals: Set[str]) -> str:
 def shown(text: str) -> str:
     """Return a piece of the user's text in quotes, shortened, without unprintable characters."""
     cut = text if len(text) <= 40 else text[:37] + "..."
-    return "`" + "".join(ch if ch.isprintable() else "?" for ch in cut) + "`"
+    return "`" + "".join(ch if ch.isprintable() else f"U+{ord(ch):04X}" for ch in cut) + "`"

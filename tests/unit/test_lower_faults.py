@@ -186,6 +186,61 @@ def test_a_lowering_that_was_refused_is_not_advised():
     assert compiled(text, version=2).proof.holds
 
 
+LOOKS = (
+    "frame 16 slots of 1ms\nsense b when light > 45% at n in [2, 4]\n"
+    "state c : 0..2 = 0\nnext c = looks when b and c == 0\nread c\n"
+)
+
+
+def test_the_lowering_of_a_program_that_looks_is_the_requested_one():
+    """A shutter that closes between two looks is latched, too."""
+    rules = {"code s : 3..16\nopen when n < s and c == 0": "latch", "open when c == 1": "edges"}
+    for rule, cheapest in rules.items():
+        text = LOOKS + rule
+        for lowering in ("auto", "latch", "edges"):
+            if lowering == "latch" != cheapest:
+                found = fault(text, lowering=lowering, version=2)
+                assert found.code == "NS0414"
+                assert "latch requires" in found.message
+                continue
+            done = compiled(text, lowering=lowering, version=2)
+            assert done.proof.holds
+            assert done.lowered.plan.lowering == (cheapest if lowering == "auto" else lowering)
+    buckets = "".join(f"bucket b{i} open when n == {i} and c == 0\n" for i in range(7))
+    assert fault(LOOKS + buckets, version=2).helps == ("keep at most 5 buckets",)
+
+
+@pytest.mark.parametrize(
+    ("version", "text"),
+    [
+        (1, "".join(f"code c{i} : bit[9]\nbucket b{i} open when c{i}[n]\n" for i in range(2))),
+        (3, "open when true\n" + "".join(f"plane p{i} = exposure > {i}%\n" for i in range(1, 16))
+            + "read " + ", ".join(f"p{i}" for i in range(1, 16))),
+    ],
+)  # fmt: skip
+def test_programs_that_do_less_than_asked_are_not_advised(version, text):
+    """Neither one bump instead of two buckets, nor bumps instead of planes."""
+    found = fault("frame 9 slots of 1ms\n" + text, version=version)
+    assert found.data["resource"] == "digital registers"
+    assert all(way.startswith("`code id : row of book`") for way in found.ways_out)
+    assert len(found.ways_out) == (version == 1)
+
+
+@pytest.mark.parametrize(("slot_s", "readout_s", "buckets"), [(2, 0, 1), (0, 2, 1), (0, 0.7, 2)])
+def test_bits_that_decay_in_a_slot_or_a_readout(slot_s, readout_s, buckets):
+    """Bits of codes, and those of states in a program that looks."""
+    target = replace(load_target("scamp5", Path()), readout_us=readout_s * 1e6)
+    frame = f"frame 4 slots of {slot_s or 0.001}s\n"
+    looks = "sense b when light > 45% at n == 2\nstate c : bit = 0\nnext c = b\nread c\n"
+    rules = "".join(f"bucket b{i} open when not c\n" for i in range(buckets))
+    codes = "code s : 1..4\n" + rules.replace("not c", "n < s")
+    for version, text in ((2, looks + rules), (1, codes)):
+        found = fault(frame + text, target=target, version=version)
+        assert found.code == "NS0602"
+        assert found.data["required"] == max(slot_s, readout_s * buckets) * 1e6
+        assert ("split the slot" in found.helps[0]) == (slot_s == 2)
+
+
 def test_gates_that_were_not_found():
     found = fault("frame 13 slots of 1ms\ncode b : bit[13]\nopen when b[n]", lowering="edges")
     assert found.code == "NS0502"

@@ -171,9 +171,10 @@ def test_buckets_that_are_read_are_the_frame() -> None:
 
 
 def test_containers_and_assembly_text_are_the_same_program() -> None:
-    container = container_of(HEAD + CROSS + "image i = k(exposure) read i")
+    container = container_of(HEAD + CROSS + "image i = k(exposure) plane a = i > 3% read i, a")
     data = to_bytes(container)
     assert to_bytes(from_bytes(data, "p.icw")) == data
+    assert disassemble(from_bytes(data, "p.icw")) == disassemble(container)
     again = assemble(Source("p.asm", disassemble(container)), Path())
     assert to_bytes(again) == data
 

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+import nscc
+from nscc.chips.load import builtin_target
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.pipeline import Options, run_passes
@@ -140,6 +142,14 @@ def test_a_chip_that_sees_no_neighbours_is_refused() -> None:
         "bucket b open when n > 1 image i = a - b read i"
     )
     assert refused(text) == ["NS0538"]
+
+
+def test_a_chip_whose_exposures_are_in_news_is_refused() -> None:
+    """Words that read a neighbour overwrite NEWS, so no exposure can be there."""
+    chip = replace(builtin_target("scamp5"), analog_scratch="F")
+    with pytest.raises(Rejected) as caught:
+        nscc.compile(ONE + KERNEL + "image i = k(exposure) read i", target=chip)
+    assert [diagnostic.code for diagnostic in caught.value.diagnostics] == ["NS0538"]
 
 
 def test_too_large_values_have_ways_out_that_compile() -> None:

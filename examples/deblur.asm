@@ -1,0 +1,188 @@
+; 8 slots, 16000 us of light a frame
+; 48 words stored in 9 kernels; 48 executed a frame in 9 launches, 16.2 us
+.target
+| # A target of nscc: what the compiler, the checker and the emulator know of a chip.
+| # Keys marked (not public) are this project's defaults; they may be left out.
+| name = "scamp5"
+| kind = "scamp"
+| description = "SCAMP-5: global PIX reset, non-destructive read"
+|
+| [array]                                    # the pixels
+| rows = 256                                 # pixels from top to bottom
+| cols = 256                                 # pixels from left to right
+|
+| [registers]                                # of one pixel
+| analog = ["A", "B", "C", "D", "E", "F", "NEWS"] # analog registers of one pixel
+| analog_scratch = "NEWS"                    # register that every analog sequence overwrites
+| # one-bit registers of one pixel
+| digital = ["R0", "R1", "R2", "R3", "R4", "R5", "R6", "R7", "R8", "R9", "R10", "R11", "R12"]
+| mask = "R0"                                # a word changes `masked` only in pixels where this register is 1
+| masked = "R12"                             # the register that `mask` guards; both are "none" on a chip without this
+|
+| [behaviour]                                # these values are not public: each key has a default
+| reset_honours_flag = "no"                  # does rpix reset only where FLAG is 1? "no", "yes" or "unknown" (not public)
+| where_reads_flag = false                   # may WHERE read FLAG, which it also writes? (not public)
+| where_obeys_flag = false                   # does the analog `where` itself act only where FLAG is 1? (not public)
+| or_sources = "any"                         # most sources of an OR or NOR word: "any" or a number (not public)
+| where_sources = "any"                      # most sources of a WHERE word: "any" or a number (not public)
+|
+| [store]
+| words = 1024                               # largest number of ICWs in all stored kernels
+| tables_count = true                        # do constant kernel tables count against the store? (not public)
+|
+| [time]
+| analog_word_us = 0.2                       # one analog word (not public)
+| digital_word_us = 0.1                      # one digital word (not public)
+| launch_us = 1.0                            # overhead of one kernel launch (not public)
+| wait_us = 1.0                              # the frame loop's own time at a boundary (not public)
+| readout_us = 16700.0                       # reading one analog register, or all taps, of the whole array out (not public)
+| digital_retention_us = 1500000.0           # time for which a digital register keeps an unwritten bit
+|
+| [range]
+| full_well_e = 30000.0                      # electrons that PIX, or a tap, can hold (not public)
+| register_min_e = -30000.0                  # least value of an analog register, below 0 (not public)
+| register_max_e = 30000.0                   # largest value of an analog register, above 0 (not public)
+| adc_bits = 8                               # bits of the readout
+| adc_offset_lsb = 0.0                       # offset added to the converter code of an exposure of 0 (not public)
+| readout = "spread"                         # codes of 0 .. full_well_e: spread, all of them (2 x exposure - full well is converted); full, the upper half, for the converter is symmetric around 0; half, 0 to the middle (not public)
+|
+| [in]                                       # the global value IN that every pixel can compare with; set between kernels
+| in_low = -127                              # least value of IN, in steps (not public)
+| in_high = 126                              # largest value of IN, in steps (not public)
+| in_step_e = "auto"                         # electrons a step of IN; "auto": register_max_e / 127 (not public)
+| in_settle_us = 5.0                         # time from setting IN to the first word that reads it (not public)
+|
+| [neighbours]                               # how words reach the pixels to the north, east, south and west
+| sees_neighbours = true                     # do words reach the NEWS, and the digital registers, of neighbours? (not public)
+| directed_sources = 4                       # most analog sources of a word that writes or reads a neighbour's NEWS (not public)
+| directed_halving = false                   # may a bus2 word read a neighbour's NEWS? (not public)
+| news_read_keeps = true                     # does NEWS keep its value when neighbours read it? (not public)
+.note class "b"
+.note codes "fixed"
+.note level "0"
+.note lowering "edges"
+
+.source
+| # A sharp picture of one moment of a moving scene: all pixels are open in slot 0, and close after
+| # one to eight slots. Short exposures are sharp, long ones have little noise; equal ones keep apart,
+| # by a Poisson-disc sampler, as L-SVPE has it (Nguyen, Martel, Wetzstein, ICCP 2022).
+| nsl 1
+|
+| frame 8 slots of 2ms
+|
+| code stop : 1..8
+| open when n < stop
+|
+| pixels stop = tile [[5, 1, 7, 5, 3, 8, 6, 3],
+|                     [2, 3, 6, 2, 1, 4, 5, 7],
+|                     [8, 5, 4, 3, 7, 2, 1, 4],
+|                     [1, 2, 6, 1, 5, 6, 7, 2],
+|                     [4, 7, 3, 8, 2, 4, 8, 3],
+|                     [3, 5, 6, 4, 3, 1, 2, 7],
+|                     [4, 1, 8, 1, 7, 4, 6, 5],
+|                     [4, 7, 3, 5, 2, 5, 3, 4]]
+
+.wait 2000us x8
+
+.kernel k0                               ; 8 words, 2.6 us; launched at 0
+    all
+    bus NEWS
+    bus A, NEWS
+    rpix
+    rpix
+    nop
+    bus NEWS, PIX
+    bus B, NEWS
+
+.kernel k1                               ; 3 words, 1.5 us; launched at 1
+    WHERE R1
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+
+.kernel k2                               ; 3 words, 1.5 us; launched at 2
+    WHERE R2
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+
+.kernel k3                               ; 3 words, 1.5 us; launched at 3
+    WHERE R3
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+
+.kernel k4                               ; 3 words, 1.5 us; launched at 4
+    WHERE R4
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+
+.kernel k5                               ; 3 words, 1.5 us; launched at 5
+    WHERE R5
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+
+.kernel k6                               ; 3 words, 1.5 us; launched at 6
+    WHERE R6
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+
+.kernel k7                               ; 3 words, 1.5 us; launched at 7
+    WHERE R7
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+
+.kernel k8                               ; 19 words, 3.1 us; launched at 8
+    WHERE R8
+    bus NEWS, A, PIX
+    bus A, B, NEWS
+    REFRESH R1
+    REFRESH R2
+    REFRESH R3
+    REFRESH R4
+    REFRESH R5
+    REFRESH R6
+    REFRESH R7
+    REFRESH R8
+
+.slot 0 k0
+.slot 1 k1
+.slot 2 k2
+.slot 3 k3
+.slot 4 k4
+.slot 5 k5
+.slot 6 k6
+.slot 7 k7
+.slot 8 k8
+
+.bucket frame
+.readout A frame 1
+
+.load R1 R2 R3 R4 R5 R6 R7 R8
+.fields stop
+; a line a shutter: R0..R12 at the start of a frame, then the open slots of each bucket
+.shutter 0100000000000 0                 ; 0
+.shutter 0010000000000 0..1              ; 1
+.shutter 0001000000000 0..2              ; 2
+.shutter 0000100000000 0..3              ; 3
+.shutter 0000010000000 0..4              ; 4
+.shutter 0000001000000 0..5              ; 5
+.shutter 0000000100000 0..6              ; 6
+.shutter 0000000010000 0..7              ; 7
+; a line a code: its shutter, then its fields
+.code 0 1
+.code 1 2
+.code 2 3
+.code 3 4
+.code 4 5
+.code 5 6
+.code 6 7
+.code 7 8
+
+; the code of every pixel
+.pixels tile 8 8
+| 4 0 6 4 2 7 5 2
+| 1 2 5 1 0 3 4 6
+| 7 4 3 2 6 1 0 3
+| 0 1 5 0 4 5 6 1
+| 3 6 2 7 1 3 7 2
+| 2 4 5 3 2 0 1 6
+| 3 0 7 0 6 3 5 4
+| 3 6 2 4 1 4 2 3
