@@ -15,7 +15,7 @@ from nscc.lower.lowered import Lowered
 # round, the first number of best solutions get the second number of steps each. In the first round
 # all get some, because only then their order is known. 100,000 steps take about a second.
 ROUNDS = {
-    2: ((6, 8_000), (3, 10_000), (1, 30_000), (1, 30_000)),
+    2: ((6, 8_000), (3, 10_000), (1, 30_000)),
     3: ((16, 60_000), (3, 1_000_000), (3, 1_000_000)),
 }
 

@@ -157,7 +157,7 @@ def test_nothing_that_fits(folder: Path) -> None:
         (["synthesis", "--lowerings", "auto"], "NS0783"),
         (["synthesis", "--repeats", "0"], "NS0783"),
         (["synthesis", "none.nsl"], "NS0101"),
-        (["synthesis", "stops.nsl", "--repeats", "1", "-o", "no/where"], "NS0784"),
+        (["synthesis", "stops.nsl", "--repeats", "1", "-o", "stops.nsl/where"], "NS0784"),
         (["sinthesis"], "NS0781"),
         (["--frobnicate"], "NS0782"),
         ([], "NS0780"),

@@ -182,7 +182,7 @@ def test_what_a_decoder_cannot_be() -> None:
         ("refined", STILL, "clips"),
         ("unrolled", DecoderTask("clip", 16, (8, 8), sees_code=False), "unrolled projects"),
         ("refined", DecoderTask("clip", 16, (8, 8), sees_code=False), "refined projects"),
-        ("unet4d", CLIP, "not one of"),
+        ("unet4d", CLIP, "is unknown; the decoders are"),
     ):
         with pytest.raises(ValueError, match=words):
             make_decoder(name, "small", task)

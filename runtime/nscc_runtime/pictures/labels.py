@@ -23,6 +23,8 @@ _NAME, _SMALL = 7.8, 7.0
 _NEAREST, _NEAR, _FAR = 3.2, 18.0, 70.0
 """Distances in points between a mark and its text: the smallest, the largest, and the largest for
 texts that may be further away."""
+_LEADER = 12.0
+"""A text further away than this distance in points is joined to its mark by a line."""
 _HALO = 2.0
 """Width in points of the outline of letters, half of which is outside the letters."""
 _MARGIN = 3.2
@@ -95,10 +97,14 @@ def _placed(axes: Axes, labels: list[ChartLabel], farthest: float) -> list[Chart
             path_effects=halo(), auto_ha=False, ha="left", va="bottom",
         )  # fmt: skip
     axes.set(xlim=limits[0], ylim=limits[1])
-    artists: list[Any] = [*texts, *leaders]
-    for artist in artists:
-        if artist is not None:
-            artist.set_in_layout(False)
+    joined: list[Any] = [leader for leader in leaders if leader is not None]
+    for leader in joined:
+        start, end = axes.transData.transform(leader.get_xydata())
+        if np.hypot(*(end - start)) < _LEADER * point:
+            leader.remove()
+    written: list[Any] = [text for text in texts if text is not None]
+    for artist in (*joined, *written):
+        artist.set_in_layout(False)
     return [label for label, text in zip(labels, texts, strict=True) if text is None]
 
 
@@ -110,7 +116,7 @@ def _drawn(axes: Axes) -> tuple[Points, Any, list[Points]]:
     for line in axes.lines:
         places = to_data(line.get_transform().transform(line.get_path().vertices))
         places = places[np.isfinite(places).all(1)]
-        if line.get_linestyle() != "None":
+        if line.get_linestyle() != "None" and len(places) > 1:
             lines.append(places)
         if line.get_marker() not in (None, "None", "", " "):
             size = (line.get_markersize() + line.get_markeredgewidth()) / 2
