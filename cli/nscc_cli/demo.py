@@ -59,7 +59,8 @@ def command(
         say_done(f"without torch the frame is merged; {line_for('torch')} installs the decoder")
     folder = out or Path(f"{Path(scene).stem}_demo" if scene and ":" not in scene else "demo")
     listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
-    for name in (scene,) if scene else BUILTIN:
+    # Only clips have several readouts.
+    for name in (scene,) if scene else BUILTIN[1:] if readouts else BUILTIN:
         result = demo(Scene(name, fps=fps), folder, settings, listener)
         say_done("\n".join(f"wrote {path.as_posix()}" for path in result.files))
         if result.looked_db is None:

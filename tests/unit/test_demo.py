@@ -146,6 +146,12 @@ def test_several_readouts_need_a_decoder(folder: Path, run_nscc: RunNscc) -> Non
     assert "leave out --merge" in outcome.err
 
 
+def test_a_photo_has_one_readout(folder: Path, run_nscc: RunNscc) -> None:
+    outcome = run_nscc(["demo", "photo.jpg", "--readouts", "2"], folder)
+    assert (outcome.status, outcome.codes) == (2, ["NS0821"])
+    assert "leave --readouts out" in outcome.err
+
+
 def test_what_is_black_or_not_there_is_told(folder: Path, run_nscc: RunNscc) -> None:
     assert run_nscc(["demo", "black.png"], folder).codes == ["NS0738"]
     assert run_nscc(["demo", "nothing.jpg"], folder).codes == ["NS0730"]

@@ -146,7 +146,7 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
     """Expose a still with its run's program, or a clip with the program for its number of readouts.
 
     Uses the default sensor and the effects that `auto` selects. Raises Rejected for a scene that is
-    dark, or cannot be read, or is not of the run's kind (NS0821)."""
+    dark, or cannot be read, or is not of the run's kind, and for readouts of a still (NS0821)."""
     run = settings.run or (RUNS[True] if subject.still else None)
     like = run_capture(run or RUNS[False])
     if like.still != subject.still or like.classifies:
@@ -156,6 +156,11 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
             "NS0821", f"'{subject.scene.name}' is {kinds[subject.still]}, but the run '{run}' "
                       f"{made}",
             helps=("name another scene, or leave --run out",),
+        )  # fmt: skip
+    if subject.still and settings.readouts:
+        raise rejected(
+            "NS0821", f"'{subject.scene.name}' is a still, and a still is read out once",
+            helps=("name a clip, or leave --readouts out",),
         )  # fmt: skip
     program = settings.program if run is None else like.program
     target = None if like.target is None else str(like.target)
