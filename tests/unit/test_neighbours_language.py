@@ -81,6 +81,8 @@ def test_statements_of_version_3_are_refused_before_it(version: int, statement: 
         (ONE + "plane p = exposure > 6 read p", ["NS0533"]),
         (ONE + "plane p = exposure > 130% read p", ["NS0533"]),
         (ONE + "plane p = 3% > 6% read p", ["NS0533"]),
+        (ONE + "image i = exposure plane p = i > exposure read p", ["NS0533"]),
+        (ONE + "image i = exposure - exposure plane p = 0 > i read p", ["NS0533"]),
         (ONE + KERNEL + "plane p = any(exposure > 6%, k) read p", ["NS0534"]),
         (ONE + "plane p = exposure > 6% plane q = p[1, 0] read q", ["NS0534"]),
         (ONE + "outside 2 image i = exposure / 2 read i", ["NS0534"]),
