@@ -258,8 +258,6 @@ def _beyond_range(
             continue
         helps.append(f"limit the exposure: `assume exposure <= {share}%` compiles")
         break
-    if not helps:
-        helps.append("use smaller weights in several images: no single divisor or limit suffices")
     return Diagnostic(
         "NS0540",
         f"while `{refused.name}` is computed, a value reaches {over:.3g} times the range of the "
