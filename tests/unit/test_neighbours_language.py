@@ -91,6 +91,7 @@ def test_statements_of_version_3_are_refused_before_it(version: int, statement: 
         (ONE + "plane p = exposure > 6% report any p at most 3", ["NS0536"]),
         (ONE + "plane p = exposure > 6% report events p at most 5000", ["NS0536"]),
         (ONE + "plane p = exposure > 6% report some p", ["NS0536"]),
+        (KEPT + "report events p at most 3 report events p at most 5", ["NS0536"]),
         (ONE + "image i = exposure / 2 report any i", ["NS0536"]),
         (ONE + "image i = exposure / 2 read j", ["NS0214"]),
         (ONE + "assume exposure < 6% image i = exposure / 2 read i", ["NS0537"]),
