@@ -21,7 +21,7 @@ from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, assemble, lay_out
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
-from nscc.prove.proof import Proof, proof_too_large, prove, prove_stream
+from nscc.prove.proof import Proof, prove, prove_stream, unproved_error
 from nscc.record import Record
 from nscc.source import Source
 from nscc.syntax.parse import parse
@@ -171,8 +171,8 @@ def lay_out_looking(layouts: Sequence[Lowered], job: Job) -> tuple[Choice, Found
 def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
     """Prove a container by replaying its words, or by following the light of its bit planes.
 
-    A failed proof is a bug of the compiler, not an error of the program. Error: NS0544 for images
-    and planes whose proof is too large."""
+    A failed proof is a bug of the compiler, not an error of the program. Errors: those of
+    `unproved_error`."""
     if container.target.streamed:
         return prove_stream(container), []
     try:
@@ -180,12 +180,13 @@ def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
     except Rejected as rejected:
         raise checks.Inconsistent("words that the target does not have") from rejected
     proof = prove(container, kernels)
-    name = proof.failure.unproved if proof.failure is not None else None
-    if name is None:
+    failure = proof.failure
+    if failure is None or failure.unproved is None:
         return proof, []
     from nscc.neighbours.passes import place_of
 
-    return proof, [proof_too_large(name, job.source, place_of(job.source, name))]
+    span = place_of(job.source, failure.unproved)
+    return proof, [unproved_error(failure, job.source, span)]
 
 
 class Pass(Record):

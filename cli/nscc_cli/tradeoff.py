@@ -220,8 +220,10 @@ def images(file: Path, level: str, **places: Any) -> int:
 
     outputs = output_files(places)
     points = image_points(file, int(level))
+    if not points:
+        click.echo(f"no image of '{file.name}' has a kernel", err=True)
+        return 1
     click.echo(table_text(points, ("kernel", "program", "noise"), ("us", 1000.0)))
-    if points:
-        with kept_rows(outputs, {}) as rows:
-            write_files(outputs, rows, (points, "the chip's table"), png=(images_diagram, points))
-    return 0 if points else 1
+    with kept_rows(outputs, {}) as rows:
+        write_files(outputs, rows, (points, "the chip's table"), png=(images_diagram, points))
+    return 0

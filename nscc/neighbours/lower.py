@@ -45,8 +45,7 @@ class Lowering(RegisterEmitter):
                 self.costs.append(p.PictureCost(item.name, len(self.words) - before, 0.0, 0.0))
             else:
                 value = self.value(item.node)
-                if self.is_output and value.sign < 0:
-                    value = self.negated(value)
+                value = self.positive(value) if self.is_output else value
                 if value.name is not None:  # a second name for a named value
                     value = self.negated(self.negated(value))
                 value = self.held[item.name] = replace(value, name=item.name)
@@ -156,6 +155,10 @@ class Lowering(RegisterEmitter):
         variance = value.variance + 1
         return Held(register, -value.sign, value.low, value.high, variance=variance)
 
+    def positive(self, value: Held) -> Held:
+        """Return the value in a register that holds it with its own sign."""
+        return self.negated(value) if value.sign < 0 else value
+
     def sum(self, node: p.Sum) -> Held:
         """Emit a sum: agreements are counted together, terms of one value become one kernel."""
         agreements, others = split(node)
@@ -237,14 +240,13 @@ class Lowering(RegisterEmitter):
         """Emit the largest of the values at these places, compared one after the other.
 
         A register holds the negative of the largest value so far; a larger value replaces it."""
-        if value.sign < 0:
-            value = self.negated(value)
+        value = self.positive(value)
         name, uses = value.name or f"largest {len(self.words)}", len(places)
         self.uses[name] = self.uses[name] - 1 + uses if value.name else uses
         value = self.held[name] = replace(value, name=name)
         register, variance = "", 0.0
         for at in places:
-            neighbour = value if at == (0, 0) else self.filtered(value, {at: Fraction(1)})
+            neighbour = self.positive(self.filtered(value, {at: Fraction(1)}))
             variance = max(variance, neighbour.variance + 1)
             self.everywhere()
             if register:

@@ -252,7 +252,8 @@ def _beyond_range(
             continue
         helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: this compiles")
         break
-    share = int(100 / over)
+    limit = 100 * max(pictures.limits_e.values()) / target.full_well_e
+    share = int(limit / over + 1e-9)
     while share >= 1:
         limits = dict.fromkeys(pictures.limits_e, share / 100 * target.full_well_e)
         try:
@@ -276,7 +277,8 @@ def _beyond_range(
         Severity.ERROR,
         source=program.source,
         label=Label(
-            place_of(program.source, refused.name), "too large for exposures up to a full well"
+            place_of(program.source, refused.name),
+            f"too large for exposures up to {limit:.3g}% of a full well",
         ),
         notes=tuple(notes),
         helps=tuple(helps),

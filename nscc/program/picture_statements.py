@@ -297,6 +297,13 @@ class PictureMaker:
             message = f"only `report events` has `at most K`, with K from 1 to {MOST_EVENTS}"
             self._bad_report(report.span, message)
             return None
+        alike = (each for each in self.declared.reports if each.kind.text == kind)
+        if report is not next(each for each in alike if each.plane.text == plane):
+            self.problems.error(
+                "NS0536", f"`report {kind} {plane}` is given twice", report.span, "the second",
+                helps=("keep one of them",),
+            )  # fmt: skip
+            return None
         return PlaneReport(cast(Literal["any", "events", "box"], kind), plane, most)
 
     def _bad_report(self, span: Span, message: str) -> None:

@@ -13,7 +13,7 @@ form: forms that differ by a factor have the same answer."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Set
 from dataclasses import dataclass, field
 from fractions import Fraction
 from operator import add, mul
@@ -30,6 +30,11 @@ class TooLarge(Exception):
     plane or state that was replayed last."""
 
     name = ""
+
+
+class AlwaysEqual(Exception):
+    """Raised if an image, plane or state compares two values that are equal in every pixel; the
+    argument is its name."""
 
 
 class Diagrams:
@@ -274,14 +279,12 @@ class Forms:
         """Return the bit that tells whether a form of the pixel `at` is above 0.
 
         Either a form or its negative counts as positive, because comparators do not detect equal
-        charges."""
+        charges. The sign of 0 is unknown."""
         diagrams = self.diagrams
         unknowns = sorted(form)
-        if all(unknown == IN for unknown in unknowns):
-            steps = diagrams.value(form[IN]) if form else Fraction(0)
-            if steps is not None:
-                return diagrams.one if steps > 0 else diagrams.zero
-        first = diagrams.first_value(form[unknowns[0]])
+        if unknowns == [IN] and (steps := diagrams.value(form[IN])) is not None:
+            return diagrams.one if steps > 0 else diagrams.zero
+        first = diagrams.first_value(form[unknowns[0]]) if form else Fraction(1)
         scale = 1 / first
         key = tuple((u, diagrams.scaled(scale, form[u])) for u in unknowns)
         answer = self._answers.get(key)
@@ -294,11 +297,17 @@ class Forms:
 
     def depends_beyond(self, value: Form | int) -> bool:
         """Return whether a form, or a bit, depends on light outside the array."""
-        if isinstance(value, int):
-            return bool(self._beyond and self.diagrams.support(value) & self._beyond)
-        return any(
-            unknown[0] == BEYOND
-            or self.depends_beyond(number)
-            or (unknown[0] == COUNTED and self.depends_beyond(unknown[1]))
-            for unknown, number in value.items()
-        )
+        if not isinstance(value, int) and any(kind == BEYOND for kind, *_ in value):
+            return True
+        return bool(self._beyond) and self._depends_on(value, self._beyond)
+
+    def compares_equal(self, value: Form | int) -> bool:
+        """Return whether a form, or a bit, depends on the sign of 0."""
+        sign_of_0 = self._answers.get(())
+        return sign_of_0 is not None and self._depends_on(value, self.diagrams.support(sign_of_0))
+
+    def _depends_on(self, value: Form | int, variables: Set[int]) -> bool:
+        bits = [value] if isinstance(value, int) else list(value.values())
+        if not isinstance(value, int):
+            bits += [bit for kind, bit, _ in value if kind == COUNTED]
+        return any(self.diagrams.support(bit) & variables for bit in bits)

@@ -16,7 +16,7 @@ from fractions import Fraction
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
-from nscc.prove.diagrams import IN, Form, Forms, TooLarge
+from nscc.prove.diagrams import IN, AlwaysEqual, Form, Forms, TooLarge
 from nscc.prove.meaning import Bits, Fields, PictureMeaning, reaches
 from nscc.words.container import Container
 from nscc.words.legality import decoded, picture_words
@@ -31,7 +31,7 @@ class PictureReplayError(Exception):
 def pictures_fault(container: Container) -> str | None:
     """Return the error in the words of a container's images and planes; None if the proof holds.
 
-    Raises TooLarge for planes whose decision diagrams are too large."""
+    Raises TooLarge for planes whose decision diagrams are too large, and AlwaysEqual."""
     pictures = container.pictures
     if pictures is None:
         return None
@@ -70,6 +70,9 @@ def _difference(
     `written`: the registers that the words of images write."""
     pictures, forms = container.pictures, replay.forms
     assert pictures is not None
+    for name in pictures.expressions:
+        if forms.compares_equal(meaning.value(name, middle)):
+            raise AlwaysEqual(name)
     kept = [pictures.registers.get(state.name, "") for state in pictures.states]
     exposing = {r for words in decoded(container) for op in words for r in op.destinations}
     if len(set(kept)) < len(kept) or exposing & {*kept}:
@@ -87,7 +90,9 @@ def _difference(
             if forms.depends_beyond(contents[at]):
                 if at == middle:
                     return f"`{name}` depends on pixels outside the array in every pixel"
-            elif contents[at] != meaning.value(name, at):
+            elif contents[at] != (value := meaning.value(name, at)) and not (
+                forms.compares_equal(value)
+            ):
                 return f"`{name}` differs from its expression in the program"
     spoilt = written & {*container.code_registers}
     return f"{min(spoilt)} holds a code bit, but a word overwrites it" if spoilt else None

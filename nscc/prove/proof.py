@@ -168,7 +168,7 @@ class Failure(Record):
     """The first error found by a proof; `shutter` is None if all codes are concerned.
 
     `doubts` are places where bits became unknown, which may be the cause. `unproved` is the image
-    or plane whose proof is too large; its words may be correct."""
+    or plane of `unproved_error`; its words may be correct."""
 
     reason: str
     frame: int
@@ -232,22 +232,38 @@ def _after_frame(container: Container) -> Failure | None:
         return Failure(fault[1], FRAMES, fault[0])
     if container.pictures is None:
         return None
-    from nscc.prove.diagrams import TooLarge
+    from nscc.prove.diagrams import AlwaysEqual, TooLarge
     from nscc.prove.pictures_proof import pictures_fault
 
     try:
         picture_reason = pictures_fault(container)
     except TooLarge as large:
         return Failure("its proof is too large", FRAMES, unproved=large.name)
+    except AlwaysEqual as equal:
+        return Failure(ALWAYS_EQUAL, FRAMES, unproved=str(equal))
     return Failure(picture_reason, FRAMES) if picture_reason else None
 
 
-def proof_too_large(
-    name: str, source: Source | None = None, span: Span | None = None
+ALWAYS_EQUAL = "it compares values that are always equal"
+
+
+def unproved_error(
+    failure: Failure, source: Source | None = None, span: Span | None = None
 ) -> Diagnostic:
-    """Return the error (NS0544) for an image or a plane whose proof needs too many nodes."""
+    """Return the error for an image or a plane without a proof: NS0544 if the proof needs too many
+    nodes, and NS0533 if it compares values that are always equal."""
     from nscc.prove.diagrams import MOST_NODES
 
+    name = failure.unproved
+    if failure.reason == ALWAYS_EQUAL:
+        return Diagnostic(
+            "NS0533",
+            f"`{name}` compares two values that are equal in every pixel",
+            source=source,
+            label=Label(span, "compared here") if span else None,
+            notes=("no comparator can tell whether two charges are equal",),
+            helps=("compare with another image, or with a level such as `6%`",),
+        )
     return Diagnostic(
         "NS0544",
         f"`{name}` depends on too many combinations of comparisons to be proved",

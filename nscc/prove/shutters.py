@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.prove.proof import Proof, proof_too_large, prove, prove_stream, shutters
+from nscc.prove.proof import Proof, prove, prove_stream, shutters, unproved_error
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc.words.file import read_container
 from nscc.words.legality import decoded
@@ -109,9 +109,9 @@ def prove_file(path: Path) -> tuple[Container, Proof]:
 
 
 def _accepted_proof(path: Path, proof: Proof, subject: str) -> Proof:
-    """Return a successful proof; raise NS0440 for a failed one, and NS0544 if it is too large."""
+    """Return a successful proof; raise NS0440 for a failed one, and that of `unproved_error`."""
     if proof.failure is not None and proof.failure.unproved is not None:
-        raise Rejected(proof_too_large(proof.failure.unproved))
+        raise Rejected(unproved_error(proof.failure))
     if proof.failure is not None:
         failure = proof.failure
         places = {"frame": failure.frame, "bucket": failure.bucket, "shutter": failure.shutter}

@@ -11,6 +11,7 @@ import pytest
 from marks import slow
 from nscc_command import invoke
 
+import nscc
 from nscc.chips.load import builtin_target
 from nscc.operations import NEIGHBOURS, Op, op
 from nscc.pipeline import Options, run_passes
@@ -201,6 +202,23 @@ def test_bits_beyond_the_array_are_proved() -> None:
     assert pictures is not None
     changed = replace(container, pictures=replace(pictures, outside=1))
     assert pictures_fault(changed) == "`core` differs from its expression in the program"
+
+
+def test_values_that_are_equal_in_some_pixels_are_compared() -> None:
+    # `bright[1, 0]` is 1 in the last column: there `i` is always the exposure.
+    text = (
+        "nsl 3 frame 1 slots of 1ms open when true outside 1 plane bright = exposure > 4% "
+        "image i = exposure if bright[1, 0] else exposure / 2 plane p = i > exposure read p"
+    )
+    assert pictures_fault(nscc.compile(text, level=1).container) is None
+
+
+def test_the_largest_of_values_that_a_kernel_left_negative() -> None:
+    text = (
+        "nsl 3 frame 1 slots of 1ms open when true assume exposure <= 8% kernel k = [[-1, -1, 0]] "
+        "image a = k(exposure) image b = max(exposure, k) read a, b"
+    )
+    assert pictures_fault(nscc.compile(text, level=1).container) is None
 
 
 def test_code_registers_stay() -> None:

@@ -45,4 +45,6 @@ def test_the_command_writes_a_table_a_file_and_a_diagram(tmp_path: Path) -> None
     with Image.open(tmp_path / "t.png") as diagram:
         assert diagram.width > 100
     (tmp_path / "q.nsl").write_text("nsl 1\nframe 1 slots of 1ms\nopen when true\n")
-    assert invoke(["tradeoff", "images", "q.nsl"], tmp_path).status == 1
+    without_kernels = invoke(["tradeoff", "images", "q.nsl"], tmp_path)
+    assert (without_kernels.status, without_kernels.out) == (1, "")
+    assert "no image of 'q.nsl' has a kernel" in without_kernels.err

@@ -280,6 +280,14 @@ def test_what_is_no_question_is_refused_before_it_is_measured(
     assert not [*folder.glob("o.[cp]*")]
 
 
+def test_a_program_that_reads_only_planes_has_no_signal(folder: Path) -> None:
+    text = "nsl 3 frame 1 slots of 1ms open when true plane p = exposure > 5% read p"
+    (folder / "q.nsl").write_text(text)
+    done = invoke(["tradeoff", "q.nsl", "--scene", "builtin:flat:9000"], folder)
+    assert (done.status, done.codes) == (2, ["NS0826"])
+    assert "'q.nsl' reads out no exposure" in done.err
+
+
 def test_what_is_compiled_already_has_no_levels(folder: Path) -> None:
     assert invoke(["build", "p.nsl", "-O", "0", "-o", "p.icw"], folder).status == 0
     command = ["tradeoff", "p.icw", "--scene", "builtin:flat:9000", "--repeats", "1"]

@@ -107,10 +107,18 @@ class Bench:
         return self._ideal_e(self.container, self.light)
 
     def signal_e(self) -> float:
-        """Return the mean of `ideal_e` up to a full well; raise NS0826 for a dark scene."""
+        """Return the mean of `ideal_e` up to a full well; raise NS0826 for a dark scene, or for a
+        program that reads out no exposure."""
         signal_e = mean_signal_e(self.ideal_e, self.sensor)
         if signal_e > 0:
             return signal_e
+        pictures = self.container.pictures
+        if pictures is not None and not {*pictures.reads} & {*self.container.buckets}:
+            raise rejected(
+                "NS0826", f"'{self.request.program.name}' reads out no exposure",
+                notes=("errors are relative to the mean signal of the exposures",),
+                helps=("name an exposure and read it: `bucket NAME open when ...`, `read NAME`",),
+            )  # fmt: skip
         raise rejected(
             "NS0826",
             f"'{self.request.scene.name}' gives no signal: the mean signal of the frame is 0",
