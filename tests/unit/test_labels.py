@@ -61,9 +61,7 @@ def test_names_keep_off_lines_and_from_each_other(across: float) -> None:
         figure, [axes] = sheet.panels(1, (3, 2), 1)
         axes.set(xlim=(0, 1), ylim=(0, 1))
         axes.axvline(across)
-        labels = [
-            ChartLabel(f"a name {x}", x, 0.5, look().ink, name=True) for x in (0.26, 0.52)
-        ]
+        labels = [ChartLabel(f"a name {x}", x, 0.5, look().ink, name=True) for x in (0.26, 0.52)]
         for label in labels:
             axes.plot(label.x, label.y, "o")
         sheet.lay_out(figure)
