@@ -57,7 +57,7 @@ def require_type(call: str, name: str, value: object, kind: type, made_by: str) 
     `made_by` tells how to make one."""
     if not isinstance(value, kind):
         raise wrong_argument(
-            f"{call}: {name} is a {kind.__name__}, not {shown(value)}",
+            f"{call} takes {name} of type {kind.__name__}, not {shown(value)}",
             helps=(f"{made_by} makes one",),
         )
 
@@ -77,7 +77,10 @@ def as_array(call: str, name: str, value: object, dtype: type | None = None) -> 
         raise wrong_argument(
             f"{call}: cannot convert {name} to an array: {shown(value)}",
             notes=(" ".join(str(error).split())[:150],),
-            helps=("for a torch tensor x use x.detach().cpu().float().numpy()",),
+            helps=(
+                "for a torch tensor x use x.detach().cpu().float().numpy(); gradients flow "
+                "through nscc_training.differentiable_capture",
+            ),
         ) from error
 
 

@@ -183,7 +183,9 @@ def effects_of(call: str, effects: object) -> str | Selection | None:
 def plan_of(call: str, plan: object) -> Plan | Path | None:
     if plan is None or isinstance(plan, Plan):
         return plan
-    return path_of(f"{call}: plan", plan)
+    if isinstance(plan, str | os.PathLike):
+        return path_of(call, plan)
+    raise wrong_argument(f"{call}: plan must be a plan or a plan file, not {shown(plan)}")
 
 
 def check_device(call: str, device: object) -> None:

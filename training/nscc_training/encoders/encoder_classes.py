@@ -10,7 +10,7 @@ from nscc_training.code_choices import ORDERED, RANKS, SCATTERED, STARTS
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
 from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
 from nscc_training.encoders.looks_encoder import LOOKS, LooksEncoder
-from nscc_training.encoders.patterns import MOST_BITS, Bits, Codebook
+from nscc_training.encoders.patterns import Bits, Codebook
 
 _SIDE = 4
 """Rows and columns of the repeating tile."""
@@ -133,8 +133,11 @@ def make_encoder(
     require_type("make_encoder", "spec", spec, ShutterSpec, "ShutterSpec('b', 8, (2, 2))")
     if spec.kind not in CLASSES:
         raise ValueError(f"{spec.kind!r} is not one of {', '.join(CLASSES)}")
-    for name, value, most in _numbers_of(spec):
-        require_whole_number("ShutterSpec", name, value, 1, most)
+    require_whole_number("ShutterSpec", "slots", spec.slots, 1)
+    require_whole_number("ShutterSpec", "buckets", spec.buckets, 1, 2)
+    pair = isinstance(spec.tile, tuple | list) and len(spec.tile) == 2
+    for side in spec.tile if pair else (str(spec.tile),):
+        require_whole_number("ShutterSpec", "each of the two sides of the tile", side, 1)
     encoder = CLASSES[spec.kind](spec, relaxation)
     if relaxation in ("tried", "search") and spec.kind == "a":
         raise ValueError("class a is always open and has no parameters to try")
@@ -151,15 +154,6 @@ def make_encoder(
     else:
         (encoder.start_quad if start == "quad" else encoder.start_uniform)()
     return encoder
-
-
-def _numbers_of(spec: ShutterSpec) -> list[tuple[str, object, int]]:
-    """Return name, value and largest value of the numbers of a spec."""
-    pair = isinstance(spec.tile, tuple | list) and len(spec.tile) == 2
-    sides = spec.tile if pair else (str(spec.tile),)
-    most_slots = MOST_BITS if spec.kind == "e" else 2**31 - 1
-    tile = [("each of the two sides of the tile", side, 2**31 - 1) for side in sides]
-    return [("slots", spec.slots, most_slots), ("buckets", spec.buckets, 2), *tile]
 
 
 def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> None:
