@@ -52,7 +52,8 @@ _save_option = click.option("--save", type=OUT, metavar="DIR",
 @click.option("--method", default="gap-tv", show_default=True, metavar="M",
               help="any, the decoder for any code; gap-tv, admm-tv, dictionary, adjoint; or an "
                    "oracle: bilinear, thin-out.")  # fmt: skip
-@click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
+@click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True,
+              help="Iterations of total variation.")  # fmt: skip
 @click.option("--weight", type=NumberRange(0, 10, min_open=True), default=0.1,
               show_default=True, help="Weight of total variation, for values 0..1.")  # fmt: skip
 @_save_option
@@ -90,7 +91,11 @@ def sci8(
               help="Instead of --data and --protocol: the run's validation scenes, evaluated as "
                    "in its metrics.csv.")  # fmt: skip
 @click.option(
-    "--seed", type=click.IntRange(0, 2**31), default=0, help="Seed of random codes and noise."
+    "--seed",
+    type=click.IntRange(0, 2**31),
+    default=0,
+    show_default=True,
+    help="Seed of random codes and noise.",
 )
 @click.option("--skip-seen", is_flag=True,
               help="Leave out files that the run was trained or validated on.")  # fmt: skip
@@ -171,7 +176,11 @@ def tables(results: Path | None, template: Path | None, **outputs: Any) -> None:
               help="Effects of the emulated chip: auto, all, or names, as in nscc "
                    "run.")  # fmt: skip
 @click.option(
-    "--seed", type=click.IntRange(0, 2**31), default=0, help="Seed of random codes and noise."
+    "--seed",
+    type=click.IntRange(0, 2**31),
+    default=0,
+    show_default=True,
+    help="Seed of random codes and noise.",
 )
 @click.option("-o", "out", type=OUT, required=True, metavar="DIR",
               help="The folder for the pictures.")  # fmt: skip

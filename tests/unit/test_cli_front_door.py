@@ -13,10 +13,12 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import nullcontext, suppress
 from pathlib import Path
 
+import click
 import pytest
 from nscc_command import invoke
 
 from nscc import __version__, installation
+from nscc_cli.group import group
 from nscc_cli.table import COMMANDS
 
 GOOD = (
@@ -31,6 +33,26 @@ def folder(tmp_path: Path) -> Path:
     (tmp_path / "ok.nsl").write_text(GOOD)
     (tmp_path / "bad.nsl").write_text(GOOD.replace("n < stop", "n < stopp"))
     return tmp_path
+
+
+def test_every_option_is_explained() -> None:
+    """Options have a help text, and those with a number as default show it."""
+    pending: list[tuple[str, click.Command]] = [("nscc", group)]
+    while pending:
+        name, command = pending.pop()
+        context = click.Context(command)
+        if isinstance(command, click.Group):
+            for part in command.list_commands(context):
+                subcommand = command.get_command(context, part)
+                assert subcommand is not None
+                pending.append((f"{name} {part}", subcommand))
+        for option in command.params:
+            if isinstance(option, click.Option) and not option.hidden:
+                assert option.help, (name, option.opts)
+                numeric = type(option.default) in (int, float)
+                assert not numeric or option.show_default or "default" in option.help, (
+                    name, option.opts,
+                )  # fmt: skip
 
 
 def test_version_and_help(folder: Path) -> None:

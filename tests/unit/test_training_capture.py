@@ -244,10 +244,10 @@ MODEL = SensorModel(30000.0, 30000.0 / 255)
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: SensorModel(0.0, 1.0), "full_well_e is a finite number above 0, not 0"),
+        (lambda: SensorModel(0.0, 1.0), "full_well_e must be finite and above 0"),
         (
             lambda: SensorModel(1.0, 1.0, adc_noise_lsb=-1),
-            "adc_noise_lsb is a finite number from 0",
+            "must be finite and not below 0",
         ),
         (lambda: SensorModel(1.0, 1.0, adc_bits=0), "adc_bits is a whole number from 1"),
         (lambda: SensorModel.of(None, None), "sensor of type Sensor, not None"),

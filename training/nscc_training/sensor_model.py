@@ -77,9 +77,9 @@ class SensorModel:
         for name in _NUMBERS:
             value, positive = number("SensorModel", name, getattr(self, name)), name in _POSITIVE
             if not 0 <= value < inf or (positive and not value):
-                least = "above 0" if positive else "from 0"
+                limit = "above 0" if positive else "not below 0"
                 raise wrong_argument(
-                    f"SensorModel: {name} is a finite number {least}, not {value:g}"
+                    f"SensorModel: {name} must be finite and {limit}, but is {value:g}"
                 )
 
     @classmethod
