@@ -175,7 +175,8 @@ sensor_options = section(
 
 measured_options = together(
     option("--seed", type=SEED, default=0, show_default=True, help="Seed of the frames' noise."),
-    option("--device-seed", type=SEED, default=0, show_default=True, help="Seed of fixed patterns."),
+    option("--device-seed", type=SEED, default=0, show_default=True,
+           help="Seed of fixed patterns."),
     pixels_option, scene_options, sensor_options, build_options,
 )  # fmt: skip
 """Options of tradeoffs that measure frames of a program."""

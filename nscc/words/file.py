@@ -197,7 +197,8 @@ def from_bytes(data: bytes, name: str) -> Container:
 def _rejected(code: str, name: str, reason: str) -> Rejected:
     again = "build the program again: `nscc build PROGRAM.nsl -o FILE.icw`"
     if name.endswith(".nsl"):
-        again = f"it is a program: compile it first with `nscc build {shlex.quote(name)}`, and name the .icw file"
+        build = shlex.join(["nscc", "build", name])
+        again = f"it is a program: compile it first with `{build}`, and name the .icw file"
     return rejected(
         code,
         f"'{name}' cannot be used: {reason}",

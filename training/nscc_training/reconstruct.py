@@ -73,8 +73,8 @@ def classify(
     if not folder.setup.classes:
         raise rejected(
             "NS0821", f"'{run}' was trained to reconstruct light, not to name classes",
-            helps=(f"use `{shlex.join(['nscc', 'reconstruct', str(run), str(frame)])} -o OUT`, or train with the protocol "
-                   "class-v1",),
+            helps=(f"use `{shlex.join(['nscc', 'reconstruct', str(run), str(frame)])} -o OUT`, or "
+                   "train with the protocol class-v1",),
         )  # fmt: skip
     decoded = _decoded(folder, frame, force, dark)
     return likelihoods(folder.setup.classes, decoded.light), decoded.messages
