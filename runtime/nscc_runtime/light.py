@@ -63,10 +63,11 @@ class Light:
             )
         entries = int(self.row_start[-1])
         sizes = self.weight.shape, self.frame_index.shape
-        if sizes != ((entries,),) * 2 or not entries or not np.isfinite(self.weight).all():
+        no_slots = len(self.row_start) < 2
+        if sizes != ((entries,),) * 2 or no_slots or not np.isfinite(self.weight).all():
             raise wrong_argument(
-                f"Light takes a finite weight for each of {entries} entries, at least one, not "
-                f"{shown(self.weight)}"
+                f"Light takes a finite weight for each of {entries} entries and at least one "
+                f"slot, not {shown(self.weight)}"
             )
 
     @classmethod

@@ -19,7 +19,6 @@ CALLED_BY_LIBRARIES = [
     "stdio",  # click
     "find_class",  # pickle
     "thread_type",  # PyAV
-    "tv_by_operators",  # a kernel of torch
     "external_attr", "linkage",  # read by zipfile and llvmlite
 ]  # fmt: skip
 DECLARED_AS_TEXT = ["StillUNet", "ClipUNet", "Refined", "Divided", "Classifier"]

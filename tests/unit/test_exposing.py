@@ -233,7 +233,7 @@ WRONG = {
     ),
     "weight": (lambda p: nscc_runtime.Light.of_still(PICTURE, [np.nan]), "finite weight for each"),
     "weights": (lambda p: nscc_runtime.Light.of_still(PICTURE, ["a"]), "cannot convert the weigh"),
-    "no slots": (lambda p: nscc_runtime.Light.of_clip(PICTURE[:0, None]), "at least one, not an"),
+    "no slots": (lambda p: nscc_runtime.Light.of_clip(PICTURE[:0, None]), "at least one slot, not"),
     "a clip": (lambda p: nscc_runtime.Light.of_clip(None), "its frames are an array"),
     "fit": (lambda p: nscc_runtime.scene("x", fit="tile"), "did you mean `tiles`"),
     "first": (lambda p: nscc_runtime.scene("x", first=-1), "first is a whole number from 0"),
