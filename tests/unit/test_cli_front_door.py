@@ -335,3 +335,19 @@ def test_folders_that_cannot_be_written_give_at_most_one_line(
         ordinary = ("frame  ", "wrote ")
         others = [line for line in done.stderr.splitlines() if not line.startswith(ordinary)]
         assert len(others) <= 1, done.stderr
+
+
+def test_file_names_with_blanks_and_a_leading_dash(folder: Path) -> None:
+    assert "`nscc check 'my prog.nsl'`" in invoke(["new", "my prog"], folder).err
+    assert "`nscc check 'my prog.nsl'`" in invoke(["my prog.nsl"], folder).err
+    dashed = invoke(["check", "-lead.nsl"], folder)
+    assert dashed.codes == ["NS0782"]
+    assert "write a file name that begins with - as ./-NAME" in dashed.err
+
+
+def test_a_tone_curve_without_a_picture_is_refused(folder: Path) -> None:
+    line = ["run", "ok.nsl", "--scene", "builtin:dark", "--tone", "log", "-o"]
+    refused = invoke([*line, "a.npz"], folder)
+    assert refused.status == 2
+    assert "--tone has no effect" in refused.err
+    assert invoke([*line, "a.png"], folder).status == 0
