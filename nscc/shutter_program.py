@@ -25,6 +25,7 @@ from nscc.chips.target import Target
 from nscc.compiler import compile_source
 from nscc.containers import program_text, with_pixels
 from nscc.diagnostics.arguments import (
+    flag,
     one_of,
     path_of,
     require_whole_number,
@@ -143,7 +144,7 @@ class ShutterProgram:
         """
         table = self.container.table
         at_code = self._replayed[table.shutter_of_code].transpose(1, 0, 2)
-        if not pixels:
+        if not flag("shutters", "pixels", pixels):
             return at_code.copy()
         at_pixel = table.shutter_of_code[self.code_at_pixels]
         laid = self._replayed.transpose(1, 2, 0)
@@ -199,7 +200,7 @@ class ShutterProgram:
         """
         from nscc.emit.products import SUFFIXES
 
-        out = Path(path)
+        out = path_of("save", path)
         kind = next((kind for kind, end in SUFFIXES.items() if out.name.endswith(end)), None)
         if kind is None:
             raise rejected(
@@ -355,8 +356,8 @@ def compile(
     if max_words_per_slot is not None:
         require_whole_number("nscc.compile", "max_words_per_slot", max_words_per_slot, least=1)
     options = Options(
-        level=int(level), codes=codes, lowering=lowering, target=chip, cache=bool(cache),
-        max_words_per_slot=max_words_per_slot,
+        level=int(level), codes=codes, lowering=lowering, target=chip,
+        cache=flag("nscc.compile", "cache", cache), max_words_per_slot=max_words_per_slot,
     )  # fmt: skip
     return compiled(*program_text(source, folder), options)
 

@@ -112,7 +112,8 @@ def prove(file: Path) -> None:
 
 @click.command("shutters", cls=CommonCommand)
 @click.argument("file", type=PATH)
-@click.option("-o", "out", required=True, metavar="S.npz|S.mat|S.npy", type=OUT)
+@click.option("-o", "out", required=True, metavar="S.npz|S.mat|S.npy", type=OUT,
+              help="The file to write.")  # fmt: skip
 @build_options
 def shutters(file: Path, out: Path, **options: Any) -> None:
     """Write the shutters of all pixels of FILE (.nsl or .icw), as its words open them.

@@ -29,7 +29,7 @@ from nscc_cli.support import CommonCommand, progress, say, say_done
               help="Readouts of one exposure of a clip, 1 to 4 (default: 4).")  # fmt: skip
 @click.option("--run", type=RUN, metavar="RUN",
               help="A run of nscc train, whose shutters and decoder are shown.")  # fmt: skip
-@click.option("--seed", type=SEED, default=0, help="Seed of the frame's noise.")
+@click.option("--seed", type=SEED, default=0, show_default=True, help="Seed of the frame's noise.")
 def command(
     scene: str | None, out: Path | None, fit: str, color: bool, exposure: str | None,
     fps: float | None, tone: str | None, merge: bool, readouts: int | None, run: Path | None,

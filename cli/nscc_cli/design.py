@@ -59,7 +59,7 @@ _CLIP_PARTS = 16
               help=f"Slots of the frame (default: {_STILL_SLOTS}, for clips "
               f"{_CLIP_SLOTS}).")  # fmt: skip
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), default=125.0, show_default=True,
-              help="The length of each slot.")  # fmt: skip
+              help="The length of each slot in microseconds.")  # fmt: skip
 @shared.chip_option
 @click.option("-O", "level", type=LEVEL, default=2, show_default=True,
               help="Effort of the search for fewer words.")  # fmt: skip
@@ -68,7 +68,7 @@ _CLIP_PARTS = 16
 @shared.sensor_options
 @shared.section(shared.OUTPUT, click.option(
     "-o", "out", type=OUT,
-    help="The program (default: looks-K.nsl or sve-risk.nsl in this folder).",
+    help="The program (default: looks-K.nsl, sve-risk.nsl, searched.nsl or motion-KIND.nsl).",
 ))  # fmt: skip
 def command(
     scenes: tuple[str, ...], looks: int | None, criterion: str | None, search: bool,

@@ -31,9 +31,8 @@ def command() -> None:
 @shared.section(shared.SCENE, click.option(
     "--scene", type=SCENE, help="The scene of the stand-in: a file, a folder or builtin:NAME."
 ))  # fmt: skip
-@click.option(
-    "--target", type=TARGET, default="scamp5", show_default=True, metavar="NAME|FILE.toml"
-)
+@click.option("--target", type=TARGET, default="scamp5", show_default=True,
+              metavar="NAME|FILE.toml", help="The chip to simulate.")  # fmt: skip
 @click.option("--fault", metavar="F=V,..",
               help="Simulate a bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
                    "disconnect=after:20000,reboot=after:40000 (rates per byte).")  # fmt: skip
@@ -43,7 +42,8 @@ def command() -> None:
                    "Cortex-M0) emulated by QEMU.")  # fmt: skip
 @shared.scene_options
 @shared.sensor_options
-@click.option("--device-seed", type=SEED, default=0, help="Which chip.")
+@click.option("--device-seed", type=SEED, default=0, show_default=True,
+              help="Seed of the fixed patterns of the chip.")  # fmt: skip
 @click.option("--once", is_flag=True, help="End when the first host has closed the port.")
 @click.option("--for", "seconds", type=NumberRange(0, _LONGEST_S), help="End after S seconds.")
 def serve(**options: Any) -> None:

@@ -43,6 +43,8 @@ _outputs = together(
     click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
     click.option("-o", "out", type=OUT, help="Write it to a file."),
 )
+_seed_option = click.option("--seed", type=click.IntRange(0, 2**31), default=0, show_default=True,
+              help="Seed of random codes and noise.")  # fmt: skip
 _save_option = click.option("--save", type=OUT, metavar="DIR",
               help="Write reconstructions and truth into this folder.")  # fmt: skip
 
@@ -52,7 +54,8 @@ _save_option = click.option("--save", type=OUT, metavar="DIR",
 @click.option("--method", default="gap-tv", show_default=True, metavar="M",
               help="any, the decoder for any code; gap-tv, admm-tv, dictionary, adjoint; or an "
                    "oracle: bilinear, thin-out.")  # fmt: skip
-@click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
+@click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True,
+              help="Iterations of total variation.")  # fmt: skip
 @click.option("--weight", type=NumberRange(0, 10, min_open=True), default=0.1,
               show_default=True, help="Weight of total variation, for values 0..1.")  # fmt: skip
 @_save_option
@@ -89,9 +92,7 @@ def sci8(
 @click.option("--split", type=click.Choice(["val"]), metavar="val",
               help="Instead of --data and --protocol: the run's validation scenes, evaluated as "
                    "in its metrics.csv.")  # fmt: skip
-@click.option(
-    "--seed", type=click.IntRange(0, 2**31), default=0, help="Seed of random codes and noise."
-)
+@_seed_option
 @click.option("--skip-seen", is_flag=True,
               help="Leave out files that the run was trained or validated on.")  # fmt: skip
 @click.option("--shutter", default="", metavar="CLASS[:START]",
@@ -170,9 +171,7 @@ def tables(results: Path | None, template: Path | None, **outputs: Any) -> None:
 @click.option("--effects", type=EFFECTS, default="auto", show_default=True, metavar="E",
               help="Effects of the emulated chip: auto, all, or names, as in nscc "
                    "run.")  # fmt: skip
-@click.option(
-    "--seed", type=click.IntRange(0, 2**31), default=0, help="Seed of random codes and noise."
-)
+@_seed_option
 @click.option("-o", "out", type=OUT, required=True, metavar="DIR",
               help="The folder for the pictures.")  # fmt: skip
 def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected, unknown_name
 from nscc.files import Product, refuse_inputs, refuse_same, write_together
-from nscc_cli.support import progress
+from nscc_cli.support import progress, refuse_ignored
 
 if TYPE_CHECKING:
     from nscc.chips.target import Target
@@ -112,6 +112,9 @@ def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
     out: Path = options["out"] or Path(program.stem + ".frame.npz")
     named = [out, *(options[name] for name in ("png", "timings", "plan") if options[name])]
     check_ending(out, endings(), "a frame")
+    in_colour = options["color"] and options["png"]
+    if out.suffix.lower() not in (".png", ".gif", ".mp4") and not in_colour:
+        refuse_ignored("-o does not end in .png, .gif or .mp4", "tone")
     if options["png"]:
         check_ending(options["png"], (".png",), "a picture")
     refuse_inputs(*(path for path in named if path != options["plan"]))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import shlex
 from importlib import import_module
 
 import click
@@ -45,7 +46,7 @@ class LazyGroup(click.Group):
         if command is None:
             helps = meant(name, self.list_commands(ctx), written="nscc {}")
             if not helps and name.endswith((".nsl", ".icw")):
-                helps = (f"name a command first: `nscc check {name}`",)
+                helps = (f"name a command first: `nscc check {shlex.quote(name)}`",)
             helps = helps or ("`nscc --help` lists the commands",)
             raise Rejected(Diagnostic("NS0781", f"unknown command '{name}'", helps=helps), status=2)
         if not gc.isenabled():  # `main` turned the collector off during the imports

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from itertools import chain
 from pathlib import Path
 
@@ -52,7 +53,8 @@ def new(name: Path) -> None:
         raise click.BadParameter(f"invalid file name '{name}'", param_hint="NAME")
     path = name if name.suffix == ".nsl" else name.with_name(name.name + ".nsl")
     write_new({path: START.encode()})
-    say_done(f"wrote {path.as_posix()}: `nscc check {path.as_posix()}` describes it")
+    command_text = shlex.join(["nscc", "check", path.as_posix()])
+    say_done(f"wrote {path.as_posix()}: `{command_text}` describes it")
 
 
 @click.command("doctor", cls=CommonCommand)

@@ -156,7 +156,7 @@ def fit_option(default: str) -> Callable[..., Any]:
 
 
 first_option = section(SCENE, option(
-    "--first", type=IntRange(min=0), default=0, metavar="K",
+    "--first", type=IntRange(min=0), default=0, metavar="K", show_default=True,
     help="The first frame of the clip, counted from 0.",
 ))  # fmt: skip
 still_option = section(SCENE, option(
@@ -174,8 +174,9 @@ sensor_options = section(
 )  # fmt: skip
 
 measured_options = together(
-    option("--seed", type=SEED, default=0, help="Seed of the frames' noise."),
-    option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns."),
+    option("--seed", type=SEED, default=0, show_default=True, help="Seed of the frames' noise."),
+    option("--device-seed", type=SEED, default=0, show_default=True,
+           help="Seed of fixed patterns."),
     pixels_option, scene_options, sensor_options, build_options,
 )  # fmt: skip
 """Options of tradeoffs that measure frames of a program."""
@@ -215,6 +216,6 @@ made_scenes_option = option(
     help="A folder of clips, panoramas or both, instead of synthetic scenes.",
 )  # fmt: skip
 made_seed_option = option(
-    "--seed", type=IntRange(0, 2**31 - 1), default=0,
+    "--seed", type=IntRange(0, 2**31 - 1), default=0, show_default=True,
     help="Seed of synthetic scenes, random codes and noise.",
 )  # fmt: skip

@@ -32,7 +32,10 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
         code, message = "NS0780", f"`{name}` needs a command"
     elif isinstance(error, click.NoSuchOption):
         code, message = "NS0782", f"`{name}` has no option {error.option_name}"
-        helps = (*meant(error.option_name, _options(context)), *helps)
+        if error.option_name.startswith("--"):
+            helps = (*meant(error.option_name, _options(context)), *helps)
+        else:
+            helps = ("write a file name that begins with - as ./-NAME", *helps)
     elif isinstance(error, click.MissingParameter):
         code, message = "NS0780", f"`{name}` needs {_parameter(error) or 'one more argument'}"
         if isinstance(error.param, click.Option) and error.param.help:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.render import render
@@ -31,7 +32,7 @@ def wrong_argument(
 
 def one_of(call: str, name: str, value: object, allowed: Collection[Any]) -> None:
     """Raise WrongArgument unless the argument `name` of `call` is one of `allowed`."""
-    plain = isinstance(value, str | int | np.integer) and not isinstance(value, bool)
+    plain = isinstance(value, str | int | np.integer | None) and not isinstance(value, bool)
     if plain and value in allowed:
         return
     names = [choice for choice in allowed if isinstance(choice, str)]
@@ -49,6 +50,38 @@ def require_whole_number(
     if not is_number or not least <= int(value) <= most:  # type: ignore[call-overload]
         limits = f"from {least}" + ("" if most == 2**63 - 1 else f" to {most}")
         raise wrong_argument(f"{call}: {name} is a whole number {limits}, not {shown(value)}")
+
+
+def require_type(call: str, name: str, value: object, kind: type, made_by: str) -> None:
+    """Raise WrongArgument unless the argument `name` of `call` is an object of a class;
+    `made_by` tells how to make one."""
+    if not isinstance(value, kind):
+        raise wrong_argument(
+            f"{call} takes {name} of type {kind.__name__}, not {shown(value)}",
+            helps=(f"{made_by} makes one",),
+        )
+
+
+def flag(call: str, name: str, value: object) -> bool:
+    """Return an argument as bool; raise WrongArgument for anything but True and False."""
+    if isinstance(value, bool | np.bool_):
+        return bool(value)
+    raise wrong_argument(f"{call}: {name} is True or False, not {shown(value)}")
+
+
+def as_array(call: str, name: str, value: object, dtype: type | None = None) -> NDArray[Any]:
+    """Return an argument as an array of `dtype`; raise WrongArgument if numpy cannot convert it."""
+    try:
+        return np.asarray(value, dtype)
+    except (RuntimeError, TypeError, ValueError) as error:
+        raise wrong_argument(
+            f"{call}: cannot convert {name} to an array: {shown(value)}",
+            notes=(" ".join(str(error).split())[:150],),
+            helps=(
+                "for a torch tensor x use x.detach().cpu().float().numpy(); gradients flow "
+                "through nscc_training.differentiable_capture",
+            ),
+        ) from error
 
 
 def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
@@ -81,6 +114,6 @@ def path_of(call: str, value: object) -> Path:
     """Return an argument of `call` as a path; raise WrongArgument for anything else."""
     if isinstance(value, str | os.PathLike):
         path = os.fspath(value)
-        if isinstance(path, str):
+        if isinstance(path, str) and "\0" not in path:
             return Path(path)
     raise wrong_argument(f"{call} takes a path, not {shown(value)}")

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.arguments import as_array
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
@@ -100,7 +101,9 @@ def codes_from(
         for name, chunk_names in fields.items():
             if name not in pixels:
                 raise rejected("NS0314", f"the array for the code field '{name}' is missing")
-            stored += planes_of(np.asarray(pixels[name]), name, shape, len(chunk_names))
+            stored += planes_of(
+                as_array("with_pixels", f"'{name}'", pixels[name]), name, shape, len(chunk_names)
+            )
     planes = [plane for plane, _ in stored]
     missing = np.zeros(shape, dtype=bool)
     for _, beyond in stored:

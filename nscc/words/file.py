@@ -17,6 +17,7 @@ that reading and writing a file does not change it."""
 from __future__ import annotations
 
 import json
+import shlex
 from hashlib import sha256
 from pathlib import Path
 from struct import Struct
@@ -196,9 +197,8 @@ def from_bytes(data: bytes, name: str) -> Container:
 def _rejected(code: str, name: str, reason: str) -> Rejected:
     again = "build the program again: `nscc build PROGRAM.nsl -o FILE.icw`"
     if name.endswith(".nsl"):
-        again = (
-            f"it is a program: compile it first with `nscc build {name}`, and name the .icw file"
-        )
+        build = shlex.join(["nscc", "build", name])
+        again = f"it is a program: compile it first with `{build}`, and name the .icw file"
     return rejected(
         code,
         f"'{name}' cannot be used: {reason}",

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc import html
-from nscc.diagnostics.arguments import path_of, wrong_argument
+from nscc.diagnostics.arguments import one_of, path_of
 from nscc.files import write_together
 from nscc.words.container import Container
 from nscc_runtime.formats import check_ending, endings, file_of
@@ -21,6 +21,7 @@ from nscc_runtime.formats.content import frame_content
 from nscc_runtime.frame_file import KEEP, Frame, FrameFile, meta
 from nscc_runtime.light import Light
 from nscc_runtime.merge import light_estimate, readouts
+from nscc_runtime.pictures.tone import TONES
 from nscc_runtime.pieces import Taken
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
@@ -156,7 +157,11 @@ class Capture(Frame):
         return meta(self.container, self.light, self, origin) | self.exposed.laid
 
     def save(
-        self, path: str | os.PathLike[str], keep: Sequence[str] = (), *, tone: str | None = None
+        self,
+        path: str | os.PathLike[str],
+        keep: str | Sequence[str] = (),
+        *,
+        tone: str | None = None,
     ) -> Path:
         """Write the capture to a file, as `nscc run -o` does.
 
@@ -165,7 +170,7 @@ class Capture(Frame):
         path : str or PathLike
             The ending selects the format: `.npz` for a frame file; `.hdr`, `.exr`, `.pfm` or
             `.tiff` for electrons; `.png`, `.gif` or `.mp4` for codes.
-        keep : sequence of str
+        keep : str or sequence of str
             Further contents of a frame file: `light`, `truth`, `shutter`, `codes`.
         tone : str, optional
             Tone curve with which `.png`, `.gif` and `.mp4` show electrons instead of codes.
@@ -178,14 +183,15 @@ class Capture(Frame):
         Raises
         ------
         Rejected
-            NS0786 for other endings, NS0784 if the file cannot be written.
+            NS0786 for other endings, NS0784 if the file cannot be written, NS0789 for other
+            arguments.
         """
         out = path_of("save", path)
         check_ending(out, endings(), "a frame")
-        named = (keep,) if isinstance(keep, str) else tuple(keep)
+        named = tuple(keep) if isinstance(keep, list | tuple | set) else (keep,)
         for name in named:
-            if name not in KEEP:
-                raise wrong_argument(f"save can keep {', '.join(KEEP)}, not {name[:60]!r}")
+            one_of("save", "keep", name, KEEP)
+        one_of("save", "tone", tone, (None, *TONES))
         shutters = self.container.table.shutters
         file = FrameFile.of(self.container, self.light, self, self.meta, named, shutters)
         content = frame_content(

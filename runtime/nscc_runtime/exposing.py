@@ -11,13 +11,21 @@ describes plans and their promise."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import cycle, islice
 from pathlib import Path
 from typing import Any, get_args
 
-from nscc.diagnostics.arguments import one_of, require_whole_number, shown, warn, wrong_argument
+from nscc.diagnostics.arguments import (
+    flag,
+    one_of,
+    path_of,
+    require_whole_number,
+    shown,
+    warn,
+    wrong_argument,
+)
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.files import write_whole
 from nscc.words.readout import converter_of
@@ -37,6 +45,7 @@ from nscc_runtime.python_arguments import (
     SensorLike,
     changes_of,
     check_device,
+    check_run,
     container_of,
     effects_of,
     laid_of,
@@ -129,20 +138,18 @@ def capture(
     diagnostics: list[Diagnostic] = []
     scene = laid_of(call, light, container, diagnostics.append)
     one_of(call, "fidelity", fidelity, get_args(Fidelity))
-    require_whole_number(call, "seed", seed)
-    require_whole_number(call, "device_seed", device_seed)
+    check_run(call, seed, device_seed, threads)
     if repeat is not None:
         require_whole_number(call, "repeat", repeat, least=1, most=_MOST_REPEATS)
-    if threads is not None:
-        require_whole_number(call, "threads", threads, least=1)
     if torch_device is not None:
         check_device(call, torch_device)
     file = plan_of(call, plan)
     request = Request.of(
         effects=effects_of(call, effects), tolerance=tolerance_of(call, "tolerance", tolerance),
         tolerance_max=tolerance_of(call, "tolerance_max", tolerance_max), plan=file,
-        fidelity=fidelity, audit=audit, seed=int(seed), device_seed=int(device_seed),
-        repeat=repeat, threads=threads, torch_device=torch_device, turn=turn,
+        fidelity=fidelity, audit=flag(call, "audit", audit), seed=int(seed),
+        device_seed=int(device_seed), repeat=repeat, threads=threads,
+        torch_device=torch_device, turn=turn,
     )  # fmt: skip
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=diagnostics.append))
@@ -155,7 +162,7 @@ def capture(
 
 def captures(
     programs: Sequence[ProgramLike] | ProgramLike,
-    lights: Iterable[LightLike] | LightLike,
+    lights: Sequence[LightLike] | LightLike,
     *,
     threads: int | None = None,
     **options: Any,
@@ -363,7 +370,7 @@ def scene(
         crop=text_of(call, "crop", crop, 2),
         frames_are=frames_are,
         fit=fit,
-        color=bool(color),
+        color=flag(call, "color", color),
         first=first,
     )
 
@@ -390,5 +397,5 @@ def sensor_for(program: ProgramLike, file: str | Path | None = None, **values: f
     """
     call = "nscc_runtime.sensor_for"
     target = converter_of(container_of(call, program))
-    path = None if file is None else Path(file)
+    path = None if file is None else path_of(call, file)
     return load_sensor(target, path, changes_of(call, values))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nscc.diagnostics.arguments import require_whole_number, warn, wrong_argument
+from nscc.diagnostics.arguments import shown, warn, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.words.readout import converter_of
 from nscc_runtime.captured import Capture, capture_of
@@ -14,6 +14,7 @@ from nscc_runtime.python_arguments import (
     LightLike,
     ProgramLike,
     SensorLike,
+    check_run,
     container_of,
     effects_of,
     laid_of,
@@ -70,8 +71,11 @@ def film(
             f"{call} takes a program with images or planes",
             helps=("nscc_runtime.captures(program, lights) captures other programs",),
         )
-    require_whole_number(call, "seed", seed)
-    require_whole_number(call, "device_seed", device_seed)
+    check_run(call, seed, device_seed, threads)
+    if isinstance(lights, str) or not isinstance(lights, Iterable):
+        raise wrong_argument(
+            f"{call} takes a list with the light of each frame, not {shown(lights)}"
+        )
     diagnostics: list[Diagnostic] = []
     scenes = [laid_of(call, light, container, diagnostics.append) for light in lights]
     if not scenes:

@@ -11,6 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.arguments import as_array, shown, wrong_argument
 from nscc_runtime.caches import remembered
 from nscc_runtime.sizes_loop import BLOCK, Frames, LightMatrix, sum_light
 
@@ -53,11 +54,21 @@ class Light:
     motion: Light | None = None
 
     def __post_init__(self) -> None:
-        entries = int(self.row_start[-1])
+        """Raise WrongArgument for arrays of other shapes, or frames of another type."""
         if self.frames.ndim != 3 or self.frames.dtype != np.float32:
-            raise ValueError(f"frames: {self.frames.dtype} {self.frames.shape}")
-        if len(self.frame_index) != entries or len(self.weight) != entries:
-            raise ValueError(f"{entries} entries, {len(self.frame_index)}, {len(self.weight)}")
+            raise wrong_argument(
+                "Light takes pictures (rows, cols) and clips (slots, rows, cols) of float32; its "
+                f"frames are {shown(self.frames)}",
+                helps=("a.astype(np.float32) converts an array",),
+            )
+        entries = int(self.row_start[-1])
+        sizes = self.weight.shape, self.frame_index.shape
+        no_slots = len(self.row_start) < 2
+        if sizes != ((entries,),) * 2 or no_slots or not np.isfinite(self.weight).all():
+            raise wrong_argument(
+                f"Light takes a finite weight for each of {entries} entries and at least one "
+                f"slot, not {shown(self.weight)}"
+            )
 
     @classmethod
     def of_still(
@@ -78,8 +89,10 @@ class Light:
         -------
         Light
         """
-        starts, index = np.arange(len(weight) + 1, dtype=np.int64), np.zeros(len(weight), np.int32)
-        weight = np.asarray(weight, np.float64)
+        frame = as_array("Light", "the picture", frame)
+        weight = as_array("Light", "the weights", weight, np.float64)
+        starts = np.arange(weight.size + 1, dtype=np.int64)
+        index = np.zeros(weight.size, np.int32)
         return cls(frame[None], starts, index, weight, "still", exposure_scale_e)
 
     @classmethod
@@ -97,8 +110,9 @@ class Light:
         -------
         Light
         """
-        starts = np.arange(len(frames) + 1, dtype=np.int64)
-        weight = np.full(len(frames), exposure_scale_e, np.float64)
+        frames = as_array("Light", "the clip", frames)
+        starts = np.arange(len(frames) + 1 if frames.ndim else 2, dtype=np.int64)
+        weight = np.full(len(starts) - 1, exposure_scale_e, np.float64)
         return cls(frames, starts, starts[:-1].astype(np.int32), weight, "clip", exposure_scale_e)
 
     def __repr__(self) -> str:

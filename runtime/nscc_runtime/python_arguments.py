@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -13,7 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.diagnostics.arguments import shown, wrong_argument
+from nscc.diagnostics.arguments import (
+    as_array,
+    path_of,
+    require_whole_number,
+    shown,
+    wrong_argument,
+)
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
@@ -21,6 +28,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.tolerance import Tolerance, ToleranceInput
+from nscc_runtime.scenes.errors import refuse_no_light
 from nscc_runtime.scenes.load import PlacedLight, light_of_array
 from nscc_runtime.scenes.placement import Placement
 from nscc_runtime.scenes.scene import Scene
@@ -71,6 +79,7 @@ def laid_of(
     target, slot_us = container.target, container.slot_us
     array = (target.rows, target.cols)
     if isinstance(light, Light):
+        refuse_no_light(light.frames, "the light")
         return (PlacedLight(light, Placement("crop", array, array, array)),)
     if isinstance(light, str | os.PathLike):
         light = Scene(str(os.fspath(light)))
@@ -112,8 +121,10 @@ def changes_of(call: str, values: Mapping[str, float]) -> dict[str, float]:
 
 def number(call: str, name: str, value: object) -> float:
     """Return an argument as float. Raises WrongArgument if it is not a number."""
-    if isinstance(value, int | float | np.number) and not isinstance(value, bool):
-        return float(value)
+    real = isinstance(value, int | float | np.integer | np.floating)
+    if real and not isinstance(value, bool):
+        with suppress(OverflowError):
+            return float(value)  # type: ignore[arg-type]
     raise wrong_argument(f"{call}: {name} is a number, not {shown(value)}")
 
 
@@ -125,20 +136,9 @@ def _container(value: object) -> Container | None:
 def _array(call: str, light: object) -> NDArray[Any]:
     """Return an array from an array, list or CPU tensor. Raises WrongArgument for other objects."""
     if isinstance(light, np.ndarray) or hasattr(light, "__array__") or isinstance(light, Sequence):
-        try:
-            # Masked values are rejected like NaN.
-            mask = np.ma.getmask(light)
-            return np.where(mask, np.nan, light) if mask.any() else np.asarray(light)
-        except (RuntimeError, TypeError, ValueError) as error:
-            reason = " ".join(str(error).split())[:150]
-            raise wrong_argument(
-                f"{call}: cannot convert the light to an array: {shown(light)}",
-                notes=(reason,),
-                helps=(
-                    "for a torch tensor use light.detach().cpu().numpy(); gradients flow "
-                    "through nscc_training.differentiable_capture",
-                ),
-            ) from error
+        # Masked values are rejected like NaN.
+        mask = np.ma.getmask(light)
+        return np.where(mask, np.nan, light) if mask.any() else as_array(call, "the light", light)
     raise wrong_argument(
         f"{call}: light must be an array, a scene or the name of a scene, not {shown(light)}",
         notes=("arrays are electrons per slot (N, rows, cols), or per second (rows, cols)",),
@@ -155,6 +155,14 @@ def text_of(call: str, name: str, value: object, count: int) -> str | None:
         expected = "a number" if count == 1 else f"{count} numbers"
         raise wrong_argument(f"{call}: {name} is text or {expected}, not {shown(value)}")
     return ",".join(f"{number(call, name, item):.17g}" for item in items)
+
+
+def check_run(call: str, seed: object, device_seed: object, threads: object) -> None:
+    """Raise WrongArgument unless the seeds and the number of threads are whole numbers."""
+    require_whole_number(call, "seed", seed)
+    require_whole_number(call, "device_seed", device_seed)
+    if threads is not None:
+        require_whole_number(call, "threads", threads, least=1)
 
 
 def tolerance_of(call: str, name: str, tolerance: object) -> ToleranceInput | None:
@@ -175,8 +183,8 @@ def effects_of(call: str, effects: object) -> str | Selection | None:
 def plan_of(call: str, plan: object) -> Plan | Path | None:
     if plan is None or isinstance(plan, Plan):
         return plan
-    if isinstance(plan, str | Path):
-        return Path(plan)
+    if isinstance(plan, str | os.PathLike):
+        return path_of(call, plan)
     raise wrong_argument(f"{call}: plan must be a plan or a plan file, not {shown(plan)}")
 
 

@@ -13,10 +13,12 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import nullcontext, suppress
 from pathlib import Path
 
+import click
 import pytest
 from nscc_command import invoke
 
 from nscc import __version__, installation
+from nscc_cli.group import group
 from nscc_cli.table import COMMANDS
 
 GOOD = (
@@ -31,6 +33,26 @@ def folder(tmp_path: Path) -> Path:
     (tmp_path / "ok.nsl").write_text(GOOD)
     (tmp_path / "bad.nsl").write_text(GOOD.replace("n < stop", "n < stopp"))
     return tmp_path
+
+
+def test_every_option_is_explained() -> None:
+    """Options have a help text, and those with a number as default show it."""
+    pending: list[tuple[str, click.Command]] = [("nscc", group)]
+    while pending:
+        name, command = pending.pop()
+        context = click.Context(command)
+        if isinstance(command, click.Group):
+            for part in command.list_commands(context):
+                subcommand = command.get_command(context, part)
+                assert subcommand is not None
+                pending.append((f"{name} {part}", subcommand))
+        for option in command.params:
+            if isinstance(option, click.Option) and not option.hidden:
+                assert option.help, (name, option.opts)
+                numeric = type(option.default) in (int, float)
+                assert not numeric or option.show_default or "default" in option.help, (
+                    name, option.opts,
+                )  # fmt: skip
 
 
 def test_version_and_help(folder: Path) -> None:
@@ -313,3 +335,19 @@ def test_folders_that_cannot_be_written_give_at_most_one_line(
         ordinary = ("frame  ", "wrote ")
         others = [line for line in done.stderr.splitlines() if not line.startswith(ordinary)]
         assert len(others) <= 1, done.stderr
+
+
+def test_file_names_with_blanks_and_a_leading_dash(folder: Path) -> None:
+    assert "`nscc check 'my prog.nsl'`" in invoke(["new", "my prog"], folder).err
+    assert "`nscc check 'my prog.nsl'`" in invoke(["my prog.nsl"], folder).err
+    dashed = invoke(["check", "-lead.nsl"], folder)
+    assert dashed.codes == ["NS0782"]
+    assert "write a file name that begins with - as ./-NAME" in dashed.err
+
+
+def test_a_tone_curve_without_a_picture_is_refused(folder: Path) -> None:
+    line = ["run", "ok.nsl", "--scene", "builtin:dark", "--tone", "log", "-o"]
+    refused = invoke([*line, "a.npz"], folder)
+    assert refused.status == 2
+    assert "--tone has no effect" in refused.err
+    assert invoke([*line, "a.png"], folder).status == 0

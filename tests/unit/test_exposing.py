@@ -185,6 +185,7 @@ def test_torch_is_taken_where_it_is_numbers(program: nscc.ShutterProgram) -> Non
         nscc_runtime.capture(program, light.clone().requires_grad_(True))
 
 
+PICTURE = np.ones((ROWS, COLS), np.float32)
 WRONG = {
     "swapped": (lambda p: nscc_runtime.capture(LIGHT, p), "takes a compiled program first, not an"),
     "two programs": (lambda p: nscc_runtime.capture(p, p), "the light is a ShutterProgram"),
@@ -205,7 +206,10 @@ WRONG = {
     "pairs": (lambda p: nscc_runtime.captures([p] * 2, [LIGHT] * 3), "3 scenes for 2 programs"),
     "none": (lambda p: nscc_runtime.captures([], [LIGHT]), "1 scenes for 0 programs"),
     "path": (lambda p: nscc_runtime.capture(p, LIGHT).save(3), "save takes a path, not 3"),
-    "keep": (lambda p: nscc_runtime.capture(p, LIGHT).save("x.npz", ["a"]), "save can keep light"),
+    "keep": (
+        lambda p: nscc_runtime.capture(p, LIGHT).save("x.npz", ["a"]),
+        "keep is one of 'light'",
+    ),
     "threads": (lambda p: nscc_runtime.capture(p, LIGHT, threads=0), "threads is a whole number"),
     "a number": (lambda p: nscc_runtime.sensor_for(p, full_well_e="a"), "full_well_e is a number"),
     "a chip": (lambda p: nscc_runtime.sensor_for(TARGET), "takes a compiled program first"),
@@ -217,6 +221,20 @@ WRONG = {
         lambda p: nscc_runtime.capture(p, [[1, 2], [3]]),
         "cannot convert the light to an ar",
     ),
+    "tone": (lambda p: nscc_runtime.capture(p, LIGHT).save("x.png", tone=5), "tone is one of"),
+    "null": (lambda p: nscc_runtime.capture(p, LIGHT).save("a\0.npz"), "takes a path, not the te"),
+    "flag": (lambda p: nscc_runtime.capture(p, LIGHT, audit="no"), "True or False, not the text"),
+    "color": (lambda p: nscc_runtime.scene("x", color=1), "color is True or False, not 1"),
+    "sensor file": (lambda p: nscc_runtime.sensor_for(p, {}), "takes a path, not a dict"),
+    "huge": (lambda p: nscc_runtime.scene("x", fps=10**400), "fps is a number, not 1000"),
+    "float64": (
+        lambda p: nscc_runtime.Light.of_still(np.ones((2, 3)), np.ones(8)),
+        r"frames are an array \(1, 2, 3\) of float64",
+    ),
+    "weight": (lambda p: nscc_runtime.Light.of_still(PICTURE, [np.nan]), "finite weight for each"),
+    "weights": (lambda p: nscc_runtime.Light.of_still(PICTURE, ["a"]), "cannot convert the weigh"),
+    "no slots": (lambda p: nscc_runtime.Light.of_clip(PICTURE[:0, None]), "at least one slot, not"),
+    "a clip": (lambda p: nscc_runtime.Light.of_clip(None), "its frames are an array"),
     "fit": (lambda p: nscc_runtime.scene("x", fit="tile"), "did you mean `tiles`"),
     "first": (lambda p: nscc_runtime.scene("x", first=-1), "first is a whole number from 0"),
 }
@@ -245,6 +263,13 @@ def test_what_the_command_refuses_is_refused(
 ) -> None:
     with pytest.raises(nscc.Rejected, match=words):
         nscc_runtime.capture(program, LIGHT, **options)
+
+
+@pytest.mark.parametrize("value", [-1, np.nan, np.inf])
+def test_light_with_invalid_values_is_refused(value: float, program: nscc.ShutterProgram) -> None:
+    light = nscc_runtime.Light.of_still(PICTURE * np.float32(value), np.ones(8))
+    with pytest.raises(nscc.Rejected, match="NS0736"):
+        nscc_runtime.capture(program, light)
 
 
 def test_masked_values_are_not_light(program: nscc.ShutterProgram) -> None:

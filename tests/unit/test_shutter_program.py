@@ -150,6 +150,11 @@ def test_a_str_that_ends_in_nsl_is_a_path_and_any_other_a_program(tmp_path: Path
         (lambda: nscc.compile(TEXT, target=5), "its file or a Target, not 5"),
         (lambda: nscc.compile(TEXT, max_words_per_slot=0), "a whole number from 1, not 0"),
         (lambda: nscc.compile("x.nsl", folder="."), "leave it out"),
+        (lambda: nscc.compile(TEXT, cache="no"), "cache is True or False, not the text 'no'"),
+        (lambda: program().shutters(pixels="yes"), "pixels is True or False"),
+        (lambda: program().save(5), "save takes a path, not 5"),
+        (lambda: program().save("a\0.icw"), "save takes a path"),
+        (lambda: program().with_pixels(split=[[1], [1, 2]]), "cannot convert 'split' to an array"),
         (lambda: program().with_pixels("a.npz", split=SPLIT), "either a file or fields"),
     ],
 )

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 torch = pytest.importorskip("torch")
 
 from nscc.chips.load import load_target  # noqa: E402
+from nscc.diagnostics.arguments import WrongArgument  # noqa: E402
 from nscc_runtime.emulator import expose  # noqa: E402
 from nscc_runtime.frame_file import read_out as emulated_read_out  # noqa: E402
 from nscc_runtime.light import Light  # noqa: E402
@@ -233,3 +236,36 @@ def test_other_shapes_are_refused_and_not_broadcast(
             SensorModel(30000.0, 30000.0 / 255),
             slot_share=weights,
         )
+
+
+MODEL = SensorModel(30000.0, 30000.0 / 255)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: SensorModel(0.0, 1.0), "full_well_e must be finite and above 0"),
+        (
+            lambda: SensorModel(1.0, 1.0, adc_noise_lsb=-1),
+            "must be finite and not below 0",
+        ),
+        (lambda: SensorModel(1.0, 1.0, adc_bits=0), "adc_bits is a whole number from 1"),
+        (lambda: SensorModel.of(None, None), "sensor of type Sensor, not None"),
+        (
+            lambda: differentiable_capture(np.ones((1, 2, 2)), torch.ones(8, 2, 2), MODEL),
+            r"light of type Tensor, not an array \(1, 2, 2\)",
+        ),
+        (
+            lambda: differentiable_capture(torch.ones(1, 2, 2), np.ones((8, 2, 2)), MODEL),
+            "codes of type Tensor, not an array",
+        ),
+        (
+            lambda: differentiable_capture(torch.ones(1, 2, 2), torch.ones(8, 2, 2), None),
+            "sensor of type SensorModel, not None",
+        ),
+        (lambda: lifted(torch.ones(1, 8, 2, 2), torch.ones(8, 2, 2)), "exposure has three axes"),
+    ],
+)
+def test_arguments_of_other_types_are_refused(call: Any, words: str) -> None:
+    with pytest.raises(WrongArgument, match=words):
+        call()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -99,15 +100,39 @@ def test_a_large_tile_goes_into_a_file_with_its_digest(tmp_path: Path) -> None:
     assert "NS0315" in damaged.codes
 
 
-@pytest.mark.parametrize("ending", [".npz", ".mat"])
+@pytest.mark.parametrize("ending", [".npz", ".mat", ".MAT"])
 @pytest.mark.parametrize("spec", SPECS[1:], ids=name_of)
 def test_codes_survive_a_file(spec: ShutterSpec, ending: str, tmp_path: Path) -> None:
     encoder = make_encoder(spec, "random", seed=9)
     path = tmp_path / f"codes{ending}"
-    save_codes(path, all_codes(encoder))
+    save_codes(str(path), all_codes(encoder))
     other = make_encoder(spec, "quad")
     other.load_codes(load_codes(path))
     assert torch.equal(other.hard(), encoder.hard())
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: save_codes("codes.txt", {}), "is not a format for codes"),
+        (lambda: save_codes("codes.npz", []), "takes arrays by the names of fields, not a list"),
+        (
+            lambda: save_codes("codes.npz", {"stop": np.zeros((0, 2), int)}),
+            "'stop' .* is not a code",
+        ),
+        (lambda: load_codes(3), "takes a path, not 3"),
+        (lambda: make_encoder("b"), "spec of type ShutterSpec, not the text 'b'"),
+        (lambda: make_encoder(ShutterSpec("b", 8.5, (2, 2))), "slots is a whole number from 1"),
+        (lambda: make_encoder(ShutterSpec("b", 8, (2, 2, 2))), "two sides of the tile is"),
+        (lambda: make_encoder(ShutterSpec("b", 8, (2, 2), buckets=3)), "buckets is a whole number"),
+        (lambda: program_of(None, Chip()), "encoder of type Encoder, not None"),
+        (lambda: Chip(slot_us="x"), "slot_us is a number"),
+        (lambda: Chip(Path("chip.toml")), "target of type str, not a PosixPath"),
+    ],
+)
+def test_wrong_arguments_are_refused(call: Any, words: str) -> None:
+    with pytest.raises(Rejected, match=words):
+        call()
 
 
 def test_bad_codes_are_refused(tmp_path: Path) -> None:

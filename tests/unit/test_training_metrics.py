@@ -127,6 +127,20 @@ def test_nothing_has_no_score(name: str) -> None:
         MEASURES[name](np.zeros((0, 12)), np.zeros((0, 12)))
 
 
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: metrics.psnr([[1], [1, 2]], [1], 1.0), "cannot convert the truth to an array"),
+        (lambda: metrics.mu_psnr([1], [1], 1.0, 0), "mu is a number above 0, not 0"),
+        (lambda: metrics.mu_psnr([1], [1], 1.0, "a"), "mu is a number above 0, not the text 'a'"),
+        (lambda: metrics.pu21_psnr([1], [1], 1.0, "a"), "above 0.005, not the text 'a'"),
+    ],
+)
+def test_arguments_of_other_types_are_refused(call: Any, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        call()
+
+
 @pytest.mark.parametrize("bad", [[], [math.nan], [30.0, math.nan], [-math.inf, 30.0]])
 def test_no_mean_of_bad_scores(bad: list[float]) -> None:
     with pytest.raises(ValueError, match="a mean is taken of numbers of dB"):

@@ -10,8 +10,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.arguments import as_array, path_of, shown, wrong_argument
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.files import write_whole
 from nscc.npy import npz_arrays
 from nscc_runtime.scenes.light_arrays import mat_arrays
 from nscc_training.problems import unreadable
@@ -31,29 +33,34 @@ def codes_bytes(codes: Codes) -> bytes:
     return stream.getvalue()
 
 
-def save_codes(path: Path, codes: Codes) -> None:
+def save_codes(path: Path | str, codes: Codes) -> None:
     """Write codes to a file.
 
     Parameters
     ----------
-    path : Path
+    path : Path or str
         Ends in `.npz` or `.mat`.
-    codes : mapping of str to array of int64
+    codes : mapping of str to array of int
         Values (rows, cols) by field.
 
     Raises
     ------
-    ValueError
-        For another ending.
+    Rejected
+        NS0805 for another ending or other contents, NS0784 if the file cannot be written.
     """
-    if path.suffix == ".npz":
-        path.write_bytes(codes_bytes(codes))
-    elif path.suffix == ".mat":
+    out = _path("save_codes", path)
+    if not isinstance(codes, Mapping):
+        raise wrong_argument(f"save_codes takes arrays by the names of fields, not {shown(codes)}")
+    arrays = {
+        str(name): _integers(out, str(name), as_array("save_codes", f"'{name}'", values))
+        for name, values in codes.items()
+    }
+    if out.suffix.lower() == ".npz":
+        write_whole(out, codes_bytes(arrays))
+    else:
         from scipy.io import savemat
 
-        savemat(path, dict(codes), do_compression=True)
-    else:
-        raise ValueError(f"codes are kept in .npz or .mat files, not '{path.suffix}'")
+        write_whole(out, lambda file: savemat(file, arrays, do_compression=True))
 
 
 def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
@@ -74,7 +81,24 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
     Rejected
         NS0805 for a file that cannot be read or has other contents.
     """
-    path = Path(path)
+    path = _path("load_codes", path)
+    try:
+        if path.suffix.lower() == ".mat":
+            arrays = mat_arrays(path)
+        else:
+            arrays, _ = npz_arrays(path)
+        return {name: _integers(path, name, values) for name, values in arrays.items()}
+    except Rejected:
+        raise
+    except Exception as error:  # numpy, zipfile and scipy raise a dozen types for damaged files
+        hint = "codes are .npz or .mat files with one integer array (rows, cols) per field"
+        message = f"the codes in '{path}' cannot be read"
+        raise unreadable("NS0805", message, error, hint) from error
+
+
+def _path(call: str, value: object) -> Path:
+    """Return the path of a code file; raise Rejected (NS0805) for another ending."""
+    path = path_of(call, value)
     if path.suffix.lower() not in (".npz", ".mat"):
         raise rejected(
             "NS0805",
@@ -86,18 +110,7 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
             if path.suffix.lower() == ".npy"
             else ("give the file the ending of its format",),
         )
-    try:
-        if path.suffix == ".mat":
-            arrays = mat_arrays(path)
-        else:
-            arrays, _ = npz_arrays(path)
-        return {name: _integers(path, name, values) for name, values in arrays.items()}
-    except Rejected:
-        raise
-    except Exception as error:  # numpy, zipfile and scipy raise a dozen types for damaged files
-        hint = "codes are .npz or .mat files with one integer array (rows, cols) per field"
-        message = f"the codes in '{path}' cannot be read"
-        raise unreadable("NS0805", message, error, hint) from error
+    return path
 
 
 def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.int64]:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from torch import nn
 
 from nscc import html
-from nscc.diagnostics.arguments import shown, warn, wrong_argument
+from nscc.diagnostics.arguments import as_array, flag, path_of, shown, warn, wrong_argument
 from nscc.emit.notebook import shutter_chart
 from nscc.shutter_program import ShutterProgram, compile
 from nscc_runtime import exposing
@@ -177,7 +177,8 @@ class Run:
             full = last_codes(codes, self.folder.setup.target) != 0
             return decoded_frame(self.folder.setup, codes, full)
         dark_frames = None if dark is None else self._dark(dark)
-        light, messages = reconstructed(self.folder, read, name, dark_frames, force=force)
+        forced = flag("reconstruct", "force", force)
+        light, messages = reconstructed(self.folder, read, name, dark_frames, force=forced)
         warn(messages)
         return light
 
@@ -249,7 +250,7 @@ class Run:
     def _dark(self, dark: DarkLike) -> Dark:
         """Return a frame without light."""
         if not isinstance(dark, Capture):
-            return read_dark(Path(dark), self.folder.setup.buckets)
+            return read_dark(path_of("reconstruct: dark", dark), self.folder.setup.buckets)
         codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
         offset = mean_dark(codes, self.folder.setup.model.adc_offset_lsb)
         full = float(dark.saturated.mean())
@@ -262,7 +263,7 @@ class Run:
         size: tuple[int, ...] = (target.rows, target.cols)
         if self.folder.setup.buckets > 1:
             size = (self.folder.setup.buckets, *size)
-        values = np.asarray(frame)
+        values = as_array("reconstruct", "the frame", frame)
         if values.shape == (1, *size):
             values = values[0]
         top = self.folder.setup.model.top_code
@@ -296,9 +297,8 @@ def load_run(path: str | os.PathLike[str], *, trust_code: bool = False) -> Run:
     Rejected
         NS0818 if the folder contains no finished run, NS0823 if the run needs `trust_code`.
     """
-    if not isinstance(path, str | os.PathLike):
-        raise wrong_argument(f"load_run takes the folder of a run, not {shown(path)}")
-    return Run(run_folder.load_run(Path(path), trust_code=trust_code))
+    trusted = flag("load_run", "trust_code", trust_code)
+    return Run(run_folder.load_run(path_of("load_run", path), trust_code=trusted))
 
 
 _WIDTH, _HEIGHT, _LEFT, _TOP, _BELOW = 350.0, 130.0, 66.0, 20.0, 20.0

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.arguments import shown, wrong_argument
+from nscc.diagnostics.arguments import as_array, shown, wrong_argument
 from nscc_training.curves import MU, PU21_HIGH, PU21_LOW, mu_law, pu21
 
 WINDOW = 11
@@ -85,6 +85,8 @@ def mu_psnr(truth: Array, result: Array, data_range: float, mu: float = MU) -> f
         For different shapes, empty arrays or values that are not finite.
     """
     _check_range(data_range)
+    if not (_is_number(mu) and 0 < mu < math.inf):
+        raise wrong_argument(f"mu is a number above 0, not {shown(mu)}")
     relative = [np.clip(x.astype(np.float64) / data_range, 0.0, 1.0) for x in _pair(truth, result)]
     return psnr(mu_law(relative[0], mu), mu_law(relative[1], mu), 1.0)
 
@@ -112,9 +114,10 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
         For different shapes, empty arrays or values that are not finite.
     """
     _check_range(data_range)
-    if not PU21_LOW < nits <= PU21_HIGH:
+    if not (_is_number(nits) and PU21_LOW < nits <= PU21_HIGH):
         raise wrong_argument(
-            f"PU21 needs luminances up to {PU21_HIGH:g} cd/m2 and above {PU21_LOW:g}, not {nits}"
+            f"PU21 needs luminances up to {PU21_HIGH:g} cd/m2 and above {PU21_LOW:g}, not "
+            f"{shown(nits)}"
         )
     encoded = [
         pu21(np.clip(x.astype(np.float64) * (nits / data_range), PU21_LOW, nits))
@@ -258,7 +261,8 @@ def temporal_error(truth: Array, result: Array, data_range: float) -> float:
 
 def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
     """Return both as arrays; raise WrongArgument unless they are finite numbers of one shape."""
-    first, second = np.asarray(truth), np.asarray(result)
+    first = as_array("a metric", "the truth", truth)
+    second = as_array("a metric", "the reconstruction", result)
     if first.shape != second.shape or {first.dtype.kind, second.dtype.kind} - {*"buif"}:
         raise wrong_argument(
             "a metric compares numbers of one shape: the truth is "
@@ -275,8 +279,12 @@ def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
     return first, second
 
 
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float | np.integer | np.floating)
+
+
 def _check_range(data_range: float) -> None:
-    if not (isinstance(data_range, int | float | np.number) and 0 < data_range < math.inf):
+    if not (_is_number(data_range) and 0 < data_range < math.inf):
         raise wrong_argument(
             f"the data range is the peak that errors are compared with, a number above 0, not "
             f"{shown(data_range)}",

@@ -14,12 +14,14 @@ from numpy.typing import NDArray
 from nscc.chips.load import load_target
 from nscc.chips.target import Target
 from nscc.compiler import compile_file, compile_source
+from nscc.diagnostics.arguments import require_type
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.pipeline import Compiled, Options
 from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.words.legality import refuse_pictures
+from nscc_runtime.python_arguments import number
 from nscc_training.code_choices import ShutterSpec, over_array
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import LookSchedule
@@ -59,6 +61,10 @@ class Chip:
     require: str | None = None
     table: Target | None = None
 
+    def __post_init__(self) -> None:
+        require_type("Chip", "target", self.target, str, "str(path)")
+        number("Chip", "slot_us", self.slot_us)
+
     @property
     def file(self) -> str | None:
         """The target file for the compiler's options; None if the target is a name."""
@@ -88,6 +94,10 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
     ProgramFiles
         Text of the program, and the codes that it reads.
     """
+    from nscc_training.encoders import Encoder
+
+    require_type("program_of", "encoder", encoder, Encoder, "nscc_training.make_encoder")
+    require_type("program_of", "chip", chip, Chip, "nscc_training.Chip()")
     codes: dict[str, NDArray[np.int64]] = encoder.codes()
     if encoder.spec.kind == "looks":
         target = chip.table or load_target(chip.target, Path())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator, Sequence
 from hashlib import sha256
 from pathlib import Path
@@ -56,7 +57,7 @@ def reconstruct(
         raise rejected(
             "NS0821", f"'{run}' was trained to name classes, not to reconstruct light",
             notes=(f"its classes are {', '.join(folder.setup.classes)}",),
-            helps=(f"use `nscc classify {run} {frame}`",),
+            helps=(f"use `{shlex.join(['nscc', 'classify', str(run), str(frame)])}`",),
         )  # fmt: skip
     return _decoded(folder, frame, force, dark)
 
@@ -72,8 +73,8 @@ def classify(
     if not folder.setup.classes:
         raise rejected(
             "NS0821", f"'{run}' was trained to reconstruct light, not to name classes",
-            helps=(f"use `nscc reconstruct {run} {frame} -o OUT`, or train with the protocol "
-                   "class-v1",),
+            helps=(f"use `{shlex.join(['nscc', 'reconstruct', str(run), str(frame)])} -o OUT`, or "
+                   "train with the protocol class-v1",),
         )  # fmt: skip
     decoded = _decoded(folder, frame, force, dark)
     return likelihoods(folder.setup.classes, decoded.light), decoded.messages

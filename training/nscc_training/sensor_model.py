@@ -13,12 +13,24 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from nscc.chips.target import Target
+from nscc.diagnostics.arguments import (
+    flag,
+    require_type,
+    require_whole_number,
+    shown,
+    wrong_argument,
+)
 from nscc_runtime.effects import everything
+from nscc_runtime.python_arguments import number
 from nscc_runtime.sensor import Sensor
 from nscc_training.draws import normal
 from nscc_training.encoders.base import Encoder
 from nscc_training.gradients import rounded, saturated
 from nscc_training.protocols import Protocol
+
+_POSITIVE = ("full_well_e", "electrons_per_lsb")
+_NUMBERS = (*_POSITIVE, "adc_noise_lsb", "noise_factor", "slope", "comparator_noise",
+            "comparator_offset")  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -59,11 +71,16 @@ class SensorModel:
     comparator_offset: float = 0.0
 
     def __post_init__(self) -> None:
-        """Raise ValueError for invalid values."""
-        for name in ("full_well_e", "electrons_per_lsb"):
-            value = getattr(self, name)
-            if not 0 < value < inf:
-                raise ValueError(f"{name} is {value:g}, and must be finite and above 0")
+        """Raise WrongArgument for invalid values."""
+        require_whole_number("SensorModel", "adc_bits", self.adc_bits, 1, 32)
+        flag("SensorModel", "shot_noise", self.shot_noise)
+        for name in _NUMBERS:
+            value, positive = number("SensorModel", name, getattr(self, name)), name in _POSITIVE
+            if not 0 <= value < inf or (positive and not value):
+                limit = "above 0" if positive else "not below 0"
+                raise wrong_argument(
+                    f"SensorModel: {name} must be finite and {limit}, but is {value:g}"
+                )
 
     @classmethod
     def of(cls, sensor: Sensor, target: Target) -> SensorModel:
@@ -78,6 +95,8 @@ class SensorModel:
         -------
         SensorModel
         """
+        require_type("SensorModel.of", "sensor", sensor, Sensor, "nscc_runtime.sensor_for(program)")
+        require_type("SensorModel.of", "target", target, Target, "program.target")
         return cls(
             full_well_e=sensor.full_well_e,
             electrons_per_lsb=sensor.electrons_per_lsb,
@@ -209,6 +228,15 @@ def differentiable_capture(
     ValueError
         For arrays of other shapes, and for light that is complex, negative or not finite.
     """
+    call = "differentiable_capture"
+    require_type(call, "light", light, Tensor, "torch.from_numpy(array)")
+    require_type(call, "sensor", sensor, SensorModel, "SensorModel.of(sensor, target)")
+    if not isinstance(codes, Encoder):
+        require_type(
+            call, "codes", codes, Tensor, "torch.from_numpy(program.shutters(pixels=True))"
+        )
+    if generator is not None:
+        require_type(call, "generator", generator, torch.Generator, "torch.Generator()")
     check_light(light)
     with torch.autocast(light.device.type, enabled=False):
         if isinstance(codes, Encoder):
@@ -353,6 +381,10 @@ def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:
     valid : Tensor
         (rows, cols), False for pixels that never open; these are 0 and have no gradient.
     """
+    for name, value in (("exposure", exposure), ("shutters", shutters)):
+        require_type("lifted", name, value, Tensor, "torch.from_numpy(array)")
+        if value.ndim != 3:
+            raise wrong_argument(f"lifted: {name} has three axes, but it is {shown(value)}")
     shutters = laid(shutters, *exposure.shape[-2:])
     count = shutters.sum(dim=0)
     valid = count > 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.arguments import require_type, require_whole_number
 from nscc_training.code_choices import ORDERED, RANKS, SCATTERED, STARTS
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
 from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
@@ -127,12 +128,16 @@ def make_encoder(
     Raises
     ------
     ValueError
-        For a start or a relaxation that the class does not support.
+        For a start or a relaxation that the class does not support, and for invalid numbers.
     """
+    require_type("make_encoder", "spec", spec, ShutterSpec, "ShutterSpec('b', 8, (2, 2))")
     if spec.kind not in CLASSES:
         raise ValueError(f"{spec.kind!r} is not one of {', '.join(CLASSES)}")
-    if spec.slots < 1 or min(spec.tile) < 1:
-        raise ValueError(f"{spec.slots} slots, a tile of {spec.tile}")
+    require_whole_number("ShutterSpec", "slots", spec.slots, 1)
+    require_whole_number("ShutterSpec", "buckets", spec.buckets, 1, 2)
+    pair = isinstance(spec.tile, tuple | list) and len(spec.tile) == 2
+    for side in spec.tile if pair else (str(spec.tile),):
+        require_whole_number("ShutterSpec", "each of the two sides of the tile", side, 1)
     encoder = CLASSES[spec.kind](spec, relaxation)
     if relaxation in ("tried", "search") and spec.kind == "a":
         raise ValueError("class a is always open and has no parameters to try")

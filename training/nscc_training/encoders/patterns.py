@@ -47,6 +47,11 @@ class Bits(_Digits):
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation)
+        if spec.slots > MOST_BITS:
+            raise ValueError(
+                f"class e has at most {MOST_BITS} slots, the bits of one number, not {spec.slots}; "
+                "a codebook has shutters of any length"
+            )
         self.logits = nn.Parameter(torch.full((spec.slots, *spec.tile), 0.5))
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
@@ -65,8 +70,6 @@ class Bits(_Digits):
 
     def codes(self) -> Codes:
         self.check_finite()
-        if self.spec.slots > MOST_BITS:
-            raise ValueError(f"class e has at most {MOST_BITS} slots, not {self.spec.slots}")
         opened = (self.logits.detach() > 0).cpu().numpy().astype(np.int64)
         weights = np.int64(1) << np.arange(self.spec.slots, dtype=np.int64)
         return {"bits": np.einsum("n,nrc->rc", weights, opened)}

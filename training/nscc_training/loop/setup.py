@@ -27,7 +27,6 @@ from nscc_training.emulated import CHIPS, EmulatedSensor, captures_on, emulated_
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.looks_encoder import LOOKS
-from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import CLASS, LOSSES, Loss
 from nscc_training.made_scenes import DIRECTIONS
@@ -118,9 +117,6 @@ def make_setup(settings: RunSettings) -> TrainingSetup:
     protocol = load_protocol(settings.data.protocol)
     still = protocol.still
     encoder = started_encoder(chosen, chip, target, seed)
-    if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
-        most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
-        raise invalid_setting("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     _check_settings(settings, protocol)
     sensor = default_sensor(target)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import closing, nullcontext, suppress
 from dataclasses import dataclass
@@ -169,9 +170,9 @@ def train(
             run.setup.decoder.eval()
             files = artifacts(run.setup, run.shown, run.scenes, run.progress.best_step)
             write_together({out / name: data for name, data in files.items()})
-            chip = "" if run.setup.chip.file is None else f" --target {out / TARGET_FILE}"
-            report(f"{out}: model_card.md says what it is worth; "
-                   f"`nscc build {out / 'shutter.nsl'}{chip}` compiles its shutters")  # fmt: skip
+            chip = () if run.setup.chip.file is None else ("--target", str(out / TARGET_FILE))
+            build = shlex.join(["nscc", "build", str(out / "shutter.nsl"), *chip])
+            report(f"{out}: model_card.md says what it is worth; `{build}` compiles its shutters")
         run.log.close()
         ranks.meet()
 
