@@ -23,6 +23,7 @@ from nscc.diagnostics.arguments import (
 )
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.words.container import Container
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
@@ -79,7 +80,7 @@ def laid_of(
     target, slot_us = container.target, container.slot_us
     array = (target.rows, target.cols)
     if isinstance(light, Light):
-        refuse_no_light(light.frames, "the light")
+        _check_values(light)
         return (PlacedLight(light, Placement("crop", array, array, array)),)
     if isinstance(light, str | os.PathLike):
         light = Scene(str(os.fspath(light)))
@@ -95,6 +96,13 @@ def laid_of(
         values, slot_us=slot_us, rows=target.rows, cols=target.cols, name="the array"
     )
     return (PlacedLight(placed_light, Placement("crop", array, array, array)),)
+
+
+@remembered
+def _check_values(light: Light) -> None:
+    """Raise NS0736 for negative light. Frames mark pixels without finite light as invalid."""
+    if (light.frames < 0).any():
+        refuse_no_light(np.where(np.isfinite(light.frames), light.frames, 0), "the light")
 
 
 def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:

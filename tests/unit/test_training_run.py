@@ -106,7 +106,7 @@ def test_only_one_exposure_is_reconstructed(run: nscc_training.Run) -> None:
 def test_what_is_no_run_is_told(tmp_path: Path) -> None:
     with pytest.raises(nscc.Rejected, match="NS0818"):
         nscc_training.load_run(tmp_path)
-    with pytest.raises(TypeError, match="the folder of a run, not 3"):
+    with pytest.raises(TypeError, match="load_run takes a path, not 3"):
         nscc_training.load_run(3)  # type: ignore[arg-type]
 
 
