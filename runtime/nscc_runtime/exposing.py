@@ -62,8 +62,6 @@ from nscc_runtime.scenes.scene import Scene
 from nscc_runtime.sensor.file import load_sensor
 from nscc_runtime.simulate import Fidelity, Listener, Request
 
-_MOST_REPEATS = 10000
-
 
 def capture(
     program: ProgramLike,
@@ -140,7 +138,7 @@ def capture(
     one_of(call, "fidelity", fidelity, get_args(Fidelity))
     check_run(call, seed, device_seed, threads)
     if repeat is not None:
-        require_whole_number(call, "repeat", repeat, least=1, most=_MOST_REPEATS)
+        require_whole_number(call, "repeat", repeat, least=1, most=10_000)
     if torch_device is not None:
         check_device(call, torch_device)
     file = plan_of(call, plan)
