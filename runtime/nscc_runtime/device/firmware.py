@@ -137,6 +137,10 @@ def is_whole(place: Path) -> bool:
 
 def keep(place: Path, image: bytes) -> None:
     """Store a loader with its SHA-256. Raises Rejected if the folder is not writable."""
+    # A file keeps the permissions of the one that it replaces. So a process that stores the same
+    # loader a little later never makes it impossible to execute.
+    with suppress(OSError):
+        os.close(os.open(place, os.O_CREAT | os.O_WRONLY, 0o755))
     write_together({_digest_of(place): sha256(image).hexdigest().encode(), place: image})
     place.chmod(0o755)
 
