@@ -7,6 +7,7 @@ Crosstalk depends on neighbouring pixels, so it is applied to the light, as in t
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -31,6 +32,8 @@ _DARKEST = 1 / 64
 _BENT = (0.85, 1.15)
 """Range in full wells in which registers and PIX compress; light levels are dense there."""
 _DENSE = 1.03
+_RECENT = 64
+"""Number of tables that are kept: a search compares a few codes with the present ones."""
 CHIPS, _FRAMES = 8, 2
 """Number of chips, and number of frames of each chip."""
 
@@ -96,6 +99,41 @@ class EmulatedSensor:
         table = table.to(fraction)
         low, high = table[after - 1, down, across], table[after, down, across]
         return low + fraction * (high - low)
+
+
+class MeasuredTables:
+    """The emulated sensor of the shutters that were measured last, and recent ones.
+
+    `table`: the emulated sensor in use; None before the first measurement."""
+
+    def __init__(self) -> None:
+        self.table: EmulatedSensor | None = None
+        self._shutters: Tensor | None = None
+        self._recent: dict[bytes, EmulatedSensor] = {}
+
+    def use(self, shutters: Tensor, measure: Callable[[], EmulatedSensor]) -> None:
+        """Use the emulated sensor of a tile of shutters (N, r, c); call `measure` if it is not
+        known."""
+        self._shutters = shutters.detach().cpu().to(torch.uint8)
+        key = self._shutters.numpy().tobytes()
+        self.table = self._recent.pop(key, None) or measure()
+        self._recent[key] = self.table
+        if len(self._recent) > _RECENT:
+            self._recent.pop(next(iter(self._recent)))
+
+    def tensors(self) -> dict[str, Tensor]:
+        """Return what a checkpoint stores: the shutters and the table in use, if there is one."""
+        if self.table is None or self._shutters is None:
+            return {}
+        fields = {key: torch.as_tensor(value) for key, value in vars(self.table).items()}
+        return {"shutters": self._shutters, **fields}
+
+    def set(self, tensors: dict[str, Tensor]) -> None:
+        """Use the table of `tensors`; raise KeyError or TypeError for other tensors."""
+        if tensors:
+            fields = {key: value for key, value in tensors.items() if key != "shutters"}
+            table = EmulatedSensor(**fields | {"crosstalk": float(fields["crosstalk"])})
+            self.use(tensors["shutters"], lambda: table)
 
 
 def captures_on(device: torch.device) -> str | None:

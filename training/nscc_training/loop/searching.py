@@ -128,6 +128,7 @@ def _losses(setup: TrainingSetup, codes: Codes, batch: Batch, step: int) -> NDAr
     settings = setup.settings
     seed, weight = settings.train.seed, settings.shutter.words_weight
     setup.encoder.load_codes(codes)
+    setup.follow_codes()
     rows, cols = batch.light.shape[-2:]
     shutters = window(setup.encoder.hard(), rows, cols, (seed, 7, step)).to(setup.device)
     noise = generator_of(setup.device, seed, 10, step)

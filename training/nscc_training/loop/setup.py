@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -23,7 +22,13 @@ from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import DecoderTask
 from nscc_training.decoders.decoder_building import make_decoder
 from nscc_training.design.chip import most_steps
-from nscc_training.emulated import CHIPS, EmulatedSensor, captures_on, emulated_sensor
+from nscc_training.emulated import (
+    CHIPS,
+    EmulatedSensor,
+    MeasuredTables,
+    captures_on,
+    emulated_sensor,
+)
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.looks_encoder import LOOKS
@@ -58,6 +63,7 @@ class TrainingSetup:
     device: torch.device
     files: Mapping[str, bytes]
     chips: int = CHIPS
+    tables: MeasuredTables = field(default_factory=MeasuredTables)
 
     @property
     def slots(self) -> int:
@@ -81,23 +87,37 @@ class TrainingSetup:
         """Number of frames per exposure."""
         return self.encoder.spec.buckets
 
-    @cached_property
+    @property
     def emulated(self) -> EmulatedSensor | None:
-        """The emulated sensor of the initial shutters, if `[sensor] effects` is set, else None.
+        """The emulated sensor if `[sensor] effects` is set, else None.
 
-        Each place keeps its sensor values while its code changes. The computation takes seconds,
-        once, on the run's device."""
+        The first access measures it for the present codes. It changes only with `follow_codes`, so
+        it may belong to codes that are some steps old."""
+        if self.settings.sensor.effects and self.tables.table is None:
+            self.follow_codes()
+        return self.tables.table
+
+    def follow_codes(self) -> None:
+        """Measure the emulated sensor of the present codes on the run's device, if `[sensor]
+        effects` is set and other codes were measured last.
+
+        A shutter's offset depends on its words: a pixel that opens after slot 0 subtracts a second
+        value. A table of other codes is therefore wrong where few electrons matter. A measurement
+        takes about a second for a tile of 2 x 2 places, and half a minute for hundreds of
+        places."""
         if not self.settings.sensor.effects:
-            return None
-        seed = self.settings.train.seed
-        start = started_encoder(self.settings.shutter, self.chip, self.target, seed)
-        build = programs.compiled(programs.program_of(start, self.chip), self.chip)
-        assert build.container is not None
-        effects = self.settings.sensor.effects
-        return emulated_sensor(
-            build.container, start.spec.tile, self.sensor, effects, self.chips,
-            captures_on(self.device),
-        )  # fmt: skip
+            return
+
+        def measure() -> EmulatedSensor:
+            build = programs.compiled(programs.program_of(self.encoder, self.chip), self.chip)
+            assert build.container is not None
+            effects = self.settings.sensor.effects
+            return emulated_sensor(
+                build.container, self.encoder.spec.tile, self.sensor, effects, self.chips,
+                captures_on(self.device),
+            )  # fmt: skip
+
+        self.tables.use(self.encoder.hard(), measure)
 
 
 def make_setup(settings: RunSettings) -> TrainingSetup:

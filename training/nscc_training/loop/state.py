@@ -56,6 +56,7 @@ class TrainingState:
     def tensors(self) -> dict[str, Tensor]:
         """Return copies of all tensors by name."""
         tensors = tensors_of(self.setup)
+        tensors |= {f"emulated.{k}": _copied(v) for k, v in self.setup.tables.tensors().items()}
         if self.average is not None:
             tensors |= {f"average.{k}": _copied(v) for k, v in self.average.state_dict().items()}
         for number, optimizer in enumerate(self.optimizers):
@@ -68,6 +69,7 @@ class TrainingState:
     def set(self, tensors: dict[str, Tensor]) -> None:
         """Load the tensors; raise KeyError, RuntimeError or ValueError for others."""
         set_tensors(self.setup, tensors)
+        self.setup.tables.set(_below("emulated.", tensors))
         if self.average is not None:
             self.average.load_state_dict(_below("average.", tensors))
         for number, optimizer in enumerate(self.optimizers):
@@ -150,7 +152,7 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
         if best:
             set_tensors(state.setup, best)
         state.set(tensors)
-    except (KeyError, RuntimeError, ValueError) as error:
+    except (KeyError, RuntimeError, TypeError, ValueError) as error:
         raise _refused(path, f"a part is missing: {' '.join(str(error).split())[:100]}") from error
     progress.best = best or None
     return progress

@@ -111,6 +111,10 @@ class Log:
             self._events.close()
 
 
+_FOLLOW_EVERY = 50
+"""Steps after which the emulated sensor is measured again if the codes have changed."""
+
+
 @dataclass
 class TrainingRun:
     """A run in progress: `dataset` draws its steps, `shown` are its validation scenes."""
@@ -301,8 +305,11 @@ def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
     setup.decoder.train()
     searches = setup.encoder.relaxation == "search"
     learns = codes_learn(settings, step)
-    if searches and codes_learn(settings, step - 1) and not learns:
+    learned = codes_learn(settings, step - 1)
+    if searches and learned and not learns:
         take_best(run)
+    if step % _FOLLOW_EVERY == 0 or learned != learns:
+        setup.follow_codes()
     if searches and learns:
         return torch.tensor(search(setup, batch_of(run, drawn), step))
     if not isinstance(drawn, Lesson):
