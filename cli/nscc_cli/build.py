@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -9,10 +10,11 @@ from typing import Any
 
 import click
 
+from nscc.containers import SUFFIX
 from nscc.diagnostics.rejection import rejected
 from nscc.emit.products import SUFFIXES, emitted
 from nscc.emit.summary import cost_text
-from nscc.files import write_together
+from nscc.files import refuse_inputs, write_together
 from nscc.words.legality import refuse_planes
 from nscc_cli.completion import PASS, PRODUCTS
 from nscc_cli.options import OUT, PATH, build_options
@@ -34,6 +36,8 @@ from nscc_cli.support import CommonCommand, say, say_done
 def command(file: Path, out: Path | None, kinds: str, after: str | None, **options: Any) -> None:
     """Compile FILE, prove the words, and write the container or the products that --emit names."""
     places_by_kind = _kinds(kinds)
+    if out is not None:
+        _check_container_name(out)
     compiled = compile_program(
         file,
         options,
@@ -64,6 +68,27 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
     if products:
         click.echo("wrote " + ", ".join(path.as_posix() for path in products), err=True)
         say_done(cost_text(compiled))
+
+
+def _check_container_name(out: Path) -> None:
+    """Raise Rejected: NS0785 if the container would replace an input, NS0786 for an ending that
+    does not name a container."""
+    if out.suffix.lower() in (SUFFIX, ""):
+        return
+    refuse_inputs(out)
+    ending = out.suffix.lower()
+    kind = next((kind for kind, suffix in SUFFIXES.items() if suffix.endswith(ending)), None)
+    named = shlex.quote(out.with_suffix(SUFFIX).as_posix())
+    helps = (f"name it {named}",)
+    if kind is not None:
+        helps = (f"`--emit {kind} -o {named}` writes this product beside it", *helps)
+    raise rejected(
+        "NS0786",
+        f"a container cannot be written as '{out.name}': the ending '{out.suffix[:20]}' is not "
+        "supported here",
+        notes=(f"it ends in {SUFFIX}",),
+        helps=helps,
+    )
 
 
 def _kinds(text: str) -> dict[str, bool]:

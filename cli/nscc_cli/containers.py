@@ -18,7 +18,7 @@ from nscc.words.encoding import word_text
 from nscc.words.file import read_container, to_bytes
 from nscc_cli.options import OUT, PATH, build_options
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, OutPath, say
+from nscc_cli.support import CommonCommand, OutPath, refuse_ignored, say
 
 _LARGEST_TEXT = 1 << 30
 
@@ -91,17 +91,26 @@ def diff(first: str, second: str) -> None:
 
 
 @click.command("prove", cls=CommonCommand)
-@click.argument("file", metavar="FILE.icw", type=PATH)
-def prove(file: Path) -> None:
-    """Prove FILE by replaying its words for all codes and two frames of random light.
+@click.argument("file", type=PATH)
+@build_options
+def prove(file: Path, **options: Any) -> None:
+    """Prove FILE (.icw, or .nsl, which is compiled) by replaying its words.
+
+    The words are replayed for all codes and two frames of random light.
 
     The proof checks that every code opens the shutter in the decode table, and that each bucket
     contains exactly the light of its open slots. For a chip that receives
     bit planes, it follows the light of every pixel through the planes."""
     from nscc.program.problems import counted
-    from nscc.prove.shutters import prove_file
+    from nscc.prove.shutters import prove_container
 
-    container, proof = prove_file(file)
+    if file.suffix.lower() == ".nsl":
+        container, messages = load_program(file, options)
+    else:
+        refuse_ignored(f"'{file}' is compiled already", *options)
+        container, messages = read_container(file), ()
+    proof = prove_container(container, file.as_posix())
+    say(messages)
     pixels = f"{counted(proof.pixels, 'pixel')} x " if proof.pixels else ""
     click.echo(
         f"{file.as_posix()}: proved: {pixels}{counted(proof.codes, 'code')} x "

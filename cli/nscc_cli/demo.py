@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from dataclasses import replace
 from pathlib import Path
 
@@ -42,6 +43,11 @@ def command(
     that look at their light, which need no decoder. For a clip with several readouts, it also
     shows a burst of the same number of ordinary frames. Without PHOTO, a built-in scene is
     exposed."""
+    if scene is not None and Path(scene).suffix.lower() in (".nsl", ".icw"):
+        raise click.UsageError(
+            f"'{scene}' is a program, and the demo exposes a photo or a clip with shutters of its "
+            f"own: `nscc run {shlex.quote(scene)} --scene PHOTO` exposes with your program"
+        )
     from nscc_runtime.scenes import Scene
     from nscc_runtime.simulate import Listener
     from nscc_training.demo import BUILTIN, Settings, demo, readouts_text

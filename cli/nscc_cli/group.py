@@ -10,10 +10,10 @@ import click
 
 from nscc import __version__
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.diagnostics.suggest import meant
+from nscc.diagnostics.suggest import did_you_mean, meant
 from nscc.plugins import added, unusable
 from nscc_cli.support import show
-from nscc_cli.table import COMMANDS, MODULES
+from nscc_cli.table import COMMANDS, GROUPS, MODULES, SYNONYMS
 
 
 class LazyGroup(click.Group):
@@ -44,7 +44,10 @@ class LazyGroup(click.Group):
             raise click.NoSuchOption(name, ctx=ctx)
         command = self.get_command(ctx, name)
         if command is None:
-            helps = meant(name, self.list_commands(ctx), written="nscc {}")
+            if name in SYNONYMS:
+                helps = (did_you_mean(f"nscc {SYNONYMS[name]}"),)
+            else:
+                helps = meant(name, self.list_commands(ctx), written="nscc {}")
             if not helps and name.endswith((".nsl", ".icw")):
                 helps = (f"name a command first: `nscc check {shlex.quote(name)}`",)
             helps = helps or ("`nscc --help` lists the commands",)
@@ -55,9 +58,11 @@ class LazyGroup(click.Group):
         return name, command, args[1:]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """List nscc's commands without importing them, then those that other distributions add."""
-        with formatter.section("Commands"):
-            formatter.write_dl([*COMMANDS.items()])
+        """List nscc's commands by task without importing them, then those of other packages."""
+        width = max(map(len, COMMANDS))
+        for title, lines in GROUPS.items():
+            with formatter.section(title):
+                formatter.write_dl([(f"{name:{width}}", line) for name, line in lines.items()])
         rows = [
             (name, command.get_short_help_str(80)) for name, command in self._usable_added().items()
         ]

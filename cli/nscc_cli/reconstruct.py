@@ -67,6 +67,17 @@ def command(
 
     An .npz output contains `image` (rows, cols) in electrons over the frame, or `video` (T, rows,
     cols) in electrons per slot. These are the units of `truth_e` in frame files."""
+    if frame is None and run == "any":
+        raise click.UsageError("`nscc reconstruct any` needs FRAME.npz, which `nscc run` writes")
+    if frame is None:
+        from nscc_training.frame_reading import refuse_missing
+
+        refuse_missing(Path(run))
+        from nscc_training.reconstruct_any import is_measurement
+
+        # A measurement of another camera belongs to no run: only `any` decodes it.
+        if is_measurement(Path(run), mask):
+            run, frame = "any", Path(run)
     if run != "any" and (kind or program or method):
         raise click.UsageError(
             "--as, --method and --program are for `nscc reconstruct any`: a run contains them"

@@ -235,6 +235,10 @@ class Subcommands(CommonCommand, click.Group):
     unknown = "command '{group} {name}'"
     """The description of an unknown name in the error message."""
 
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return the names of the subcommands; `of` is implied by its first argument."""
+        return [name for name in super().list_commands(ctx) if name != "of"]
+
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """List the options, then the commands."""
         super().format_options(ctx, formatter)
@@ -253,8 +257,8 @@ class Subcommands(CommonCommand, click.Group):
             "NS0781",
             f"unknown name: nscc has no {self.unknown.format(group=self.name, name=name[:60])}",
             helps=(
-                *meant(name, self.commands, written=f"nscc {self.name} {{}}"),
-                f"there is: {', '.join(self.commands)}",
+                *meant(name, self.list_commands(ctx), written=f"nscc {self.name} {{}}"),
+                f"there is: {', '.join(self.list_commands(ctx))}",
                 *self.or_else(),
             ),
         )

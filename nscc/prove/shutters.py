@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,6 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.prove.proof import Proof, prove, prove_stream, shutters, unproved_error
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
-from nscc.words.file import read_container
 from nscc.words.legality import decoded
 
 
@@ -85,30 +83,28 @@ def shutters_of_pixels(container: Container, name: str = "this program") -> dict
     return {"shutter": shutter, "shutter_shape": shape, **fields_at_pixels(laid)}
 
 
-def prove_file(path: Path) -> tuple[Container, Proof]:
-    """Return the container in `path`, and the proof that its words match its decode table.
+def prove_container(container: Container, name: str) -> Proof:
+    """Return the proof that a container's words match its decode table.
 
-    Raises Rejected if the file cannot be read or has invalid words; with status 1, NS0443 if it has
-    no decode table, and NS0440 if the proof fails."""
-    container = read_container(path)
+    Messages call the container `name`. Raises Rejected if it has invalid words; with status 1,
+    NS0443 if it has no decode table, and NS0440 if the proof fails."""
     kernels = decoded(container)
     if container.target.streamed:
-        return container, _accepted_proof(path, prove_stream(container), "planes")
+        return _accepted_proof(name, prove_stream(container), "planes")
     if not container.has_table:
         raise rejected(
             "NS0443",
-            f"'{path.as_posix()}' has no decode table, so there are no shutters to compare "
-            "its words with",
+            f"'{name}' has no decode table, so there are no shutters to compare its words with",
             helps=(
                 "`nscc shutters` prints the shutters that the words implement",
                 "add a decode table to the assembly text: `.shutter` and `.code` lines",
             ),
             status=1,
         )
-    return container, _accepted_proof(path, prove(container, kernels), "words")
+    return _accepted_proof(name, prove(container, kernels), "words")
 
 
-def _accepted_proof(path: Path, proof: Proof, subject: str) -> Proof:
+def _accepted_proof(name: str, proof: Proof, subject: str) -> Proof:
     """Return a successful proof; raise NS0440 for a failed one, and that of `unproved_error`."""
     if proof.failure is not None and proof.failure.unproved is not None:
         raise Rejected(unproved_error(proof.failure))
@@ -118,8 +114,7 @@ def _accepted_proof(path: Path, proof: Proof, subject: str) -> Proof:
         place = ", ".join(f"{kind} {at}" for kind, at in places.items() if at is not None)
         raise rejected(
             "NS0440",
-            f"the {subject} of '{path.as_posix()}' do not match its decode table: "
-            f"{failure.reason} ({place})",
+            f"the {subject} of '{name}' do not match its decode table: {failure.reason} ({place})",
             notes=failure.doubts,
             helps=("build the program again; `nscc diff` shows which words changed",),
             data=places,

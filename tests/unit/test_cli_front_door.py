@@ -14,6 +14,7 @@ from contextlib import nullcontext, suppress
 from pathlib import Path
 
 import click
+import numpy as np
 import pytest
 from nscc_command import invoke
 
@@ -95,7 +96,7 @@ def test_every_command_has_help_and_common_options(folder: Path, name: str) -> N
         (["effects", "shot-noise"], 2, "NS0756", "did you mean `shot`?"),
         (["effects", "shot", "--json"], 2, "NS0780", "]: EFFECT, --json"),
         (["metrics", "a.npy", "b.npy"], 2, "NS0780", "--data-range: The peak"),
-        (["prove", "ok.nsl"], 1, "NS0702", "`nscc build ok.nsl`"),
+        (["disasm", "ok.nsl"], 1, "NS0702", "`nscc build ok.nsl`"),
         ([], 2, "NS0780", "--help"),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else None,
@@ -107,6 +108,49 @@ def test_exit_status_and_message(
     assert outcome.status == status
     assert part in outcome.err
     assert code is None or code in outcome.codes
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "helps"),
+    [
+        (["plot", "ok.nsl"], "NS0781", "did you mean `nscc view`?"),
+        (["compile", "ok.nsl"], "NS0781", "did you mean `nscc build`?"),
+        (["demo", "ok.nsl"], "NS0780", "`nscc run ok.nsl --scene PHOTO`"),
+        (["build", "ok.nsl", "-o", "x.foo"], "NS0786", "name it x.icw"),
+        (["build", "ok.nsl", "-o", "x.cpp"], "NS0786", "`--emit cpp -o x.icw`"),
+        (["reconstruct", "missing.npz", "-o", "o.npz"], "NS0819", "the file does not exist"),
+        (["reconstruct", "any", "-o", "o.npz"], "NS0780", "needs FRAME.npz"),
+        (["tradeoff", "foo"], "NS0781", "there is: decoder, emulator, images, sensor, synthesis"),
+    ],
+)  # fmt: skip
+def test_wrong_commands_say_what_to_write(
+    folder: Path, arguments: list[str], code: str, helps: str
+) -> None:
+    ended = invoke(arguments, folder)
+    assert ended.status == 2
+    assert f"[{code}]" in ended.err
+    assert helps in ended.err
+    assert "Error:" not in ended.err
+    assert not list(folder.glob("x*"))
+
+
+def test_prove_compiles_programs(folder: Path) -> None:
+    invoke(["build", "ok.nsl", "-o", "named_otherwise"], folder)
+    proofs = [invoke(["prove", name], folder) for name in ("ok.nsl", "named_otherwise")]
+    assert [proof.status for proof in proofs] == [0, 0]
+    program, container = (proof.out.partition(": ")[2] for proof in proofs)
+    assert program == container
+
+
+def test_a_measurement_of_another_camera_needs_no_decoder_name(folder: Path) -> None:
+    generator = np.random.default_rng(0)
+    mask = generator.integers(0, 2, (16, 16, 4)).astype(np.uint8)
+    np.savez(folder / "own.npz", meas=(mask * generator.random(mask.shape)).sum(-1), mask=mask)
+    options = ["--method", "gap-tv", "-o"]
+    for arguments in (["own.npz"], ["any", "own.npz"]):
+        name = f"{len(arguments)}.npy"
+        assert invoke(["reconstruct", *arguments, *options, name], folder).status == 0
+    assert (folder / "1.npy").read_bytes() == (folder / "2.npy").read_bytes()
 
 
 @pytest.mark.parametrize("arguments", [["check", "bad.nsl"], ["chek"], ["check", "--what"]])
