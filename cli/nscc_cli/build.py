@@ -79,7 +79,7 @@ def _check_container_name(out: Path) -> None:
     ending = out.suffix.lower()
     kind = next((kind for kind, suffix in SUFFIXES.items() if suffix.endswith(ending)), None)
     named = shlex.quote(out.with_suffix(SUFFIX).as_posix())
-    helps = (f"name it {named}",)
+    helps: tuple[str, ...] = (f"name it {named}",)
     if kind is not None:
         helps = (f"`--emit {kind} -o {named}` writes this product beside it", *helps)
     raise rejected(

@@ -45,7 +45,7 @@ class LazyGroup(click.Group):
         command = self.get_command(ctx, name)
         if command is None:
             if name in SYNONYMS:
-                helps = (did_you_mean(f"nscc {SYNONYMS[name]}"),)
+                helps: tuple[str, ...] = (did_you_mean(f"nscc {SYNONYMS[name]}"),)
             else:
                 helps = meant(name, self.list_commands(ctx), written="nscc {}")
             if not helps and name.endswith((".nsl", ".icw")):
