@@ -129,10 +129,10 @@ class MeasuredTables:
         return {"shutters": self._shutters, **fields}
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """Use the table of `tensors`; raise KeyError or TypeError for other tensors."""
+        """Use the table of `tensors`; raise KeyError for other tensors."""
         if tensors:
-            fields = {key: value for key, value in tensors.items() if key != "shutters"}
-            table = EmulatedSensor(**fields | {"crosstalk": float(fields["crosstalk"])})
+            arrays = (tensors[key] for key in ("light_e", "share", "code", "spread", "full"))
+            table = EmulatedSensor(*arrays, float(tensors["crosstalk"]))
             self.use(tensors["shutters"], lambda: table)
 
 

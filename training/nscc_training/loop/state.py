@@ -152,7 +152,7 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
         if best:
             set_tensors(state.setup, best)
         state.set(tensors)
-    except (KeyError, RuntimeError, TypeError, ValueError) as error:
+    except (KeyError, RuntimeError, ValueError) as error:
         raise _refused(path, f"a part is missing: {' '.join(str(error).split())[:100]}") from error
     progress.best = best or None
     return progress
