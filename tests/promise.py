@@ -131,12 +131,11 @@ def outcome(
     seed: int = 3,
     device_seed: int = 5,
     effects: str = "auto",
-    tolerance_max: float | str | None = None,
 ) -> Outcome:
     """Plan and run as many frames as `full` has, and compare: all in one pool."""
     made = plan(
         container, light, sensor=sensor, effects=effects, tolerance=tolerance,
-        device_seed=device_seed, tolerance_max=tolerance_max,
+        device_seed=device_seed,
     )  # fmt: skip
     taken = capture(
         container, light, sensor=sensor, plan=made, seed=seed, device_seed=device_seed,

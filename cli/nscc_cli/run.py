@@ -36,10 +36,20 @@ if TYPE_CHECKING:
     from nscc_training.run_files import RunCapture
 
 _SIMULATION = (
-    "effects", "tolerance", "tolerance_max", "plan", "audit", "fidelity", "seed", "device_seed",
-    "repeat",
+    "effects", "tolerance", "plan", "audit", "fidelity", "seed", "device_seed", "repeat",
 )  # fmt: skip
 """Options of the simulation; `nscc_runtime` has the defaults of missing options."""
+
+
+def _refuse_tolerance_max(
+    _context: click.Context, _option: click.Parameter, value: str | None
+) -> None:
+    """Raise a usage error for an option that earlier versions had."""
+    if value is not None:
+        raise click.UsageError(
+            "nscc run no longer has --tolerance-max: use --tolerance, which limits the RMS error; "
+            "--verbose shows the error of the worst pixel"
+        )
 
 
 @click.command(name="run", cls=CommonCommand)
@@ -66,8 +76,8 @@ _SIMULATION = (
     click.option("--tolerance", metavar="5e|0.1lsb|1%",
                  help="Largest RMS error of a plan; %: of the mean signal. Default: 0.15noise, "
                       "a fraction of the frame's own noise."),
-    click.option("--tolerance-max", metavar="T",
-                 help="The largest error of the worst pixel (default: any)."),
+    click.option("--tolerance-max", hidden=True, expose_value=False,
+                 callback=_refuse_tolerance_max),
     click.option("--fidelity", type=click.Choice(["planned", "reference"]),
                  help="reference: simulate effects slot by slot, exactly (slow). planned "
                       "(default): within a tolerance."),
@@ -170,8 +180,8 @@ def _run_on_emulator(
         raise simulated.broken
 
 
-_MEANINGLESS = ("effects", "seed", "device_seed", "fidelity", "tolerance", "tolerance_max", "audit",
-               "plan", "like", "fit", "color", "first", "single")  # fmt: skip
+_MEANINGLESS = ("effects", "seed", "device_seed", "fidelity", "tolerance", "audit", "plan",
+                "like", "fit", "color", "first", "single")  # fmt: skip
 _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
 

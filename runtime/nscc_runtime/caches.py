@@ -17,6 +17,14 @@ R = TypeVar("R")
 T = TypeVar("T")
 
 
+class _Cache(dict[Any, Any]):
+    """Cached results. Copies and pickled objects have an empty cache: results may contain functions
+    and locks, and can be computed again."""
+
+    def __reduce__(self) -> tuple[type[_Cache], tuple[()]]:
+        return _Cache, ()
+
+
 def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S, P], R]:
     """Cache a method's results for equal arguments, which must be positional and hashable. Results
     are stored in the object's `__dict__`, like those of `functools.cached_property`."""
@@ -30,7 +38,7 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
         except KeyError:
             pass
         result = method(self, *arguments, **named)
-        self.__dict__.setdefault(name, {})[arguments] = result
+        self.__dict__.setdefault(name, _Cache())[arguments] = result
         return result
 
     return call
@@ -73,7 +81,7 @@ class OfContainer(Generic[P, T]):
 
     def __call__(self, container: Container, *key: P.args, **named: P.kwargs) -> T:
         with self._making:  # threads that share a program wait for a single analysis
-            analyses: dict[Any, Any] = vars(container).setdefault(_ANALYSES, {})
+            analyses: dict[Any, Any] = vars(container).setdefault(_ANALYSES, _Cache())
             if (self, key) not in analyses:
                 analyses[self, key] = self._make(container, *key, **named)
             analysis: T = analyses[self, key]

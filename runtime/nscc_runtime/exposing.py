@@ -44,13 +44,13 @@ from nscc_runtime.python_arguments import (
     ProgramLike,
     SensorLike,
     changes_of,
-    check_device,
     check_run,
     container_of,
     effects_of,
     laid_of,
     number,
     plan_of,
+    refuse_removed,
     sensor_of,
     text_of,
     tolerance_of,
@@ -63,6 +63,7 @@ from nscc_runtime.sensor.file import load_sensor
 from nscc_runtime.simulate import Fidelity, Listener, Request
 
 
+@refuse_removed
 def capture(
     program: ProgramLike,
     light: LightLike,
@@ -70,7 +71,6 @@ def capture(
     sensor: SensorLike = None,
     effects: str | Selection | None = None,
     tolerance: str | float | None = None,
-    tolerance_max: str | float | None = None,
     plan: Plan | str | Path | None = None,
     fidelity: Fidelity = "planned",
     audit: bool = Request.audit,
@@ -78,7 +78,6 @@ def capture(
     device_seed: int = Request.device_seed,
     repeat: int | None = Request.repeat,
     threads: int | None = Request.threads,
-    torch_device: str | None = Request.torch_device,
     turn: Turn | None = Request.turn,
 ) -> Capture:
     """Capture a scene with a program on the emulated chip.
@@ -95,12 +94,10 @@ def capture(
         the chip.
     effects : str or Selection, optional
         "none" (sums of light), "auto", "all", or names as for `nscc run --effects`. The default is
-        "auto" if `tolerance`, `tolerance_max`, `plan` or `audit` is given, else "none".
+        "auto" if `tolerance`, `plan` or `audit` is given, else "none".
     tolerance : str or float, optional
         Largest RMS difference from the reference: "5e", "0.1lsb", "1%" of the mean signal, or
         "0.15noise" of the frame's own noise (the default of "auto"). A number is in electrons.
-    tolerance_max : str or float, optional
-        Largest difference of a single pixel, in the same units.
     plan : Plan, str or PathLike, optional
         A plan of `nscc_runtime.plan`, or a file. A file that does not exist is written.
     fidelity : {"planned", "reference"}
@@ -115,9 +112,6 @@ def capture(
         Number of frames.
     threads : int, optional
         Number of threads, by default that of the processors. The result does not depend on it.
-    torch_device : str, optional
-        "cuda" or "cpu": draw and add with torch, using the same random numbers. Saturated pixels
-        stay on the CPU.
     turn : Turn, optional
         Position in a series of frames that share plans (`nscc_runtime.kept_plans`).
 
@@ -139,15 +133,11 @@ def capture(
     check_run(call, seed, device_seed, threads)
     if repeat is not None:
         require_whole_number(call, "repeat", repeat, least=1, most=10_000)
-    if torch_device is not None:
-        check_device(call, torch_device)
     file = plan_of(call, plan)
     request = Request.of(
         effects=effects_of(call, effects), tolerance=tolerance_of(call, "tolerance", tolerance),
-        tolerance_max=tolerance_of(call, "tolerance_max", tolerance_max), plan=file,
-        fidelity=fidelity, audit=flag(call, "audit", audit), seed=int(seed),
-        device_seed=int(device_seed), repeat=repeat, threads=threads,
-        torch_device=torch_device, turn=turn,
+        plan=file, fidelity=fidelity, audit=flag(call, "audit", audit), seed=int(seed),
+        device_seed=int(device_seed), repeat=repeat, threads=threads, turn=turn,
     )  # fmt: skip
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=diagnostics.append))
@@ -216,6 +206,7 @@ def captures(
         return [*pool.map(run, range(count), *arguments)]
 
 
+@refuse_removed
 def plan(
     program: ProgramLike,
     light: LightLike,
@@ -223,7 +214,6 @@ def plan(
     sensor: SensorLike = None,
     effects: str | Selection = "auto",
     tolerance: ToleranceInput = Request.tolerance,
-    tolerance_max: ToleranceInput | None = None,
     device_seed: int = Request.device_seed,
 ) -> Plan:
     """Choose the effects that a capture has to simulate for a tolerance. Nothing is exposed.
@@ -239,7 +229,7 @@ def plan(
         As for `capture`.
     effects : str or Selection
         As for `capture`.
-    tolerance, tolerance_max : str or float, optional
+    tolerance : str or float, optional
         As for `capture`.
     device_seed : int
         Seed of the fixed pattern.
@@ -265,13 +255,11 @@ def plan(
     chip = sensor_of(call, sensor, converter_of(container))
     require_whole_number(call, "device_seed", device_seed)
     allowed = tolerance_of(call, "tolerance", tolerance)
-    most = tolerance_of(call, "tolerance_max", tolerance_max)
-    request = Request.of(effects=effects_of(call, effects), tolerance=allowed, tolerance_max=most)
+    request = Request.of(effects=effects_of(call, effects), tolerance=allowed)
     check(container, scene)
     refuse_planless(container, call)
     warn(diagnostics)
-    limits = request.tolerance, request.tolerance_max
-    wanted = PlanRequest(request.effects, *limits, figures=True)
+    wanted = PlanRequest(request.effects, request.tolerance, figures=True)
     return make_plan(planning_of(container, chip, scene, device_seed), wanted)
 
 

@@ -141,7 +141,7 @@ def _for_all(
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.planned_scene import PlannedScene
     from nscc_runtime.planning.scenes import planning_of
-    from nscc_runtime.planning.tolerance import OPTION_MAX, noise_part, tolerance_of
+    from nscc_runtime.planning.tolerance import noise_part, tolerance_of
 
     class All:
         """A scene of all lights, for relative tolerances."""
@@ -157,15 +157,11 @@ def _for_all(
         def noise_e(self) -> float:
             return math.sqrt(sum(piece.noise_e() ** 2 for piece in self.pieces()) / len(lights))
 
-    most, noise_fraction = request.tolerance_max, noise_part(str(request.tolerance))
-    measured = noise_fraction is None or most is not None or request.audit
+    noise_fraction = noise_part(str(request.tolerance))
+    measured = noise_fraction is None or request.audit
     if not measured and all(piece.approximates(None, noise_fraction) for piece in All().pieces()):
         return request
-    return replace(
-        request,
-        tolerance=tolerance_of(request.tolerance, sensor, All()),
-        tolerance_max=None if most is None else tolerance_of(most, sensor, All(), OPTION_MAX),
-    )
+    return replace(request, tolerance=tolerance_of(request.tolerance, sensor, All()))
 
 
 def overlapping(container: Container, placement: Placement) -> Placement:

@@ -7,8 +7,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from functools import wraps
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, ParamSpec, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +35,9 @@ from nscc_runtime.scenes.load import PlacedLight, light_of_array
 from nscc_runtime.scenes.placement import Placement
 from nscc_runtime.scenes.scene import Scene
 from nscc_runtime.sensor.file import default_sensor, load_sensor
+
+P = ParamSpec("P")
+R = TypeVar("R")
 
 
 class HasWords(Protocol):
@@ -196,20 +200,24 @@ def plan_of(call: str, plan: object) -> Plan | Path | None:
     raise wrong_argument(f"{call}: plan must be a plan or a plan file, not {shown(plan)}")
 
 
-def check_device(call: str, device: object) -> None:
-    """Raise WrongArgument if torch cannot compute in float64 on this device."""
-    if not isinstance(device, str):
-        raise wrong_argument(
-            f"{call}: torch_device must be a name such as 'cuda', not {shown(device)}"
-        )
-    import torch
+_REMOVED = {
+    "tolerance_max": "use tolerance, which limits the RMS error; the plan shows its worst pixel",
+    "torch_device": "leave torch_device out: frames are exposed on the processor, by `threads`",
+}
+"""What to do instead of each argument that earlier versions had."""
 
-    try:
-        torch.ones(1, dtype=torch.float64, device=device).sum().cpu()
-    except (AssertionError, RuntimeError, TypeError) as error:
-        reason = str(error).strip().partition("\n")[0][:150]
-        raise wrong_argument(
-            f"{call}: torch cannot compute on the torch_device {device[:60]!r}",
-            notes=(reason,),
-            helps=("leave torch_device out to use the processor",),
-        ) from error
+
+def refuse_removed(function: Callable[P, R]) -> Callable[P, R]:
+    """Return the function with a WrongArgument for each argument that earlier versions had."""
+
+    @wraps(function)
+    def call(*arguments: P.args, **named: P.kwargs) -> R:
+        for name, instead in _REMOVED.items():
+            if name in named:
+                raise wrong_argument(
+                    f"nscc_runtime.{function.__name__} no longer has the argument {name}",
+                    helps=(instead,),
+                )
+        return function(*arguments, **named)
+
+    return call

@@ -23,7 +23,7 @@ from nscc_runtime.frame_series import gathered
 from nscc_runtime.kept_plans import Statistics, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import reason_without_plan, refuse_planless
-from nscc_runtime.planning.tolerance import DEFAULT, OPTION_MAX, ToleranceInput, check_tolerance
+from nscc_runtime.planning.tolerance import DEFAULT, ToleranceInput, check_tolerance
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
@@ -42,25 +42,22 @@ class Request:
     """How to expose a scene.
 
     With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal,
-    0.15noise of the frame's own noise, or electrons), and the worst pixel to `tolerance_max` if
-    that is set. The plan is the given `plan`, read from a file, or made now; if `plan` names a file
-    that does not exist, its text is returned. Otherwise words are executed slot by slot, without
-    effects or with all of `effects` exactly. `audit` compares frames under a plan with this
-    reference. With a `turn`, the plan of an earlier scene is reused if it covers this scene.
-    `repeat`: number of frames, None for a single frame. Results do not depend on `threads` (None:
-    all processors). `torch_device`: the torch device that computes frames by sums."""
+    0.15noise of the frame's own noise, or electrons). The plan is the given `plan`, read from a
+    file, or made now; if `plan` names a file that does not exist, its text is returned. Otherwise
+    words are executed slot by slot, without effects or with all of `effects` exactly. `audit`
+    compares frames under a plan with this reference. With a `turn`, the plan of an earlier scene is
+    reused if it covers this scene. `repeat`: number of frames, None for a single frame. Results do
+    not depend on `threads` (None: all processors)."""
 
     effects: Selection
     planned: bool = True
     tolerance: ToleranceInput = DEFAULT
-    tolerance_max: ToleranceInput | None = None
     audit: bool = False
     plan: Plan | Path | None = None
     seed: int = 0
     device_seed: int = 0
     repeat: int | None = None
     threads: int | None = None
-    torch_device: str | None = None
     turn: Turn | None = None
     next_lights: tuple[Light, ...] = ()
     """Lights of all frames after the first, for images and planes; empty for equal lights."""
@@ -71,7 +68,6 @@ class Request:
         *,
         effects: str | Selection | None = None,
         tolerance: ToleranceInput | None = None,
-        tolerance_max: ToleranceInput | None = None,
         plan: Plan | Path | None = None,
         audit: bool = False,
         fidelity: Fidelity = "planned",
@@ -84,20 +80,15 @@ class Request:
         `fidelity` "reference" simulates `effects` slot by slot. `mark`: prefix of option names in
         messages. Raises Rejected: NS0739 (status 2) for options that exclude each other, NS0756 for
         unknown effects."""
-        tolerances = {"tolerance": tolerance, "tolerance_max": tolerance_max}
-        tolerances = {name: value for name, value in tolerances.items() if value is not None}
-        given_options = {"audit": audit, "plan": plan is not None}
-        planning_options = [
-            *tolerances,
-            *(name for name, present in given_options.items() if present),
-        ]
+        given_options = {
+            "tolerance": tolerance is not None, "audit": audit, "plan": plan is not None
+        }  # fmt: skip
+        planning_options = [name for name, present in given_options.items() if present]
         text = effects if effects is not None else "auto" if planning_options else "none"
         chosen = selected(text) if isinstance(text, str) else text
         reference = fidelity == "reference"
         if reference and (planning_options or chosen.auto):
-            named = (
-                ", ".join(_option(mark, name) for name in planning_options) or f"{mark}effects auto"
-            )
+            named = ", ".join(mark + name for name in planning_options) or f"{mark}effects auto"
             raise _contradiction(
                 f"{named} with {mark}fidelity reference",
                 "the reference simulates the selected effects without a plan",
@@ -105,9 +96,8 @@ class Request:
             )
         file = plan if isinstance(plan, Path) else None
         plan_exists = file.exists() if file is not None else plan is not None
-        if plan_exists and (effects is not None or tolerances):
-            first = next(iter(["effects"] if effects is not None else tolerances))
-            named = _option(mark, first)
+        if plan_exists and (effects is not None or tolerance is not None):
+            named = f"{mark}{'effects' if effects is not None else 'tolerance'}"
             plan_name = "a plan" if file is None else f"the plan '{file}'"
             raise _contradiction(
                 f"{named} with {plan_name}",
@@ -115,7 +105,8 @@ class Request:
                 f"leave {named} out, or name a file that does not exist to write a new plan",
             )
         planned = not reference and (bool(planning_options) or not chosen.noiseless)
-        options.update(tolerances)
+        if tolerance is not None:
+            options["tolerance"] = tolerance
         return cls(chosen, planned=planned, plan=plan, audit=audit, **options)
 
 
@@ -179,8 +170,6 @@ def _simulated(
     reason = reason_without_plan(container)
     if reason:
         check_tolerance(request.tolerance, sensor)
-        if request.tolerance_max is not None:
-            check_tolerance(request.tolerance_max, sensor, OPTION_MAX)
     if request.planned and not reason:
         return _planned(container, light, sensor, request, listener)
     noiseless = request.effects.noiseless
@@ -272,9 +261,7 @@ def _planned(
     from nscc_runtime.planning.scenes import planning_of
 
     timings, device_seed = listener.timings, request.device_seed
-    planning = planning_of(
-        container, sensor, light, device_seed, request.threads, request.torch_device
-    )
+    planning = planning_of(container, sensor, light, device_seed, request.threads)
     _say_compiling(listener, planning.loop, "planner")
     check(container, light)
     digest = digest_of(container)
@@ -317,9 +304,8 @@ def _make_plan(
 
     turn, repeat = request.turn, request.repeat or 1
     plan_request = PlanRequest(
-        request.effects, request.tolerance, request.tolerance_max, repeat,
-        figures=request.audit or request.plan is not None,
-    )  # fmt: skip
+        request.effects, request.tolerance, repeat, request.audit or request.plan is not None
+    )
     if turn is None or not request.effects.auto:
         return make_plan(scene, plan_request)
 
@@ -343,11 +329,6 @@ def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listen
 
 digest_of = OfContainer(lambda container: sha256(to_bytes(container)).hexdigest())
 """The SHA-256 digest that identifies a program in frames and plans."""
-
-
-def _option(mark: str, name: str) -> str:
-    """Return how messages name an argument: `name`, or with a `mark` a command-line option."""
-    return mark + (name.replace("_", "-") if mark else name)
 
 
 def _contradiction(options: str, note: str, help_text: str) -> Rejected:

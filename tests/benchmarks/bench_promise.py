@@ -75,12 +75,10 @@ def kept_back(plans: int, first_seed: int) -> int:
     judged = [each for each in found if each.counts]
     parts = np.array([each.plan.predicted_e / each.err for each in judged])
     near = float(np.mean(np.abs(parts - 1.0) <= 0.15))
-    bounded = [each for each in found if each.plan.tolerance_max_e is not None]
     noisy = [each for each in found if None not in (each.noise_ratio, each.plan.noise_ratio)]
     broken = sum(not each.kept for each in found)
     rows = [
         ("root mean square above 1.1 x the tolerance", broken, found),
-        ("a pixel above 1.1 x `--tolerance-max`", _missed("worst", bounded, "broken"), bounded),
         ("one in a thousand above twice the estimate", _missed("one in", found), found),
         ("the worst pixel above twice the estimate", _missed("worst", found), found),
         ("noise off by more than 0.02", _missed("noise", noisy), noisy),

@@ -74,7 +74,7 @@ def offers(shell: str, typed: str, monkeypatch: pytest.MonkeyPatch,
     ("typed", "offered"),
     [
         ("nscc bu", ["build"]),
-        ("nscc run p.nsl --tol", ["--tolerance", "--tolerance-max"]),
+        ("nscc run p.nsl --tol", ["--tolerance"]),
         ("nscc evaluate comp", ["compare"]),
         ("nscc check --lowering l", ["latch"]),
         ("nscc check --target scamp5-", ["file: scamp5-", "scamp5-algorithm1"]),

@@ -317,3 +317,10 @@ def test_words_that_compare_light_have_no_plan(folder: Path) -> None:
     assert invoke(["asm", "w.asm", "-o", "w.icw"], folder).status == 0
     outcome = invoke(["run", "w.icw", "--scene", "builtin:dark", "--effects", "auto"], folder)
     assert (outcome.status, outcome.codes) == (1, ["NS0442"])
+
+
+def test_a_tolerance_of_the_worst_pixel_is_refused(folder: Path) -> None:
+    outcome = run(folder, "--tolerance", "5e", "--tolerance-max", "9e")
+    assert outcome.status == 2
+    assert "no longer has --tolerance-max: use --tolerance" in outcome.err
+    assert not (folder / "f.npz").exists()

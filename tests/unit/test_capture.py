@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import pickle
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from plan_cases import case, moving_light, plan_of
 from reference_programs import exposures, sensor_of
+from reference_programs import program as compiled
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime import capture, captures
+from nscc_runtime import audit, capture, captures, plan
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.interface import Exposure
@@ -20,6 +24,14 @@ from nscc_runtime.sensor import Sensor, default_sensor
 ROWS, COLS = 12, 16
 CLIP = moving_light((8, ROWS, COLS), 400.0).frames
 PROGRAM = case("b edges", 8, rows=ROWS, cols=COLS)
+LOOKS = """nsl 2
+frame 8 slots of 1ms
+sense bright when light > 45% at n in [1, 4]
+state closed : 0..2 = 0
+next closed = looks when bright and closed == 0
+open when closed == 0
+read closed
+"""
 
 
 def test_arrays_are_clips_or_stills_and_light_is_light() -> None:
@@ -182,3 +194,26 @@ def test_a_frame_is_near_the_reference_to_its_tolerance() -> None:
     assert err <= 1.1 * 5.0
     assert isinstance(taken.plan, Plan)
     assert taken.plan.predicted_e == pytest.approx(err, rel=0.2)
+
+
+@pytest.mark.parametrize("effects", ["none", "auto", "all"])
+@pytest.mark.parametrize("looks", [False, True])
+def test_captures_cross_processes(looks: bool, effects: str) -> None:
+    chosen = compiled(LOOKS, "auto", ROWS, COLS) if looks else PROGRAM
+    taken = capture(chosen, CLIP, effects=effects, repeat=2)
+    text = repr(taken), taken._repr_html_()
+    again = pickle.loads(pickle.dumps(taken))
+    np.testing.assert_array_equal(again.exposure_e, taken.exposure_e)
+    assert (repr(again), again._repr_html_()) == text
+    assert again.plan == taken.plan
+    assert again.meta == taken.meta
+    np.testing.assert_array_equal(again.light_e_per_s(), taken.light_e_per_s())
+
+
+@pytest.mark.parametrize("name", ["tolerance_max", "torch_device"])
+@pytest.mark.parametrize("call", [capture, captures, plan, audit])
+def test_arguments_of_earlier_versions_say_what_to_do(
+    name: str, call: Callable[..., object]
+) -> None:
+    with pytest.raises(TypeError, match=rf"no longer has the argument {name}(?s:.*)(use|leave)"):
+        call(PROGRAM, CLIP, **{name: "5e"})

@@ -23,17 +23,16 @@ from nscc.source import Source  # noqa: E402
 from nscc.words.container import Container  # noqa: E402
 from nscc_runtime.effects.crosstalk import smeared  # noqa: E402
 from nscc_runtime.light import Light  # noqa: E402
-from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256  # noqa: E402
+from nscc_runtime.sensor import default_sensor, sensor_sha256  # noqa: E402
 from nscc_runtime.simulate import Request, simulate  # noqa: E402
-from nscc_training import emulated  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, emulated_sensor  # noqa: E402
 from nscc_training.evaluation.results import result_text  # noqa: E402
 from nscc_training.evaluation.runs import evaluate  # noqa: E402
 from nscc_training.frame_reading import Dark, FrameRead  # noqa: E402
-from nscc_training.loop import decoding, train  # noqa: E402
 from nscc_training.loop import setup as setups  # noqa: E402
+from nscc_training.loop import train  # noqa: E402
 from nscc_training.loop.setup import TrainingSetup, make_setup  # noqa: E402
 from nscc_training.programs import compiled, program_of  # noqa: E402
 from nscc_training.reconstruct import reconstructed  # noqa: E402
@@ -63,12 +62,10 @@ def program() -> Container:
     return container
 
 
-def emulated_codes(program: Container, light: Light, seeds: tuple[int, int], device=None):
+def emulated_codes(program: Container, light: Light, seeds: tuple[int, int]):
     """Codes above the ADC's offset (2, rows, cols) of two frames with all effects."""
     sensor, (seed, device_seed) = default_sensor(program.target), seeds
-    request = Request.of(
-        effects="all", seed=seed, device_seed=device_seed, repeat=2, torch_device=device
-    )
+    request = Request.of(effects="all", seed=seed, device_seed=device_seed, repeat=2)
     frame = simulate(program, light, sensor, request).frame.frame
     return np.asarray(frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32)
 
@@ -198,41 +195,6 @@ def test_training_measures_the_sensor_again_and_resumes_exactly(
     for name in ("codes.npz", WEIGHTS, "metrics.csv"):
         parts, whole = ((tmp_path / folder / name).read_bytes() for folder in ("parts", "whole"))
         assert parts == whole, name
-
-
-def test_codes_drawn_by_torch_are_the_same(program: Container) -> None:
-    sensor = default_sensor(program.target)
-    light_e = np.linspace(0, 1.1 * sensor.full_well_e, program.target.rows * program.target.cols)
-    still = light_e.astype(np.float32).reshape(program.target.rows, program.target.cols)
-    light = Light.of_still(still, np.full(SLOTS, 1 / SLOTS))
-    loops, drawn = (emulated_codes(program, light, (5, 6), device) for device in (None, "cpu"))
-    assert (loops == drawn).mean() > 0.999
-
-
-@pytest.mark.parametrize(("device", "named"), [("cpu", None), ("cuda:0", "cuda:0")])
-def test_a_run_is_emulated_where_it_trains(
-    device: str, named: str | None, program: Container, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    run = load_run(RUNS / "stills/class-b/learned-from-2x2/unet2d/noise-alone/seed0")
-    settings = replace(run.setup.settings, sensor=replace(run.setup.settings.sensor, effects="all"))
-    run = replace(run, setup=replace(run.setup, settings=settings, device=torch.device(device)))
-    asked = []
-
-    class SeenError(Exception):
-        """Nothing is exposed."""
-
-    def seen(_container: Container, _light: Light, _sensor: Sensor, request: Request) -> None:
-        asked.append(request.torch_device)
-        raise SeenError
-
-    monkeypatch.setattr(emulated, "simulate", seen)
-    monkeypatch.setattr(decoding, "simulate", seen)
-    with pytest.raises(SeenError):
-        run.setup.emulated  # noqa: B018  # made when it is asked for
-    sensor = run.setup.sensor
-    with pytest.raises(SeenError):
-        decoding.scene_by_chip(run.setup, program, sensor, np.ones((8, 8)), "all", (0, 0))
-    assert asked == [named, named]
 
 
 def test_crosstalk_is_the_emulators_and_light_has_a_slope(

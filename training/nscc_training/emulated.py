@@ -136,22 +136,15 @@ class MeasuredTables:
             self.use(tensors["shutters"], lambda: table)
 
 
-def captures_on(device: torch.device) -> str | None:
-    """Return the `torch_device` of captures; None on the CPU, where loops are faster."""
-    return None if device.type == "cpu" else str(device)
-
-
 def emulated_sensor(
-    container: Container, tile: tuple[int, int], sensor: Sensor, effects: str, chips: int = CHIPS,
-    torch_device: str | None = None,
-) -> EmulatedSensor:  # fmt: skip
+    container: Container, tile: tuple[int, int], sensor: Sensor, effects: str, chips: int = CHIPS
+) -> EmulatedSensor:
     """Measure the emulated sensor of a program with one bucket whose codes repeat a tile (rows,
     cols).
 
     `effects` and its errors are as for `--effects`. The measurement takes seconds, or half a minute
     if each place has its own shutter. Fewer `chips` are faster, but sample less of the variation
-    between chips. `torch_device` is as for `nscc_runtime.capture`; results are equal up to
-    rounding."""
+    between chips."""
     chosen = selected(effects)
     assert container.pixel_codes is not None
     slot_s = np.asarray(container.slot_us)
@@ -163,7 +156,7 @@ def emulated_sensor(
     weak = np.geomspace(_DARKEST * full_e / opened.max(), first, _DARK_LEVELS, endpoint=False)
     dense = np.geomspace(first, last, 2 + int(np.log(last / first) / np.log(_DENSE)))
     light_e = np.concatenate([[0.0], weak, dense])
-    code, spread, full = _measured(container, tile, light_e, sensor, chosen, chips, torch_device)
+    code, spread, full = _measured(container, tile, light_e, sensor, chosen, chips)
     exchange = chosen.find_part(Exchange)
     crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
     arrays = light_e, share, code, spread, full
@@ -173,7 +166,7 @@ def emulated_sensor(
 
 def _measured(
     container: Container, tile: tuple[int, int], light_e: NDArray[np.float64], sensor: Sensor,
-    effects: Selection, chips: int, torch_device: str | None,
+    effects: Selection, chips: int,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:  # fmt: skip
     """Return mean and standard deviation of codes, and the fraction of saturated pixels, each (K,
     r, c).
@@ -205,10 +198,7 @@ def _measured(
             return np.asarray(tiles.mean(axis=(0, 1, 4)).transpose(1, 0, 2))
 
         for chip in range(chips):
-            request = Request.of(
-                effects=effects, seed=chip, device_seed=chip, repeat=_FRAMES,
-                torch_device=torch_device,
-            )  # fmt: skip
+            request = Request.of(effects=effects, seed=chip, device_seed=chip, repeat=_FRAMES)
             frame = simulate(container, light, sensor, request).frame
             codes = np.asarray(
                 frame.frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32

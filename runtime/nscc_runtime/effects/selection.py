@@ -32,6 +32,10 @@ class Selection:
     forced: frozenset[str]
     auto: bool = False
 
+    def __reduce__(self) -> tuple[type[Selection], tuple[frozenset[str], frozenset[str], bool]]:
+        """Pickle names only: declarations of effects contain functions."""
+        return Selection, (self.on, self.forced, self.auto)
+
     @property
     def noiseless(self) -> bool:
         """Whether only permanent effects are selected, so that the exposure is the sum of light."""

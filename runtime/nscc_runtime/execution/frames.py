@@ -65,15 +65,13 @@ class Execution:
 @dataclass(frozen=True, eq=False)
 class ExecutedScene:
     """A program and a light on one chip, exposed frame by frame. `threads`: number of threads;
-    results do not depend on it. `torch_device`: the torch device that computes sums; None for the
-    processor."""
+    results do not depend on it."""
 
     program: AnalysedProgram
     light: Light
     execution: Execution
     device_seed: int
     threads: int
-    torch_device: str | None = None
 
     @cached_property
     def chip(self) -> SimulatedChip:
@@ -101,22 +99,7 @@ class ExecutedScene:
         if count < 1:
             raise ValueError(f"{count} frames")
         check_adc(self.program.container.target)
-        if self.torch_device is None or self.execution.path != "sums":
-            yield from (self.frame(seed, number) for number in range(count))
-            return
-        import torch
-
-        from nscc_runtime.execution.torch_frames import OnTorch
-
-        on_torch = OnTorch(self.summed, torch.device(self.torch_device))
-        step = on_torch.together
-        for first in range(0, count, step):
-            numbers = range(first, min(first + step, count))
-            for number, exposure in zip(numbers, on_torch.expose(seed, numbers), strict=True):
-                marked = np.zeros(exposure.shape, np.uint8)
-                if self._near_saturation is not None:
-                    self._run_near(exposure, marked, self.summed.away(seed, number), seed, number)
-                yield self._read_out(exposure, marked, seed, number)
+        yield from (self.frame(seed, number) for number in range(count))
 
     @cached_property
     def summed(self) -> SummedScene:
@@ -207,9 +190,8 @@ def executed(
     *,
     device_seed: int = 0,
     threads: int | None = None,
-    torch_device: str | None = None,
 ) -> ExecutedScene:
     """Return a scene to be exposed frame by frame. Raises Rejected if light and program do not fit,
     like `nscc_runtime.emulator.expose`."""
     check_size(program.container, light)
-    return ExecutedScene(program, light, execution, device_seed, threads_of(threads), torch_device)
+    return ExecutedScene(program, light, execution, device_seed, threads_of(threads))

@@ -60,14 +60,12 @@ is made, and when it is reused for another scene."""
 class PlanRequest:
     """The request for a plan.
 
-    `effects`: the requested effects. `tolerance`, `tolerance_max`: the largest RMS error and the
-    largest error of a pixel (None: any). `frames`: number of frames that share the plan; it decides
-    whether measuring saves time. `figures`: measure every figure of the table, even if that saves
-    no time."""
+    `effects`: the requested effects. `tolerance`: the largest RMS error. `frames`: number of frames
+    that share the plan; it decides whether measuring saves time. `figures`: measure every figure of
+    the table, even if that saves no time."""
 
     effects: Selection
     tolerance: ToleranceInput = DEFAULT
-    tolerance_max: ToleranceInput | None = None
     frames: int = MANY
     figures: bool = False
 
@@ -87,13 +85,9 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     if reason is not None:
         allowed = _known(scene, request.tolerance)
         path, why = scene.exact_path(allowed)
-        most = None
-        if request.tolerance_max is not None:
-            most = tolerance_of(request.tolerance_max, scene.sensor, scene, OPTION_MAX)
-        demands = Demands(effects, forced, allowed, most, str(request.tolerance))
+        demands = Demands(effects, forced, allowed, None, str(request.tolerance))
         return unmeasured(trial, demands, path, why, reason)
-    allowed, most = allowed_on(scene, request.tolerance, request.tolerance_max)
-    demands = Demands(effects, forced, allowed, most)
+    demands = Demands(effects, forced, tolerance_of(request.tolerance, scene.sensor, scene), None)
     free = frozenset(e.name for e in registered() if e.kind != "after") - forced
     return _measured(scene, trial, demands, free, request.figures)
 
@@ -195,7 +189,7 @@ def _not_worth(
     allowed = _known(scene, request.tolerance)
     tolerance_e = None if allowed is None else allowed.electrons
     noise_fraction = None if allowed is not None else noise_part(str(request.tolerance))
-    if request.tolerance_max is not None or not scene.approximates(tolerance_e, noise_fraction):
+    if not scene.approximates(tolerance_e, noise_fraction):
         return None
     too_large = NONE if tolerance_e is None else trial.too_large(tolerance_e)
     moves = [m for m in trial.moves(_names(trial) - forced) if not m.names & too_large]

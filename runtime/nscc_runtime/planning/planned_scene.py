@@ -176,16 +176,13 @@ class Trial(ABC):
 class PlannedScene(ABC):
     """A program on a scene, to be planned, exposed and audited.
 
-    `threads`: number of threads (None: all processors); results do not depend on it.
-    `torch_device`: the torch device that draws noise and adds up frames of programs with fixed
-    shutters; None for the processor."""
+    `threads`: number of threads (None: all processors); results do not depend on it."""
 
     container: Container
     sensor: Sensor
     light: Light
     device_seed: int = 0
     threads: int | None = None
-    torch_device: str | None = None
 
     @property
     @abstractmethod

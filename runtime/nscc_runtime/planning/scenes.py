@@ -131,7 +131,7 @@ class FixedShutters(PlannedScene):
     def _executed(self, plan: Plan) -> ExecutedScene:
         return executed(
             self.program, self.light, plan.execution, device_seed=self.device_seed,
-            threads=self.threads, torch_device=self.torch_device,
+            threads=self.threads,
         )  # fmt: skip
 
     def audit(self, plan: Plan, seed: int, count: int) -> Audit:
@@ -230,13 +230,11 @@ def planning_of(
     light: Light,
     device_seed: int = 0,
     threads: int | None = None,
-    torch_device: str | None = None,
 ) -> PlannedScene:
     """Return a program on a scene, to be planned, exposed and audited.
 
-    Programs whose pixels look are always exposed on the processor; `torch_device` is ignored.
     Raises Rejected for programs with images or planes."""
     refuse_planless(container, "planning")
     if container.machine is None:
-        return FixedShutters(container, sensor, light, device_seed, threads, torch_device)
+        return FixedShutters(container, sensor, light, device_seed, threads)
     return LookingPixels(container, sensor, light, device_seed, threads)

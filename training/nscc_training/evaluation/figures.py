@@ -24,7 +24,6 @@ from nscc_runtime.scenes import Scene as Shown
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.demo import BUILTIN
 from nscc_training.demo.expose import RUNS, camera
-from nscc_training.emulated import captures_on
 from nscc_training.encoders import make_encoder
 from nscc_training.evaluation.runs import seen_of
 from nscc_training.loop.decoding import container_of, decoded_frame
@@ -144,8 +143,7 @@ def _shot_of(
         weight = np.full(setup.slots, 1 / setup.slots)
         light = Light.of_still(light_e, weight) if still else Light.of_clip(light_e)
     truth = np.asarray(light.total_e() if still else light.dense(), np.float64)
-    on = captures_on(setup.device)
-    request = Request.of(effects=effects, seed=seed, device_seed=seed, torch_device=on)
+    request = Request.of(effects=effects, seed=seed, device_seed=seed)
     coded, usual = (
         simulate(container, light, setup.sensor, request).frame
         for container in (container_of(setup), camera(setup.slots, setup.chip.slot_us))

@@ -18,7 +18,6 @@ from nscc_runtime.looked_light import OPEN
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request, simulate
 from nscc_training import programs
-from nscc_training.emulated import captures_on
 from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.looking_model import looked
 from nscc_training.loop.setup import TrainingSetup
@@ -86,9 +85,7 @@ def scene_by_chip(
     light = (
         Light.of_still(padded, np.full(slots, 1 / slots)) if setup.still else Light.of_clip(padded)
     )
-    request = Request.of(
-        effects=effects, seed=seeds[0], device_seed=seeds[1], torch_device=captures_on(setup.device)
-    )
+    request = Request.of(effects=effects, seed=seeds[0], device_seed=seeds[1])
     frame = simulate(container, light, sensor, request).frame
     begin = perf_counter()
     opened = frame.told.get(OPEN)

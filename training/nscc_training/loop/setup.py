@@ -26,7 +26,6 @@ from nscc_training.emulated import (
     CHIPS,
     EmulatedSensor,
     MeasuredTables,
-    captures_on,
     emulated_sensor,
 )
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
@@ -98,7 +97,7 @@ class TrainingSetup:
         return self.tables.table
 
     def follow_codes(self) -> None:
-        """Measure the emulated sensor of the present codes on the run's device, if `[sensor]
+        """Measure the emulated sensor of the present codes, if `[sensor]
         effects` is set and other codes were measured last.
 
         A shutter's offset depends on its words: a pixel that opens after slot 0 subtracts a second
@@ -113,9 +112,8 @@ class TrainingSetup:
             assert build.container is not None
             effects = self.settings.sensor.effects
             return emulated_sensor(
-                build.container, self.encoder.spec.tile, self.sensor, effects, self.chips,
-                captures_on(self.device),
-            )  # fmt: skip
+                build.container, self.encoder.spec.tile, self.sensor, effects, self.chips
+            )
 
         self.tables.use(self.encoder.hard(), measure)
 
