@@ -1,59 +1,63 @@
-"""Make a plan for a scene, in five steps.
+"""Make a plan for a scene.
 
-1. `sample`: draw pixels of the scene, weighted by the number of pixels that each represents.
-2. `choose`: drop each effect alone, on these pixels with the same random numbers.
-3. `choose`: find the sets of effects that save most time, if their errors add up to less than the
-   tolerance.
-4. `choose`: drop all effects of a set at once and compare with the truth. If the error plus two
-   standard errors exceeds the tolerance, try the next set.
-5. `decisions`: enter for every effect whether it is simulated, its measured error and the reason.
+1. Draw pixels of the scene (`sample`), and expose them with every effect.
+2. Drop each effect alone, on these pixels with the same random numbers.
+3. Drop effects one after the other, those that save most time first, while their errors add up to
+   less than the tolerance.
+4. Drop the whole set and measure its error. If the error plus two standard errors exceeds the
+   tolerance, keep one more effect and measure again.
 
 Effects are only measured if that saves more time than it takes, or if the user requests the table.
 Otherwise every effect is simulated."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 
-from nscc_runtime.effects import Selection, registered
-from nscc_runtime.planning.choose import (
-    MARGIN,
-    Limits,
-    choose_cheapest,
-    measure_effects,
-    measure_together,
-    tried_together,
+from nscc_runtime.effects import Effect, Selection, everything, registered
+from nscc_runtime.effects.parts import Codes, Converter, Moving, Saturates
+from nscc_runtime.planning.plan import MOST_OTHER_STATES, Choice, Decision, Plan
+from nscc_runtime.planning.planned_scene import (
+    SAMPLED,
+    PlannedScene,
+    Trial,
+    trial_of,
+    unseen_square_e2,
 )
-from nscc_runtime.planning.decisions import FROM_GIVEN_PLAN, Demands, planned, unmeasured
-from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.plan_parts import MOST_OTHER_STATES
-from nscc_runtime.planning.planned_scene import NONE, Names, PlannedScene, Setting, Trial
+from nscc_runtime.planning.prices import Work
+from nscc_runtime.planning.sample import SampledErrors
 from nscc_runtime.planning.tolerance import (
     DEFAULT,
-    OPTION_MAX,
-    Tolerance,
     ToleranceInput,
     check_tolerance,
     noise_part,
     tolerance_of,
 )
 
+Names = frozenset[str]
+
 MANY = 1000
 """Default number of frames that share a plan."""
-_APPROXIMATED = 0.6
-"""If the approximations of sums have an error above this fraction of the tolerance, all pixels run
-through their words instead."""
-_NEGLIGIBLE = 0.05
-"""Approximations of sums with errors below this fraction of the tolerance are not measured."""
-_ONE_COUNT_E = 1.0
-"""Error of sums in rare pixels, in electrons. With a smaller `tolerance_max`, all pixels run
-through their words."""
-_HOPED = 0.35
-"""Typical time saved by a plan, as a fraction of the time saved by dropping all effects that the
-user did not force."""
-_OTHER_STATES, _SERVED_OTHER_STATES = 0.5, 0.7
-"""Largest measured fraction of pixels in other states, relative to `MOST_OTHER_STATES`: when a plan
-is made, and when it is reused for another scene."""
+_PILOT = 256
+"""Number of pixels on which a first, quick choice is measured."""
+_WORTH = 1.5
+"""Effects are measured if that is predicted to save this multiple of the time that it takes."""
+_MARGIN, _SURE = 0.9, 0.97
+"""Effects are dropped while the measured error is at most `_MARGIN` times the tolerance, and the
+error plus two standard errors at most `_SURE` times the tolerance."""
+_OTHER_STATES = 0.5 * MOST_OTHER_STATES
+"""Largest measured fraction of pixels in other states when a plan is made."""
+_BOUND_ERRORS = 3.0
+"""Number of standard errors that are added to the predicted error to get its bound."""
+_BOUND, _SERVED_OTHER_STATES = 1.05, 0.7 * MOST_OTHER_STATES
+"""A plan is reused while its bound on the new scene is at most `_BOUND` times the tolerance, and
+the measured fraction of pixels in other states at most `_SERVED_OTHER_STATES`."""
+FROM_GIVEN_PLAN = "taken from the plan given"
+"""The reason shown for decisions of a plan that was made for another scene."""
+NAMED = "named in --effects"
+NOT_WORTH = "choosing effects would take longer than it saves"
 
 
 @dataclass(frozen=True)
@@ -69,142 +73,298 @@ class PlanRequest:
     frames: int = MANY
     figures: bool = False
 
+    @property
+    def forced(self) -> Names:
+        """Names of the effects that the user switched on or off."""
+        effects = self.effects
+        return frozenset(
+            e.name for e in registered() if not effects.auto or e.name in effects.forced
+        )
+
+    @property
+    def forced_off(self) -> Names:
+        """Names of the effects of the exposure that the user switched off."""
+        return frozenset(
+            e.name for e in _of_exposure() if e.name in self.forced and e not in self.effects
+        )
+
 
 def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     """Return the fastest plan whose error, measured on a sample of the scene, is within tolerance.
 
-    If measuring would take longer than it saves, the plan simulates every effect instead. Raises
-    Rejected (NS0746) for an invalid tolerance."""
-    effects = request.effects
-    forced = frozenset(e.name for e in registered() if not effects.auto or e.name in effects.forced)
-    forced_off = frozenset(
-        e.name for e in registered() if e.name in forced and e not in effects and e.kind != "after"
-    )
-    trial = scene.trial(forced_off)
-    reason = _not_worth(scene, trial, request, forced)
-    if reason is not None:
-        allowed = _known(scene, request.tolerance)
-        path, why = scene.exact_path(allowed)
-        demands = Demands(effects, forced, allowed, None, str(request.tolerance))
-        return unmeasured(trial, demands, path, why, reason)
-    demands = Demands(effects, forced, tolerance_of(request.tolerance, scene.sensor, scene), None)
-    free = frozenset(e.name for e in registered() if e.kind != "after") - forced
-    return _measured(scene, trial, demands, free, request.figures)
-
-
-def measured_again(scene: PlannedScene, plan: Plan) -> Plan:
-    """Return a plan with its errors and its relative tolerance measured on this scene."""
-    off = frozenset(e.name for e in registered() if e.kind != "after" and e not in plan.kept)
-    forced_off = frozenset(e.name for e in registered() if e not in plan.requested_effects) & off
-    trial = scene.trial(forced_off)
-    allowed, most = allowed_on(scene, *plan.tolerance_inputs)
-    if plan.slot_loop in ("all", "reference"):
-        trial = scene.slower_trial(trial, allowed.electrons) or trial
-    forced = frozenset(decision.name for decision in plan.decisions if decision.forced)
-    demands = Demands(plan.kept, forced, allowed, most, reason=FROM_GIVEN_PLAN)
-    measured = measure_effects(trial, _names(trial), approximations=True, near_saturation=True)
-    lacking = frozenset(plan.saturating_lack)
-    setting = Setting(off - forced_off, lacking, plan.tolerance_max_e is not None)
-    together = tried_together(trial, setting, measured.approximations)
-    return planned(trial, demands, measured, together, figures=True)
-
-
-def still_fits(trial: Trial, plan: Plan, dropped: Names) -> bool:
-    """Return whether a plan keeps its tolerance on another scene with similar light, by measuring
-    the error of dropping all effects of `dropped` there."""
-    measured_setting, most = tried_together(trial, Setting(dropped), None), plan.tolerance_max_e
-    return (
-        measured_setting.likely_e2(1.0) <= (MARGIN * (plan.tolerance_e or 0.0)) ** 2
-        and measured_setting.difference.other_states <= _SERVED_OTHER_STATES * MOST_OTHER_STATES
-        and (most is None or measured_setting.worst.max_e <= MARGIN * most)
-    )
-
-
-def allowed_on(
-    scene: PlannedScene, tolerance: ToleranceInput, tolerance_max: ToleranceInput | None
-) -> tuple[Tolerance, Tolerance | None]:
-    """Convert the tolerances of the RMS error and of the largest error to electrons on a scene; the
-    second is None if it was not requested."""
-    allowed = tolerance_of(tolerance, scene.sensor, scene)
-    if tolerance_max is None:
-        return allowed, None
-    return allowed, tolerance_of(tolerance_max, scene.sensor, scene, OPTION_MAX)
-
-
-def _measured(
-    scene: PlannedScene, trial: Trial, demands: Demands, free: Names, figures: bool
-) -> Plan:
-    """Measure effects, choose and measure a set to drop, and return the plan. Uses a slower trial
-    if sums are too inaccurate."""
-    assert demands.allowed is not None
-    too_large = trial.too_large(demands.allowed.electrons)
-    moves = [move for move in trial.moves(free) if not move.names & too_large]
-    effects_to_measure = (
-        _names(trial) if figures else frozenset[str]().union(*(m.names for m in moves))
-    )
-    effects_to_measure |= trial.slow - trial.absent - trial.forced_off
-    negligible = scene.approximates(_NEGLIGIBLE * demands.allowed.electrons, None)
-    slower = scene.slower_trial(trial, demands.allowed.electrons)
-    # Measurements near saturation are slow, so first try without, except on request.
-    for near_saturation in (True,) if figures else (False, True):
-        measured = measure_effects(
-            trial,
-            effects_to_measure,
-            approximations=figures or not negligible,
-            near_saturation=near_saturation,
-        )
-        limits = Limits.of(
-            demands.allowed, demands.most, _OTHER_STATES * MOST_OTHER_STATES, measured
-        )
-        named = (trial.slow & demands.forced & {*measured.alone}) - trial.forced_off
-        only_slow = (measured.alone[name] for name in named)
-        too_rough = measured.approximations_e > _APPROXIMATED * demands.allowed.electrons
-        single = demands.most is not None and demands.most.electrons < _ONE_COUNT_E
-        if slower and (too_rough or single or any(difference.changes for difference in only_slow)):
-            return _measured(scene, slower, demands, free, figures)
-        candidates = choose_cheapest(trial, measured, moves, limits)
-        together = measure_together(trial, measured, candidates, limits)
-        if together.setting.dropped or not candidates:
+    If measuring would take longer than it saves, the plan simulates every requested effect instead.
+    Raises Rejected (NS0746) for an invalid tolerance."""
+    check_tolerance(request.tolerance, scene.sensor)
+    work, absent = Work.of(scene), absent_effects(scene)
+    moves = _moves(work, request, absent)
+    if not _is_worth(scene, work, request, moves, absent):
+        return _unmeasured(work, request, absent)
+    measuring = _Measuring(trial_of(scene), request)
+    measured_sets = {*moves}
+    if request.figures:
+        measured_sets |= {frozenset({e.name}) for e in _of_exposure() if e.name not in absent}
+    alone = measuring.drop_each(sorted(measured_sets, key=sorted))
+    dropped = measuring.choose(moves, alone)
+    while True:
+        together, by_choice = measuring.drop_together(dropped)
+        if not dropped or measuring.fits(by_choice):
             break
-    if slower and not limits.allow(together):
-        return _measured(scene, slower, demands, free, figures)
-    return planned(trial, demands, measured, together, figures)
+        dropped = dropped[:-1]
+    return _planned(measuring, work, alone, frozenset().union(*dropped), together, absent)
 
 
-def _names(trial: Trial) -> Names:
-    """Return the effects of the exposure that are not absent on the trial's scene."""
-    return frozenset(e.name for e in registered() if e.kind != "after") - trial.absent
+def measured_again(scene: PlannedScene, plan: Plan, *, figures: bool = False) -> Plan:
+    """Return a plan that was made for another scene, with its error and its relative tolerance
+    measured on this scene. `figures`: also measure each effect alone."""
+    work, absent = Work.of(scene), absent_effects(scene)
+    request = PlanRequest(plan.requested_effects, plan.tolerance_input, figures=figures)
+    measuring = _Measuring(trial_of(scene), request)
+    names = [e.name for e in _of_exposure() if figures and e.name not in absent]
+    alone = measuring.drop_each([frozenset({name}) for name in names])
+    dropped = frozenset(plan.names("dropped")) - request.forced_off
+    together, _ = measuring.drop_together([dropped])
+    made = _planned(measuring, work, alone, dropped, together, absent)
+    decisions = (
+        decision if decision.kind == "after" else replace(decision, reason=FROM_GIVEN_PLAN)
+        for decision in made.decisions
+    )
+    return replace(made, decisions=tuple(decisions), reused=True)
 
 
-def _not_worth(
-    scene: PlannedScene, trial: Trial, request: PlanRequest, forced: Names
-) -> str | None:
-    """Return the reason for not measuring effects; None if effects should be measured."""
-    if request.figures or trial.slow - trial.absent - trial.forced_off:
-        return None
+def still_fits(plan: Plan) -> bool:
+    """Return whether a plan that was measured again may be used for its new scene."""
+    tolerance_e = plan.tolerance_e or 0.0
+    return (
+        (plan.predicted_e or 0.0) <= _SURE * tolerance_e
+        and (plan.bound_e or 0.0) <= _BOUND * tolerance_e
+        and (plan.other_states or 0.0) <= _SERVED_OTHER_STATES
+    )
+
+
+def absent_effects(scene: PlannedScene) -> Names:
+    """Return the names of the effects of the exposure that certainly change nothing on a scene."""
+    all_effects, names = everything(), frozenset[str]()
+    if scene.light.motion is None:
+        names |= all_effects.names(Moving)
+    if not scene.looks:
+        names |= {e.name for e in _of_exposure() if e.reference.keys() == {"compare"}}
+        if not len(scene.near_pixels(all_effects).places):
+            names |= all_effects.names(Saturates)
+    return names
+
+
+def _of_exposure() -> list[Effect]:
+    """Return the effects that act before the readout."""
+    return [effect for effect in registered() if effect.kind != "after"]
+
+
+def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float]:
+    """Return the sets of effects that may be dropped together, and the milliseconds of a frame that
+    each saves; those that save most first.
+
+    These are single effects, and all effects that saturate: without them, no pixel runs through its
+    words."""
+    free = frozenset(e.name for e in _of_exposure()) - request.forced - absent
+    sets = [frozenset({name}) for name in free]
+    saturating = everything().names(Saturates) - absent
+    if len(saturating) > 1 and saturating <= free:
+        sets.append(saturating)
+    requested = everything().without(*request.forced_off)
+    all_ms = work.frame_ms(requested)
+    saved_ms = {names: all_ms - work.frame_ms(requested.without(*names)) for names in sets}
+    ordered = sorted(saved_ms, key=lambda names: (-saved_ms[names], sorted(names)))
+    return {names: saved_ms[names] for names in ordered if saved_ms[names] > 0}
+
+
+def _is_worth(
+    scene: PlannedScene, work: Work, request: PlanRequest, moves: Mapping[Names, float],
+    absent: Names,
+) -> bool:  # fmt: skip
+    """Return whether measuring effects saves more time than it takes, judged by a quick measurement
+    on few pixels if one is worth its time. Requested figures are always measured, as are effects
+    that the user turned off while the planner decides on the others."""
+    if request.figures:
+        return True
     if not request.effects.auto:
-        return "named in --effects"
-    if trial.forced_off - trial.absent:
-        return None  # the user must be told if these effects exceed the tolerance
-    allowed = _known(scene, request.tolerance)
-    tolerance_e = None if allowed is None else allowed.electrons
-    noise_fraction = None if allowed is not None else noise_part(str(request.tolerance))
-    if not scene.approximates(tolerance_e, noise_fraction):
-        return None
-    too_large = NONE if tolerance_e is None else trial.too_large(tolerance_e)
-    moves = [m for m in trial.moves(_names(trial) - forced) if not m.names & too_large]
-    free = frozenset[str]().union(*(move.names for move in moves))
-    every_ns, _ = trial.frame_ns(Setting(NONE))
-    least_ns, _ = trial.frame_ns(trial.settings(free)[0])
-    saved_ms = _HOPED * (every_ns - least_ns) * trial.pixels * 1e-6
-    if request.frames * saved_ms > trial.planning_ms():
-        return None
-    return "choosing effects would take longer than it saves"
+        return False
+    if request.forced_off - absent:
+        return True
+    saved_ms = request.frames * sum(moves.values())
+    if saved_ms < _WORTH * work.trials_ms(2 + len(moves), _PILOT):
+        return False
+    pilot = _Measuring(trial_of(scene, _PILOT), request)
+    dropped = pilot.choose(moves, pilot.drop_each([*moves]))
+    saved_ms = request.frames * sum(moves[names] for names in dropped)
+    return saved_ms >= _WORTH * work.trials_ms(3 + len(moves), SAMPLED)
 
 
-def _known(scene: PlannedScene, tolerance: ToleranceInput) -> Tolerance | None:
-    """Return a tolerance in electrons; None for a fraction of the noise, which must be measured."""
-    if isinstance(tolerance, str) and noise_part(tolerance) is not None:
-        check_tolerance(tolerance, scene.sensor)
-        return None
-    return tolerance_of(tolerance, scene.sensor, scene)
+class _Measuring:
+    """Measurements on a trial, for one request.
+
+    `allowed`: the tolerance in electrons. `base`: the exposures with every effect that the user did
+    not force off: the planner's own choice has to keep the tolerance relative to these."""
+
+    def __init__(self, trial: Trial, request: PlanRequest) -> None:
+        self.trial, self.request = trial, request
+        self.requested = everything().without(*request.forced_off)
+        self.base = trial.exposures(self.requested) if request.forced_off else trial.truth
+        self.allowed = tolerance_of(request.tolerance, trial.scene.sensor, trial)
+
+    def drop_each(self, sets: Iterable[Names]) -> dict[Names, SampledErrors]:
+        """Return the errors of dropping each set while every other requested effect is simulated;
+        of effects that the user forced off, the errors of dropping them as well as the others."""
+        errors = {}
+        for names in sets:
+            if names & self.request.forced_off:
+                on = self.requested.on | names
+                with_names = self.trial.exposures(Selection(on, self.requested.forced))
+                errors[names] = self.trial.between(self.base, with_names)
+            else:
+                errors[names] = self.trial.errors(self.requested.without(*names), self.base)
+        return errors
+
+    def choose(
+        self, moves: Iterable[Names], alone: Mapping[Names, SampledErrors]
+    ) -> list[Names]:
+        """Return the sets that fit into the tolerance, added one after the other."""
+        dropped: list[Names] = []
+        total: SampledErrors | None = None
+        for names in moves:
+            joined = alone[names] if total is None else total.plus(alone[names])
+            if not any(names & others for others in dropped) and self.fits(joined):
+                dropped.append(names)
+                total = joined
+        return dropped
+
+    def fits(self, errors: SampledErrors) -> bool:
+        """Return whether errors are within the tolerance, with a margin for sampling errors."""
+        tolerance_e = self.allowed.electrons
+        return (
+            errors.square_e2() <= (_MARGIN * tolerance_e) ** 2
+            and errors.square_e2(2.0) <= (_SURE * tolerance_e) ** 2
+            and errors.other_states <= _OTHER_STATES
+        )
+
+    def drop_together(self, dropped: Iterable[Names]) -> tuple[SampledErrors, SampledErrors]:
+        """Return the errors of dropping sets at once: relative to every effect, and relative to
+        every effect that the user did not force off."""
+        effects = self.requested.without(*frozenset[str]().union(*dropped))
+        exposed = self.base if effects.on == self.requested.on else self.trial.exposures(effects)
+        unseen_e2 = unseen_square_e2(self.trial, effects)
+        by_choice = self.trial.between(exposed, self.base).with_unseen(unseen_e2)
+        return self.trial.between(exposed, self.trial.truth).with_unseen(unseen_e2), by_choice
+
+
+def _planned(
+    measuring: _Measuring, work: Work, alone: Mapping[Names, SampledErrors], dropped: Names,
+    together: SampledErrors, absent: Names,
+) -> Plan:  # fmt: skip
+    """Return the plan that drops the effects `dropped`, with the measured error `together`."""
+    trial, request, allowed = measuring.trial, measuring.request, measuring.allowed
+    decisions = tuple(
+        _decision(effect, measuring, work, alone.get(frozenset({effect.name})), dropped, together)
+        if effect.kind != "after" and effect.name not in absent - request.forced_off
+        else _unmeasured_decision(effect, work, request, absent)
+        for effect in registered()
+    )
+    effects = measuring.requested.without(*dropped)
+    return Plan(
+        allowed.text, allowed.electrons, together.rms_e,
+        math.sqrt(together.square_e2(_BOUND_ERRORS)), together.worst_e, *_slot_loop(work, effects),
+        len(trial.sample.places) / trial.scene.pixels, work.frame_ms(effects),
+        work.frame_ms(measuring.requested), work.trials_ms(3 + len(alone), SAMPLED), decisions,
+        allowed.signal_e, allowed.noise_e, together.other_states if trial.scene.looks else None,
+    )  # fmt: skip
+
+
+def _unmeasured(work: Work, request: PlanRequest, absent: Names) -> Plan:
+    """Return a plan without measured errors that simulates every effect except those forced off."""
+    scene, requested = work.scene, everything().without(*request.forced_off)
+    is_noise = isinstance(request.tolerance, str) and noise_part(request.tolerance) is not None
+    allowed = None if is_noise else tolerance_of(request.tolerance, scene.sensor, scene)
+    frame_ms = work.frame_ms(requested)
+    return Plan(
+        str(request.tolerance) if allowed is None else allowed.text,
+        None if allowed is None else allowed.electrons, None, None, None,
+        *_slot_loop(work, requested), 0.0, frame_ms, frame_ms, 0.0,
+        tuple(_unmeasured_decision(effect, work, request, absent) for effect in registered()),
+        None if allowed is None else allowed.signal_e,
+    )  # fmt: skip
+
+
+def _slot_loop(work: Work, effects: Selection) -> tuple[bool, tuple[str, ...]]:
+    """Return whether pixels run through their words one by one, and why."""
+    scene = work.scene
+    reasons = scene.needs_reference(effects)
+    if not reasons and scene.looks:
+        reasons = ("pixels look at the light: each runs through the words that act in it",)
+    elif not reasons and work.near and effects.names(Saturates):
+        reasons = (f"{work.near} pixels may saturate",)
+    return bool(reasons), reasons
+
+
+def _decision(
+    effect: Effect, measuring: _Measuring, work: Work, alone: SampledErrors | None, dropped: Names,
+    together: SampledErrors,
+) -> Decision:  # fmt: skip
+    """Return the decision on an effect that may change this scene."""
+    name, request, requested = effect.name, measuring.request, measuring.requested
+    forced, off = name in request.forced, name in dropped | request.forced_off
+    saved_ms = work.frame_ms(everything()) - work.frame_ms(everything().without(name))
+    choice: Choice = "dropped" if off else "kept"
+    rms_e = None if alone is None else alone.rms_e
+    then = together if off else None if alone is None else together.plus(alone)
+    if alone is not None and not off and not rms_e and not alone.other_states and not (
+        work.near and name in everything().names(Saturates)
+    ):
+        choice = "absent"
+    if forced:
+        reason = NAMED
+    elif choice == "absent":
+        reason = effect.absent
+    elif off:
+        reason = "fits into the tolerance" if rms_e is None else f"{rms_e:.3g} e fits into the tolerance"
+    else:
+        reason = _why_kept(measuring, saved_ms, alone, then)
+    return Decision(
+        name, effect.kind, choice, forced, reason, rms_e,
+        None if alone is None else 0.0 - alone.bias_e, None if then is None else then.rms_e,
+        max(saved_ms, 0.0),
+        alone.other_states if alone is not None and work.scene.looks else None,
+    )  # fmt: skip
+
+
+def _why_kept(
+    measuring: _Measuring, saved_ms: float, alone: SampledErrors | None, then: SampledErrors | None
+) -> str:
+    """Return the reason why an effect is simulated. `then`: the errors without it."""
+    if saved_ms <= 0 or alone is None or then is None:
+        return "costs nothing"
+    if then.rms_e > _MARGIN * measuring.allowed.electrons:
+        return f"left out, the error would be {then.rms_e:.3g} e"
+    if alone.other_states > 0:
+        return f"left out, {alone.other_states:.2%} would end in other states"
+    could_e = math.sqrt(then.square_e2(2.0))
+    return f"left out, the error could be {could_e:.3g} e: few pixels tell"
+
+
+def _unmeasured_decision(
+    effect: Effect, work: Work, request: PlanRequest, absent: Names
+) -> Decision:
+    """Return the decision on an effect that is not measured: it is simulated unless the user forced
+    it off."""
+    name, forced = effect.name, effect.name in request.forced and not effect.always
+    on = name not in request.forced_off and (effect in request.effects or request.effects.auto)
+    if effect.kind == "after":
+        code_e = everything().require_part(Codes).electrons(work.scene.sensor)
+        rms_e = code_e / math.sqrt(12.0) if effect.parts_of_kind(Codes) else None
+        for converter in effect.parts_of_kind(Converter):
+            rms_e = converter.sigma_lsb(work.scene.sensor) * code_e
+        reason = NAMED if forced else "always applied, after the exposure"
+        return Decision(
+            name, effect.kind, "kept" if on else "dropped", forced, reason, rms_e, 0.0
+        )
+    if name in absent and on:
+        return Decision(name, effect.kind, "absent", forced, effect.absent)
+    reason = NAMED if forced else NOT_WORTH
+    return Decision(name, effect.kind, "kept" if on else "dropped", forced, reason)

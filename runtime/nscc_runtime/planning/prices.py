@@ -1,123 +1,105 @@
 """Predicted times of each kind of simulation, called prices.
 
-Plans are chosen by the prices in `SHIPPED` instead of measured times, so that the same input gives
-the same plan on every machine."""
+Plans are chosen by the constant prices in `SHIPPED` instead of measured times, so that the same
+input gives the same plan on every machine."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from typing import Literal
 
-import numpy as np
-
-from nscc_runtime.caches import remembered
-from nscc_runtime.effects import Selection
-from nscc_runtime.effects.parts import Counted, Exchange
-from nscc_runtime.execution.charge_loop import SITES
-from nscc_runtime.execution.layout import ACTS
-from nscc_runtime.execution.program import AnalysedProgram
-
-Beside = Literal["sums", "all", "nothing"]
-"""How the other pixels are simulated while one pixel runs through its words."""
+from nscc_runtime.effects import Selection, everything
+from nscc_runtime.effects.parts import Counted, Exchange, Saturates
+from nscc_runtime.execution.block_program import block_program
+from nscc_runtime.planning.planned_scene import PlannedScene
+from nscc_runtime.reference.trace import retention_us
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Prices:
-    """Times of parts of a simulation, in nanoseconds of one core.
+    """Times of parts of a simulation, in nanoseconds of one core unless the name says otherwise.
 
-    `slot_of_reference`: the reference, per pixel and slot.
-
-    Per pixel in the loop over words: `pixel`, to begin a pixel; `word`, each word; `error`, each
-    small error of a word; `run`, the charge of a group of slots between two words at one site (a
-    pixel or a neighbour); `given_count`, the same if the photon count is known already; `count`,
-    drawing the photon count of a group at a site; `split`, each halving of a count to divide it
-    between words.
-
-    Per pixel in other simulations: `summed`, a pixel by sums over slots; `light`, each frame of its
-    light; `looked`, a pixel that looks; `sampled`, a pixel of a planning sample, with and without
-    every effect; `sampled_light`, each frame of its light.
-
-    In milliseconds: `frame_ms`, each frame; `plan_ms`, each plan."""
+    `slot_of_reference`: the reference, per pixel and slot. Per pixel in the loop over words:
+    `pixel`, to begin; `word`, each word; `error`, each small error of a word; `stretch`, the charge
+    between two words; `count`, its photon count, at the pixel and at each neighbour that exchanges
+    charge. Per pixel of a frame by sums: `summed`, and `light` for each frame of its light; effects
+    declare their own. `trial_ms`: each set of effects on a sample."""
 
     slot_of_reference: float
     pixel: float
     word: float
     error: float
-    run: float
-    given_count: float
+    stretch: float
     count: float
-    split: float
     summed: float
     light: float
     frame_ms: float
-    looked: float
-    sampled: float
-    sampled_light: float
-    plan_ms: float
+    trial_ms: float
 
 
 SHIPPED = Prices(
-    slot_of_reference=450.0, pixel=300.0, word=15.0, error=10.0, run=6.0, given_count=12.0,
-    count=50.0, split=8.0, summed=4.0, light=0.5, frame_ms=0.6, looked=1200.0, sampled=1000.0,
-    sampled_light=20.0, plan_ms=8.0,
+    slot_of_reference=450.0, pixel=60.0, word=6.0, error=8.0, stretch=20.0, count=25.0, summed=4.0,
+    light=0.5, frame_ms=0.6, trial_ms=0.7,
 )  # fmt: skip
 """Measured on one core of an x86 server at about 3 GHz by `nscc effects --cost`. Predicted times
 are right to a factor of about 2."""
 
-
-_SHARED_SITES = 2.5
-"""Number of sites with own counts per pixel if all pixels are simulated, which share counts."""
+_SHARED_SITES, _SITES = 2.0, 5.0
+"""Pixels whose counts are drawn for each pixel with crosstalk: if all pixels run, and if few do."""
 
 
 @dataclass(frozen=True)
 class Work:
-    """The work of a pixel in the loop over words, as means over codes of pixels.
+    """The work of a frame of a scene.
 
-    `words`: words that act. `boundaries`: boundaries with such words. `groups`: groups of slots.
-    `slots`: number of slots of a frame."""
+    `words`, `stretches`: words of a pixel that act, and stretches of slots between them, as means.
+    `slots`: number of slots. `frames_of_light`: frames of light times buckets. `pixels`: number of
+    pixels, of which `near` may saturate. `looks`: whether all pixels run through their words.
+    `motion`: whether light moves inside slots."""
 
+    scene: PlannedScene
     words: float
-    boundaries: float
-    groups: float
-    slots: int
+    stretches: float
+    near: int
 
     @classmethod
-    def of(cls, program: AnalysedProgram) -> Work:
-        """Return the work of a program; the result is cached."""
-        return program.recent.of("work", lambda: cls._of(program))
+    def of(cls, scene: PlannedScene) -> Work:
+        """Return the work of a scene."""
+        effects = everything()
+        near = scene.pixels if scene.looks else len(scene.near_pixels(effects).places)
+        if scene.needs_reference(effects):
+            return cls(scene, 0.0, 0.0, near)
+        program = block_program(scene.container, retention_us(effects, scene.sensor))
+        lanes = len(program.stretches.start) - 1
+        words = len(program.words.words) if scene.looks else len(program.segments.word) / lanes
+        return cls(scene, words, len(program.stretches.boundary) / lanes - 1.0, near)
 
-    @classmethod
-    def _of(cls, program: AnalysedProgram) -> Work:
-        pixels, slots = program.pixels, program.container.slots
-        listed, begins = pixels.lanes, pixels.program.words["begins"]
-        acting, lanes = listed.flags & ACTS > 0, len(listed.start) - 1
-        lane = np.repeat(np.arange(lanes), np.diff(listed.start))[acting]
-        places = lane * (slots + 1) + begins[listed.word[acting]]
-        groups = len(np.unique(pixels.groups + np.arange(lanes)[:, None] * len(pixels.group_ids)))
-        return cls(len(lane) / lanes, len(np.unique(places)) / lanes, groups / lanes, slots)
+    def loop_ns(self, effects: Selection, sites: float = _SITES) -> float:
+        """Return the nanoseconds of a pixel that runs through its words with these effects.
+        `sites`: pixels whose counts are drawn for it if charge is exchanged."""
+        prices, counted = SHIPPED, len(effects.names(Counted))
+        if effects.find_part(Exchange) is None:
+            sites = 1.0
+        errors_ns = prices.error * len(effects.errors())
+        charge_ns = prices.stretch + prices.count * counted * sites
+        return prices.pixel + self.words * (prices.word + errors_ns) + self.stretches * charge_ns
 
-    @property
-    def reference_ns(self) -> float:
-        """Nanoseconds per pixel of a frame by the reference."""
-        return SHIPPED.slot_of_reference * self.slots
+    def frame_ms(self, effects: Selection) -> float:
+        """Return the milliseconds of a frame with these effects."""
+        scene, prices = self.scene, SHIPPED
+        if scene.needs_reference(effects):
+            return prices.slot_of_reference * scene.light.slots * scene.pixels * 1e-6
+        if scene.looks:
+            return prices.frame_ms + self.loop_ns(effects, _SHARED_SITES) * scene.pixels * 1e-6
+        passes = len(scene.light.frames) * len(scene.container.buckets)
+        summed_ns = prices.summed + prices.light * passes
+        summed_ns += sum(effect.summed_ns(passes) for effect in effects.effects)
+        near = self.near if effects.names(Saturates) else 0
+        return prices.frame_ms + (summed_ns * scene.pixels + self.loop_ns(effects) * near) * 1e-6
 
-    @remembered
-    def words_ns(self, kept_effects: Selection, beside: Beside) -> float:
-        """Return the nanoseconds of a pixel that runs through its words with the effects in
-        `kept_effects`.
-
-        `beside`: how its neighbours' counts are obtained: "sums" provides them, "all" pixels run
-        and share them, or with "nothing" the pixel draws them itself."""
-        prices, runs = SHIPPED, self.groups * self.boundaries
-        own_ns = prices.pixel + self.words * (
-            prices.word + prices.error * len(kept_effects.errors())
-        )
-        counted_ns = prices.count * self.groups + prices.split * runs * math.log2(self.slots + 1)
-        counted_ns *= len(kept_effects.having(Counted))
-        neighbour_sites = 0.0
-        if kept_effects.find_part(Exchange) is not None:
-            neighbour_sites = (_SHARED_SITES if beside == "all" else SITES) - 1.0
-        if beside == "sums":
-            return own_ns + counted_ns + neighbour_sites * prices.given_count * runs
-        return own_ns + (1.0 + neighbour_sites) * (prices.run * runs + counted_ns)
+    def trials_ms(self, sets: int, pixels: int) -> float:
+        """Return the milliseconds of exposing a sample of `pixels` with some sets of effects."""
+        scene, effects = self.scene, everything()
+        if scene.needs_reference(effects):
+            return sets * self.frame_ms(effects)
+        pixels = min(pixels, scene.pixels)
+        return sets * (SHIPPED.trial_ms + 1e-6 * self.loop_ns(effects) * pixels)

@@ -82,38 +82,32 @@ class ToleranceScene(Protocol):
     def noise_e(self) -> float: ...
 
 
-OPTION, OPTION_MAX = "--tolerance", "--tolerance-max"
-
-
-def tolerance_of(
-    requested: ToleranceInput, sensor: Sensor, scene: ToleranceScene, option: str = OPTION
-) -> Tolerance:
+def tolerance_of(requested: ToleranceInput, sensor: Sensor, scene: ToleranceScene) -> Tolerance:
     """Convert `5e`, `0.1lsb`, `1%` of the scene's signal, `0.1noise`, or a number of electrons.
 
     The signal or noise of the scene is computed only for a relative tolerance. Raises Rejected
     (NS0746, status 2) for any other text, for values outside LEAST_E to MOST_E electrons, and for a
-    percentage of a scene without signal. `option` is the command-line option that the message
-    names."""
+    percentage of a scene without signal."""
     if isinstance(requested, Tolerance):
         return requested
     if not isinstance(requested, str):
         text = f"{float(requested)!r}".removesuffix(".0") + "e"
-        return _within(Tolerance(text, float(requested)), str(requested), option)
+        return _within(Tolerance(text, float(requested)), str(requested))
     match = _TOLERANCE.fullmatch(requested.lower())
     if match is None:
-        raise _malformed(f"'{requested[:40]}'", option)
+        raise _malformed(f"'{requested[:40]}'")
     value, unit = float(match[1]), match[2]
     text = f"{match[1]}{unit}"
     if unit in ("e", "lsb"):
         electrons = value * (1.0 if unit == "e" else sensor.electrons_per_lsb)
-        return _within(Tolerance(text, electrons), f"'{requested[:40]}'", option)
+        return _within(Tolerance(text, electrons), f"'{requested[:40]}'")
     if not 0 < value < math.inf:
-        raise _malformed(f"'{requested[:40]}'", option)
+        raise _malformed(f"'{requested[:40]}'")
     if unit == "noise":
         noise = scene.noise_e()
         tolerance = Tolerance(text, value * noise, noise_e=noise)
         return _within(
-            tolerance, f"{text[:40]}, a frame's own noise of {noise:.3g} electrons", option
+            tolerance, f"{text[:40]}, a frame's own noise of {noise:.3g} electrons"
         )
     signal = scene.signal_e()
     if not signal > 0:
@@ -121,10 +115,10 @@ def tolerance_of(
             "NS0746",
             f"{text[:40]} of this scene is 0: its mean signal is 0 electrons",
             notes=("a percentage refers to the mean exposure without effects",),
-            helps=(f"use electrons, {option} 5e, or codes, {option} 0.1lsb",),
+            helps=("use electrons, --tolerance 5e, or codes, --tolerance 0.1lsb",),
         )
     tolerance = Tolerance(text, value / 100 * signal, signal_e=signal)
-    return _within(tolerance, f"{text[:40]} of a mean signal of {signal:.3g} electrons", option)
+    return _within(tolerance, f"{text[:40]} of a mean signal of {signal:.3g} electrons")
 
 
 def noise_part(text: str) -> float | None:
@@ -133,7 +127,7 @@ def noise_part(text: str) -> float | None:
     return float(match[1]) if match is not None and match[2] == "noise" else None
 
 
-def check_tolerance(tolerance: ToleranceInput, sensor: Sensor, option: str = OPTION) -> None:
+def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:
     """Raise Rejected (NS0746) if the tolerance is invalid on every scene."""
 
     class Bright:
@@ -144,7 +138,7 @@ def check_tolerance(tolerance: ToleranceInput, sensor: Sensor, option: str = OPT
 
         noise_e = signal_e
 
-    tolerance_of(tolerance, sensor, Bright(), option)
+    tolerance_of(tolerance, sensor, Bright())
 
 
 def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
@@ -162,23 +156,22 @@ def with_readout_e(noise_e: float, sensor: Sensor) -> float:
     return math.hypot(noise_e, all_effects.converter_lsb(sensor) * code_e, code_e / math.sqrt(12.0))
 
 
-def _within(tolerance: Tolerance, shown: str, option: str) -> Tolerance:
+def _within(tolerance: Tolerance, shown: str) -> Tolerance:
     if not LEAST_E <= tolerance.electrons <= MOST_E:
-        raise _malformed(shown, option)
+        raise _malformed(shown)
     return tolerance
 
 
-def _malformed(shown: str, option: str) -> Rejected:
-    subject = "a tolerance" if option == OPTION else f"the tolerance of {option}"
+def _malformed(shown: str) -> Rejected:
     return rejected(
         "NS0746",
-        f"{subject} must be a number above 0 with its unit, not {shown}",
+        f"a tolerance must be a number above 0 with its unit, not {shown}",
         notes=(
             "e: electrons before the ADC; lsb: codes of the ADC; %: of the scene's mean "
             "signal; noise: a fraction of the frame's own noise",
             f"it must be between {LEAST_E:g} and {MOST_E:g} electrons",
         ),
         helps=(
-            f"write {option} 5e, {option} 0.1lsb, {option} 1%, {option} {DEFAULT} or leave it out",
+            f"write --tolerance 5e, 0.1lsb, 1% or {DEFAULT}, or leave it out",
         ),
     )
