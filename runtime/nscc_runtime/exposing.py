@@ -246,7 +246,7 @@ def plan(
     """
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.make import PlanRequest, make_plan
-    from nscc_runtime.planning.scenes import planning_of
+    from nscc_runtime.planning.planned_scene import planning_of
 
     call = "nscc_runtime.plan"
     container = container_of(call, program)

@@ -186,8 +186,7 @@ class Provenance:
 
 
 _UNPLANNED = (
-    "tolerance", "tolerance_e", "signal_e", "noise_e", "predicted_e", "bound_e", "predicted_p999_e",
-    "predicted_max_e", "tolerance_max", "tolerance_max_e", "noise_ratio",
+    "tolerance", "tolerance_e", "signal_e", "noise_e", "predicted_e", "bound_e", "worst_e",
 )  # fmt: skip
 """Keys of a plan that are None in a run without a plan."""
 
@@ -227,7 +226,6 @@ def unplanned(
         "slot_loop": True,
         "slot_loop_reasons": ["words are executed slot by slot"],
         "sampled_fraction": 0.0,
-        "approximations": [],
         "effects": rows,
     }
 

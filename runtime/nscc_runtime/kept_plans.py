@@ -1,139 +1,30 @@
-"""Share plans between scenes: the next frames of a film are exposed under an earlier plan, as long
-as their light is similar and not stronger.
-
-The error of dropped effects grows in proportion to light, to its differences between neighbours, or
-faster where pixels saturate. So a plan stays valid while none of these has grown by more than the
-margin that plans leave below their tolerance. If pixels look, the error also depends on how many
-pixels are close to a level, so the plan is tested on the new scene."""
+"""Share plans between scenes: the next frames of a film are exposed under an earlier plan, while its
+error, measured on a sample of each new scene, is within the tolerance."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
-from functools import cached_property
 from threading import Condition
 from typing import TYPE_CHECKING
-
-import numpy as np
-from numpy.typing import NDArray
-
-from nscc_runtime.light import Light
-from nscc_runtime.sizes_loop import (
-    EIGHTH,
-    KINDS,
-    LARGEST,
-    OPEN,
-    SQUARE,
-    STEPS,
-    ArraySize,
-    sizes_of,
-)
 
 if TYPE_CHECKING:  # captures without effects start without planning
     from nscc_runtime.planning.plan import Plan
 
-Values = NDArray[np.float64]
-
-_MORE = 1.03
-"""Largest factor by which light may grow: plans leave a tenth of their tolerance as margin."""
-_LESS, _LESS_OF_PART = 0.5, 0.95
-"""A new plan is made if light falls below `_LESS` of the earlier light, because it may be cheaper.
-For a relative tolerance, which becomes smaller with light, the limit is `_LESS_OF_PART`."""
-_STEEP = (EIGHTH, LARGEST, OPEN + EIGHTH, OPEN + LARGEST)
-"""Sizes that decide how many pixels saturate."""
-_SHIFTED = 0.02
-"""Largest fraction of the light that may move to other slots."""
-_WITHOUT_END = 1e30
-"""Light above this value counts as infinite."""
-_SOME = 8
-"""The time course of light is computed from every `_SOME`-th row and column."""
+_AGAIN = 8
+"""After this number of scenes a new plan is made, because it may be faster in less light; the next
+one after twice as many scenes, and so on."""
 
 
-@dataclass(frozen=True, eq=False)
-class Statistics:
-    """The properties of a scene's light that determine the errors of a plan.
-
-    `sizes`, in electrons: mean, root mean square, eighth root of the mean eighth power, and maximum
-    of the light of a pixel over the frame; the same for the light while pixels are open; the root
-    mean square of differences between neighbours. `course` (frames,): fraction of all light that is
-    collected by the end of each of the scene's frames."""
-
-    light: Light
-    sizes: Values
-    course: Values
-
-    @classmethod
-    def of(cls, light: Light, open_part: NDArray[np.float32]) -> Statistics:
-        """Compute the statistics of a scene. `open_part` (rows, cols): fraction of the frame in
-        which each pixel is open."""
-        weight, frames = light.frame_weight, light.frames
-        course = np.ones(1)
-        if len(frames) > 1:
-            with np.errstate(over="ignore", invalid="ignore"):
-                course = np.cumsum(weight * frames[:, ::_SOME, ::_SOME].mean(axis=(1, 2)))
-                course /= course[-1] if course[-1] > 0 else 1.0
-        return cls(light, _sizes(light.sum_e, open_part), course)
-
-    def resembles(
-        self, other_statistics: Statistics, *, saturating: bool = True, least: float = _LESS
-    ) -> bool:
-        """Return whether the other scene's light is similar to this scene's light and not stronger.
-
-        More pixels may saturate only with `saturating`, that is, if saturation is simulated. The
-        other light must be at least `least` times this scene's."""
-        own_sizes, other_sizes = self.sizes.tolist(), other_statistics.sizes.tolist()
-        pairs = [*zip(own_sizes, other_sizes, strict=True)]
-        return (
-            all(size < _WITHOUT_END for size in (*own_sizes, *other_sizes))
-            and all(other_size >= least * own_size for own_size, other_size in pairs[:EIGHTH])
-            and all(
-                # With saturation, a little more light may cause a much larger error.
-                other_size <= own_size * (_MORE if saturating or kind not in _STEEP else 1.0)
-                for kind, (own_size, other_size) in enumerate(pairs)
-            )
-            and self.light.shape == other_statistics.light.shape
-            and self.light.timing == other_statistics.light.timing
-            and bool(np.abs(other_statistics.course - self.course).max(initial=0.0) <= _SHIFTED)
-        )
-
-    def covers(self, other_statistics: Statistics, plan: Plan) -> bool:
-        """Return whether a plan that was made for this scene is also valid for another scene."""
-        follows = plan.allowed is None or plan.allowed.follows
-        least = _LESS_OF_PART if follows else _LESS
-        return self.resembles(other_statistics, saturating=not plan.drops_saturation, least=least)
-
-
-def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
-    """Return mean, powers, maximum and differences of light `total` (see `Statistics.sizes`)."""
-    (rows, cols), columns = total.shape, np.empty((KINDS, total.shape[1]))
-    sizes_of(
-        pixels=ArraySize(rows=rows, cols=cols), total=total, open_fraction=open_part,
-        column_sums=columns,
-    )  # fmt: skip
-    sizes: Values = columns.sum(axis=1)
-    for first in (0, OPEN):
-        sizes[first : first + LARGEST] /= rows * cols
-        sizes[first + SQUARE] **= 0.5
-        sizes[first + EIGHTH] **= 0.125
-        sizes[first + LARGEST] = columns[first + LARGEST].max()
-    sizes[STEPS] = (sizes[STEPS] / max(rows * (cols - 1) + cols * (rows - 1), 1)) ** 0.5
-    return sizes
-
-
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class _KeptPlan:
-    """A plan, or a plan that is being made, with the statistics of its scene. `scenes`: number of
-    scenes of this kind so far."""
+    """A plan, the number of scenes that it has served, and the number after which a new plan is
+    made."""
 
-    statistics: Statistics
-    future: Future[Plan]
+    plan: Plan
     scenes: int
-
-    @cached_property
-    def again(self) -> Plan:
-        """The plan, marked as reused from another scene."""
-        return replace(self.future.result(), reused=True)
+    most_scenes: int
 
 
 class KeptPlans:
@@ -145,7 +36,7 @@ class KeptPlans:
     also releases the next scene."""
 
     def __init__(self) -> None:
-        self._last: dict[Hashable, _KeptPlan] = {}
+        self._last: dict[Hashable, Future[_KeptPlan]] = {}
         self._expected: set[int] = set()
         self._changed = Condition()
 
@@ -165,41 +56,48 @@ class KeptPlans:
         self,
         turn: Turn,
         request: Hashable,
-        statistics: Statistics,
         make: Callable[[int], Plan],
-        serves: Callable[[Plan], bool],
+        measure: Callable[[Plan], Plan | None],
     ) -> Plan:
         """Return the last plan for the same `request` if it is valid for this scene, else
         `make(frames)`.
 
-        A plan is valid if its statistics cover this scene and `serves(plan)` is true. `frames` is
-        the expected number of frames with similar light: `turn.frames` at first, later the number
-        of scenes of the last kind. If no two scenes are similar, measuring does not pay."""
+        `measure(plan)` returns an earlier plan with its error on this scene, None if it is not
+        valid here. `frames` is the expected number of frames for which a new plan is valid:
+        `turn.frames` at first, later the number of scenes that the last plan served."""
         with self._changed:
             self._changed.wait_for(lambda: turn.number <= min(self._expected, default=turn.number))
-        mine: Future[Plan] = Future()
+        mine: Future[_KeptPlan] = Future()
+        last, self._last[request] = self._last.get(request), mine
+        self.passed(turn.number)
         try:
-            last, scenes, frames = self._last.get(request), 1, turn.frames
-            if last is not None:
-                frames = min(turn.frames, last.scenes)
-            # Different scenes are usually recognised before the last plan is complete.
-            alike = last is not None and last.statistics.resembles(statistics)
-            if last is not None and alike and last.future.exception() is None:
-                scenes, earlier = last.scenes + 1, last.again
-                frames = min(turn.frames, scenes)
-                covers = earlier.measured and last.statistics.covers(statistics, earlier)
-                if covers and serves(earlier):
-                    self._last[request] = replace(last, scenes=scenes)
-                    return earlier
-            self._last[request] = _KeptPlan(statistics, mine, scenes)
-        finally:
-            self.passed(turn.number)
-        try:
-            mine.set_result(make(frames))
+            earlier = None if last is None or last.exception() else last.result()
+            plan, kept = _planned(turn.frames, earlier, make, measure)
+            mine.set_result(kept)
         except BaseException as error:
             mine.set_exception(error)
             raise
-        return mine.result()
+        return plan
+
+
+def _planned(
+    frames: int,
+    earlier: _KeptPlan | None,
+    make: Callable[[int], Plan],
+    measure: Callable[[Plan], Plan | None],
+) -> tuple[Plan, _KeptPlan]:
+    """Return the plan of a scene, and the plan to keep for the next one (see `KeptPlans.plan`)."""
+    if earlier is None:
+        plan = make(frames)
+        return plan, _KeptPlan(plan, 1, _AGAIN)
+    if earlier.scenes >= earlier.most_scenes:
+        plan = make(min(frames, earlier.scenes))
+        return plan, _KeptPlan(plan, 1, 2 * earlier.most_scenes)
+    measured = measure(earlier.plan)
+    if measured is not None:
+        return measured, replace(earlier, scenes=earlier.scenes + 1)
+    plan = make(min(frames, earlier.scenes))
+    return plan, _KeptPlan(plan, 1, _AGAIN)
 
 
 @dataclass(frozen=True, eq=False)

@@ -135,12 +135,11 @@ def _for_all(
     container: Container, lights: Sequence[Light], sensor: Sensor, request: Request
 ) -> Request:
     """Return the request with one tolerance for all lights, which have equal sizes. A fraction of
-    the noise is converted to electrons only if plans are measured against it."""
+    the noise is converted to electrons only for an audit: measuring it takes as long as a frame."""
     if not request.planned or reason_without_plan(container):
         return request
     from nscc_runtime.emulator.capture import check
-    from nscc_runtime.planning.planned_scene import PlannedScene
-    from nscc_runtime.planning.scenes import planning_of
+    from nscc_runtime.planning.planned_scene import PlannedScene, planning_of
     from nscc_runtime.planning.tolerance import noise_part, tolerance_of
 
     class All:
@@ -157,9 +156,7 @@ def _for_all(
         def noise_e(self) -> float:
             return math.sqrt(sum(piece.noise_e() ** 2 for piece in self.pieces()) / len(lights))
 
-    noise_fraction = noise_part(str(request.tolerance))
-    measured = noise_fraction is None or request.audit
-    if not measured and all(piece.approximates(None, noise_fraction) for piece in All().pieces()):
+    if noise_part(str(request.tolerance)) is not None and not request.audit:
         return request
     return replace(request, tolerance=tolerance_of(request.tolerance, sensor, All()))
 

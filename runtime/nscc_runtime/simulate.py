@@ -20,7 +20,7 @@ from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.frame_series import gathered
-from nscc_runtime.kept_plans import Statistics, Turn
+from nscc_runtime.kept_plans import Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import reason_without_plan, refuse_planless
 from nscc_runtime.planning.tolerance import DEFAULT, ToleranceInput, check_tolerance
@@ -256,65 +256,64 @@ def _planned(
 ) -> Simulated:
     """Simulate by a plan that is made here, read from a file, or passed in the request."""
     from nscc_runtime.emulator.capture import check
-    from nscc_runtime.planning.make import measured_again
-    from nscc_runtime.planning.plan_file import plan_text, read_plan
-    from nscc_runtime.planning.scenes import planning_of
+    from nscc_runtime.execution.block_loop import run_blocks
+    from nscc_runtime.planning.audit import audit
+    from nscc_runtime.planning.plan_file import plan_text
+    from nscc_runtime.planning.planned_scene import planning_of
 
-    timings, device_seed = listener.timings, request.device_seed
-    planning = planning_of(container, sensor, light, device_seed, request.threads)
-    _say_compiling(listener, planning.loop, "planner")
+    timings, seed = listener.timings, request.seed
     check(container, light)
+    _say_compiling(listener, run_blocks, "planner")
+    scene = planning_of(container, sensor, light, request.device_seed, request.threads)
     digest = digest_of(container)
     with timings.measure("analyse_s"):
-        planning.ready()
+        scene.ready()
     file = request.plan if isinstance(request.plan, Path) else None
-    plan_given = file is not None and file.exists()
+    is_new_file = file is not None and not file.exists()
+    plan_given = request.plan is not None and not is_new_file
     with timings.measure("plan_s"):
-        if file is not None and plan_given:
-            plan = measured_again(planning, read_plan(file, digest, sensor))
-        elif request.plan is None or isinstance(request.plan, Path):
-            plan = _make_plan(planning, container, light, sensor, request)
-        else:
-            plan = request.plan
+        plan = _plan_of(scene, digest, request, plan_given)
     if plan.breach is not None and (request.effects.auto or plan_given):
         listener.warn(run_messages.over(plan, plan.breach, plan_given))
     with timings.measure("expose_s"):
-        exposed = planning.frames(plan, request.seed, request.repeat or 1)
+        exposed = scene.frames(plan.kept, seed, request.repeat or 1)
         frame = _gathered(exposed, request.repeat, listener)
     report, broken = None, None
     if request.audit:
         with timings.measure("audit_s"):
-            report = planning.audit(plan, request.seed, request.repeat or 1)
+            report = audit(scene, plan)
         if not report.holds:
-            broken = run_messages.broken(plan, report, plan_given or plan is request.plan)
+            broken = run_messages.broken(plan, report, plan_given)
     origin = Provenance(
-        digest, sensor, request.seed, device_seed, "planned", plan.as_json(),
+        digest, sensor, seed, request.device_seed, "planned", plan.as_json(),
         None if report is None else asdict(report),
     )  # fmt: skip
-    text = plan_text(plan, digest, sensor) if file is not None and not plan_given else None
+    text = plan_text(plan, digest, sensor) if is_new_file else None
     return Simulated(frame, origin, plan.kept, plan, report, text, broken)
 
 
-def _make_plan(
-    scene: PlannedScene, container: Container, light: Light, sensor: Sensor, request: Request
-) -> Plan:
-    """Return a plan made for this scene, or an earlier plan that covers it. If the user requests a
-    plan file or an audit, every figure of the table is measured."""
-    from nscc_runtime.planning.make import PlanRequest, make_plan
+def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: bool) -> Plan:
+    """Return the plan of a request: given and measured on this scene, made for this scene, or made
+    for an earlier scene and valid here. A plan for a file or an audit has every figure."""
+    from nscc_runtime.planning.make import PlanRequest, make_plan, measured_again, served_plan
+    from nscc_runtime.planning.plan_file import read_plan
 
+    if isinstance(request.plan, Path) and plan_given:
+        plan = read_plan(request.plan, digest, scene.sensor)
+        return measured_again(scene, plan, figures=True)
+    if request.plan is not None and not isinstance(request.plan, Path):
+        return measured_again(scene, request.plan)
     turn, repeat = request.turn, request.repeat or 1
-    plan_request = PlanRequest(
-        request.effects, request.tolerance, repeat, request.audit or request.plan is not None
-    )
+    figures = request.audit or request.plan is not None
+    plan_request = PlanRequest(request.effects, request.tolerance, repeat, figures)
     if turn is None or not request.effects.auto:
         return make_plan(scene, plan_request)
-
-    def make(frames: int) -> Plan:
-        return make_plan(scene, replace(plan_request, frames=frames * repeat))
-
-    plan_key = container, sensor, request.device_seed, plan_request
-    statistics = Statistics.of(light, scene.open_part)
-    return turn.plans.plan(turn, plan_key, statistics, make, scene.serves)
+    key = scene.container, scene.sensor, scene.device_seed, plan_request
+    return turn.plans.plan(
+        turn, key,
+        lambda frames: make_plan(scene, replace(plan_request, frames=frames * repeat)),
+        lambda plan: served_plan(scene, plan),
+    )  # fmt: skip
 
 
 def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:

@@ -1,14 +1,13 @@
 """Make a plan for a scene.
 
-1. Draw pixels of the scene (`sample`), and expose them with every effect.
-2. Drop each effect alone, on these pixels with the same random numbers.
-3. Drop effects one after the other, those that save most time first, while their errors add up to
-   less than the tolerance.
-4. Drop the whole set and measure its error. If the error plus two standard errors exceeds the
-   tolerance, keep one more effect and measure again.
-
-Effects are only measured if that saves more time than it takes, or if the user requests the table.
-Otherwise every effect is simulated."""
+1. Drop each effect alone on a few pixels of the scene, those that save most time first, and choose
+   effects whose errors add up to less than the tolerance. Stop if the time that can still be saved
+   is less than the time that measuring takes: then every effect is simulated.
+2. Draw a larger sample (`sample`). Expose it with every effect and without the chosen effects, with
+   the same random numbers. If the error plus two standard errors is within the tolerance, the
+   choice is the plan.
+3. Otherwise, or if the user requests the table, drop each effect alone on the larger sample, choose
+   again, and measure the choice. While its error is too large, keep one more effect."""
 
 from __future__ import annotations
 
@@ -54,7 +53,7 @@ _BOUND_ERRORS = 3.0
 _BOUND, _SERVED_OTHER_STATES = 1.05, 0.7 * MOST_OTHER_STATES
 """A plan is reused while its bound on the new scene is at most `_BOUND` times the tolerance, and
 the measured fraction of pixels in other states at most `_SERVED_OTHER_STATES`."""
-FROM_GIVEN_PLAN = "taken from the plan given"
+FROM_EARLIER_PLAN = "taken from an earlier plan"
 """The reason shown for decisions of a plan that was made for another scene."""
 NAMED = "named in --effects"
 NOT_WORTH = "choosing effects would take longer than it saves"
@@ -97,19 +96,24 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     check_tolerance(request.tolerance, scene.sensor)
     work, absent = Work.of(scene), absent_effects(scene)
     moves = _moves(work, request, absent)
-    if not _is_worth(scene, work, request, moves, absent):
+    always = request.figures or (request.effects.auto and request.forced_off - absent)
+    dropped = None if always else _quick_choice(scene, work, request, moves)
+    if not always and not dropped:
         return _unmeasured(work, request, absent)
     measuring = _Measuring(trial_of(scene), request)
-    measured_sets = {*moves}
-    if request.figures:
-        measured_sets |= {frozenset({e.name}) for e in _of_exposure() if e.name not in absent}
-    alone = measuring.drop_each(sorted(measured_sets, key=sorted))
-    dropped = measuring.choose(moves, alone)
-    while True:
+    alone: dict[Names, SampledErrors] = {}
+    if dropped is not None:
         together, by_choice = measuring.drop_together(dropped)
-        if not dropped or measuring.fits(by_choice):
-            break
-        dropped = dropped[:-1]
+    if dropped is None or not measuring.fits(by_choice):
+        sets = {*moves} if dropped is None else {*dropped}
+        if request.figures:
+            sets |= {frozenset({e.name}) for e in _of_exposure() if e.name not in absent}
+        alone = measuring.drop_each(sorted(sets, key=sorted))
+        dropped = measuring.choose([names for names in moves if names in sets], alone)
+        together, by_choice = measuring.drop_together(dropped)
+        while dropped and not measuring.fits(by_choice):
+            dropped = dropped[:-1]
+            together, by_choice = measuring.drop_together(dropped)
     return _planned(measuring, work, alone, frozenset().union(*dropped), together, absent)
 
 
@@ -118,6 +122,8 @@ def measured_again(scene: PlannedScene, plan: Plan, *, figures: bool = False) ->
     measured on this scene. `figures`: also measure each effect alone."""
     work, absent = Work.of(scene), absent_effects(scene)
     request = PlanRequest(plan.requested_effects, plan.tolerance_input, figures=figures)
+    if not plan.names("dropped") and not figures:
+        return replace(_unmeasured(work, request, absent), reused=True)
     measuring = _Measuring(trial_of(scene), request)
     names = [e.name for e in _of_exposure() if figures and e.name not in absent]
     alone = measuring.drop_each([frozenset({name}) for name in names])
@@ -125,20 +131,23 @@ def measured_again(scene: PlannedScene, plan: Plan, *, figures: bool = False) ->
     together, _ = measuring.drop_together([dropped])
     made = _planned(measuring, work, alone, dropped, together, absent)
     decisions = (
-        decision if decision.kind == "after" else replace(decision, reason=FROM_GIVEN_PLAN)
+        decision if decision.kind == "after" else replace(decision, reason=FROM_EARLIER_PLAN)
         for decision in made.decisions
     )
     return replace(made, decisions=tuple(decisions), reused=True)
 
 
-def still_fits(plan: Plan) -> bool:
-    """Return whether a plan that was measured again may be used for its new scene."""
+def served_plan(scene: PlannedScene, plan: Plan) -> Plan | None:
+    """Return a plan of an earlier scene with its error on this scene; None if the error is too
+    large here."""
+    plan = measured_again(scene, plan)
     tolerance_e = plan.tolerance_e or 0.0
-    return (
+    fits = not plan.measured or (
         (plan.predicted_e or 0.0) <= _SURE * tolerance_e
         and (plan.bound_e or 0.0) <= _BOUND * tolerance_e
         and (plan.other_states or 0.0) <= _SERVED_OTHER_STATES
     )
+    return plan if fits else None
 
 
 def absent_effects(scene: PlannedScene) -> Names:
@@ -176,26 +185,28 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
     return {names: saved_ms[names] for names in ordered if saved_ms[names] > 0}
 
 
-def _is_worth(
-    scene: PlannedScene, work: Work, request: PlanRequest, moves: Mapping[Names, float],
-    absent: Names,
-) -> bool:  # fmt: skip
-    """Return whether measuring effects saves more time than it takes, judged by a quick measurement
-    on few pixels if one is worth its time. Requested figures are always measured, as are effects
-    that the user turned off while the planner decides on the others."""
-    if request.figures:
-        return True
+def _quick_choice(
+    scene: PlannedScene, work: Work, request: PlanRequest, moves: Mapping[Names, float]
+) -> list[Names]:
+    """Return the moves that fit into the tolerance on few pixels; none if measuring them exactly
+    would take longer than they save."""
     if not request.effects.auto:
-        return False
-    if request.forced_off - absent:
-        return True
-    saved_ms = request.frames * sum(moves.values())
-    if saved_ms < _WORTH * work.trials_ms(2 + len(moves), _PILOT):
-        return False
-    pilot = _Measuring(trial_of(scene, _PILOT), request)
-    dropped = pilot.choose(moves, pilot.drop_each([*moves]))
-    saved_ms = request.frames * sum(moves[names] for names in dropped)
-    return saved_ms >= _WORTH * work.trials_ms(3 + len(moves), SAMPLED)
+        return []
+    possible_ms = request.frames * sum(moves.values())
+    if possible_ms < _WORTH * work.trials_ms(3, SAMPLED):
+        return []
+    pilot = _Measuring(trial_of(scene, _PILOT, even=True), request)
+    alone: dict[Names, SampledErrors] = {}
+    dropped: list[Names] = []
+    for names, saved_ms in moves.items():
+        alone |= pilot.drop_each([names])
+        chosen = pilot.choose(alone, alone, standard_errors=0.0)
+        if names not in chosen:
+            possible_ms -= request.frames * saved_ms
+            if possible_ms < _WORTH * work.trials_ms(3, SAMPLED):
+                return []
+        dropped = chosen
+    return dropped
 
 
 class _Measuring:
@@ -224,24 +235,25 @@ class _Measuring:
         return errors
 
     def choose(
-        self, moves: Iterable[Names], alone: Mapping[Names, SampledErrors]
-    ) -> list[Names]:
+        self, moves: Iterable[Names], alone: Mapping[Names, SampledErrors],
+        standard_errors: float = 2.0,
+    ) -> list[Names]:  # fmt: skip
         """Return the sets that fit into the tolerance, added one after the other."""
         dropped: list[Names] = []
         total: SampledErrors | None = None
         for names in moves:
             joined = alone[names] if total is None else total.plus(alone[names])
-            if not any(names & others for others in dropped) and self.fits(joined):
+            if not any(names & others for others in dropped) and self.fits(joined, standard_errors):
                 dropped.append(names)
                 total = joined
         return dropped
 
-    def fits(self, errors: SampledErrors) -> bool:
+    def fits(self, errors: SampledErrors, standard_errors: float = 2.0) -> bool:
         """Return whether errors are within the tolerance, with a margin for sampling errors."""
         tolerance_e = self.allowed.electrons
         return (
             errors.square_e2() <= (_MARGIN * tolerance_e) ** 2
-            and errors.square_e2(2.0) <= (_SURE * tolerance_e) ** 2
+            and errors.square_e2(standard_errors) <= (_SURE * tolerance_e) ** 2
             and errors.other_states <= _OTHER_STATES
         )
 

@@ -13,7 +13,7 @@ from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.sensor import Sensor, sensor_sha256
 
-PLAN_SCHEMA = "nscc-plan-1"
+PLAN_SCHEMA = "nscc-plan-2"
 
 
 def plan_text(plan: Plan, program_sha256: str, sensor: Sensor) -> str:

@@ -15,9 +15,8 @@ from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator import expose as expose_without_effects
 from nscc_runtime.emulator.capture import check_size
-from nscc_runtime.execution.block_program import lacks
+from nscc_runtime.execution.block_program import block_program, lacks
 from nscc_runtime.execution.block_scene import expose_pixels, lay_out
-from nscc_runtime.execution.frames import frame_source
 from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation, near_saturation
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.frame_file import Frame, check_adc
@@ -29,6 +28,7 @@ from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.reference.looks import LookingReference
+from nscc_runtime.reference.trace import retention_us
 
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
@@ -64,6 +64,11 @@ class PlannedScene:
     def pixels(self) -> int:
         return self.light.shape[0] * self.light.shape[1]
 
+    def ready(self) -> None:
+        """Analyse the program. Raises Rejected if it cannot be simulated."""
+        if not self.needs_reference(everything()):
+            block_program(self.container, retention_us(everything(), self.sensor))
+
     def near_pixels(self, effects: Selection) -> NearSaturation:
         """Return the pixels that may saturate; none for pixels that look, which all run through
         their words."""
@@ -84,6 +89,7 @@ class PlannedScene:
                 self.container, self.light, self.sensor, effects, seed=seed,
                 device_seed=self.device_seed, count=count, threads=self.threads,
             )  # fmt: skip
+        from nscc_runtime.execution.frames import frame_source
         check_adc(self.container.target)
         source = frame_source(
             self.container, self.sensor, self.light, effects, self.device_seed,
@@ -175,11 +181,15 @@ class Trial:
         return _exposures(self.scene, self.sample, effects, self.begins, self.repeats)
 
 
-def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = None) -> Trial:
-    """Draw about `count` pixels of a scene, and expose them with every effect. `repeats`: number of
-    frames with other noise; by default more than one for small scenes."""
+def trial_of(
+    scene: PlannedScene, count: int = SAMPLED, repeats: int | None = None, *, even: bool = False
+) -> Trial:
+    """Draw about `count` pixels of a scene, and expose them with every effect.
+
+    `repeats`: number of frames with other noise; by default more than one for small scenes. `even`:
+    draw all pixels with equal probabilities, which is faster."""
     full_well_e, all_effects = scene.sensor.full_well_e, everything()
-    chance = drawing_chances(scene.light, full_well_e)
+    chance = np.ones(scene.pixels) if even else drawing_chances(scene.light, full_well_e)
     sample = draw_sample(scene.near_pixels(all_effects), full_well_e, count, chance)
     repeats = repeats or min(-(-_ENOUGH // len(sample.places)), _MOST_REPEATS)
     first = _exposures(scene, sample, all_effects, [None], repeats)
