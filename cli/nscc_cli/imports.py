@@ -91,19 +91,16 @@ def import_network(model: Path, out: Path, frame_us: float, target: str) -> None
     ]))  # fmt: skip
 
 
-class _Place(click.ParamType):
-    """A row and a column, R,C."""
-
-    name = "R,C"
-
-    def convert(
-        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
-    ) -> tuple[int, int]:
-        """Return the pair of numbers; raise BadParameter for another text."""
-        row, _, col = str(value).partition(",")
-        if not (row.strip().isdecimal() and col.strip().isdecimal()):
-            self.fail(f"{value!r} is not a row and a column, such as 128,0", param, ctx)
-        return int(row), int(col)
+def _place(
+    _context: click.Context, _option: click.Parameter, value: str | None
+) -> tuple[int, int] | None:
+    """Return the row and the column of the text R,C; raise BadParameter for another text."""
+    if value is None:
+        return None
+    row, _, col = value.partition(",")
+    if not (row.strip().isdecimal() and col.strip().isdecimal()):
+        raise click.BadParameter(f"'{value}' is not a row and a column, such as 128,0")
+    return int(row), int(col)
 
 
 @click.command("import-frame", cls=CommonCommand)
@@ -112,7 +109,7 @@ class _Place(click.ParamType):
 @click.option("-o", "out", required=True, metavar="FRAME.npz", type=OUT, help="The frame file.")
 @click.option(
     "--crop",
-    type=_Place(),
+    callback=_place,
     metavar="R,C",
     help="Row and column of the picture's pixel that is the array's first pixel.",
 )

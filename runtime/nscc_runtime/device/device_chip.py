@@ -230,14 +230,17 @@ def frame_of_readouts(
     cols) by digital register. `reaches`, `summaries`: see `told_of_planes`."""
     saturated_by, exact = last_codes(codes, target), exposure_e is not None
     plain = container is None or (container.machine is None and container.pictures is None)
-    if exposure_e is None:
-        exposure_e = (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb
+    electrons = exposure_e
+    if electrons is None:
+        electrons = np.asarray(
+            (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb, np.float64
+        )
         if container is not None and plain:
             from nscc_runtime.full_codes import marked_by_codes
 
             with suppress(Rejected):  # NS0442: words that open no shutters
                 saturated_by |= marked_by_codes(codes, container, sensor)
-    frame = Frame(codes, exposure_e, np.isfinite(exposure_e), saturated_by)
+    frame = Frame(codes, electrons, np.isfinite(electrons), saturated_by)
     if container is None or plain:
         return frame
     if container.pictures is None:
