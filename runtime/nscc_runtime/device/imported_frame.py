@@ -89,40 +89,59 @@ def import_frame(
         NS0794 (status 2) for missing, superfluous or unsuitable pictures, NS0742 for a converter
         with more than 8 bits.
     """
-    target = container.target
-    check_adc(target)
     orientation = orientation or Orientation()
-    sensor = sensor or default_sensor(converter_of(container))
     analog, digital = readout_names(container)
     named = _by_name(files, [*analog, *digital])
-    shape = target.rows, target.cols
     data = {name: _bytes_of(path) for name, path in named.items()}
-    laid = {
-        name: _laid(_picture(path, data[name]), path, shape, orientation)
-        for name, path in named.items()
-    }
-    codes = np.zeros((len(analog), *shape), np.uint8)
-    for number, name in enumerate(analog):
-        if laid[name].max(initial=0) > target.top_code:
-            raise _refused(
-                named[name], f"it has codes up to {laid[name].max()}, but the converter of "
-                f"{target.name} ends at {target.top_code}",
-            )  # fmt: skip
-        codes[number] = laid[name]
-    planes = {
-        register: _bits(named[name], laid[name]) for name, register in digital.items()
-    }  # fmt: skip
-    frame = frame_of_readouts(codes, None, planes, sensor, target, container)
-    digest = sha256(to_bytes(container)).hexdigest()
-    about = meta(container, None, frame, Provenance(digest, sensor, None, None, "imported"))
-    about["imported"] = {
+    pictures = {name: (str(path), _picture(path, data[name])) for name, path in named.items()}
+    about = {
         "files": {
             name: {"file": path.name, "sha256": sha256(data[name]).hexdigest()}
             for name, path in named.items()
-        },
-        "crop": orientation.crop, "flip": orientation.flip, "transpose": orientation.transpose,
-    }  # fmt: skip
-    return with_table(FrameFile(frame, about, {}, {}), container)
+        }
+    }
+    return frame_of_pictures(container, pictures, orientation, sensor, about)
+
+
+def frame_of_pictures(
+    container: Container,
+    pictures: Mapping[str, tuple[str, NDArray[np.uint8]]],
+    orientation: Orientation,
+    sensor: Sensor | None,
+    about: Mapping[str, Any],
+) -> FrameFile:
+    """Return the frame file of pictures of a host.
+
+    `pictures`: for each name of `readout_names` the origin of the picture, for messages, and its
+    8-bit values (rows, cols). `about`: what `meta["imported"]` tells beside the orientation. Raises
+    Rejected as `import_frame`."""
+    target = container.target
+    check_adc(target)
+    sensor = sensor or default_sensor(converter_of(container))
+    analog, digital = readout_names(container)
+    shape = target.rows, target.cols
+    laid = {
+        name: _laid(picture, origin, shape, orientation)
+        for name, (origin, picture) in pictures.items()
+    }
+    codes = np.zeros((len(analog), *shape), np.uint8)
+    for number, name in enumerate(analog):
+        largest = int(laid[name].max())
+        if largest > target.top_code:
+            reason = f"has codes up to {largest}, but the converter ends at {target.top_code}"
+            raise _refused(pictures[name][0], f"it {reason}")
+        codes[number] = laid[name]
+    planes = {register: _bits(pictures[name][0], laid[name]) for name, register in digital.items()}
+    frame = frame_of_readouts(codes, None, planes, sensor, target, container)
+    digest = sha256(to_bytes(container)).hexdigest()
+    meta_values = meta(container, None, frame, Provenance(digest, sensor, None, None, "imported"))
+    meta_values["imported"] = {
+        **about,
+        "crop": orientation.crop,
+        "flip": orientation.flip,
+        "transpose": orientation.transpose,
+    }
+    return with_table(FrameFile(frame, meta_values, {}, {}), container)
 
 
 def readout_names(container: Container) -> tuple[tuple[str, ...], dict[str, str]]:
@@ -216,7 +235,7 @@ def _values(path: Path, data: bytes) -> NDArray[Any]:
 
 
 def _laid(
-    picture: NDArray[np.uint8], path: Path, shape: tuple[int, int], orientation: Orientation
+    picture: NDArray[np.uint8], origin: str, shape: tuple[int, int], orientation: Orientation
 ) -> NDArray[np.uint8]:
     """Return a picture as it lies on the array of `shape`; raise Rejected (NS0794) for another
     size."""
@@ -230,7 +249,7 @@ def _laid(
         if picture.shape == size[::-1]:
             helps = ("--transpose exchanges rows and columns",)
         raise _refused(
-            path,
+            origin,
             f"it has {picture.shape[0]} x {picture.shape[1]} pixels{cut}, but the array has "
             f"{size[0]} x {size[1]}",
             helps,
@@ -242,15 +261,15 @@ def _laid(
     return np.ascontiguousarray(picture.T if orientation.transpose else picture)
 
 
-def _bits(path: Path, picture: NDArray[np.uint8]) -> NDArray[np.bool_]:
+def _bits(origin: str, picture: NDArray[np.uint8]) -> NDArray[np.bool_]:
     """Return a picture of bits; raise Rejected (NS0794) for more than one value beside 0."""
     values = np.unique(picture)
     if len(values[values > 0]) > 1:
         raise _refused(
-            path, f"it has {len(values)} values, but the bits of a register are 0 and one other"
+            origin, f"it has {len(values)} values, but the bits of a register are 0 and one other"
         )
     return np.asarray(picture > 0)
 
 
-def _refused(path: Path, reason: str, helps: tuple[str, ...] = ()) -> Rejected:
-    return rejected("NS0794", f"'{path}' is not a readout of this program: {reason}", helps=helps)
+def _refused(origin: Path | str, reason: str, helps: tuple[str, ...] = ()) -> Rejected:
+    return rejected("NS0794", f"'{origin}' is not a readout of this program: {reason}", helps=helps)
