@@ -94,7 +94,8 @@ def _refuse_tolerance_max(
 @shared.build_options
 @shared.section(
     shared.DEVICE,
-    click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT|host:MODULE",
+    click.option("--on", "place", default="emulator", show_default=True,
+                 metavar="emulator|PORT|host:MODULE",
                  help="Where to run: the emulator, a device at a serial port, or a chip "
                       "that a host module of its vendor drives."),
 )  # fmt: skip
