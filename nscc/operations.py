@@ -15,6 +15,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum, auto
 from functools import lru_cache
+from typing import Annotated
+
+from nscc.codec import Within
+
+Bits32 = Annotated[int, Within(0, (1 << 32) - 1)]
+Word = tuple[Bits32, Bits32, Bits32, Bits32, Bits32]
+"""One instruction word (ICW): five 32-bit integers in the chip's format."""
 
 
 class WordEffect(Enum):

@@ -18,8 +18,8 @@ import pytest
 from lowering_oracle import FadingChip
 
 from nscc.chips.target import Target
-from nscc.operations import NEIGHBOURS
-from nscc.words.container import Container, Word, state_registers
+from nscc.operations import NEIGHBOURS, Word
+from nscc.words.container import Container, state_registers
 from nscc.words.encoding import decode
 
 STUB = Path(__file__).parent / "devkit_stub"

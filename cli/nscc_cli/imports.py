@@ -1,15 +1,25 @@
-"""`nscc import-mask` and `nscc import-network`: programs for the shutters in a mask file, and for
-a network that was trained with torch."""
+"""`nscc import-mask`, `import-network`, `import-frame`: programs for a mask or a network that was
+trained with torch, and frame files of what a chip's own host saved."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import click
 
-from nscc.files import refuse_same, write_together
-from nscc_cli.options import OUT, PATH, chip_option
-from nscc_cli.support import CommonCommand, NumberRange, say_done
+from nscc.files import reads, refuse_same, write_together
+from nscc_cli.frames import sensor_of
+from nscc_cli.options import (
+    OUT,
+    PATH,
+    build_options,
+    chip_option,
+    pixels_option,
+    sensor_options,
+)
+from nscc_cli.programs import load_program
+from nscc_cli.support import CommonCommand, NumberRange, say, say_done
 
 _PROGRAM = click.option("-o", "out", required=True, metavar="P.nsl", type=OUT, help="The program.")
 
@@ -78,4 +88,79 @@ def import_network(model: Path, out: Path, frame_us: float, target: str) -> None
         f"kernels {cell.kernel} x {cell.kernel}, {imported.words} words a frame",
         f"exposures are compared with {100 * imported.level:.4g} % of a full well",
         *(f"wrote {path.as_posix()}" for path in (out, kernels)),
+    ]))  # fmt: skip
+
+
+def _place(
+    _context: click.Context, _option: click.Parameter, value: str | None
+) -> tuple[int, int] | None:
+    """Return the row and the column of the text R,C; raise BadParameter for another text."""
+    if value is None:
+        return None
+    row, _, col = value.partition(",")
+    if not (row.strip().isdecimal() and col.strip().isdecimal()):
+        raise click.BadParameter(f"'{value}' is not a row and a column, such as 128,0")
+    return int(row), int(col)
+
+
+@click.command("import-frame", cls=CommonCommand)
+@click.argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)
+@click.argument("files", metavar="FILE..|NAME=FILE..", nargs=-1, required=True)
+@click.option("-o", "out", required=True, metavar="FRAME.npz", type=OUT, help="The frame file.")
+@click.option(
+    "--crop",
+    callback=_place,
+    metavar="R,C",
+    help="Row and column of the picture's pixel that is the array's first pixel.",
+)
+@click.option(
+    "--flip",
+    type=click.Choice(("rows", "cols", "both")),
+    default=None,
+    help="Reverse the order of rows, columns or both, after --crop.",
+)
+@click.option("--transpose", is_flag=True, help="Exchange rows and columns, after --flip.")
+@sensor_options
+@pixels_option
+@build_options
+def import_frame(
+    program: Path, files: tuple[str, ...], out: Path, crop: tuple[int, int] | None,
+    flip: str | None, transpose: bool, **options: Any,
+) -> None:  # fmt: skip
+    """Write the frame file of pictures that a chip's own host saved.
+
+    FILE is an 8-bit grey picture of codes, or a picture of bits: .bmp, .png, .tiff, .npy or .csv.
+    There is one for each bucket, then for each image and plane that the program reads, in this
+    order or as NAME=FILE. A program that reads states needs a picture of each register of its
+    states.
+
+    No picture tells how the host turned the array: compare the result with a known scene."""
+    from nscc.words.readout import converter_of
+    from nscc_runtime.device.imported_frame import Orientation, readout_names
+    from nscc_runtime.device.imported_frame import import_frame as imported
+    from nscc_runtime.formats import check_ending
+    from nscc_runtime.run_messages import frame_lines
+
+    check_ending(out, (".npz",), "an imported frame")
+    container, messages = load_program(program, options)
+    say(messages)
+    known = [name for names in readout_names(container) for name in names]
+    pairs = [
+        (name, Path(path)) for file in files for name, mark, path in [file.partition("=")]
+        if mark and (name in known or not Path(file).exists())
+    ]  # fmt: skip
+    if pairs and len(pairs) < len(files):
+        raise click.UsageError("give all files as NAME=FILE, or none")
+    if len(dict(pairs)) < len(pairs):
+        raise click.UsageError("a NAME is given twice")
+    orientation = Orientation(crop, flip or "none", transpose)  # type: ignore[arg-type]  # Choice
+    named = dict(pairs) if pairs else [Path(file) for file in files]
+    reads(*(named.values() if isinstance(named, dict) else named))
+    sensor = sensor_of(converter_of(container), options)
+    file = imported(container, named, orientation, sensor)
+    write_together({out: file.write})
+    say_done("\n".join([
+        *frame_lines(container, file.frame),
+        f"assumed: {orientation}; no picture tells how the host turned the array",
+        f"wrote {out.as_posix()}",
     ]))  # fmt: skip

@@ -94,8 +94,10 @@ def _refuse_tolerance_max(
 @shared.build_options
 @shared.section(
     shared.DEVICE,
-    click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
-                 help="Where to run: the emulator, or a device at a serial port."),
+    click.option("--on", "place", default="emulator", show_default=True,
+                 metavar="emulator|PORT|host:MODULE",
+                 help="Where to run: the emulator, a device at a serial port, or a chip "
+                      "that a host module of its vendor drives."),
 )  # fmt: skip
 @shared.link_options
 @shared.section(
@@ -114,7 +116,9 @@ def _refuse_tolerance_max(
 def command(program: Path | None, like: Path | None, **options: Any) -> None:
     """Expose one frame of a scene with a program, and write it as an .npz file.
 
-    With --on PORT, a chip exposes the frame, or a simulated device (`nscc device serve`)."""
+    With --on PORT, a chip exposes the frame, or a simulated device (`nscc device serve`). With --on
+    host:MODULE[@ADDRESS[:PORT]], the next frame is taken that a Python module of the chip's vendor
+    receives."""
     keep = parse_keep(options["keep"])
     of_run = run_capture_of(like, options, program)
     if program is None and of_run is not None:
@@ -182,6 +186,8 @@ def _run_on_emulator(
 
 _MEANINGLESS = ("effects", "seed", "device_seed", "fidelity", "tolerance", "audit", "plan",
                 "like", "fit", "color", "first", "single")  # fmt: skip
+HOST = "host:"
+"""Start of a place that names a host module of a vendor instead of a port."""
 _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
 
@@ -219,13 +225,21 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
             )
     say(messages_so_far)
     out = frame_path(program, options)
-    with (
-        timings.measure("expose_s"),
-        SerialLink(place, baud=options["baud"], patience_s=options["patience"]) as link,
-    ):
-        chip = DeviceChip(link, sensor, progress)
-        frame, meta = exposed(chip, container, light, options["repeat"], progress)
-        effects = chip.effects
+    if place.startswith(HOST):
+        from nscc_runtime.device.host_module import expose_by_host
+        from nscc_runtime.effects import everything
+
+        with timings.measure("expose_s"):
+            file = expose_by_host(place, container, sensor, options["patience"])
+        frame, meta, effects = file.frame, file.meta, everything()
+    else:
+        with (
+            timings.measure("expose_s"),
+            SerialLink(place, baud=options["baud"], patience_s=options["patience"]) as link,
+        ):
+            chip = DeviceChip(link, sensor, progress)
+            frame, meta = exposed(chip, container, light, options["repeat"], progress)
+            effects = chip.effects
     title = f"{program.name}  ·  on the device"
     files = write_frame(
         out, options, keep, container, light, frame, meta, title, timings,
@@ -236,7 +250,8 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
 
 def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> None:
     """Raise NS0770 if the user gave options that have no meaning for a device."""
-    refused_options = given_options((*_MEANINGLESS, *(() if scene else _SCENE)))
+    of_port = ("baud", "repeat", "scene") if place.startswith(HOST) else ()
+    refused_options = given_options((*_MEANINGLESS, *of_port, *(() if scene else _SCENE)))
     if not scene:
         refused_options += [f"--keep {name}" for name in keep if name in ("light", "truth")]
     if refused_options:

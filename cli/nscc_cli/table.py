@@ -30,6 +30,7 @@ GROUPS = {
     "Expose frames": {
         "run": "Expose one frame of a scene with a program.",
         "device": "Use a chip at a serial port, or simulate one.",
+        "import-frame": "Write the frame file of pictures that a chip's host saved.",
         "targets": "List the known chips and their limits.",
         "effects": "List the sensor effects and their parameters.",
         "calibrate": "Measure a sensor from flat and dark frames.",
@@ -55,7 +56,7 @@ with their own name (with `_` for `-`) in the module that it names."""
 MODULES = {
     **dict.fromkeys(("asm", "disasm", "diff", "prove", "shutters"), "containers"),
     **dict.fromkeys(("explain", "examples", "new", "doctor"), "guide"),
-    **dict.fromkeys(("import-mask", "import-network"), "imports"),
+    **dict.fromkeys(("import-frame", "import-mask", "import-network"), "imports"),
     "classify": "reconstruct",
     "metrics": "evaluate",
 }

@@ -1,54 +1,18 @@
 """Cached results of the search for gates.
 
 The key covers the whole problem (demands, plan, times, target, level) and the compiler with its
-added generators (`nscc.cache.digest.version_digest`). A change of any of them changes the key.
-
-An entry is a solution as the JSON list of its field values. Its planes are hexadecimal, because
-Python does not read decimal numbers of thousands of digits."""
+added generators (`nscc.cache.digest.version_digest`). A change of any of them changes the key."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import astuple, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any
 
 from nscc.cache.digest import digest, version_digest
 from nscc.cache.store import Store, cache_folder
+from nscc.codec import from_json, to_json
 from nscc.logic.generate import solution_fault
-from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution
-
-
-def to_json(solution: Solution) -> bytes:
-    """Return a solution as one line of JSON; the same solution gives the same bytes."""
-    import json
-
-    encoding, planes, *values = astuple(solution)
-    plain = [encoding, [f"{plane:x}" for plane in planes], *values]
-    return json.dumps(plain, separators=(",", ":")).encode()
-
-
-def from_json(data: bytes) -> Solution:
-    """Return the inverse of `to_json`.
-
-    Other data raise an exception, or give a solution with members of other types, which
-    `solution_fault` refuses."""
-    import json
-
-    encoding, planes, holders, states, scratch, opening, answers, closing, in_flag = json.loads(
-        data
-    )
-    return Solution(
-        encoding, tuple(int(plane, 16) for plane in planes), tuple(holders), states, scratch,
-        _segments(opening), tuple(map(_segments, answers)), _segments(closing), in_flag,
-    )  # fmt: skip
-
-
-def _segments(run: Sequence[Any]) -> tuple[Segment, ...]:
-    return tuple(
-        tuple(Gate(name, target, tuple(sources), mask) for name, target, sources, mask in gates)
-        for gates in run
-    )
-
+from nscc.logic.problem import Machine, Problem, Solution
 
 LEAST_LEVEL = 2
 """Lowest level whose results are cached; below it, a search is faster than reading its result."""
@@ -92,7 +56,7 @@ class Results:
     def keep(self, key: str, best: Solution) -> None:
         """Store the best solution of a search under the key that `find` returned."""
         if key:
-            self.store.write(key, to_json(best))
+            self.store.write(key, to_json(best).encode())
 
 
 def results_of_user() -> Results | None:
@@ -107,8 +71,8 @@ def _solution(data: bytes | None, problem: Problem, machine: Machine) -> Solutio
     if data is None:
         return None
     try:
-        solution = from_json(data)
+        solution = from_json(Solution, data)
         is_valid = solution_fault(problem, machine, solution) is None
-    except (ValueError, TypeError, LookupError, RecursionError):
+    except (ValueError, LookupError):
         return None
     return solution if is_valid else None

@@ -14,11 +14,13 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
+from nscc.codec import HEX
 from nscc.record import Record
 
 
@@ -126,7 +128,7 @@ class Solution(Record):
     and may use t0."""
 
     encoding: str
-    planes: tuple[int, ...]
+    planes: tuple[Annotated[int, HEX], ...]
     holders: tuple[str, ...]
     states: int
     scratch: int

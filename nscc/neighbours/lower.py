@@ -20,8 +20,6 @@ from nscc.words import pictures as p
 from nscc.words.container import Container
 
 Weights = dict[tuple[int, int], Fraction]
-_MOST_TRIED = 8
-"""Largest number of programs of a kernel that are tried until one fits the free registers."""
 
 
 class Lowering(RegisterEmitter):
@@ -144,7 +142,7 @@ class Lowering(RegisterEmitter):
         best = ranked[: 1 + max(n for n, each in enumerate(ranked) if each[:2] == ranked[0][:2])]
         best.sort(key=lambda each: noise_gain(each[2]))
         ranked[: len(best)] = best
-        return [(program, sign) for *_, program, sign in ranked[:_MOST_TRIED]]
+        return [(program, sign) for *_, program, sign in ranked]
 
     def negated(self, value: Held) -> Held:
         """Emit the word that inverts the sign in which a value is held."""

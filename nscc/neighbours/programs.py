@@ -106,30 +106,25 @@ def noise_gain(program: Program) -> float:
     """Return the standard deviation of the error of a program's result.
 
     Each word makes an independent error of standard deviation 1 in every destination."""
-    last = program[-1].destinations[0] if program else ""
+    # The effect on the result of a unit error in each register, from the last word backwards.
+    effects: dict[str, Polynomial] = (
+        {program[-1].destinations[0]: dict(IDENTITY)} if program else {}
+    )
     total = 0.0
-    for number in range(len(program)):
-        for name in program[number].destinations:
-            taps = _error_of(program, number, name).get(last, {})
-            total += sum((weight / UNIT) ** 2 for weight in taps.values())
-    return sqrt(total)
-
-
-def _error_of(program: Program, number: int, destination: str) -> dict[str, Polynomial]:
-    """Return, by register, the final effect of a unit error of one word in one destination."""
-    registers: dict[str, Polynomial] = {}
-    for index, word in enumerate(program[number:], number):
-        error: Polynomial = {}
-        for name in word.sources:
-            addend_error = registers.get("NEWS" if name in NEIGHBOURS else name, {})
-            error = added((1, error), (-1, moved(addend_error, *STEPS.get(name, (0, 0)))))
+    for word in reversed(program):
+        effect: Polynomial = {}
         for name in word.destinations:
             right, down = STEPS.get(name, (0, 0))
-            value = halved(error) if word.halves else error
-            if index == number and name == destination:
-                value = added((1, value), (1, IDENTITY))
-            registers["NEWS" if name in NEIGHBOURS else name] = moved(value, -right, -down)
-    return registers
+            written = effects.pop("NEWS" if name in NEIGHBOURS else name, {})
+            total += sum((weight / UNIT) ** 2 for weight in written.values())
+            effect = added((1, effect), (1, moved(written, -right, -down)))
+        if word.halves:
+            effect = halved(effect)
+        for name in word.sources:
+            register = "NEWS" if name in NEIGHBOURS else name
+            through = moved(effect, *STEPS.get(name, (0, 0)))
+            effects[register] = added((1, effects.get(register, {})), (-1, through))
+    return sqrt(total)
 
 
 # --- symmetries and joining -----------------------------------------------------------------------

@@ -14,6 +14,7 @@ from math import gcd
 from nscc.cache.digest import digest, package_digest
 from nscc.cache.results import Results
 from nscc.neighbours.addition import additions, halvings_of
+from nscc.neighbours.digit_planes import digit_plane_programs
 from nscc.neighbours.factors import Key, box_of, quotients, rows
 from nscc.neighbours.programs import (
     IDENTITY,
@@ -38,8 +39,8 @@ _MOST_KEPT = 6
 _MOST_DEPTH = 7
 _MOST_SOURCES, _MOST_HALVED = 4, 2
 """Most sources of a word, and of a word that halves."""
-_MOST_ADDED = 12
-"""Kernels of more weights are added one by one only if there is no other program."""
+_MOST_ADDED = 20
+"""Most weights of a kernel for which orders of adding neighbours one by one are searched."""
 
 _BEAM_OF_PARTS = 20
 _LEAST_WOVEN = 5
@@ -117,8 +118,9 @@ class Synthesis:
         candidates = [ranged.program for ranged in self._programs(dict(taps), _MOST_DEPTH)]
         if not self.forms.news_keeps:
             candidates = list(filter(reads_news_once, candidates))
-        if len(taps) <= _MOST_ADDED or not candidates:
+        if len(taps) <= _MOST_ADDED:
             candidates += additions(taps, self.forms)
+        candidates += digit_plane_programs(taps, self.forms)
         assert all(self._right(program, dict(taps)) for program in candidates)
         return candidates
 

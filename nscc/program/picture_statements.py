@@ -235,7 +235,7 @@ class PictureMaker:
         for name, state in declared.states.items():
             start, following = self._start(name, state), self._next(name, reader)
             if start is not None and following is not None:
-                states.append(KeptPlane(name, bool(start), following))
+                states.append(KeptPlane(name, start, following))
         return tuple(states)
 
     def _start(self, name: str, state: State) -> int | None:

@@ -37,10 +37,10 @@ from lark import Token as LarkToken
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.suggest import meant
 from nscc.macros import Mnemonic, OperandError, expand, mnemonics
-from nscc.operations import READ_LINES, Operation
+from nscc.operations import READ_LINES, Operation, Word
 from nscc.source import Source, Span
 from nscc.words.assembly_text import read_block_line, read_string
-from nscc.words.container import Container, Word
+from nscc.words.container import Container
 from nscc.words.directives import DIRECTIVES, Draft, Faults, Instruction, TextBlock, Token, shown
 from nscc.words.encoding import encode
 from nscc.words.linking import check_instructions, find_target, link

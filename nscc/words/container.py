@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
+from nscc.operations import Word
 from nscc.record import Record
 
 if TYPE_CHECKING:
     from nscc.words.machine import StateMachine, StatePlanes
     from nscc.words.pictures import Pictures
     from nscc.words.stream import Stream
-
-Word = tuple[int, int, int, int, int]
-"""One instruction word (ICW): five 32-bit integers in the chip's format."""
 
 
 class StoredKernel(Record):
@@ -57,9 +55,9 @@ class DecodeTable(Record, eq=False):
     distinct shutters in each bucket. A program without fields has one code without fields."""
 
     fields: tuple[str, ...]
-    codes: NDArray[np.int64]
-    shutter_of_code: NDArray[np.int32]
-    shutters: NDArray[np.bool_]
+    codes: Annotated[NDArray[np.int64], "codes fields"]
+    shutter_of_code: Annotated[NDArray[np.int32], "codes"]
+    shutters: Annotated[NDArray[np.bool_], "shutters buckets slots"]
 
     def __repr__(self) -> str:
         fields, (shutters, buckets, slots) = ", ".join(self.fields), self.shutters.shape

@@ -6,9 +6,9 @@ from collections.abc import Iterable, Sequence
 from math import fsum
 
 from nscc.chips.target import Target
-from nscc.operations import Op, Phase
+from nscc.operations import Op, Phase, Word
 from nscc.record import Record
-from nscc.words.container import Container, StoredKernel, Word
+from nscc.words.container import Container, StoredKernel
 from nscc.words.encoding import matching
 
 _CLOCK_CLASS = 7 << 19

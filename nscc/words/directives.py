@@ -10,11 +10,10 @@ from dataclasses import dataclass, field
 from functools import partial
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
-from nscc.operations import Op
+from nscc.operations import Op, Word
 from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.words.assembly_text import read_number, read_ranges, read_time_us
-from nscc.words.container import Word
 from nscc.words.soundness import MOST_SLOTS, MOST_WORDS
 
 _IMPLIED_KERNEL = "main"

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from nscc.chips.load import builtin_names, builtin_target, target_toml
 from nscc.chips.target import Target
-from nscc.operations import Op, Phase
-from nscc.words import machine_file, pictures_file
+from nscc.codec import to_json
+from nscc.operations import Op, Phase, Word
 from nscc.words.assembly_text import (
     base64_lines,
     block_text,
@@ -24,11 +24,12 @@ from nscc.words.assembly_text import (
     ranges_text,
     slots_text,
 )
-from nscc.words.container import Container, StoredKernel, Word
+from nscc.words.container import Container, StoredKernel
 from nscc.words.cost import frame_cost, kernel_cost
 from nscc.words.encoding import matching, word_text
 from nscc.words.legality import pair_kind, refuse_planes, target_fault
 from nscc.words.machine import LIGHT
+from nscc.words.stored_machine import machine_data
 
 _COMMENT_COLUMN = 40
 _LARGEST_TILE = 64 * 64
@@ -213,7 +214,7 @@ def _machine(container: Container) -> Iterator[str]:
         level = f"{comparison.level} steps of IN, {comparison.level * step_e:.6g} e"
         yield f"; at boundary {comparison.boundary}: {signal} above {level}"
     yield ".machine"
-    yield from machine_file.to_text(container)
+    yield from base64_lines(machine_data(container))
 
 
 def _pictures(container: Container) -> Iterator[str]:
@@ -230,7 +231,7 @@ def _pictures(container: Container) -> Iterator[str]:
     for name, register in pictures.registers.items():
         yield f"; {register} holds {name}"
     yield ".pictures"
-    yield from pictures_file.to_text(pictures)
+    yield from base64_lines(to_json(pictures).encode("ascii"))
 
 
 def _pixels(container: Container) -> Iterator[str]:

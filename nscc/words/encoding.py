@@ -39,10 +39,10 @@ from nscc.operations import (
     WRF,
     Op,
     Operation,
+    Word,
     WordEffect,
     make_op,
 )
-from nscc.words.container import Word
 
 _INTEGER = 0xFFFF_FFFF
 _FIVE = Struct("<5I")

@@ -16,24 +16,29 @@ that reading and writing a file does not change it."""
 
 from __future__ import annotations
 
-import json
 import shlex
+from collections.abc import Mapping
+from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from struct import Struct
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.load import target_dict, target_from_dict
+from nscc.chips.target import Target
+from nscc.codec import LATER, from_json, to_json
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.words import machine_file, pictures_file
+from nscc.record import Record
 from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
-from nscc.words.machine import StateMachine, StatePlanes
+from nscc.words.machine import Length
+from nscc.words.pictures import Pictures
 from nscc.words.soundness import faults
-from nscc.words.stored_arrays import StoredArray, packed, unpacked
+from nscc.words.stored_arrays import StoredArray, layout_of, packed, unpacked
+from nscc.words.stored_machine import StoredMachine, stored_machine
 from nscc.words.stream import Stream
 
 MAGIC = b"\x89ICW\r\n\x1a\n"
@@ -44,35 +49,79 @@ _PREAMBLE = Struct("<8sIIQ")
 _DIGEST = 32
 LARGEST_FILE = 1 << 31
 _CHUNK = 1 << 20
+_NO_LEVEL = -(2**31)
+"""The stored level of a launch that does not set IN."""
 
 
-def _layout(header: dict[str, Any]) -> tuple[StoredArray, ...]:
+@dataclass(frozen=True)
+class _Counts:
+    """The lengths of the arrays; `pixels` is whether there are pixel codes."""
+
+    slots: Length
+    codes: Length
+    shutters: Length
+    launches: Length
+    pixels: bool
+
+
+@dataclass(frozen=True)
+class _Header:
+    """The header of a file; `kernels` are the names and the numbers of words."""
+
+    target: Mapping[str, object]
+    buckets: tuple[str, ...]
+    fields: tuple[str, ...]
+    kernels: tuple[tuple[str, Length], ...]
+    code_registers: tuple[str, ...]
+    readouts: tuple[Readout, ...]
+    source_lines: tuple[str, ...]
+    notes: Mapping[str, str]
+    counts: _Counts
+    machine: Annotated[StoredMachine | None, LATER] = None
+    pictures: Annotated[Pictures | None, LATER] = None
+
+
+class _Times(Record):
+    """The first array of a file."""
+
+    slot_us: Annotated[NDArray[np.float64], "slots"]
+
+
+class _Words(Record):
+    """The arrays behind the decode table."""
+
+    encoding: Annotated[NDArray[np.bool_], "shutters registers"]
+    words: Annotated[NDArray[np.uint32], "words word"]
+    launches: Annotated[NDArray[np.int32], "launches launch"]
+    pixel_codes: Annotated[NDArray[np.int32], "rows cols"]
+
+
+class _Levels(Record):
+    """The levels of IN at the launches, before the arrays of a state machine."""
+
+    levels: Annotated[NDArray[np.int32], "launches"]
+
+
+def _layout(header: _Header, target: Target) -> list[StoredArray]:
     """Return the arrays that a header describes, in file order."""
-    counts, target = header["counts"], header["target"]
-    registers = len(target["registers"]["digital"]) if "registers" in target else 0
-    buckets, fields = len(header["buckets"]), len(header["fields"])
-    pixels = (target["array"]["rows"], target["array"]["cols"]) if counts["pixels"] else (0, 0)
-    words = sum(count for _, count in header["kernels"])
-    arrays = (
-        StoredArray("slot_us", "<f8", (counts["slots"],)),
-        StoredArray("codes", "<i8", (counts["codes"], fields)),
-        StoredArray("shutter_of_code", "<i4", (counts["codes"],)),
-        StoredArray("shutters", "?", (counts["shutters"], buckets, counts["slots"])),
-        StoredArray("encoding", "?", (counts["shutters"], registers)),
-        StoredArray("words", "<u4", (words, 5)),
-        StoredArray("launches", "<i4", (counts["launches"], 2)),
-        StoredArray("pixel_codes", "<i4", pixels),
-    )
-    if target.get("kind") == "stream":
-        planes = (counts["slots"], pixels[0], -(-pixels[1] // 8))
-        places = (StoredArray(name, "|i1", (counts["slots"],)) for name in ("ones", "zeros"))
-        return (
-            (*arrays, StoredArray("planes", "|u1", planes), *places) if counts["pixels"] else arrays
-        )
-    if "machine" not in header:
-        return arrays
-    of_machine = machine_file.layout_of(header["machine"], buckets, counts["slots"])
-    return (*arrays, StoredArray("levels", "<i4", (counts["launches"],)), *of_machine)
+    counts = header.counts
+    rows, cols = (target.rows, target.cols) if counts.pixels else (0, 0)
+    sizes = {
+        "slots": counts.slots, "codes": counts.codes, "shutters": counts.shutters,
+        "launches": counts.launches, "launch": 2, "fields": len(header.fields),
+        "buckets": len(header.buckets), "registers": len(target.digital_registers),
+        "words": sum(count for _, count in header.kernels), "word": 5,
+        "rows": rows, "cols": cols, "row_bytes": -(-cols // 8),
+    }  # fmt: skip
+    kinds: list[type] = [_Times, DecodeTable, _Words]
+    if target.streamed and counts.pixels:
+        kinds.append(Stream)
+    if header.machine is not None:
+        kinds.append(_Levels)
+    layout = [array for kind in kinds for array in layout_of(kind, sizes)]
+    if header.machine is not None:
+        layout += header.machine.layout(len(header.buckets), counts.slots)
+    return layout
 
 
 def to_bytes(container: Container) -> bytes:
@@ -81,72 +130,60 @@ def to_bytes(container: Container) -> bytes:
     problems = faults(container)
     if problems:
         raise ValueError(f"unsound container: {problems[0]}")
-    header, arrays = _header(container), _arrays(container)
-    text = json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False)
-    sections = [text.encode("ascii"), *packed(_layout(header), arrays)]
+    header, target = _header(container), container.target
+    text = to_json(header).encode("ascii")
+    sections = [text, *packed(_layout(header, target), _arrays(container))]
     length = _PREAMBLE.size + sum(map(len, sections)) + _DIGEST
-    if container.target.streamed:
+    if target.streamed:
         version = 3
     elif container.pictures is not None:
         version = 4
     else:
         version = 1 if container.machine is None else 2
-    body = b"".join([_PREAMBLE.pack(MAGIC, version, len(sections[0]), length), *sections])
+    body = b"".join([_PREAMBLE.pack(MAGIC, version, len(text), length), *sections])
     return body + sha256(body).digest()
 
 
-def _header(container: Container) -> dict[str, Any]:
+def _header(container: Container) -> _Header:
     table, machine = container.table, container.machine
-    looking = {}
-    if machine is not None:
-        looking["machine"] = machine_file.header_of(machine, container.state_planes)
-    if container.pictures is not None:
-        looking["pictures"] = pictures_file.header_of(container.pictures)
-    return {
-        **looking,
-        "target": target_dict(container.target),
-        "buckets": list(container.buckets),
-        "fields": list(table.fields),
-        "kernels": [[kernel.name, len(kernel.words)] for kernel in container.kernels],
-        "code_registers": list(container.code_registers),
-        "readouts": [[r.register, r.bucket, float(r.gain)] for r in container.readouts],
-        "source_lines": list(container.source_lines),
-        "notes": dict(container.notes),
-        "counts": {
-            "slots": container.slots,
-            "codes": len(table.codes),
-            "shutters": len(table.shutters),
-            "launches": len(container.launches),
-            "pixels": container.pixel_codes is not None,
-        },
-    }
+    return _Header(
+        target=target_dict(container.target),
+        buckets=container.buckets,
+        fields=table.fields,
+        kernels=tuple((kernel.name, len(kernel.words)) for kernel in container.kernels),
+        code_registers=container.code_registers,
+        readouts=container.readouts,
+        source_lines=container.source_lines,
+        notes=container.notes,
+        counts=_Counts(
+            container.slots,
+            len(table.codes),
+            len(table.shutters),
+            len(container.launches),
+            container.pixel_codes is not None,
+        ),
+        machine=None if machine is None else stored_machine(machine, container.state_planes),
+        pictures=container.pictures,
+    )
 
 
 def _arrays(container: Container) -> dict[str, NDArray[Any]]:
-    table, pixels, machine = container.table, container.pixel_codes, container.machine
-    of_machine: dict[str, NDArray[Any]] = {}
-    if machine is not None:
-        names = "behaviour", "values", "opens", "resets", "steps", "open_slots", "open_us"
-        of_machine = {name: getattr(machine, name) for name in names}
-        levels = [launch.level for launch in container.launches]
-        none = machine_file.NO_LEVEL
-        of_machine["levels"] = np.array([none if x is None else x for x in levels], "<i4")
-    of_stream: dict[str, NDArray[Any]] = {}
-    if container.stream is not None:
-        of_stream = {name: getattr(container.stream, name) for name in ("planes", "ones", "zeros")}
+    """Return the arrays of a container, by name."""
     words = [word for kernel in container.kernels for word in kernel.words]
     launches = [(launch.instant, launch.kernel) for launch in container.launches]
-    return {
-        "slot_us": np.array(container.slot_us, dtype="<f8"),
-        "codes": table.codes,
-        "shutter_of_code": table.shutter_of_code,
-        "shutters": table.shutters,
+    levels = [_NO_LEVEL if row.level is None else row.level for row in container.launches]
+    parts = (container.table, container.machine, container.stream)
+    arrays = {name: array for part in parts if part for name, array in vars(part).items()}
+    if container.pixel_codes is not None:
+        arrays["pixel_codes"] = container.pixel_codes
+    else:
+        arrays["pixel_codes"] = np.zeros((0, 0), np.int32)
+    return arrays | {
+        "slot_us": np.array(container.slot_us, np.float64),
         "encoding": container.encoding,
-        "words": np.array(words, dtype="<u4").reshape(-1, 5),
-        "launches": np.array(launches, dtype="<i4").reshape(-1, 2),
-        "pixel_codes": np.zeros((0, 0), "<i4") if pixels is None else pixels,
-        **of_machine,
-        **of_stream,
+        "words": np.array(words, np.uint32).reshape(-1, 5),
+        "launches": np.array(launches, np.int32).reshape(-1, 2),
+        "levels": np.array(levels, np.int32),
     }
 
 
@@ -179,8 +216,7 @@ def from_bytes(data: bytes, name: str) -> Container:
     `nscc.words.legality.decoded` checks them."""
     header_length = _check_frame(data, name)
     try:
-        header = json.loads(data[_PREAMBLE.size : _PREAMBLE.size + header_length])
-        container = _assembled(header, data, _PREAMBLE.size + header_length)
+        container = _assembled(data, _PREAMBLE.size + header_length)
         problems = faults(container)
         if problems:
             raise ValueError(problems[0])
@@ -188,9 +224,6 @@ def from_bytes(data: bytes, name: str) -> Container:
             raise ValueError("its encoding differs from the one that nscc writes")
     except ValueError as error:
         raise _rejected("NS0707", name, f"its contents are inconsistent: {error}") from None
-    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError):
-        reason = "its contents are inconsistent: its header is malformed"
-        raise _rejected("NS0707", name, reason) from None
     return container
 
 
@@ -233,46 +266,42 @@ def _check_frame(data: bytes, name: str) -> int:
     return int(header_length)
 
 
-def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
-    """Return the container of a header and its arrays.
+def _assembled(data: bytes, start: int) -> Container:
+    """Return the container whose header ends, and whose arrays begin, at byte `start`.
 
-    If a value has another type than `_header` gives it, the container is written differently,
-    or this raises an exception."""
-    arrays = unpacked(_layout(header), data[:-_DIGEST], start)
+    Raises ValueError for a header, or arrays, that no container has."""
+    header = from_json(_Header, data[_PREAMBLE.size : start])
+    target = target_from_dict(header.target)
+    arrays = unpacked(_layout(header, target), data[:-_DIGEST], start)
     words = [(a, b, c, d, e) for a, b, c, d, e in arrays["words"].tolist()]
     kernels, first = [], 0
-    for name, count in header["kernels"]:
-        kernels.append(StoredKernel(str(name), tuple(words[first : first + count])))
+    for name, count in header.kernels:
+        kernels.append(StoredKernel(name, tuple(words[first : first + count])))
         first += count
-    machine: StateMachine | None = None
-    planes: dict[str, StatePlanes] = {}
     levels: list[int | None] = [None] * len(arrays["launches"])
-    if "machine" in header:
-        machine, planes = machine_file.machine_from(header["machine"], arrays)
-        none = machine_file.NO_LEVEL
-        levels = [None if level == none else level for level in arrays["levels"].tolist()]
-    sent = ("planes", "ones", "zeros")
+    machine, stream = header.machine, None
+    if "planes" in arrays:
+        stream = Stream(*(arrays[name] for name in Stream.field_names))
+    if machine is not None:
+        levels = [None if level == _NO_LEVEL else level for level in arrays["levels"].tolist()]
     return Container(
-        target=target_from_dict(header["target"]),
+        target=target,
         slot_us=tuple(arrays["slot_us"].tolist()),
-        buckets=tuple(map(str, header["buckets"])),
-        table=DecodeTable(
-            tuple(map(str, header["fields"])),
-            *(arrays[name] for name in ("codes", "shutter_of_code", "shutters")),
-        ),
+        buckets=header.buckets,
+        table=DecodeTable(header.fields, *(arrays[name] for name in DecodeTable.field_names[1:])),
         kernels=tuple(kernels),
         launches=tuple(
             Launch(instant, kernel, level)
             for (instant, kernel), level in zip(arrays["launches"].tolist(), levels, strict=True)
         ),
-        code_registers=tuple(map(str, header["code_registers"])),
+        code_registers=header.code_registers,
         encoding=arrays["encoding"],
-        pixel_codes=arrays["pixel_codes"] if header["counts"]["pixels"] else None,
-        readouts=tuple(Readout(str(r), str(b), float(gain)) for r, b, gain in header["readouts"]),
-        source_lines=tuple(map(str, header["source_lines"])),
-        notes={key: str(note) for key, note in header["notes"].items()},
-        machine=machine,
-        state_planes=planes,
-        stream=Stream(*(arrays[name] for name in sent)) if sent[0] in arrays else None,
-        pictures=pictures_file.pictures_from(header["pictures"]) if "pictures" in header else None,
+        pixel_codes=arrays["pixel_codes"] if header.counts.pixels else None,
+        readouts=header.readouts,
+        source_lines=header.source_lines,
+        notes=header.notes,
+        machine=None if machine is None else machine.machine(arrays),
+        state_planes={} if machine is None else machine.state_planes(),
+        stream=stream,
+        pictures=header.pictures,
     )

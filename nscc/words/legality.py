@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterable, Sequence
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.operations import NEIGHBOURS, STEERING, Op, Phase, WordEffect
-from nscc.words.container import Container, Word
+from nscc.operations import NEIGHBOURS, STEERING, Op, Phase, Word, WordEffect
+from nscc.words.container import Container
 from nscc.words.encoding import matching, no_operation
 
 _MOST_SHOWN = 10

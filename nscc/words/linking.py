@@ -13,18 +13,18 @@ from numpy.typing import NDArray
 
 from nscc.chips.load import DEFAULT_NAME, load_target, parse_target
 from nscc.chips.target import Target
+from nscc.codec import from_json
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Span
-from nscc.words import machine_file, pictures_file
 from nscc.words.assembly_text import read_integer, read_slots
 from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
 from nscc.words.directives import Draft, Faults, Token, shown
 from nscc.words.legality import target_fault
-from nscc.words.machine import StateMachine, StatePlanes
 from nscc.words.pictures import Pictures
 from nscc.words.plane_files import codes_of_planes, read_planes
 from nscc.words.soundness import faults as container_faults
+from nscc.words.stored_machine import with_machine_data
 
 MOST_TABLE_CELLS = 1 << 28
 """Most shutters x buckets x slots of one text (a byte each)."""
@@ -69,24 +69,6 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     else:
         table, encoding, pixels, load = _table_of_planes(draft, target, base, load, buckets, faults)
         notes |= NO_TABLE
-    machine: StateMachine | None = None
-    state_planes: dict[str, StatePlanes] = {}
-    if draft.machine is not None:
-        text = "".join(line for line, _ in draft.machine.lines)
-        read = machine_file.from_text(text, len(buckets), len(draft.slot_us), len(launches))
-        if read is None:
-            message = "the lines below are not a valid machine of this program"
-            faults.add("NS0714", message, draft.machine.directive.span)
-        else:
-            machine, state_planes, levels = read
-            pairs = zip(launches, levels, strict=True)
-            launches = tuple(replace(launch, level=level) for launch, level in pairs)
-    pictures: Pictures | None = None
-    if draft.pictures is not None:
-        pictures = pictures_file.from_text("".join(line for line, _ in draft.pictures.lines))
-        if pictures is None:
-            message = "the lines below do not describe images and planes"
-            faults.add("NS0714", message, draft.pictures.directive.span)
     faults.stop()
     container = Container(
         target=target,
@@ -106,12 +88,28 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         readouts=readouts,
         source_lines=tuple(text for text, _ in draft.source.lines) if draft.source else (),
         notes=notes,
-        machine=machine,
-        state_planes=state_planes,
-        pictures=pictures,
     )
+    container = _with_blocks(container, draft, faults)
     for fault_text in container_faults(container):
         faults.add("NS0707", f"this text is inconsistent: {fault_text}", _START)
+    faults.stop()
+    return container
+
+
+def _with_blocks(container: Container, draft: Draft, faults: Faults) -> Container:
+    """Return the container with the state machine and the images of the text's blocks."""
+    for block, add in (
+        (draft.machine, with_machine_data),
+        (draft.pictures, lambda c, data: replace(c, pictures=from_json(Pictures, data))),
+    ):
+        if block is not None:
+            try:
+                data = b64decode("".join(line for line, _ in block.lines), validate=True)
+                container = add(container, data)
+            except ValueError as error:
+                name = block.directive
+                message = f"the lines below are not the {name.text[1:]} of this program: {error}"
+                faults.add("NS0714", message, name.span)
     faults.stop()
     return container
 

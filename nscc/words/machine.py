@@ -8,13 +8,20 @@ The arrays define the program: proof, emulator and host use them instead of the 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.codec import Within
 from nscc.record import Record
 
 Values = NDArray[np.int64]
+
+StateValue = Annotated[int, Within(1 - (1 << 62), (1 << 62) - 1)]
+Length = Annotated[int, Within(0, (1 << 31) - 1)]
+"""A number of things, or the index of one."""
+OneBit = Annotated[int, Within(0, 1)]
 
 LIGHT = -1
 """The signal `light`; other signals are indices of buckets."""
@@ -27,7 +34,7 @@ class Comparison(Record):
     `signal` is LIGHT, the charge of PIX since the start of the frame or its last reset, or the
     index of a bucket, the light of its completed open slots."""
 
-    boundary: int
+    boundary: Length
     signal: int
     level: int
 
@@ -40,9 +47,9 @@ class State(Record):
     as a state but is needed after its look."""
 
     name: str
-    low: int
-    high: int
-    start: int
+    low: StateValue
+    high: StateValue
+    start: StateValue
     is_kept: bool = False
     read: bool = False
     boolean: bool = False
@@ -70,13 +77,13 @@ class StateMachine(Record, eq=False):
     comparisons: tuple[Comparison, ...]
     looks: tuple[int, ...]
     first: NDArray[np.int32]
-    behaviour: NDArray[np.int32]
-    values: NDArray[np.int64]
-    opens: NDArray[np.bool_]
-    resets: NDArray[np.bool_]
-    steps: NDArray[np.int32]
-    open_slots: NDArray[np.int32]
-    open_us: NDArray[np.float64]
+    behaviour: Annotated[NDArray[np.int32], "nodes"]
+    values: Annotated[NDArray[np.int64], "nodes states"]
+    opens: Annotated[NDArray[np.bool_], "nodes buckets slots"]
+    resets: Annotated[NDArray[np.bool_], "nodes slots"]
+    steps: Annotated[NDArray[np.int32], "nodes outcomes"]
+    open_slots: Annotated[NDArray[np.int32], "nodes buckets"]
+    open_us: Annotated[NDArray[np.float64], "nodes buckets"]
 
     @property
     def slots(self) -> int:

@@ -1,8 +1,7 @@
 """Images and planes of a program of version 3, computed from its exposures.
 
 An image is a value of every pixel, a plane a bit of every pixel. Both are evaluated once, after the
-last slot. The expressions are trees of frozen nodes; `to_plain` and `from_plain` convert them to
-and from lists for a file."""
+last slot. The expressions are trees of frozen nodes."""
 
 from __future__ import annotations
 
@@ -10,13 +9,17 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
+from nscc.codec import LATER, KeyName, Within
+from nscc.operations import Word
 from nscc.record import Record
+from nscc.words.machine import Length, OneBit
 
-Word = tuple[int, int, int, int, int]
 Offset = tuple[int, int]
 """An offset: columns to the right and rows down."""
+_MOST = 1 << 16
+"""Most rows, and columns, of a convolution kernel in a file."""
 
 
 class Weights(Record):
@@ -27,8 +30,8 @@ class Weights(Record):
     centre row down."""
 
     name: str
-    rows: tuple[tuple[int, ...], ...]
-    divisor: int
+    rows: Annotated[tuple[Annotated[tuple[int, ...], Within(1, _MOST)], ...], Within(1, _MOST)]
+    divisor: Annotated[int, Within(1, 1 << 62)]
 
     @cached_property
     def taps(self) -> dict[Offset, Fraction]:
@@ -179,7 +182,7 @@ class KeptPlane(Record):
     previous frame left. `next` is evaluated after all images and planes."""
 
     name: str
-    start: bool
+    start: OneBit
     next: Condition
 
 
@@ -191,7 +194,7 @@ class PlaneReport(Record):
 
     kind: Literal["any", "events", "box"]
     plane: str
-    most: int = 0
+    most: Length = 0
 
 
 class TailLaunch(Record):
@@ -199,7 +202,7 @@ class TailLaunch(Record):
 
     The level is None if the kernel does not read IN."""
 
-    kernel: int
+    kernel: Length
     level: int | None
 
 
@@ -211,7 +214,7 @@ class PictureCost(Record):
     each word has an error with standard deviation 1."""
 
     name: str
-    words: int
+    words: Length
     peak_gain: float
     noise_gain: float
 
@@ -227,18 +230,18 @@ class Pictures:
     are read or reported. `count_steps` are the steps of IN for one count, 0 if nothing is
     counted."""
 
-    weights: tuple[Weights, ...]
+    weights: Annotated[tuple[Weights, ...], KeyName("kernels")]
     items: tuple[Picture, ...]
-    outside: int | None
+    outside: OneBit | None
     limits_e: Mapping[str, float]
     reads: tuple[str, ...]
     reports: tuple[PlaneReport, ...]
-    kernels: tuple[tuple[Word, ...], ...] = ()
+    kernels: Annotated[tuple[tuple[Word, ...], ...], KeyName("words")] = ()
     launches: tuple[TailLaunch, ...] = ()
     registers: Mapping[str, str] = field(default_factory=dict)
     costs: tuple[PictureCost, ...] = ()
-    states: tuple[KeptPlane, ...] = ()
-    count_steps: int = 0
+    states: Annotated[tuple[KeptPlane, ...], LATER] = ()
+    count_steps: Annotated[Length, LATER] = 0
 
     @property
     def expressions(self) -> dict[str, Node]:
@@ -282,15 +285,6 @@ class Pictures:
         return sum(len(self.kernels[launch.kernel]) for launch in self.launches)
 
 
-_NODES = {
-    cls.__name__: cls
-    for cls in (
-        Source, Sum, Filtered, Absolute, Chosen, Largest, Agreement,
-        Bit, Constant, Above, Exceeds, Inverse, Joined, Near, At,
-    )
-}  # fmt: skip
-
-
 def operands(node: Node) -> tuple[Node, ...]:
     """Return the direct operands of a node."""
     if isinstance(node, Sum):
@@ -312,32 +306,3 @@ def subexpressions(node: Node) -> Iterator[Node]:
     yield node
     for operand in operands(node):
         yield from subexpressions(operand)
-
-
-def to_plain(node: Node) -> list[Any]:
-    """Return a node as lists, texts and numbers; fractions are [numerator, denominator]."""
-    if isinstance(node, Sum):
-        terms = [[f.numerator, f.denominator, to_plain(value)] for f, value in node.terms]
-        return ["Sum", *terms]
-    if isinstance(node, Exceeds):
-        return ["Exceeds", to_plain(node.value), *node.level.as_integer_ratio()]
-    values = (to_plain(v) if isinstance(v, Node) else v for v in vars(node).values())
-    return [type(node).__name__, *values]
-
-
-def from_plain(plain: Any) -> Node:
-    """Return the node that `to_plain` converted; raise ValueError for other lists."""
-    try:
-        name, *values = plain
-        if name == "Sum":
-            terms: Any = tuple((Fraction(n, d), from_plain(value)) for n, d, value in values)
-            return Sum(terms)
-        if name == "Exceeds":
-            count: Any = from_plain(values[0])
-            return Exceeds(count, Fraction(*values[1:]))
-        arguments: list[Any] = [from_plain(v) if isinstance(v, list) else v for v in values]
-        make: Any = _NODES[name]
-        node: Node = make(*arguments)
-    except (TypeError, KeyError, ValueError, ZeroDivisionError) as error:
-        raise ValueError("an expression of its pictures is malformed") from error
-    return node

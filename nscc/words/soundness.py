@@ -7,9 +7,10 @@ from math import isfinite
 
 import numpy as np
 
-from nscc.words import machine_file, pictures_file, stream
+from nscc.words import machine_soundness, stream
 from nscc.words.container import Container
-from nscc.words.stored_arrays import array_faults
+from nscc.words.pictures import subexpressions
+from nscc.words.stored_arrays import array_fault, array_faults
 
 MOST_WORDS = 1 << 18
 MOST_SLOTS = 1 << 20
@@ -24,7 +25,7 @@ def faults(container: Container) -> list[str]:
     `nscc.words.legality` checks their meaning."""
     checks = (
         _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults,
-        machine_file.faults, _stream_faults, pictures_file.faults,
+        machine_soundness.faults, _stream_faults, _picture_faults,
     )  # fmt: skip
     return [fault for check in checks for fault in check(container)]
 
@@ -53,14 +54,14 @@ def _table_faults(container: Container) -> Iterator[str]:
     table = container.table
     yield from _names("field", table.fields)
     codes, shutters = len(table.codes), len(table.shutters)
-    registers = len(container.target.digital_registers)
-    opens = shutters, len(container.buckets), container.slots
-    yield from array_faults(
-        ("codes", table.codes, (codes, len(table.fields)), np.int64),
-        ("shutter_of_code", table.shutter_of_code, (codes,), np.int32),
-        ("shutters", table.shutters, opens, np.bool_),
-        ("encoding", container.encoding, (shutters, registers), np.bool_),
-    )
+    sizes = {
+        "codes": codes, "shutters": shutters, "fields": len(table.fields),
+        "buckets": len(container.buckets), "slots": container.slots,
+        "registers": len(container.target.digital_registers),
+    }  # fmt: skip
+    yield from array_faults(table, sizes)
+    encoded = shutters, sizes["registers"]
+    yield from array_fault("encoding", container.encoding, np.bool_, encoded)
     if codes == 0 or shutters == 0:
         yield "its decode table is empty"
     elif not _within(table.shutter_of_code, shutters):
@@ -115,12 +116,9 @@ def _register_faults(container: Container) -> Iterator[str]:
 def _pixel_faults(container: Container) -> Iterator[str]:
     pixels, target = container.pixel_codes, container.target
     if pixels is not None:
-        if pixels.shape != (target.rows, target.cols) or pixels.dtype != np.int32:
-            yield (
-                f"its pixel codes are {pixels.dtype} {pixels.shape}, not int32 "
-                f"{(target.rows, target.cols)} as {target.name} needs"
-            )
-        elif not _within(pixels, len(container.table.codes)):
+        shape = target.rows, target.cols
+        yield from array_fault("the array of pixel codes", pixels, np.int32, shape)
+        if not _within(pixels, len(container.table.codes)):
             yield f"the code of a pixel is not one of the {len(container.table.codes)} codes"
 
 
@@ -140,6 +138,42 @@ def _stream_faults(container: Container) -> Iterator[str]:
         yield "it has planes but no codes of the pixels, or codes but no planes"
     elif sent is not None:
         yield from stream.faults(sent, target, container.slots, len(container.buckets))
+
+
+def _picture_faults(container: Container) -> Iterator[str]:
+    """Yield the errors of a container's images and planes, each as part of a sentence."""
+    pictures = container.pictures
+    if pictures is None:
+        return
+    states = {state.name for state in pictures.states}
+    known: set[str] = {*container.buckets, *states}
+    weights = {kernel.name for kernel in pictures.weights}
+    for expression_name, expression in pictures.expressions.items():
+        for node in subexpressions(expression):
+            name = getattr(node, "name", None)
+            if name is not None and name not in known:
+                yield f"`{expression_name[:40]!a}` reads a name that is not computed before it"
+                return
+            if getattr(node, "kernel", None) not in (None, *weights):
+                yield f"`{expression_name[:40]!a}` names a kernel that does not exist"
+                return
+        known.add(expression_name)
+    if states - pictures.registers.keys():
+        yield "its pictures lack the register of a state"
+    if pictures.limits_e.keys() != {*container.buckets}:
+        yield "its pictures do not have one largest exposure for each bucket"
+    if not known.issuperset(pictures.outputs) or not pictures.outputs:
+        yield "its pictures neither read out nor report anything"
+    for launch in pictures.launches:
+        level, target = launch.level, container.target
+        if launch.kernel >= len(pictures.kernels) or not (
+            level is None or target.in_low <= level <= target.in_high
+        ):
+            yield "a launch of its pictures names no kernel, or a level that IN cannot have"
+            return
+    registers = {*container.target.analog_registers, *container.target.digital_registers}
+    if not registers.issuperset(pictures.registers.values()):
+        yield f"its pictures are in registers that {container.target.name} does not have"
 
 
 def _text_faults(container: Container) -> Iterator[str]:

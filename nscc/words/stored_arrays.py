@@ -1,48 +1,72 @@
 """Arrays as bytes of container files and assembly texts: little endian, without gaps.
 
-Eight booleans are packed into a byte, lowest bit first."""
+Eight booleans are packed into a byte, lowest bit first. The hint of a record's field says the type
+and the names of the dimensions of its array: `Annotated[NDArray[np.int32], "nodes buckets"]`."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 from math import prod
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple, get_args, get_origin, get_type_hints
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 
 class StoredArray(NamedTuple):
     """The name, the type and the shape of an array."""
 
     name: str
-    dtype: str
+    dtype: np.dtype[Any]
     shape: tuple[int, ...]
 
     @property
     def nbytes(self) -> int:
         items = prod(self.shape)
-        return (items + 7) // 8 if self.dtype == "?" else items * np.dtype(self.dtype).itemsize
+        return (items + 7) // 8 if self.dtype == np.bool_ else items * self.dtype.itemsize
 
 
-def array_faults(
-    *arrays: tuple[str, NDArray[Any], tuple[int, ...], type[np.generic]],
+def layout_of(kind: type, sizes: Mapping[str, int]) -> list[StoredArray]:
+    """Return the arrays of a record class, in order, for the sizes of its dimensions by name."""
+    return [
+        StoredArray(name, dtype, tuple(sizes[dimension] for dimension in dimensions))
+        for name, dtype, dimensions in _arrays_of(kind)
+    ]
+
+
+@cache
+def _arrays_of(kind: type) -> list[tuple[str, np.dtype[Any], list[str]]]:
+    """Return the name, type and dimensions of each array of a record class."""
+    arrays = []
+    for name, hint in get_type_hints(kind, include_extras=True).items():
+        if get_origin(hint) is Annotated and get_origin(get_args(hint)[0]) is np.ndarray:
+            array, dimensions = get_args(hint)
+            (scalar,) = get_args(get_args(array)[1])
+            arrays.append((name, np.dtype(scalar), dimensions.split()))
+    return arrays
+
+
+def array_faults(record: object, sizes: Mapping[str, int]) -> Iterator[str]:
+    """Yield the arrays of a record that have another shape or type than its hints say."""
+    for name, dtype, shape in layout_of(type(record), sizes):
+        yield from array_fault(name, getattr(record, name), dtype, shape)
+
+
+def array_fault(
+    name: str, array: NDArray[Any], dtype: DTypeLike, shape: tuple[int, ...]
 ) -> Iterator[str]:
-    """Yield the arrays (name, array, shape, type) that have another shape or type."""
-    for name, array, shape, dtype in arrays:
-        if array.shape != shape or array.dtype != dtype:
-            yield (
-                f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {shape} as the "
-                "rest of it needs"
-            )
+    """Yield the error of an array if it has another shape or type."""
+    if array.shape != shape or array.dtype != dtype:
+        yield f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {shape}"
 
 
 def packed(layout: Sequence[StoredArray], arrays: Mapping[str, NDArray[Any]]) -> list[bytes]:
     """Return the bytes of each array of `layout`."""
     return [
         np.packbits(arrays[name], axis=None, bitorder="little").tobytes()
-        if dtype == "?"
-        else arrays[name].astype(dtype, copy=False).tobytes()
+        if dtype == np.bool_
+        else arrays[name].astype(dtype.newbyteorder("<"), copy=False).tobytes()
         for name, dtype, _ in layout
     ]
 
@@ -56,10 +80,10 @@ def unpacked(layout: Sequence[StoredArray], data: bytes, start: int) -> dict[str
     for array in layout:
         raw = np.frombuffer(data, np.uint8, array.nbytes, start)
         start += array.nbytes
-        if array.dtype == "?":
+        if array.dtype == np.bool_:
             bits = np.unpackbits(raw, count=prod(array.shape), bitorder="little")
             values: NDArray[Any] = bits.view(np.bool_)
         else:
-            values = raw.view(array.dtype).astype(np.dtype(array.dtype).newbyteorder("="))
+            values = raw.view(array.dtype.newbyteorder("<")).astype(array.dtype)
         arrays[array.name] = values.reshape(array.shape)
     return arrays

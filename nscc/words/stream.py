@@ -7,6 +7,7 @@ program is tap b."""
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,9 +28,9 @@ class Stream(Record, eq=False):
     `planes` uint8 (N, rows, ceil(cols / 8)) contain the bits of each row, first pixel in the lowest
     bit, padded with 0. `ones` and `zeros` int8 (N,) are the index of a tap, or DRAIN."""
 
-    planes: Bits
-    ones: NDArray[np.int8]
-    zeros: NDArray[np.int8]
+    planes: Annotated[Bits, "slots rows row_bytes"]
+    ones: Annotated[NDArray[np.int8], "slots"]
+    zeros: Annotated[NDArray[np.int8], "slots"]
 
     @property
     def slots(self) -> int:
@@ -82,17 +83,9 @@ def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
 
 def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator[str]:
     """Yield the errors of a container's planes, each as part of a sentence."""
-    shape = slots, target.rows, -(-target.cols // 8)
-    fault = next(
-        array_faults(
-            ("planes", stream.planes, shape, np.uint8),
-            ("ones", stream.ones, (slots,), np.int8),
-            ("zeros", stream.zeros, (slots,), np.int8),
-        ),
-        None,
-    )
-    if fault is not None:
-        yield fault
+    sizes = {"slots": slots, "rows": target.rows, "row_bytes": -(-target.cols // 8)}
+    if wrong := list(array_faults(stream, sizes)):
+        yield wrong[0]
         return
     behind = target.cols % 8
     if behind and np.any(stream.planes[:, :, -1] >> behind):

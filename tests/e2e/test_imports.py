@@ -30,6 +30,7 @@ FLOORS = {
 
 ROOMS = (
     ("record",),
+    ("codec",),
     (
         "columns",
         "html",

@@ -23,7 +23,8 @@ from loader_twin.timing import (
     frame_time,
 )
 from nscc.chips.target import Target
-from nscc.words.container import Container, Launch, Word
+from nscc.operations import Word
+from nscc.words.container import Container, Launch
 from nscc.words.encoding import matching
 from nscc.words.legality import picture_fault, split_pairs
 from nscc.words.soundness import MOST_SLOTS

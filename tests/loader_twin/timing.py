@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nscc.chips.target import Target
-from nscc.words.container import Word
+from nscc.operations import Word
 from nscc.words.encoding import matching
 from nscc_runtime.device.device_errors import FADES, NO_BREATH, TOO_LONG
 from nscc_runtime.device.frame_request import LONGEST_US

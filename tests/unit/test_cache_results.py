@@ -17,9 +17,10 @@ from nscc_command import invoke
 
 from nscc.cache import digest as digests
 from nscc.cache.digest import digest, version_digest
-from nscc.cache.results import LEAST_LEVEL, Results, from_json, results_of_user, to_json
+from nscc.cache.results import LEAST_LEVEL, Results, results_of_user
 from nscc.cache.store import Store
 from nscc.chips.load import builtin_target
+from nscc.codec import from_plain, to_json, to_plain
 from nscc.compiler import compile_source
 from nscc.emit.report import report, report_bytes
 from nscc.logic.generate import GeneratorFault, solutions
@@ -228,7 +229,7 @@ def keep(folder: Path, key: str, value: object) -> None:
 
 def hostile(solution: Solution) -> dict[str, object]:
     """What somebody might put in the place of an entry, with a checksum that is right."""
-    plain = json.loads(to_json(solution))
+    plain = to_plain(solution)
     silent = replace(solution, answers=tuple(() for _ in solution.answers))
     swapped = replace(solution, planes=solution.planes[::-1])
     wordy = replace(solution, opening=((Gate("SET", "p0", ()), Gate("NOT", "p0", ("p0",))) * 600,))
@@ -241,22 +242,20 @@ def hostile(solution: Solution) -> dict[str, object]:
         "too few fields": plain[:-1],
         "too many fields": [*plain, 1],
         "wrong type": [1, *plain[1:]],
-        "no demand answered": json.loads(to_json(silent)),
-        "codes of other shutters": json.loads(to_json(swapped)),
-        "more words than the store": json.loads(to_json(wordy)),
-        "fewer answers": json.loads(to_json(replace(solution, answers=solution.answers[1:]))),
-        "no planes": json.loads(to_json(replace(solution, planes=(), holders=()))),
-        "a billion registers": json.loads(to_json(replace(solution, scratch=10**9))),
-        "negative registers": json.loads(to_json(replace(solution, states=-3))),
-        "unknown gate": json.loads(to_json(replace(solution, opening=((Gate("XOR", "p0", ()),),)))),
-        "unknown register": json.loads(
-            to_json(replace(solution, opening=((Gate("SET", "R5", ()),),)))
+        "no demand answered": to_plain(silent),
+        "codes of other shutters": to_plain(swapped),
+        "more words than the store": to_plain(wordy),
+        "fewer answers": to_plain(replace(solution, answers=solution.answers[1:])),
+        "no planes": to_plain(replace(solution, planes=(), holders=())),
+        "a billion registers": to_plain(replace(solution, scratch=10**9)),
+        "negative registers": to_plain(replace(solution, states=-3)),
+        "unknown gate": to_plain(replace(solution, opening=((Gate("XOR", "p0", ()),),))),
+        "unknown register": to_plain(replace(solution, opening=((Gate("SET", "R5", ()),),))),
+        "an unknown register, or none, read": to_plain(
+            replace(solution, opening=((Gate("NOT", "p0", ("PIX",)),),))
         ),
-        "an unknown register, or none, read": json.loads(
-            to_json(replace(solution, opening=((Gate("NOT", "p0", ("PIX",)),),)))
-        ),
-        "state in a FLAG that is in use": json.loads(
-            to_json(replace(solution, state_in_flag=not solution.state_in_flag))
+        "state in a FLAG that is in use": to_plain(
+            replace(solution, state_in_flag=not solution.state_in_flag)
         ),
     }  # fmt: skip
 
@@ -275,10 +274,10 @@ def test_hostile_entries_do_no_harm(name: str, lowering: str, folder: Path) -> N
     build()
     good = entries_of(folder)
     assert good
-    solution = from_json(json.dumps(next(iter(good.values()))).encode())
+    solution = from_plain(Solution, next(iter(good.values())))
     for what in hostile(solution):
         for key, value in good.items():
-            bad = hostile(from_json(json.dumps(value).encode()))[what]
+            bad = hostile(from_plain(Solution, value))[what]
             keep(folder, key, bad)
         found = build()
         # Words that are right, though others would be cheaper, are beyond what can be noticed.

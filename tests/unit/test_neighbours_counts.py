@@ -15,6 +15,7 @@ from scipy.ndimage import maximum_filter
 import nscc
 import nscc_runtime
 from nscc.chips.load import builtin_target
+from nscc.codec import InvalidRecord, from_plain, to_plain
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.editing.complete import complete
 from nscc.editing.document import Document
@@ -28,7 +29,7 @@ from nscc.words.container import Container
 from nscc.words.counts import CountRange
 from nscc.words.disassembly import disassemble
 from nscc.words.file import to_bytes
-from nscc.words.pictures import Bit, Exceeds, from_plain, to_plain
+from nscc.words.pictures import Condition, Exceeds
 from nscc.words.pictures import Source as ImageSource
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
@@ -290,9 +291,11 @@ def test_editors_know_states_of_planes(cell: Path) -> None:
 
 def test_nodes_go_through_files() -> None:
     node = Exceeds(ImageSource("f"), Fraction(3, 2))
-    assert from_plain(to_plain(node)) == node
-    with pytest.raises(ValueError, match="malformed"):
-        from_plain(["Exceeds", to_plain(Bit("p")), 1, 0])
+    plain = to_plain(node, Condition)
+    assert plain == ["Exceeds", ["Source", "f"], 3, 2]
+    assert from_plain(Condition, plain) == node
+    with pytest.raises(InvalidRecord, match="begins with 'Bit', not with the name of a"):
+        from_plain(Condition, ["Exceeds", ["Bit", "p"], 1, 2])
 
 
 def frame_of(container: Container, light: np.ndarray) -> dict[str, Any]:

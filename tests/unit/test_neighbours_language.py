@@ -12,6 +12,7 @@ import pytest
 import nscc
 from nscc.chips.load import builtin_target
 from nscc.chips.target import Target
+from nscc.codec import InvalidRecord, from_plain, to_plain
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.pipeline import Options, run_passes
 from nscc.program.program import Program
@@ -19,7 +20,7 @@ from nscc.source import Source
 from nscc.syntax.format import format_source
 from nscc.syntax.parse import parse
 from nscc.words.counts import count_unit
-from nscc.words.pictures import Above, At, Bit, Inverse, Joined, from_plain, to_plain
+from nscc.words.pictures import Above, At, Bit, Inverse, Joined, Node
 
 HEAD = "nsl 3 frame 4 slots of 1ms "
 ONE = HEAD + "open when true "
@@ -216,9 +217,9 @@ def test_nodes_in_files_are_the_same() -> None:
     pictures = program(text).pictures
     assert pictures is not None
     for item in pictures.items:
-        assert from_plain(to_plain(item.node)) == item.node
-    with pytest.raises(ValueError, match="malformed"):
-        from_plain(["Sum", [1, 0, ["Source", "a"]]])
+        assert from_plain(Node, to_plain(item.node, Node)) == item.node
+    with pytest.raises(InvalidRecord, match=r"`\[0\]\[0\]` is not a fraction"):
+        from_plain(Node, ["Sum", [1, 0, ["Source", "a"]]])
 
 
 def test_the_style_of_images() -> None:

@@ -18,6 +18,7 @@ from nscc.cache.store import Store
 from nscc.chips.load import builtin_target
 from nscc.neighbours.addition import additions
 from nscc.neighbours.alternatives import with_shared_halvings
+from nscc.neighbours.digit_planes import digit_plane_programs
 from nscc.neighbours.programs import (
     TURNS,
     UNIT,
@@ -30,6 +31,7 @@ from nscc.neighbours.programs import (
     program_from_text,
     turned,
     turned_taps,
+    values_of,
 )
 from nscc.neighbours.synthesis import Synthesis, reads_news_once
 from nscc.neighbours.table import ROWS, WordForms
@@ -131,10 +133,45 @@ def test_a_program_does_what_scipy_does(seed: int) -> None:
     expected = correlate(image, rows / divisor, mode="wrap")
     taps = exact_taps(weights_of(rows.tolist(), divisor))
     found = [ranged.program for ranged in Synthesis(300, forms).variants(taps)]
-    for each in (*found, *additions(taps, forms)):
+    for each in (*found, *additions(taps, forms), *digit_plane_programs(taps, forms)):
         assert all(is_allowed(word, forms) for word in each)
         assert forms.news_keeps or reads_news_once(each)
         np.testing.assert_allclose(run_on_array(each, image), expected, atol=1e-9)
+
+
+def registers_of(program: Program) -> int:
+    """Most registers besides NEWS that hold a value that a later word reads, input included."""
+    last = {name: number for number, word in enumerate(program) for name in word.sources}
+    most, live = 1, {"x"}
+    for number, word in enumerate(program):
+        live |= {name for name in word.destinations if name[:1] != "X" and name != "NEWS"}
+        most = max(most, len(live))
+        live = {name for name in live if last.get(name, -1) > number}
+    return most
+
+
+@pytest.mark.parametrize(("size", "most"), [(4, 80), (5, 110), (7, 195), (9, 290), (15, 820)])
+def test_dense_kernels_of_any_size_take_few_words_and_registers(size: int, most: int) -> None:
+    for seed in range(3):
+        rows = np.random.default_rng(seed).integers(-9, 10, (size, size))
+        divisor = 1 << int(np.abs(rows).sum() - 1).bit_length()
+        taps = exact_taps(weights_of(rows.tolist(), divisor))
+        programs = digit_plane_programs(taps, PUBLIC)
+        assert all(kernel_of(program) == taps for program in programs)
+        assert len(programs[0]) <= most
+        assert [registers_of(program) for program in programs[:2]] == [5, 4]
+        for values in values_of(programs[0]):
+            assert sum(abs(weight) for weight in values.values()) <= 2 * UNIT
+            assert (
+                max(abs(sum(w for w in values.values() if w * sign > 0)) for sign in (1, -1))
+                <= UNIT
+            )
+
+
+def test_three_dense_kernels_of_one_exposure_fit() -> None:
+    rng = np.random.default_rng(3)
+    kernels = [rng.integers(-9, 10, (5, 5)).tolist() for _ in range(3)]
+    assert words_of(kernels, 256) <= 310
 
 
 @pytest.mark.parametrize("line", [line for line in ROWS.split("\n") if line])

@@ -131,8 +131,14 @@ class MeasuredTables:
     def set(self, tensors: dict[str, Tensor]) -> None:
         """Use the table of `tensors`; raise KeyError for other tensors."""
         if tensors:
-            arrays = (tensors[key] for key in ("light_e", "share", "code", "spread", "full"))
-            table = EmulatedSensor(*arrays, float(tensors["crosstalk"]))
+            table = EmulatedSensor(
+                tensors["light_e"],
+                tensors["share"],
+                tensors["code"],
+                tensors["spread"],
+                tensors["full"],
+                float(tensors["crosstalk"]),
+            )
             self.use(tensors["shutters"], lambda: table)
 
 

@@ -7,6 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from random import SystemRandom
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -46,6 +47,7 @@ from nscc_runtime.sensor import Sensor, default_sensor
 if TYPE_CHECKING:
     from nscc.chips.target import Target
     from nscc.words.container import Container
+    from nscc_runtime.neighbours.plane_summary import PlaneSummary
 
 _STEP = 1024
 """Number of bytes per step of a progress bar."""
@@ -199,48 +201,62 @@ def frame_of(
     pixels, columns = readouts * rows * cols, (readouts, cols, rows)
     codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(columns)
     codes = np.ascontiguousarray(codes.transpose(0, 2, 1))
-    saturated_by = last_codes(codes, target)
+    exposure: NDArray[np.float64] | None = None
     if channels & Channel.EXPOSURE:
         exposure = np.frombuffer(data, "<f8", pixels, offset=pixels).astype(np.float64)
         exposure = np.ascontiguousarray(exposure.reshape(columns).transpose(0, 2, 1))
-    else:
-        exposure = (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb
-        if container is not None and container.machine is None and container.pictures is None:
+    planes: dict[str, NDArray[np.bool_]] = {}
+    summaries: Mapping[str, PlaneSummary] = {}
+    if container is not None:
+        reports = device_reports(container) if channels & Channel.REPORTS else {}
+        data, summaries = split_reports(reports, data)
+        sent = [name for name in state_registers(container) if name not in reports]
+        planes = _planes_at_end(data, sent, target)
+    return frame_of_readouts(
+        codes, exposure, planes, sensor, target, container, reaches=reaches, summaries=summaries
+    )
+
+
+def frame_of_readouts(
+    codes: NDArray[np.uint8], exposure_e: NDArray[np.float64] | None,
+    planes: Mapping[str, NDArray[np.bool_]], sensor: Sensor, target: Target,
+    container: Container | None, *, reaches: Mapping[str, Reach] | None = None,
+    summaries: Mapping[str, PlaneSummary] = MappingProxyType({}),
+) -> Frame:  # fmt: skip
+    """Return the frame of what a chip sent.
+
+    `codes` (readouts, rows, cols): converter codes of buckets, then of images. `exposure_e`: the
+    electrons before the converter, or None to compute them from the codes. `planes`: bits (rows,
+    cols) by digital register. `reaches`, `summaries`: see `told_of_planes`."""
+    saturated_by, exact = last_codes(codes, target), exposure_e is not None
+    plain = container is None or (container.machine is None and container.pictures is None)
+    electrons = exposure_e
+    if electrons is None:
+        electrons = np.asarray(
+            (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb, np.float64
+        )
+        if container is not None and plain:
             from nscc_runtime.full_codes import marked_by_codes
 
             with suppress(Rejected):  # NS0442: words that open no shutters
                 saturated_by |= marked_by_codes(codes, container, sensor)
-    frame = Frame(codes, exposure, np.isfinite(exposure), saturated_by)
-    if container is not None and container.pictures is not None:
-        return _pictured(frame, data, channels, container, sensor, reaches)
-    if container is None or container.machine is None:
+    frame = Frame(codes, electrons, np.isfinite(electrons), saturated_by)
+    if container is None or plain:
         return frame
-    simulated = selected("none") if channels & Channel.EXPOSURE else everything()
-    planes = _planes_at_end(data, state_registers(container), target)
-    return replace(frame, told=told_by(container, planes, frame, sensor, simulated))
-
-
-def _pictured(
-    frame: Frame, data: bytes, channels: int, container: Container, sensor: Sensor,
-    reaches: Mapping[str, Reach] | None,
-) -> Frame:  # fmt: skip
-    """Move the images behind the buckets of `frame`, and the planes of `data`, to `told`."""
+    if container.pictures is None:
+        simulated = selected("none") if exact else everything()
+        return replace(frame, told=told_by(container, planes, frame, sensor, simulated))
     from nscc_runtime.neighbours.pictured_program import image_sensor, told_of_planes
 
-    assert container.pictures is not None
     told: dict[str, NDArray[Any]] = {}
     buckets = len(container.buckets_read)
     converter = image_sensor(sensor, container.target)
     for place, name in enumerate(container.pictures.images_read, buckets):
-        codes, image_e = frame.frame[place], frame.exposure_e[place]
-        if not channels & Channel.EXPOSURE:
-            image_e = (codes - float(converter.adc_offset_lsb)) * converter.electrons_per_lsb
-        told[f"image_{name}"], told[f"image_codes_{name}"] = image_e, codes
+        image_codes, image_e = frame.frame[place], frame.exposure_e[place]
+        if not exact:
+            image_e = (image_codes - float(converter.adc_offset_lsb)) * converter.electrons_per_lsb
+        told[f"image_{name}"], told[f"image_codes_{name}"] = image_e, image_codes
         told[f"image_saturated_by_{name}"] = frame.saturated_by[place]
-    reports = device_reports(container) if channels & Channel.REPORTS else {}
-    data, summaries = split_reports(reports, data)
-    sent = [name for name in state_registers(container) if name not in reports]
-    planes = _planes_at_end(data, sent, container.target)
     told |= told_of_planes(container, planes, reaches, summaries)
     return replace(joined([frame], lambda arrays: arrays[0][:buckets]), told=told)
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Op, WordEffect
-from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel, Word
+from nscc.operations import Op, Word, WordEffect
+from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
 from nscc.words.encoding import decode
 from nscc.words.machine import StatePlanes
 from nscc.words.pictures import Constant, KeptPlane, Picture, Pictures, Source, TailLaunch

@@ -19,11 +19,11 @@ from nscc.operations import (
     OPERATIONS,
     Op,
     Phase,
+    Word,
     WordEffect,
     op,
     pair,
 )
-from nscc.words.container import Word
 from nscc.words.encoding import encode, masks
 from nscc.words.readout import spreading
 from nscc_runtime.device.objects import target_digest

@@ -1,0 +1,203 @@
+"""Programs for dense kernels, by the binary digits of the weights.
+
+Each weight is written in signed binary digits -1, 0 and 1, no two neighbours of which are nonzero
+(the non-adjacent form: G. W. Reitwiesner, Binary arithmetic, 1960). The kernel of all digits of one
+place value is a digit plane. A moving sum walks over the places of a plane: two words move it by up
+to two pixels and add or subtract the input at the pixel that it reaches. After each plane, a total
+takes the mean of itself and the plane's sum, so that the planes of higher digits count more.
+
+Five registers suffice for any number of weights: the input, its negative, the moving sum, and the
+old and the new total. Four suffice if the negative is computed again for each plane."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from nscc.neighbours.programs import OF_STEP, UNIT, BusWord, Offset, Program, Taps
+from nscc.neighbours.table import WordForms
+from nscc.operations import STEPS
+
+_OPPOSITE = {name: OF_STEP[-x, -y] for name, (x, y) in STEPS.items()}
+_MOST_EXCHANGES = 40_000
+"""Largest number of exchanges of two legs that are tried for a path."""
+
+
+def digit_plane_programs(taps: Taps, forms: WordForms) -> list[Program]:
+    """Return programs of a kernel, each with five registers and with four.
+
+    The first two halve the input until no digit plane exceeds it, so the total may have to be
+    doubled at the end; the last two halve it no more than needed."""
+    weights = {at: weight // _common_unit(taps) for at, weight in taps.items()}
+    divisor = UNIT // _common_unit(taps)
+    halvings = divisor.bit_length() - 1
+    planes = _digit_planes(weights)
+    paths = [_path(list(plane)) for plane in planes]
+    largest = max(
+        sum(digit == sign for digit in plane.values()) for plane in planes for sign in (1, -1)
+    )
+    exact, safe = max(0, halvings - len(planes)), (largest - 1).bit_length()
+    return [
+        forms.allowed(
+            _program(planes, paths, first, halvings - len(planes) - first, keeps_negative)
+        )
+        for first in dict.fromkeys((safe, exact))
+        for keeps_negative in (True, False)
+    ]
+
+
+def _common_unit(taps: Taps) -> int:
+    """Return the largest power of two that divides all weights, at most UNIT."""
+    return min(UNIT, *(weight & -weight for weight in taps.values()))
+
+
+def _digit_planes(weights: Taps) -> list[dict[Offset, int]]:
+    """Return the nonzero digits of each place value by offset, lowest place value first."""
+    planes: list[dict[Offset, int]] = []
+    for at, weight in sorted(weights.items()):
+        place, rest = 0, weight
+        while rest:
+            digit = 2 - (rest & 3) if rest & 1 else 0
+            if place == len(planes):
+                planes.append({})
+            if digit:
+                planes[place][at] = digit
+            place, rest = place + 1, (rest - digit) >> 1
+    return planes
+
+
+# --- paths ----------------------------------------------------------------------------------------
+
+
+def _moves(start: Offset, end: Offset) -> int:
+    """Return the number of moves, of one or two steps each, between two places."""
+    return (abs(start[0] - end[0]) + abs(start[1] - end[1]) + 1) // 2
+
+
+def _path(places: list[Offset]) -> list[Offset]:
+    """Return the places in an order with few moves that ends near the centre.
+
+    The path from the centre to the nearest place and so on is reversed, and shortened by reversing
+    parts of it (2-opt: G. A. Croes, 1958)."""
+    path, left = [(0, 0)], set(places) - {(0, 0)}
+    while left:
+        path.append(min(left, key=lambda place: (_moves(path[-1], place), place)))
+        left.remove(path[-1])
+    tried, improved = 0, True
+    while improved and tried < _MOST_EXCHANGES:
+        improved = False
+        for first in range(len(path) - 2):
+            for last in range(first + 2, len(path)):
+                tried += 1
+                a, b, c = path[first], path[first + 1], path[last]
+                after = path[last + 1 : last + 2]
+                saved = _moves(a, b) - _moves(a, c)
+                if after:
+                    saved += _moves(c, after[0]) - _moves(b, after[0])
+                if saved > 0:
+                    path[first + 1 : last + 1] = path[last:first:-1]
+                    improved = True
+    return path[::-1]
+
+
+# --- words ----------------------------------------------------------------------------------------
+
+
+def _program(
+    planes: Sequence[dict[Offset, int]],
+    paths: Sequence[list[Offset]],
+    first: int,
+    last: int,
+    keeps_negative: bool,
+) -> Program:
+    """Return the program that halves the input `first` times, and then the total `last` times.
+
+    A negative `last` is a number of doublings. Without `keeps_negative`, the register of the
+    negative input is free while the total is computed."""
+    writer = _Writer(first)
+    total: str | None = None
+    sign = 1
+    for plane, path in zip(planes, paths, strict=True):
+        # `total` holds sign times the value; the halving word inverts.
+        sums = [name for name in (total, writer.plane_sum(plane, path, sign)) if name is not None]
+        if sums:
+            total, sign = writer.halved(*sums), -sign
+        if not keeps_negative:
+            writer.forget_negative()
+    assert total is not None
+    for _ in range(last):
+        total, sign = writer.halved(total), -sign
+    for _ in range(-last):
+        writer.words.append(BusWord(("NEWS",), (writer.summed(total),)))
+        total, sign = writer.summed(total, "NEWS"), -sign
+    if sign < 0:
+        writer.summed(total)
+    return tuple(writer.words)
+
+
+class _Writer:
+    """Words under construction, which begin with words that halve the input.
+
+    `inputs` names the registers of the halved input by sign."""
+
+    def __init__(self, halvings: int) -> None:
+        self.words: list[BusWord] = []
+        name, sign = "x", 1
+        for _ in range(halvings):
+            name, sign = self.halved(name), -sign
+        self.first_input = {sign: name}
+        self.inputs = dict(self.first_input)
+
+    def forget_negative(self) -> None:
+        """Compute the other sign of the input anew when it is read again."""
+        self.inputs = dict(self.first_input)
+
+    def summed(self, *sources: str) -> str:
+        """Add a word that writes minus the sum of the sources, and return its register."""
+        self.words.append(BusWord((f"r{len(self.words)}",), sources))
+        return self.words[-1].destinations[0]
+
+    def halved(self, *sources: str) -> str:
+        """Add a word that writes minus half the sum of the sources, and return its register."""
+        name = f"r{len(self.words)}"
+        self.words.append(BusWord((name, "NEWS"), sources))
+        return name
+
+    def plane_sum(self, plane: Taps, path: Sequence[Offset], sign: int) -> str | None:
+        """Add words that compute the sum of a digit plane times `sign`; return its register."""
+        if not plane:
+            return None
+        start = path[0]
+        moving = self._input(sign * plane[start])
+        for place, target in pairwise(path):
+            while place != target:
+                place, moving = self._moved(place, target, moving, plane, sign)
+        return moving
+
+    def _moved(
+        self, place: Offset, target: Offset, moving: str, plane: Taps, sign: int
+    ) -> tuple[Offset, str]:
+        """Add the two words of a move towards `target`; return the place reached, and the sum."""
+        steps = [
+            (step_x, step_y)
+            for step_x, step_y, count in (
+                (1 if target[0] > place[0] else -1, 0, abs(target[0] - place[0])),
+                (0, 1 if target[1] > place[1] else -1, abs(target[1] - place[1])),
+            )
+            for _ in range(count)
+        ][:2]
+        # The sum of this pixel belongs to another pixel after the move: it is read backwards.
+        names = [OF_STEP[-x, -y] for x, y in steps]
+        written = _OPPOSITE[names[0]] if len(names) == 2 else "NEWS"
+        reached = place[0] + sum(x for x, _ in steps), place[1] + sum(y for _, y in steps)
+        digit = plane.get(reached, 0) if reached == target else 0
+        # Two words keep the sign of the sum, and the second inverts what it adds.
+        more = (self._input(-sign * digit),) if digit else ()
+        self.words.append(BusWord((written,), (moving,)))
+        return reached, self.summed(names[-1], *more)
+
+    def _input(self, sign: int) -> str:
+        """Return the register that holds the halved input times `sign`."""
+        if sign not in self.inputs:
+            self.inputs[sign] = self.summed(self.inputs[-sign])
+        return self.inputs[sign]

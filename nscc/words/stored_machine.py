@@ -1,0 +1,129 @@
+"""A state machine as it is stored: a record of JSON values, and arrays.
+
+A container file has both in its header and its arrays. Assembly text has them in one block."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Annotated, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.codec import LATER, from_json, to_json
+from nscc.record import Record
+from nscc.words.container import Container, Launch
+from nscc.words.machine import (
+    Comparison,
+    Length,
+    OneBit,
+    State,
+    StateMachine,
+    StatePlanes,
+    StateValue,
+)  # fmt: skip
+from nscc.words.stored_arrays import StoredArray, layout_of, packed, unpacked
+
+
+class StoredPlanes(Record):
+    """The registers of a state, and the bits of each of its values."""
+
+    state: str
+    registers: tuple[str, ...]
+    values: tuple[StateValue, ...]
+    bits: tuple[tuple[OneBit, ...], ...]
+
+
+@dataclass(frozen=True)
+class StoredMachine:
+    """The parts of a state machine that are not arrays.
+
+    `first` are the first nodes of the stages and, last, the number of nodes. `outcomes` is the
+    largest number of outcomes of a look. In assembly text, `levels` are those of all launches."""
+
+    states: tuple[State, ...]
+    comparisons: tuple[Comparison, ...]
+    first: tuple[Length, ...]
+    looks: tuple[Length, ...]
+    outcomes: Length
+    planes: tuple[StoredPlanes, ...]
+    levels: Annotated[tuple[int | None, ...] | None, LATER] = None
+
+    def layout(self, buckets: int, slots: int) -> list[StoredArray]:
+        """Return the names, types and shapes of the machine's arrays, in file order.
+
+        Raises ValueError if there are no stages."""
+        if not self.first:
+            raise ValueError("its machine has no nodes")
+        sizes = {
+            "nodes": self.first[-1], "states": len(self.states), "outcomes": self.outcomes,
+            "buckets": buckets, "slots": slots,
+        }  # fmt: skip
+        return layout_of(StateMachine, sizes)
+
+    def machine(self, arrays: Mapping[str, NDArray[Any]]) -> StateMachine:
+        """Return the machine with these arrays; other names are ignored."""
+        by_node = (arrays[name] for name in StateMachine.field_names[4:])
+        first = np.array(self.first, np.int32)
+        return StateMachine(self.states, self.comparisons, self.looks, first, *by_node)
+
+    def state_planes(self) -> dict[str, StatePlanes]:
+        """Return the registers of the states; raise ValueError unless the bits fit them."""
+        return {
+            planes.state: StatePlanes(
+                planes.registers,
+                planes.values,
+                np.array(planes.bits, np.bool_).reshape(len(planes.values), len(planes.registers)),
+            )
+            for planes in self.planes
+        }
+
+
+def stored_machine(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> StoredMachine:
+    """Return the parts of a state machine, and the registers of its states, that are not arrays."""
+    return StoredMachine(
+        machine.states,
+        machine.comparisons,
+        tuple(machine.first.tolist()),
+        machine.looks,
+        machine.steps.shape[1],
+        tuple(
+            StoredPlanes(name, row.registers, row.values, tuple(row.bits.astype(int).tolist()))
+            for name, row in planes.items()
+        ),
+    )
+
+
+def machine_data(container: Container) -> bytes:
+    """Return the block of assembly text: the record, the machine's arrays, and the levels of IN."""
+    assert container.machine is not None
+    levels = tuple(launch.level for launch in container.launches)
+    record = replace(stored_machine(container.machine, container.state_planes), levels=levels)
+    text = to_json(record).encode("ascii")
+    layout = record.layout(len(container.buckets), container.slots)
+    arrays = packed(layout, vars(container.machine))
+    return b"".join([len(text).to_bytes(4, "little"), text, *arrays])
+
+
+def with_machine_data(container: Container, data: bytes) -> Container:
+    """Return a container with the state machine and the levels of IN of a block.
+
+    Raises ValueError for data that `machine_data` does not return for a machine of this program."""
+    end = 4 + int.from_bytes(data[:4], "little")
+    record = from_json(StoredMachine, data[4:end])
+    arrays = unpacked(record.layout(len(container.buckets), container.slots), data, end)
+    if record.levels is None or len(record.levels) != len(container.launches):
+        raise ValueError("its levels of IN are not those of the launches")
+    read = replace(
+        container,
+        launches=tuple(
+            Launch(launch.instant, launch.kernel, level)
+            for launch, level in zip(container.launches, record.levels, strict=True)
+        ),
+        machine=record.machine(arrays),
+        state_planes=record.state_planes(),
+    )
+    if machine_data(read) != data:
+        raise ValueError("its encoding differs from the one that nscc writes")
+    return read
