@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from reference_programs import program
 
 from nscc.words.container import Container
 from nscc_runtime.effects import registered, selected
-from nscc_runtime.execution.frames import ExecutedScene, executed
-from nscc_runtime.execution.program import analysed
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import PlanRequest, make_plan
-from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.plan_parts import Decision
-from nscc_runtime.planning.scenes import planning_of
+from nscc_runtime.planning.plan import Decision, Plan
+from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.sensor import Sensor
 
 ANY_STOP = """nsl 1
@@ -120,7 +119,7 @@ def moving_light(
     return Light.of_clip(frames)
 
 
-def plan_of(effects: str, tolerance_e: float = 5.0, loop: str = "some", **values: object) -> Plan:
+def plan_of(effects: str, tolerance_e: float = 5.0, **values: Any) -> Plan:
     """A plan that keeps exactly these effects, all forced."""
     on = selected(effects)
     decisions = tuple(
@@ -130,16 +129,10 @@ def plan_of(effects: str, tolerance_e: float = 5.0, loop: str = "some", **values
         )
         for effect in registered()
     )  # fmt: skip
-    return Plan(tolerance_e, 0.0, 0.0, loop, (), 0.0, (), decisions, **values)  # type: ignore[arg-type]
-
-
-def exposed_under(
-    plan: Plan, container: Container, light: Light, sensor: Sensor, device_seed: int = 5,
-    threads: int = 1,
-) -> ExecutedScene:  # fmt: skip
-    """A scene made ready to be exposed under a plan."""
-    program = analysed(container, sensor)
-    return executed(program, light, plan.execution, device_seed=device_seed, threads=threads)
+    plan = Plan(
+        f"{tolerance_e:g}e", tolerance_e, 0.0, 0.0, 0.0, False, (), 0.5, 1.0, 2.0, 3.0, decisions
+    )
+    return replace(plan, **values)
 
 
 def measured_plan(

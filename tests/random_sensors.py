@@ -47,7 +47,7 @@ def draws(seed: int) -> list[Draw]:
     slots, slot_us = int(rng.choice([4, 8, 16])), int(rng.choice([100, 500, 2000]))
     container = case(program, slots, f"{slot_us}us", ROWS, COLS)
     sensor, light = random_sensor(container, rng), scene(name, slots, ROWS, COLS)
-    full = full_frames(container, light, sensor, pool(light), 3, 5)
+    full = full_frames(container, light, sensor, pool(light))
     found = []
     for tolerance in rng.choice(TOLERANCES, 2, replace=False):
         each = outcome(container, light, sensor, float(tolerance), full)
@@ -66,7 +66,7 @@ def promises(seed: int, plans: int = 4, side: int = 48, frames: int = 6) -> list
     container = case(program, slots, f"{rng.choice([100, 500, 2000])}us", side, side)
     sensor = random_sensor(container, rng) if rng.random() < 0.4 else sensor_of(container)
     name, light = _any_scene(rng, slots, side, sensor.full_well_e)
-    full = full_frames(container, light, sensor, frames, 3, 5)
+    full = full_frames(container, light, sensor, frames)
     found = []
     for _ in range(plans):
         tolerance = rng.choice(["0.1noise", "0.3noise", "1%", "0.05lsb", "5e", "50e"])
@@ -75,7 +75,7 @@ def promises(seed: int, plans: int = 4, side: int = 48, frames: int = 6) -> list
         each = outcome(container, light, sensor, str(tolerance), full)
         said = (
             f"seed {seed}: {program}, {slots} slots, {name}, {tolerance}: "
-            f"{each.err:.4g} e, predicted {each.plan.predicted_e:.4g}; {'; '.join(each.broken)}"
+            f"{each.err:.4g} e of {each.plan.tolerance_e:.4g}, predicted {each.plan.predicted_e:.4g}"
         )
         found.append(Draw(said, each))
     return found
@@ -117,7 +117,7 @@ def rare_pixels(seed: int, side: int = 256) -> Draw:
         disk = (y - rows[0]) ** 2 + (x - cols[0]) ** 2 < rng.uniform(1, 12) ** 2
         frames[:, disk] += bright_e / slots
     tolerance = str(rng.choice(["0.1noise", "0.15noise", "5e", "50e"]))
-    full = full_frames(container, Light.of_clip(frames), sensor, 2, 3, 5)
+    full = full_frames(container, Light.of_clip(frames), sensor, 2)
     found = outcome(container, Light.of_clip(frames), sensor, tolerance, full)
     said = (
         f"seed {seed}: {program}, {slots} slots, {name} with {len(rows)} of {kind}, {tolerance}: "

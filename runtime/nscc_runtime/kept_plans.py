@@ -1,5 +1,5 @@
-"""Share plans between scenes: the next frames of a film are exposed under an earlier plan, while its
-error, measured on a sample of each new scene, is within the tolerance."""
+"""Share plans between scenes: the next frames of a film are exposed under an earlier plan, while
+its error, measured on a sample of each new scene, is within the tolerance."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ from nscc_runtime.execution.stretch_loop import (
     exchange_counts,
 )
 from nscc_runtime.light import Light
-from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.noise.keys import base
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.trace import retention_us
@@ -217,9 +217,7 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     in_parts(charge_pixels, pixels, threads, _FEWEST)
     counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
     counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
-    device = Device(
-        sensor=scene.sensor, device_seed=scene.device_seed, places=sites.place[:pixels]
-    )
+    device = Device(sensor=scene.sensor, device_seed=scene.device_seed, places=sites.place[:pixels])
     fixed = Patterns(**patterns(effects, device))
     return ChargeScene(number, sites, fixed, counted, means, exchanged)
 

@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from nscc_runtime.planning.plan import Plan
-    from nscc_runtime.planning.plan_parts import Decision
+    from nscc_runtime.planning.plan import Decision, Plan
 
 _LOWEST = 30.0
 """Errors below the smallest tolerance over this factor are drawn at the edge, with number."""

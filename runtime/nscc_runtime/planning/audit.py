@@ -44,9 +44,9 @@ class Audit:
 
     The run's own frames, in distribution: `path_e`: the root of `path_e2`, the mean squared
     difference of expected values plus the difference of mean variances; `path_mc_error_e2`: the
-    standard error of `path_e2`. `bias_e`: mean difference of the expected values. `std_ratio`: noise
-    divided by the noise with every effect; None without noise. For pixels that look these are None:
-    the loop itself exposes their frames.
+    standard error of `path_e2`. `bias_e`: mean difference of the expected values. `std_ratio`:
+    noise divided by the noise with every effect; None without noise. For pixels that look these are
+    None: the loop itself exposes their frames.
 
     `other_states`: fraction of pixels that end in other states than with every effect; None for
     programs without states. `holds`: whether the errors are within their limits."""
@@ -72,7 +72,8 @@ class Audit:
             text += f"; {self.other_states:.2%} of the pixels end in other states"
         if self.path_e is not None and self.path_mc_error_e2 is not None:
             least_e = math.sqrt(_SIGMAS * self.path_mc_error_e2)
-            text += f"; own frames differ by {self.path_e:.3g} e in distribution (below {least_e:.3g} e is chance)"
+            text += f"; own frames differ in distribution by {self.path_e:.3g} e"
+            text += f" (less than {least_e:.3g} e is chance)"
         if self.std_ratio is not None:
             text += f", std ratio {self.std_ratio:.4f}"
         return f"{text}; {self.samples} samples: {verdict}"

@@ -320,14 +320,18 @@ def _decision(
     together: SampledErrors,
 ) -> Decision:  # fmt: skip
     """Return the decision on an effect that may change this scene."""
-    name, request, requested = effect.name, measuring.request, measuring.requested
+    name, request = effect.name, measuring.request
     forced, off = name in request.forced, name in dropped | request.forced_off
     saved_ms = work.frame_ms(everything()) - work.frame_ms(everything().without(name))
     choice: Choice = "dropped" if off else "kept"
     rms_e = None if alone is None else alone.rms_e
     then = together if off else None if alone is None else together.plus(alone)
-    if alone is not None and not off and not rms_e and not alone.other_states and not (
-        work.near and name in everything().names(Saturates)
+    if (
+        alone is not None
+        and not off
+        and not rms_e
+        and not alone.other_states
+        and not (work.near and name in everything().names(Saturates))
     ):
         choice = "absent"
     if forced:
@@ -335,7 +339,8 @@ def _decision(
     elif choice == "absent":
         reason = effect.absent
     elif off:
-        reason = "fits into the tolerance" if rms_e is None else f"{rms_e:.3g} e fits into the tolerance"
+        error = "" if rms_e is None else f"{rms_e:.3g} e "
+        reason = f"{error}fits into the tolerance"
     else:
         reason = _why_kept(measuring, saved_ms, alone, then)
     return Decision(
@@ -373,9 +378,7 @@ def _unmeasured_decision(
         for converter in effect.parts_of_kind(Converter):
             rms_e = converter.sigma_lsb(work.scene.sensor) * code_e
         reason = NAMED if forced else "always applied, after the exposure"
-        return Decision(
-            name, effect.kind, "kept" if on else "dropped", forced, reason, rms_e, 0.0
-        )
+        return Decision(name, effect.kind, "kept" if on else "dropped", forced, reason, rms_e, 0.0)
     if name in absent and on:
         return Decision(name, effect.kind, "absent", forced, effect.absent)
     reason = NAMED if forced else NOT_WORTH

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from nscc import html
+from nscc.codec import KeyName, Within, to_plain
 from nscc.columns import columns
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.planning.tolerance import Tolerance, ToleranceInput
+from nscc_runtime.effects.parameters import MOST_E
+from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, ToleranceInput
 
 Choice = Literal["kept", "dropped", "absent"]
 
@@ -80,7 +82,7 @@ class Plan:
     """
 
     tolerance: str
-    tolerance_e: float | None
+    tolerance_e: Annotated[float, Within(LEAST_E, MOST_E)] | None
     predicted_e: float | None
     bound_e: float | None
     worst_e: float | None
@@ -90,7 +92,7 @@ class Plan:
     total_ms: float
     all_ms: float
     planning_ms: float
-    decisions: tuple[Decision, ...]
+    decisions: Annotated[tuple[Decision, ...], KeyName("effects")]
     signal_e: float | None = None
     noise_e: float | None = None
     other_states: float | None = None
@@ -208,10 +210,8 @@ class Plan:
 
     def as_json(self) -> dict[str, Any]:
         """Return the plan as JSON values, as in a frame file's `meta`."""
-        values = dict(vars(self))
-        values["effects"] = [dict(vars(decision)) for decision in values.pop("decisions")]
-        values["slot_loop_reasons"] = list(self.slot_loop_reasons)
-        return values
+        plain: dict[str, Any] = to_plain(self)
+        return plain
 
 
 def _table(plan: Plan) -> str:

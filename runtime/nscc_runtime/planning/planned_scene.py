@@ -90,6 +90,7 @@ class PlannedScene:
                 device_seed=self.device_seed, count=count, threads=self.threads,
             )  # fmt: skip
         from nscc_runtime.execution.frames import frame_source
+
         check_adc(self.container.target)
         source = frame_source(
             self.container, self.sensor, self.light, effects, self.device_seed,

@@ -155,9 +155,7 @@ class SampledErrors:
         return np.asarray(np.sqrt(square) / max(float(self.weight.sum()), 1e-300))
 
 
-def draw_sample(
-    near: NearSaturation, full_well_e: float, count: int, chance: Values
-) -> Sample:
+def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Values) -> Sample:
     """Draw about `count` pixels of a scene, deterministically; all pixels of a small scene.
 
     `near`: the pixels near saturation. `chance` (rows * cols,): relative probabilities of

@@ -106,9 +106,7 @@ def tolerance_of(requested: ToleranceInput, sensor: Sensor, scene: ToleranceScen
     if unit == "noise":
         noise = scene.noise_e()
         tolerance = Tolerance(text, value * noise, noise_e=noise)
-        return _within(
-            tolerance, f"{text[:40]}, a frame's own noise of {noise:.3g} electrons"
-        )
+        return _within(tolerance, f"{text[:40]}, a frame's own noise of {noise:.3g} electrons")
     signal = scene.signal_e()
     if not signal > 0:
         raise rejected(
@@ -171,7 +169,5 @@ def _malformed(shown: str) -> Rejected:
             "signal; noise: a fraction of the frame's own noise",
             f"it must be between {LEAST_E:g} and {MOST_E:g} electrons",
         ),
-        helps=(
-            f"write --tolerance 5e, 0.1lsb, 1% or {DEFAULT}, or leave it out",
-        ),
+        helps=(f"write --tolerance 5e, 0.1lsb, 1% or {DEFAULT}, or leave it out",),
     )

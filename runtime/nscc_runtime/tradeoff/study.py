@@ -22,10 +22,11 @@ from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.frame_file import Frame, read_out
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.planning.make import PlanRequest, allowed_on, make_plan
+from nscc_runtime.planning.audit import audit
+from nscc_runtime.planning.make import PlanRequest, make_plan
 from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.scenes import FixedShutters
-from nscc_runtime.planning.tolerance import Tolerance
+from nscc_runtime.planning.planned_scene import PlannedScene
+from nscc_runtime.planning.tolerance import Tolerance, tolerance_of
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import scene_of
 
@@ -247,7 +248,7 @@ class _Bench:
         self.counted = counting.name
         on_light = self._on(self.scene.light)
         self.budget, *allowed = (
-            allowed_on(on_light, tolerance, None)[0]
+            tolerance_of(tolerance, on_light.sensor, on_light)
             for tolerance in (self.settings.budget, *self.settings.tolerances)
         )
         by_name = {tolerance.name: tolerance for tolerance in allowed}
@@ -256,9 +257,9 @@ class _Bench:
         pooled = math.ceil(_POOLED / max(1, rows * cols))
         self.frames = max(self.settings.frames, min(pooled, _MOST_POOLED))
 
-    def _on(self, light: Light) -> FixedShutters:
+    def _on(self, light: Light) -> PlannedScene:
         program, seed = self.program, self.settings.device_seed
-        return FixedShutters(program.container, program.sensor, light, seed, threads=1)
+        return PlannedScene(program.container, program.sensor, light, seed, threads=1)
 
     def compare(self) -> None:
         """Measure the errors of all methods, and the times of the reference's frames."""
@@ -296,7 +297,8 @@ class _Bench:
         except ValueError as wrong:
             missing.append((DRAWN, f"numpy cannot draw this light: {wrong}"))
         for setting, plan in self.plans.items():
-            plan_errors = error(list(self._planned(plan, count)), truth)
+            rms_e = audit(self._on(light), plan).measured_rms_e
+            plan_errors = rms_e, rms_e / self.program.sensor.electrons_per_lsb
             errors[PLANNED, setting] = errors[WITH_PLANNING, setting] = plan_errors
         for method, setting in errors:
             self.watch.ran(method, (self.scene.name, setting))
@@ -353,12 +355,9 @@ class _Bench:
         return make_plan(self._on(light), PlanRequest(selected("auto"), tolerance, figures=True))
 
     def _first(self, plan: Plan) -> Frame:
-        return next(iter(self._planned(plan, 1)))
-
-    def _planned(self, plan: Plan, count: int) -> Iterable[Frame]:
-        """Return frames under a plan without cached results: the first includes all sums."""
+        """Return a frame under a plan without cached results: its time includes all sums."""
         light = unknown(self.scene.light)
-        return self._on(light).frames(plan, self.settings.seed, count)
+        return next(iter(self._on(light).frames(plan.kept, self.settings.seed, 1)))
 
 
 def unknown(light: Light) -> Light:

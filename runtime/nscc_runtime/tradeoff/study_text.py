@@ -6,8 +6,7 @@ from collections.abc import Sequence
 
 from nscc.columns import columns
 from nscc.tradeoff.points import Point, dominated
-from nscc_runtime.planning.plan import Plan, approximation_lines
-from nscc_runtime.planning.plan_parts import Decision
+from nscc_runtime.planning.plan import Decision, Plan
 from nscc_runtime.tradeoff.study import (
     ELECTRONS,
     PLANNED,
@@ -89,10 +88,8 @@ def _budget_text(plan: Plan) -> str:
     rows = [_BUDGET_HEAD, *(_decision(decision) for decision in plan.decisions)]
     rows += [(name, "", "", "", "", _ms(cost_ms), work) for name, work, cost_ms in plan.costs]
     head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
-    cuts = approximation_lines(plan)
     words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
-    saved = [] if plan.cost is None else [plan.cost.summary]
-    return "\n".join([head, columns(rows, (0, 1, 6), "  "), *cuts, *words, *saved])
+    return "\n".join([head, columns(rows, (0, 1, 6), "  "), *words, plan.time_summary])
 
 
 def _decision(decision: Decision) -> tuple[str, ...]:
