@@ -14,14 +14,14 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import file_sha256
-from nscc_runtime.scenes.colour import Transfer, linear
+from nscc_runtime.scenes.colour import Colours, Transfer, linear
 from nscc_runtime.scenes.picture_files import (
     DISPLAY,
     LINEAR,
     PICTURES,
-    default_transfer,
+    only_picture,
     open_pages,
-    read_picture,
+    read_frames,
 )
 from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training import made_scenes
@@ -132,10 +132,12 @@ class _Kind:
     classes: tuple[str, ...] = ()
     tell: Callable[[str], object] = lambda _text: None
 
-    def light(self, stored: NDArray[Any], transfer: Transfer, name: str) -> NDArray[np.float64]:
+    def light(
+        self, stored: NDArray[Any], colours: Transfer | Colours, name: str
+    ) -> NDArray[np.float64]:
         """Return the light of a stored picture, converted as by `nscc run`."""
         return picture_light(
-            stored, transfer, name, warn=lambda diagnostic: self.tell(diagnostic.message)
+            stored, colours, name, warn=lambda diagnostic: self.tell(diagnostic.message)
         )
 
 
@@ -204,11 +206,11 @@ def _read(path: Path, kind: _Kind) -> list[SourceScene]:
         return [_scene(path.name, light, kind, digest)]
     pages = open_pages(path)
     if pages.count > 1 and not kind.still:
-        light = _clip_light(path, pages.read(), pages.transfer or default_transfer(path), kind)
+        light = _clip_light(path, read_frames(path), pages.colours, kind)
         return [_scene(path.name, light, kind, digest)]
     if suffix in DISPLAY:
         return _moved(path, digest, kind)
-    still = kind.light(read_picture(path), "linear", str(path))
+    still = kind.light(only_picture(path, pages), pages.colours, str(path))
     if not kind.still:
         return _turned(still.astype(np.float32), path.name, digest, kind)
     return [_scene(path.name, still, kind, digest)]
@@ -256,10 +258,10 @@ def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
 
 
 def _clip_light(
-    path: Path, stored: Iterable[NDArray[Any]], transfer: Transfer, kind: _Kind
+    path: Path, stored: Iterable[NDArray[Any]], colours: Transfer | Colours, kind: _Kind
 ) -> NDArray[np.float32]:
     frames = [
-        kind.light(centre_of(np.asarray(frame), _MOST_SIDE), transfer, f"{path}, frame {number}")
+        kind.light(centre_of(np.asarray(frame), _MOST_SIDE), colours, f"{path}, frame {number}")
         for number, frame in enumerate(islice(stored, kind.settings.frames))
     ]
     return np.stack(frames, dtype=np.float32, casting="same_kind")
