@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
-from itertools import islice, pairwise, repeat
+from itertools import compress, islice, pairwise, repeat
 from typing import Any
 
 import numpy as np
@@ -36,11 +36,10 @@ def timed(pages: Pages) -> Pages:
         text = f"has {count} frame{'s' * (count > 1)} of 0 ms, which {'are' if count > 1 else 'is'}"
         notes.append((f"{text} left out", "give every frame a duration to expose it"))
         frames = pages.read
-        kept = replace(
-            pages, count=len(shown) - count,
-            read=lambda: (frame for k, frame in enumerate(islice(frames(), len(shown))) if shown[k]),
-        )  # fmt: skip
-        pages, durations_s = kept, durations_s[shown]
+        pages = replace(
+            pages, count=len(shown) - count, read=lambda: compress(frames(), shown.tolist())
+        )
+        durations_s = durations_s[shown]
     edges = None if _even(durations_s) else _edges(durations_s)
     if edges is not None:
         low, high = (1e3 * float(size) for size in (durations_s.min(), durations_s.max()))
