@@ -101,6 +101,10 @@ def _directories(path: Path) -> tuple[bytes, list[Tags]]:
     with open(path, "rb") as file:
         head = file.read(8)
         if head[2:4] in (b"+\0", b"\0+"):  # 43, the number of BigTIFF
+            if head[:2] != b"II":  # Pillow does not recognise it
+                raise UnsupportedPicture(
+                    "it is a BigTIFF of big-endian numbers", "save it with little-endian numbers"
+                )
             head += file.read(8)
         directory = ImageFileDirectory_v2(head)
         visited = set()
