@@ -30,6 +30,7 @@ from nscc_training.data.moving import light_of_picture, moving, pictures_below, 
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.protocol_scenes.classes import class_folders, class_of, moving_texture
 from nscc_training.protocols import load_protocol
+from nscc_training.random_streams import DrawStream
 from nscc_training.scene_files import CLIPS, centre_of, files_in, frames_in
 from nscc_training.settings import DataSettings
 from nscc_training.turning_camera import turned
@@ -175,12 +176,14 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
 
 
 def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
-    count = kind.settings.scenes if split_name == "train" else -(-kind.settings.scenes // 4)
+    count, stream = kind.settings.scenes, DrawStream.TRAINING_SCENES
+    if split_name != "train":
+        count, stream = -(-count // 4), DrawStream.VALIDATION_SCENES
     size = max(kind.settings.patch + kind.settings.patch // 2, 32)
     protocol = load_protocol(kind.settings.protocol)
     scenes = []
     for index in range(count):
-        generator = np.random.default_rng([kind.seed, 1 if split_name == "train" else 2, index])
+        generator = np.random.default_rng([kind.seed, stream, index])
         label = ""
         if kind.classes:
             label, light = moving_texture(
@@ -252,7 +255,7 @@ def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
 def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
     """Return a generator for each clip made of a file; file and seed determine it."""
     return [
-        np.random.default_rng([kind.seed, 3, int(digest[:8], 16), index])
+        np.random.default_rng([kind.seed, DrawStream.CAMERA_PATHS, int(digest[:8], 16), index])
         for index in range(kind.settings.paths)
     ]
 
