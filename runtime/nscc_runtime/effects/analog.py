@@ -67,8 +67,8 @@ ANALOG = Effect(
     sums=(WordGain(GAIN, pattern_e, _bias, _spread), Errors("words", _noise)),
     words=InLoop(
         "word_errors",
-        {"gain": GAIN, "word_error": _noise, "pattern": _spread, "bias": _bias},
-        "pattern",
+        {"gain": GAIN, "word_error": _noise},
+        {"error_e": pattern_e},
     ),
     cost_ns=6.0,
 )

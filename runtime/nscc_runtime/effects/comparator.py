@@ -45,11 +45,7 @@ COMPARATOR_OFFSET = Effect(
     cost="one normal number a pixel and a sum a comparison",
     parameters=(SPREAD, FULL),
     reference={"compare": lambda pixels, total, _word: total + pixels.fixed(offset_e)},
-    words=InLoop(
-        "compares_off",
-        {"compare_offset": lambda sensor: SPREAD(sensor) * FULL(sensor)},
-        "offset",
-    ),
+    words=InLoop("compares_off", patterns={"offset_e": offset_e}),
     cost_ns=10.0,
     **_OF_BOTH,
 )
@@ -72,7 +68,7 @@ COMPARATOR_NOISE = Effect(
     words=InLoop(
         "compares_noisy",
         {"compare_noise": lambda sensor: SIGMA(sensor) * FULL(sensor)},
-        draws_key="compares",
+        draws="compares",
     ),
     cost_ns=20.0,
     **_OF_BOTH,

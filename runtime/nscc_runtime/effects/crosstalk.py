@@ -42,8 +42,7 @@ CROSSTALK = Effect(
     size="rms and mean of c sum S laplacian(E), dark charge included, and of the noise of the "
     "counts that pass between pixels; worst at saturated and moving edges",
     sums=(Exchange(FRACTION, smeared),),
-    # Neighbours multiply the number of counts.
-    words=InLoop("exchanges", {"exchanged": FRACTION}),
+    words=InLoop(),
     cost_ns=3.0,
     light_ns=0.5,
 )

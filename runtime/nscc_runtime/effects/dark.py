@@ -6,7 +6,7 @@ from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import MOST_E, parameter
 from nscc_runtime.effects.parts import CountedDark
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.spread import log_normal, log_variance
+from nscc_runtime.effects.spread import log_normal
 from nscc_runtime.effects.views import WITHOUT_LIGHT, Places, Slots, Values
 from nscc_runtime.noise import key, normals
 
@@ -47,13 +47,6 @@ DARK = Effect(
     size="bias = mean of D t, t the open time by weight, D of each pixel and what its "
     "neighbours spill; rms = sqrt(mean (D t)^2 + counts of variance D t)",
     sums=(CountedDark(current_e_per_s),),
-    words=InLoop(
-        "counts_dark",
-        {
-            "dark": CURRENT,
-            "dark_variance": lambda sensor: log_variance(SPREAD(sensor)),
-        },
-        "dark",
-    ),
+    words=InLoop(),
     cost_ns=10.0,
 )

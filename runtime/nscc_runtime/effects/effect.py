@@ -18,6 +18,7 @@ from typing import Any, Literal, TypeVar, get_args
 from nscc_runtime.effects.parameters import HEADINGS, Parameter
 from nscc_runtime.effects.parts import Part
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import OnDevice
 
 MARKED = {
     "well": ("well", "PIX was full when a word added what it held"),
@@ -86,16 +87,16 @@ class CannotHave:
 
 @dataclass(frozen=True)
 class InLoop:
-    """The fields of the loops over words that an effect sets, by name.
+    """The fields of the loop over words that an effect sets, by name.
 
     Names are fields of the records in `nscc_runtime.execution.layout`. `switch`: turns the effect
-    on. `numbers`: its values. `device_key`: the random key of its fixed pattern. `draws_key`: the
-    random key of its draws at words, if it has no `Errors`."""
+    on. `numbers`: its values. `patterns`: its fixed patterns. `draws`: names the random key of its
+    draws at words, if it has no `Errors`."""
 
     switch: str | None = None
     numbers: Mapping[str, Callable[[Sensor], float]] = field_of(default_factory=dict)
-    device_key: str | None = None
-    draws_key: str | None = None
+    patterns: Mapping[str, OnDevice] = field_of(default_factory=dict)
+    draws: str | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -29,5 +29,5 @@ LAG = Effect(
     },
     size="rms and mean of l times the light of the frame before, the same scene",
     sums=(Echo(FRACTION),),
-    words=InLoop(numbers={"echo": FRACTION}),
+    words=InLoop(),
 )

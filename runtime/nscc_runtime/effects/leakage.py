@@ -8,7 +8,7 @@ from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Leak
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.spread import log_normal, log_variance
+from nscc_runtime.effects.spread import log_normal
 from nscc_runtime.effects.views import Places, Values
 from nscc_runtime.noise import key, normals
 
@@ -42,13 +42,6 @@ LEAKAGE = Effect(
     reference={"hold": lambda pixels, seconds: np.exp(-pixels.fixed(leak_per_s) * seconds)},
     size="rms and mean of sum S E (1 - exp(-age / tau)), tau of each pixel, and of its counts",
     sums=(Leak(leak_per_s, TAU, SPREAD),),
-    words=InLoop(
-        "leaks",
-        {
-            "leak": lambda sensor: 1.0 / TAU(sensor),
-            "leak_variance": lambda sensor: log_variance(SPREAD(sensor)),
-        },
-        "leak",
-    ),
+    words=InLoop("leaks", patterns={"leak_per_s": leak_per_s}),
     cost_ns=1.5,
 )

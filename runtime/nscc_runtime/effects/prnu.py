@@ -36,6 +36,6 @@ PRNU = Effect(
     reference={"response": lambda slots, light: light * slots.fixed(response)},
     size="rms and mean of the light that the pixels' own factors add or take, about p rms(L)",
     sums=(Response(response),),
-    words=InLoop("uneven", {"uneven": SPREAD}, "uneven"),
+    words=InLoop(),
     cost_ns=1.0,
 )

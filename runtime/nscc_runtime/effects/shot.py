@@ -24,6 +24,6 @@ SHOT = Effect(
     reference={"count": _count},
     size="rms = sqrt(mean sum of w^2 E), w the weights of the slots' light E, neighbours' included",
     sums=(CountedLight(),),
-    words=InLoop(switch="counts_light"),
+    words=InLoop(),
     cost_ns=10.0,
 )

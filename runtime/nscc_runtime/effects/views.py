@@ -17,9 +17,6 @@ from nscc_runtime.light import Light
 
 LIGHT, WITHOUT_LIGHT = 0, 1
 """Numbers of the sources of charge."""
-THINNED = 2
-"""Added to a source number for the key that distributes counts over the slots of a group."""
-
 
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]

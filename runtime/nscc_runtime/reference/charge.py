@@ -12,31 +12,16 @@ from numpy.typing import NDArray
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import THINNED, OnDevice, Scene, Slots
+from nscc_runtime.effects.views import OnDevice, Scene, Slots
 from nscc_runtime.light import Light
-from nscc_runtime.noise import RATE_CAP, key, poisson, thin
+from nscc_runtime.noise import key, poisson
 
 Charge = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
-class Groups:
-    """Groups of slots: slots that are open in the same buckets.
-
-    `of_slot` int64 (lanes, N): bit b is set if the slot is open in bucket b. `lane` intp (rows,
-    cols): the lane (code number) of each pixel. `places` int64 (rows * cols,): the place of each
-    pixel on the chip; None for all pixels in order."""
-
-    of_slot: NDArray[np.int64]
-    lane: NDArray[np.intp]
-    places: NDArray[np.int64] | None = None
-
-    def places_of(self, rows: range) -> NDArray[np.int64]:
-        """Return the places (pixels,) of the pixels of some rows."""
-        cols = self.lane.shape[1]
-        if self.places is not None:
-            return self.places[rows.start * cols : rows.stop * cols]
-        return np.arange(rows.start * cols, rows.stop * cols, dtype=np.int64)
+def places_of(rows: range, cols: int) -> NDArray[np.int64]:
+    """Return the places (pixels,) of the pixels of consecutive rows."""
+    return np.arange(rows.start * cols, rows.stop * cols, dtype=np.int64)
 
 
 class Fallen(NamedTuple):
@@ -56,7 +41,6 @@ class Fallen(NamedTuple):
 
 def charge_of_rows(
     scene: Scene,
-    groups: Groups | None,
     sensor: Sensor,
     effects: Selection,
     seeds: tuple[int, int],
@@ -65,21 +49,16 @@ def charge_of_rows(
 ) -> Fallen:
     """Return the charge of consecutive rows.
 
-    `groups`: None to draw the counts of each slot separately. `seeds`: noise seed, device seed. The
-    charge of a pixel does not depend on how the array is cut into rows."""
+    `seeds`: noise seed, device seed. The charge of a pixel does not depend on how the array is cut
+    into rows."""
     height, cols = scene.light.shape
     halo = bool(effects.at("neighbours"))
     begin, end = max(rows.start - halo, 0), min(rows.stop + halo, height)
     for choose in effects.at("scene"):
         scene = choose(scene)
-    places = np.arange(begin * cols, end * cols, dtype=np.int64)
-    if groups is not None:
-        places = groups.places_of(range(begin, end))
     slots = _Slots(
         sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
-        places=places, scene=scene, rows=slice(begin, end),
-        of_slot=None if groups is None else groups.of_slot,
-        lanes=None if groups is None else groups.lane[begin:end].reshape(-1),
+        places=places_of(range(begin, end), cols), scene=scene, rows=slice(begin, end),
     )  # fmt: skip
     charge = light = slots.electrons(scene.light)
     for stage in ("light", "response", "count", "charge", "neighbours"):
@@ -95,8 +74,6 @@ class _Slots(Slots):
     """The slots of some rows. `valid` (pixels,) becomes False where a rate is NaN."""
 
     rows: slice
-    of_slot: NDArray[np.int64] | None
-    lanes: NDArray[np.intp] | None
 
     def __post_init__(self) -> None:
         self.valid = np.ones(len(self.places), np.bool_)
@@ -115,20 +92,9 @@ class _Slots(Slots):
         """Return Poisson counts of `rates`, clipped to 0 .. `RATE_CAP`."""
         shape, rates = rates.shape, rates.reshape(len(rates), -1)
         self.valid &= ~np.isnan(rates).any(axis=0)
-        named = self.seed, stream, source, self.frame
         counted = np.zeros(rates.shape)
-        if self.of_slot is None or self.lanes is None:
-            for n, slot_rates in enumerate(rates):
-                counted[n], is_valid = poisson(key(*named, n), self.places, slot_rates)
-                self.valid &= is_valid
-            return counted.reshape(shape)
-        rates = np.clip(np.nan_to_num(rates, nan=0.0, posinf=RATE_CAP), 0.0, RATE_CAP)
-        for group in np.unique(self.of_slot[self.lanes]).tolist():
-            among = group == self.of_slot[self.lanes].T
-            shares = np.where(among, rates, 0.0)
-            total = shares.sum(axis=0)
-            counts, is_valid = poisson(key(*named, group), self.places, total)
+        for n, slot_rates in enumerate(rates):
+            of_slot = key(self.seed, stream, source, self.frame, n)
+            counted[n], is_valid = poisson(of_slot, self.places, slot_rates)
             self.valid &= is_valid
-            split_key = key(self.seed, stream, THINNED + source, self.frame, group)
-            counted += thin(split_key, self.places, counts, shares.T).T
         return counted.reshape(shape)

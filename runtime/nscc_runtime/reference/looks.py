@@ -118,8 +118,6 @@ def _light_share_per_us(
 
 Bits = NDArray[np.bool_]
 
-WORD_DRAWS = 1
-"""Source number, in random keys, of draws for single words."""
 _FIRST_BIT = 256
 """Group number, in the stream START, of the first digital register, after analog ones."""
 
@@ -175,7 +173,7 @@ class LookingReference:
         planes = {name: np.empty((len(rows), cols), np.bool_) for name in sorted(state_registers)}
 
         def fall(part_rows: range) -> Fallen:
-            return charge_of_rows(scene, None, self.sensor, self.effects, seeds, frame, part_rows)
+            return charge_of_rows(scene, self.sensor, self.effects, seeds, frame, part_rows)
 
         def run(part_rows: range, fallen: Fallen) -> Marked:
             array_rows = slice(part_rows.start, part_rows.stop)
@@ -211,7 +209,6 @@ def executed(
 class _LookingPixels(WordPixels):
     """Some pixels that look, during one frame; `pace` is the result of `Intervals.paced`."""
 
-    word_draws = WORD_DRAWS
     program: LookingReference
     code: Mapping[str, Bits]
     pace: Values

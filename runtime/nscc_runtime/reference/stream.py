@@ -60,7 +60,7 @@ def expose_stream(
         raise ValueError("a container without planes")
 
     def fall(part_rows: range) -> Fallen:
-        return charge_of_rows(scene, None, sensor, effects, seeds, frame, part_rows)
+        return charge_of_rows(scene, sensor, effects, seeds, frame, part_rows)
 
     def run(part_rows: range, fallen: Fallen) -> Marked:
         pixels = _Taps(

@@ -243,25 +243,3 @@ def error_sign(destination: str, container: Container) -> float:
     """Return the sign of errors written to a register: -1 for the scratch register, which contains
     inverted values, otherwise 1."""
     return -1.0 if destination == container.target.analog_scratch else 1.0
-
-
-def orthonormal(weights: ByName[int]) -> ByName[int]:
-    """Return the weights with orthonormal columns in each lane, by Gram-Schmidt over the buckets in
-    order. A bucket whose weights depend linearly on earlier buckets becomes 0."""
-    if not weights:
-        return weights
-    names = list(weights)
-    q = np.array([weights[name] for name in names])
-    scale = np.sqrt((q * q).sum(axis=0))
-    for b in range(q.shape[2]):
-        for _ in range(2):  # the second pass removes rounding errors
-            for a in range(b):
-                q[:, :, b] -= q[:, :, a] * (q[:, :, a] * q[:, :, b]).sum(axis=0)
-        size = np.sqrt((q[:, :, b] ** 2).sum(axis=0))
-        independent = size > 1e-9 * scale[:, b]
-        q[:, :, b] *= np.divide(1.0, size, out=np.zeros_like(size), where=independent)
-    result: ByName[int] = ByName()
-    for name, weight in zip(names, q, strict=True):
-        # A copy, so that the stored slice does not keep the whole array alive.
-        result.keep(name, weight.copy())
-    return result

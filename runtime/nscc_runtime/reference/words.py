@@ -157,6 +157,8 @@ Marked = tuple[Values, NDArray[np.uint8]]
 
 CELLS = 1 << 21
 """Largest number of slots x pixels that are processed at once, in about ten arrays of that size."""
+WORD_DRAWS = 1
+"""Source number, in random keys, of draws for the words of an exposure."""
 START = 0
 """Random stream of register contents at the start of a frame; effects have streams from 1."""
 
@@ -224,7 +226,7 @@ class WordPixels(Pixels):
     """The contents of some pixels while the words of one frame run. All arrays are (pixels,).
     `word_draws`: the source number, in random keys, of draws for single words."""
 
-    word_draws: ClassVar[int] = 0
+    word_draws: ClassVar[int] = WORD_DRAWS
     container: Container
     effects: Selection
 

@@ -1,0 +1,209 @@
+"""The words of a program as segments for the block loop, with the stretches of slots between them.
+
+A code of fixed shutters is one segment, whose words follow from replaying the digital words of that
+code. Pixels that look have a segment for every answer (`nscc_runtime.looking.paths`)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.caches import OfContainer
+from nscc_runtime.effects import CannotHave, Selection
+from nscc_runtime.effects.in_loops import figures, switches
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.execution.layout import LoopProgram, LoopWord, Numbers, Readouts, Segments, Switches
+from nscc_runtime.execution.stretch_loop import Stretches
+from nscc_runtime.looking.paths import Paths, paths_of
+from nscc_runtime.reference.trace import AnalogWord, RunningWord, analog_words, retention_us
+from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.reference.words import most_destinations, readout_waits_s
+
+_WORD = np.dtype(LoopWord)
+AROUND_WORDS = {
+    "scene", "light", "response", "count", "charge", "neighbours", "converter", "codes",
+}  # fmt: skip
+"""Stages before and after the words of a frame, at which the loop is not involved."""
+
+
+@dataclass(frozen=True, eq=False)
+class BlockProgram:
+    """A program for the block loop.
+
+    Attributes
+    ----------
+    words, segments, readouts
+        Arguments of the loop.
+    stretches : Stretches
+        The stretches of slots of each lane.
+    lane : int32, shape (rows, cols)
+        Whose stretches each pixel has.
+    first_segment : int64, shape (rows, cols)
+        The segment with which each pixel starts, for fixed shutters.
+    numbered : int
+        Difference between the draw numbers of consecutive words.
+    most_stretches : int
+        Largest number of stretches of a lane.
+    """
+
+    words: LoopProgram
+    segments: Segments
+    readouts: Readouts
+    stretches: Stretches
+    lane: NDArray[np.int32]
+    first_segment: NDArray[np.int64]
+    numbered: int
+
+    @property
+    def most_stretches(self) -> int:
+        return int(np.diff(self.stretches.start).max()) - 1
+
+
+def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str, ...]:
+    """Return the reasons why only the reference simulates a program with these effects; empty if
+    the block loop does."""
+    reasons = [
+        f"{effect.name}: only the reference has it ({effect.words.reason})"
+        for effect in effects.effects
+        if isinstance(effect.words, CannotHave) and not effect.reference.keys() <= AROUND_WORDS
+    ]
+    if container.machine is not None:
+        paths = paths_of(container, retention_us(effects, sensor))
+        reasons += [f"the words run one by one: {paths}"] if isinstance(paths, str) else []
+    return tuple(reasons)
+
+
+@OfContainer
+def block_program(container: Container, kept_us: float) -> BlockProgram:
+    """Return a program for the block loop; cached with the container.
+
+    `kept_us`: how long digital registers keep values. Raises Rejected like
+    `nscc_runtime.reference.trace.analog_words`, and ValueError where `lacks` has a reason."""
+    if container.machine is None:
+        return _of_codes(container, analog_words(container, kept_us))
+    paths = paths_of(container, kept_us)
+    if isinstance(paths, str):
+        raise ValueError(paths)
+    return _of_paths(container, paths)
+
+
+def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgram:
+    """Return a program whose codes are the segments."""
+    assert container.pixel_codes is not None
+    lanes, slots = len(container.encoding), container.slots
+    acts = np.array([word.lanes for word in words], np.bool_).reshape(-1, lanes)
+    lane, word = np.nonzero(acts.T)
+    table = program_of(container, words)
+    turns = table.words["resets"].astype(np.bool_) | table.words["reads_pix"].astype(np.bool_)
+    boundary = np.array([each.boundary for each in words], np.int64)[word]
+    # A boundary of a lane as one number: ascending by lane, then by slot.
+    numbers = lane * (slots + 1) + boundary
+    ends = np.arange(lanes) * (slots + 1)
+    known = np.unique(np.concatenate([numbers[turns[word]], ends, ends + slots]))
+    lane_start = np.searchsorted(known, np.append(ends, lanes * (slots + 1))).astype(np.int64)
+    stretch = np.searchsorted(known, numbers) - lane_start[lane]
+    segments = Segments(
+        start=np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64),
+        word=word.astype(np.int32),
+        stretch=stretch.astype(np.int32),
+        following=np.full((lanes, 2), -1, np.int64),
+    )
+    stretches = Stretches(lane_start, (known % (slots + 1)).astype(np.int32), _start_s(container))
+    pixel_lane = container.table.shutter_of_code[container.pixel_codes]
+    return BlockProgram(
+        table, segments, readouts_of(container), stretches,
+        np.require(pixel_lane, np.int32, ["C"]), np.require(pixel_lane, np.int64, ["C"]),
+        most_destinations(container.target),
+    )  # fmt: skip
+
+
+def _of_paths(container: Container, paths: Paths) -> BlockProgram:
+    """Return a program whose segments end with comparisons; all pixels have the same stretches."""
+    assert container.pixel_codes is not None
+    slots, shape = container.slots, container.pixel_codes.shape
+    boundaries = np.unique([0, slots, *(word.boundary for word in paths.words)])
+    of_word = np.searchsorted(boundaries, [word.boundary for word in paths.words])
+    segments = Segments(
+        start=paths.start,
+        word=paths.acting.astype(np.int32),
+        stretch=of_word[paths.acting].astype(np.int32),
+        following=paths.following,
+    )
+    stretches = Stretches(
+        np.array([0, len(boundaries)], np.int64), boundaries.astype(np.int32), _start_s(container)
+    )
+    loaded = {name: plane.astype(np.bool_) for name, plane in container.planes().items()}
+    return BlockProgram(
+        program_of(container, paths.words), segments, readouts_of(container), stretches,
+        np.zeros(shape, np.int32), np.ascontiguousarray(paths.begins(loaded, shape)),
+        most_destinations(container.target),
+    )  # fmt: skip
+
+
+def _start_s(container: Container) -> NDArray[np.float64]:
+    """Return the time (slots + 1,) at which each slot begins, and the end of the last one."""
+    return np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6
+
+
+def program_of(container: Container, words: Sequence[RunningWord]) -> LoopProgram:
+    """Return the words as arrays for loops."""
+    registers = (*container.target.analog_registers, "PIX", "IN")
+    slots, slot_us, start_s = container.slots, container.slot_us, _start_s(container)
+    rows: list[tuple[float, ...]] = []
+    operands: list[int] = []
+    for word in words:
+        last = word.boundary == slots
+        row = {
+            "resets": word.resets,
+            "compares": word.compares,
+            "reads_pix": "PIX" in word.sources,
+            "sources": len(word.sources),
+            "destinations": len(word.destinations),
+            "operands": len(operands),
+            "last": last,
+            "end_us": word.after_us if last else min(word.after_us, slot_us[word.boundary]),
+            "time_s": start_s[word.boundary],
+            "divisor": word.op.operation.divisor,
+            "in_e": word.in_e,
+        }
+        rows.append(tuple(row[name] for name in _WORD.names or ()))
+        operands += [registers.index(name) for name in word.sources + word.destinations]
+    signs = [error_sign(name, container) for name in container.target.analog_registers]
+    return LoopProgram(np.array(rows, _WORD), np.array(operands, np.int64), np.array(signs))
+
+
+def readouts_of(container: Container) -> Readouts:
+    """Return the register, gain and waiting time of each bucket's readout."""
+    of_bucket = {readout.bucket: readout for readout in container.readouts}
+    readouts = [of_bucket[bucket] for bucket in container.buckets]
+    place = container.target.analog_registers.index
+    return Readouts(
+        np.array([place(readout.register) for readout in readouts], np.int64),
+        np.array([float(readout.gain) for readout in readouts]),
+        readout_waits_s(container),
+    )
+
+
+def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numbers:
+    """Return the parameters of the effects; 0 for effects that are off."""
+    mark = effects.marking("registers")
+    return Numbers(
+        least_lost=mark.least_e(sensor) if mark else 0.0,
+        frame_s=float(np.cumsum(container.slot_us)[-1]) * 1e-6,
+        **figures(sensor, effects),
+    )
+
+
+def switches_of(container: Container, effects: Selection) -> Switches:
+    """Return the switches of the effects."""
+    marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
+    return Switches(
+        registers=len(container.target.analog_registers),
+        buckets=len(container.buckets),
+        **switches(effects),
+        **{f"{at}_bit": mark.bit if mark else 0 for at, mark in marks.items()},
+    )

@@ -1,0 +1,359 @@
+"""Pixels of a scene that run through their words: their light, once, and any number of frames.
+
+`lay_out` computes everything that frames share: the mean charge of every stretch of slots, and the
+fixed patterns. `expose_pixels` draws the counts of a frame, exchanges them between neighbours, and
+runs the words. Every draw is keyed by seed, effect, frame, event and place, so scenes with other
+effects or other pixels have the same random numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.in_loops import draws_keys, patterns
+from nscc_runtime.effects.parts import (
+    CountedDark,
+    CountedLight,
+    Echo,
+    Exchange,
+    Moving,
+    Response,
+    SlowWords,
+)
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import LIGHT, WITHOUT_LIGHT, Device
+from nscc_runtime.execution.block_loop import BlockScratch, BlockSizes, Charge, run_blocks
+from nscc_runtime.execution.block_program import (
+    BlockProgram,
+    block_program,
+    lacks,
+    numbers_of,
+    switches_of,
+)
+from nscc_runtime.execution.count_loop import count_stretches
+from nscc_runtime.execution.layout import (
+    BLOCK,
+    Numbers,
+    Patterns,
+    PixelState,
+    Switches,
+    WordKeys,
+)
+from nscc_runtime.execution.stretch_loop import (
+    Exchanging,
+    Laying,
+    Sites,
+    StretchMeans,
+    charge_means,
+    count_means,
+    exchange_counts,
+)
+from nscc_runtime.light import Light
+from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.noise.keys import base
+from nscc_runtime.pool import in_parts
+from nscc_runtime.reference.trace import retention_us
+from nscc_runtime.reference.words import WORD_DRAWS
+
+Values = NDArray[np.float64]
+Places = NDArray[np.int64]
+
+_MOST_BYTES = 1 << 26
+"""Largest memory of the means that are kept from frame to frame."""
+_FEWEST = 64
+"""Smallest number of pixels per thread."""
+
+
+@dataclass(frozen=True, eq=False)
+class PixelExposures:
+    """Exposures of pixels in one frame.
+
+    Attributes
+    ----------
+    exposure_e : float64, shape (buckets, pixels)
+        Electrons before the converter; NaN where the light is not a number.
+    saturated_by : uint8, shape (buckets, pixels)
+        Saturation marks.
+    endings : int32, shape (pixels,)
+        The end of the path of a pixel that looks; 0 for fixed shutters.
+    """
+
+    exposure_e: Values
+    saturated_by: NDArray[np.uint8]
+    endings: NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class ChargeScene:
+    """The charge of some pixels in the stretches of slots between their words.
+
+    `number`: the index of each of these pixels among the pixels of the scene. `sites`: these
+    pixels, then neighbours whose counts they exchange. `patterns`: their fixed patterns.
+    `counted`: (stream, source, means) of each source of counts. `exchanged`: the fraction of its
+    charge that a pixel gives to each neighbour."""
+
+    number: NDArray[np.int64]
+    sites: Sites
+    patterns: Patterns
+    counted: list[tuple[int, int, Values]]
+    means: StretchMeans
+    exchanged: float
+
+    @property
+    def pixels(self) -> int:
+        return len(self.number)
+
+
+@dataclass(frozen=True, eq=False)
+class BlockScene:
+    """Pixels of a scene under some effects, ready to expose any frame."""
+
+    container: Container
+    program: BlockProgram
+    sensor: Sensor
+    light: Light
+    effects: Selection
+    places: Places
+    device_seed: int
+    switches: Switches
+    numbers: Numbers
+    parts: list[NDArray[np.int64]]
+    """Indices of the pixels whose charge is computed together."""
+    kept: tuple[ChargeScene, ...] = ()
+    """The charge of all parts; empty if it takes too much memory."""
+
+
+def lay_out(
+    container: Container, sensor: Sensor, light: Light, effects: Selection, places: Places,
+    device_seed: int, threads: int = 1,
+) -> BlockScene:  # fmt: skip
+    """Prepare pixels of a scene to run through their words.
+
+    Parameters
+    ----------
+    container : Container
+        A program with fixed shutters, or whose pixels look.
+    sensor : Sensor
+    light : Light
+        The light of the whole array.
+    effects : Selection
+        The effects that are simulated.
+    places : int64, shape (pixels,)
+        The pixels that run: row * cols + col. Results do not depend on other pixels.
+    device_seed : int
+        Seed of the fixed patterns.
+    threads : int
+        Number of threads.
+
+    Returns
+    -------
+    BlockScene
+
+    Raises
+    ------
+    ValueError
+        If the loop does not support the program with these effects (`block_program.lacks`).
+    """
+    reasons = lacks(container, sensor, effects)
+    if reasons:
+        raise ValueError("; ".join(reasons))
+    program = block_program(container, retention_us(effects, sensor))
+    source = (effects.find_part(Moving) and light.motion) or light
+    lane = program.lane.reshape(-1)[places]
+    # Pixels of a code are neighbours in the arrays, so that they run in the same blocks.
+    order = np.argsort(lane, kind="stable")
+    bytes_ = 8 * 5 * (program.most_stretches + 1) * max(len(places), 1)
+    parts = np.array_split(order, max(1, -(-bytes_ // _MOST_BYTES)))
+    scene = BlockScene(
+        container, program, sensor, source, effects, places, device_seed,
+        switches_of(container, effects), numbers_of(container, sensor, effects), parts,
+    )  # fmt: skip
+    if len(parts) > 1:
+        return scene
+    return replace(scene, kept=(_charge_scene(scene, parts[0], threads),))
+
+
+def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) -> ChargeScene:
+    """Return the mean charge of the pixels with these numbers."""
+    effects, program, pixels = scene.effects, scene.program, len(number)
+    exchange = effects.find_part(Exchange)
+    exchanged = 0.0 if exchange is None else exchange.fraction(scene.sensor)
+    sites = _sites_of(scene, scene.places[number], exchanged > 0)
+    count, rows = len(sites.place), program.most_stretches
+    lit, dark = effects.having(CountedLight), effects.having(CountedDark)
+    slow = effects.find_part(SlowWords) is not None
+    is_counted = bool(lit or dark) and exchanged > 0
+
+    def zeros(wanted: bool, rows: int, columns: int) -> Values:
+        return np.zeros((rows, columns) if wanted else (1, 1))
+
+    means = StretchMeans(
+        lit=zeros(bool(lit), rows, count), dark=zeros(bool(dark), rows, count),
+        charge=zeros(True, rows, pixels), pace=zeros(slow, rows + 1, pixels),
+        missing_e2=zeros(is_counted, rows, pixels),
+    )  # fmt: skip
+    sizes: dict[str, Any] = {
+        "sites": count, "pixels": pixels, "chip_pixels": program.lane.size,
+        "even": scene.light.even, "counts_light": bool(lit), "counts_dark": bool(dark),
+        "slow_words": slow, "exchanged": exchanged, "rate_cap": RATE_CAP,
+    }  # fmt: skip
+    shared: dict[str, Any] = {
+        "light": scene.light.matrix, "stretches": program.stretches, "sites": sites, "means": means,
+    }  # fmt: skip
+    slot_us = np.array(scene.container.slot_us, np.float64)
+
+    def count_sites(begin: int, end: int) -> None:
+        count_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
+
+    def charge_pixels(begin: int, end: int) -> None:
+        charge_means(sizes=Laying(begin=begin, end=end, **sizes), slot_us=slot_us, **shared)
+
+    in_parts(count_sites, count, threads, _FEWEST)
+    in_parts(charge_pixels, pixels, threads, _FEWEST)
+    counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
+    counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
+    device = Device(
+        sensor=scene.sensor, device_seed=scene.device_seed, places=sites.place[:pixels]
+    )
+    fixed = Patterns(**patterns(effects, device))
+    return ChargeScene(number, sites, fixed, counted, means, exchanged)
+
+
+def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
+    """Return the pixels at `places`, followed by their other neighbours if they exchange charge."""
+    shape, effects, sensor = scene.program.lane.shape, scene.effects, scene.sensor
+    beside = np.full((len(places), 4), -1, np.int32)
+    every = places
+    if exchanges:
+        around = neighbours_of(places, shape)
+        number = np.full(shape[0] * shape[1] + 1, -1, np.int32)
+        number[around] = 0
+        number[places] = -1
+        every = np.concatenate([places, np.flatnonzero(number[:-1] == 0)])
+        number[every] = np.arange(len(every))
+        number[-1] = -1  # `around` is -1 beyond the border
+        beside = number[around]
+    device = Device(sensor=sensor, device_seed=scene.device_seed, places=every)
+    echo, response = effects.find_part(Echo), effects.find_part(Response)
+    dark = effects.find_part(CountedDark)
+    factor = np.full(len(every), 1.0 + (echo.fraction(sensor) if echo else 0.0))
+    return Sites(
+        place=np.require(every, np.int64, ["C"]),
+        lane=np.require(scene.program.lane.reshape(-1)[every], np.int32, ["C"]),
+        factor=factor * device.fixed(response.factor) if response else factor,
+        dark_e_per_s=device.fixed(dark.per_s) if dark else np.zeros(len(every)),
+        beside=np.require(beside, np.int32, ["C"]),
+    )
+
+
+def neighbours_of(places: Places, shape: tuple[int, int]) -> Places:
+    """Return the places (pixels, 4) above, below, left and right of pixels; -1 beyond the border of
+    an array of `shape` (rows, cols)."""
+    rows, cols = shape
+    row, col = np.divmod(places, cols)
+    return np.stack(
+        [
+            np.where(row > 0, places - cols, -1), np.where(row + 1 < rows, places + cols, -1),
+            np.where(col > 0, places - 1, -1), np.where(col + 1 < cols, places + 1, -1),
+        ],
+        axis=1,
+    )  # fmt: skip
+
+
+def expose_pixels(
+    scene: BlockScene, seed: int, frame: int, threads: int = 1, begins: Places | None = None
+) -> PixelExposures:
+    """Expose one frame of prepared pixels.
+
+    Parameters
+    ----------
+    scene : BlockScene
+        The result of `lay_out`.
+    seed, frame : int
+        Seed of the noise, and number of the frame.
+    threads : int
+        Number of threads. Results do not depend on it.
+    begins : int64, shape (pixels,), optional
+        The first segment of each pixel, or -1 - e for ending e; by default that of its code.
+
+    Returns
+    -------
+    PixelExposures
+    """
+    buckets, pixels = len(scene.container.buckets), len(scene.places)
+    result = PixelExposures(
+        np.empty((buckets, pixels)), np.empty((buckets, pixels), np.uint8),
+        np.zeros(pixels, np.int32),
+    )  # fmt: skip
+    first = scene.program.first_segment.reshape(-1)[scene.places] if begins is None else begins
+    # Light that takes too much memory is added up again in every frame.
+    charges = scene.kept or (_charge_scene(scene, part, threads) for part in scene.parts)
+    for charge in charges:
+        charge_e = _charge_of_frame(scene, charge, seed, frame, threads)
+        _run_words(scene, charge, charge_e, first, seed, frame, threads, result)
+    return result
+
+
+def _charge_of_frame(
+    scene: BlockScene, charge: ChargeScene, seed: int, frame: int, threads: int
+) -> Values:
+    """Return the charge (stretches, pixels) of a frame: means, counts, and exchange."""
+    if not charge.counted:
+        return charge.means.charge
+    away = count_stretches(charge.counted, charge.sites.place, seed, frame, threads)
+    charge_e = np.zeros(charge.means.charge.shape)
+    exchange = scene.effects.having(Exchange)
+    missing = base(seed, exchange[0][0].stream) if exchange else np.uint64(0)
+
+    def run(begin: int, end: int) -> None:
+        exchange_counts(
+            exchanging=Exchanging(
+                begin=begin, end=end, sites=away.shape[1], pixels=charge.pixels, frame=frame,
+                exchanged=charge.exchanged, missing=missing,
+            ),
+            stretches=scene.program.stretches, sites=charge.sites, mean_e=charge.means.charge,
+            missing_e2=charge.means.missing_e2, away=away, charge=charge_e,
+        )  # fmt: skip
+
+    in_parts(run, charge.pixels, threads, BLOCK)
+    return charge_e
+
+
+def _run_words(
+    scene: BlockScene, charge: ChargeScene, charge_e: Values, first_segment: Places, seed: int,
+    frame: int, threads: int, result: PixelExposures,
+) -> None:  # fmt: skip
+    """Run pixels through their words, and store their exposures in `result`."""
+    program, container, pixels = scene.program, scene.container, charge.pixels
+    places = charge.sites.place[:pixels]
+    shared: dict[str, Any] = {
+        "switches": scene.switches, "numbers": scene.numbers,
+        "keys": WordKeys(**draws_keys(seed, WORD_DRAWS)), "program": program.words,
+        "segments": program.segments, "readouts": program.readouts,
+        "begins": np.ascontiguousarray(first_segment[charge.number]), "places": places,
+        "chosen": charge.number, "patterns": charge.patterns,
+        "charge": Charge(charge_e, charge.means.pace), "out": result.exposure_e,
+        "marked": result.saturated_by, "ends": result.endings,
+    }  # fmt: skip
+    segments = len(program.segments.following)
+
+    def run(begin: int, end: int) -> None:
+        run_blocks(
+            sizes=BlockSizes(
+                first=begin, end=end, pixels=len(scene.places), charged=pixels, segments=segments,
+                numbered=program.numbered, frame=frame,
+            ),
+            block=BlockScratch(
+                head=np.full(segments, -1, np.int64), behind=np.empty(BLOCK, np.int64),
+                reached=np.empty(BLOCK, np.int64), fallen_fraction=np.empty(BLOCK),
+            ),
+            state=PixelState.of(len(container.target.analog_registers), 1 + program.numbered),
+            **shared,
+        )  # fmt: skip
+
+    in_parts(run, pixels, threads, BLOCK)

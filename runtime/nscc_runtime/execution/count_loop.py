@@ -1,0 +1,94 @@
+"""Poisson counts of pixels: deviations from their means."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.execution.block_draws import BLOCK, ROOM, counted
+from nscc_runtime.loop import Floats, Ints, Words, Written, loop, record
+from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.pool import in_parts
+
+
+@record
+class Counting:
+    """Sizes for `draw_counts`. Pixels `begin` to `end` - 1 of `pixels` are counted, in `groups`
+    groups of slots. `accumulates`: whether to add to the deviations of another source. `rate_cap`:
+    larger rates count as this rate."""
+
+    begin: int
+    end: int
+    pixels: int
+    groups: int
+    accumulates: int
+    rate_cap: float
+
+
+@loop
+def draw_counts(
+    counting: Counting,
+    keys: Annotated[Words, "groups"],
+    rates: Annotated[Floats, "groups pixels"],
+    places: Annotated[Ints, "pixels"],
+    values: Written[Floats],
+    scratch: Written[Floats],
+    pending_rates: Written[Floats],
+    pending_pixels: Written[Ints],
+    away: Written[Annotated[Floats, "groups pixels"]],
+) -> None:
+    """Set away[g, p], or increase it if `accumulates`, by a Poisson count minus its mean rates[g,
+    p].
+
+    `values`, `pending_rates` and `pending_pixels` are working memory for `BLOCK` pixels, `scratch`
+    for five times as many."""
+    for first in range(counting.begin, counting.end, BLOCK):
+        stop = min(first + BLOCK, counting.end)
+        for group in range(counting.groups):
+            at = group * counting.pixels + first
+            for i in range(stop - first):
+                values[i] = rates[at + i]
+            counted(
+                keys[group], counting.rate_cap, places, first, stop, values, scratch, pending_rates,
+                pending_pixels
+            )  # fmt: skip
+            for i in range(stop - first):
+                # Counts are clipped to the cap, but sums contain the light: no deviation there.
+                mean = rates[at + i] if rates[at + i] < counting.rate_cap else values[i]
+                before = away[at + i] if counting.accumulates else 0.0
+                away[at + i] = before + (values[i] - mean)
+
+
+def count_stretches(
+    sources: Sequence[tuple[int, int, NDArray[np.float64]]], places: NDArray[np.int64], seed: int,
+    frame: int, threads: int,
+) -> NDArray[np.float64]:  # fmt: skip
+    """Return the deviations of counts (rows, pixels) from their means, added up over sources.
+
+    `sources`: random stream, number of the source, and means (rows, pixels) of each. Row r of a
+    source is drawn with the key of group r."""
+    rows, pixels = sources[0][2].shape
+    away = np.empty((rows, pixels))
+    keys = [
+        np.array([key(seed, stream, source, frame, row) for row in range(rows)], np.uint64)
+        for stream, source, _ in sources
+    ]
+
+    def run(begin: int, end: int) -> None:
+        values, scratch, pending_rates = np.empty(BLOCK), np.empty(ROOM), np.empty(BLOCK)
+        for number, (of_rows, (_, _, means)) in enumerate(zip(keys, sources, strict=True)):
+            draw_counts(
+                counting=Counting(
+                    begin=begin, end=end, pixels=pixels, groups=rows, accumulates=int(number > 0),
+                    rate_cap=RATE_CAP,
+                ),
+                keys=of_rows, rates=means, places=places, away=away, values=values,
+                scratch=scratch, pending_rates=pending_rates,
+                pending_pixels=np.empty(BLOCK, np.int64),
+            )  # fmt: skip
+
+    in_parts(run, pixels, threads, BLOCK)
+    return away
