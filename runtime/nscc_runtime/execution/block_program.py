@@ -16,7 +16,14 @@ from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import CannotHave, Selection
 from nscc_runtime.effects.in_loops import figures, switches
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.execution.layout import LoopProgram, LoopWord, Numbers, Readouts, Segments, Switches
+from nscc_runtime.execution.layout import (
+    LoopProgram,
+    LoopWord,
+    Numbers,
+    Readouts,
+    Segments,
+    Switches,
+)
 from nscc_runtime.execution.stretch_loop import Stretches
 from nscc_runtime.looking.paths import Paths, paths_of
 from nscc_runtime.reference.trace import AnalogWord, RunningWord, analog_words, retention_us
