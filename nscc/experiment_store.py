@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import fcntl
 import json
 import os
@@ -10,18 +11,22 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from time import sleep, time
+from shutil import disk_usage
+from time import monotonic, sleep, time
 from types import TracebackType
 from typing import Any, Self
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 
 STORE = "store.sqlite"
 """The file name of the store in a folder of results."""
 CLAIMS = ".claims"
 """Suffix of the file that contains the claims of processes."""
-_BUSY_S = 60.0
-"""Seconds for which a write waits for other processes."""
+_BUSY_S, _PATIENCE_S = 60.0, 2.0
+"""Seconds for which a statement waits for other processes in all, and until the user is told."""
+_LEAST_BYTES = 1 << 16
+"""A disk with less free space than this is full: SQLite writes whole pages."""
 _POLL_S = 0.2
 _IN_USE = 1 << 60
 """Byte of the claims file on which each process that uses the store holds a shared lock."""
@@ -54,56 +59,107 @@ class ExperimentStore:
     that has the claim of a name measures it, and the others wait for the result. A claim ends with
     its process. The first value that is written for a name is never replaced.
 
-    Raises Rejected: NS0784 if the file cannot be written, NS0834 if it is not a store."""
+    Without `path` the measurements are kept in memory. `report` receives a text if another process
+    holds the file locked. After an interrupt, the user is told where the measurements are.
 
-    def __init__(self, path: Path) -> None:
-        self._path = path
+    Raises Rejected: NS0784 if the file cannot be written, or if it stays locked for a minute,
+    NS0834 if it is not a store."""
+
+    def __init__(
+        self, path: Path | None, report: Callable[[str], object] = lambda _text: None
+    ) -> None:
+        self._path, self._report = path, report
+        self._claims: int | None = None
+        self._known = False
         try:
-            claims = path.with_name(path.name + CLAIMS)
-            self._claims = os.open(claims, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
-            fcntl.lockf(self._claims, fcntl.LOCK_SH, 1, _IN_USE)
-            self._database = sqlite3.connect(path, timeout=_BUSY_S, isolation_level=None)
-            self._database.execute("PRAGMA journal_mode = WAL")
-            self._database.execute("PRAGMA synchronous = FULL")
-            self._database.execute(_TABLE)
+            if path is not None:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                claims = path.with_name(path.name + CLAIMS)
+                self._claims = os.open(claims, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+                fcntl.lockf(self._claims, fcntl.LOCK_SH, 1, _IN_USE)
+            self._database = sqlite3.connect(
+                path or ":memory:", timeout=_PATIENCE_S, isolation_level=None
+            )
         except (OSError, sqlite3.OperationalError) as error:
-            raise rejected(
-                "NS0784",
-                f"cannot write '{path}': {getattr(error, 'strerror', None) or error}",
-                helps=("choose a folder that you may write to",),
-            ) from error
-        except sqlite3.DatabaseError as error:
-            raise rejected(
+            raise self._rejected(error) from error
+        try:
+            for statement in ("PRAGMA journal_mode = WAL", "PRAGMA synchronous = FULL", _TABLE):
+                self._execute(statement)
+        except Rejected:
+            self.close()
+            raise
+
+    def _execute(self, statement: str, *values: object) -> list[Any]:
+        """Return the rows of a statement; wait while another process holds the file locked."""
+        begin = monotonic()
+        reported = False
+        while True:
+            try:
+                return self._database.execute(statement, values).fetchall()
+            except sqlite3.DatabaseError as error:
+                if isinstance(error, sqlite3.ProgrammingError):
+                    raise
+                if not _is_locked(error) or monotonic() - begin > _BUSY_S:
+                    raise self._rejected(error) from error
+            if not reported:
+                self._report(f"waiting for another process, which holds '{self._path}' locked")
+            reported = True
+
+    def _rejected(self, error: Exception) -> Rejected:
+        """Return the message for an error of the file."""
+        primary = getattr(error, "sqlite_errorcode", sqlite3.SQLITE_OK) & 0xFF
+        if primary in (sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_ERROR):
+            return rejected(
                 "NS0834",
-                f"'{path}' is not an experiment store",
+                f"'{self._path}' is not an experiment store",
                 notes=(f"SQLite says: {error}",),
                 helps=(
                     "move the file away: nscc then creates a new store and repeats all "
                     "measurements",
                 ),
-            ) from error
+            )
+        reason = getattr(error, "strerror", None) or str(error)
+        help_text = "choose a folder that you may write to"
+        if _is_locked(error):
+            reason = f"another process has held it locked for {_BUSY_S:.0f} seconds ({reason})"
+            help_text = "end the other process, or wait for it; then the same command continues"
+        elif self._is_full(error):
+            help_text = "free some space on this disk; then the same command continues"
+        return rejected("NS0784", f"cannot write '{self._path}': {reason}", helps=(help_text,))
+
+    def _is_full(self, error: Exception) -> bool:
+        """Return whether an error means that the disk is full; SQLite calls some of them I/O
+        errors."""
+        if getattr(error, "errno", 0) in (errno.ENOSPC, errno.EDQUOT):
+            return True
+        primary = getattr(error, "sqlite_errorcode", 0) & 0xFF
+        if primary != sqlite3.SQLITE_IOERR or self._path is None:
+            return bool(primary == sqlite3.SQLITE_FULL)
+        return disk_usage(self._path.parent).free < _LEAST_BYTES
 
     def values(self, experiment: str) -> dict[str, Any]:
         """Return all measurements of an experiment by name, in the order in which they ended."""
-        rows = self._database.execute(
-            "SELECT name, value FROM measurement WHERE experiment = ? ORDER BY rowid", (experiment,)
+        rows = self._execute(
+            "SELECT name, value FROM measurement WHERE experiment = ? ORDER BY rowid", experiment
         )
+        self._known |= bool(rows)
         return {name: json.loads(value) for name, value in rows}
 
     def timings(self, experiment: str) -> list[Timing]:
         """Return the timings of an experiment, in the order in which its measurements ended."""
-        rows = self._database.execute(
+        rows = self._execute(
             "SELECT name, label, seconds, ended, worker FROM measurement WHERE experiment = ? "
-            "ORDER BY rowid", (experiment,),
+            "ORDER BY rowid", experiment,
         )  # fmt: skip
         return [Timing(*row) for row in rows]
 
     def get(self, experiment: str, name: str) -> Any | None:
         """Return a measurement, or None if it is not stored."""
-        row = self._database.execute(
-            "SELECT value FROM measurement WHERE experiment = ? AND name = ?", (experiment, name)
-        ).fetchone()
-        return None if row is None else json.loads(row[0])
+        rows = self._execute(
+            "SELECT value FROM measurement WHERE experiment = ? AND name = ?", experiment, name
+        )
+        self._known |= bool(rows)
+        return json.loads(rows[0][0]) if rows else None
 
     def keep(
         self, experiment: str, name: str, value: Any, *, label: str = "", seconds: float = 0.0,
@@ -113,17 +169,18 @@ class ExperimentStore:
         represent."""
         if value is None:
             raise ValueError(f"the measurement '{name}' has no value")
-        self._database.execute(
+        self._execute(
             "INSERT OR IGNORE INTO measurement VALUES (?, ?, ?, ?, ?, ?, ?)",
-            (experiment, name, json.dumps(value, allow_nan=False), label, seconds, time(), worker),
-        )
+            experiment, name, json.dumps(value, allow_nan=False), label, seconds, time(), worker,
+        )  # fmt: skip
+        self._known = True
 
     def forget(self, experiment: str, *names: str) -> None:
         """Delete measurements of an experiment."""
-        self._database.executemany(
-            "DELETE FROM measurement WHERE experiment = ? AND name = ?",
-            [(experiment, name) for name in names],
-        )
+        for name in names:
+            self._execute(
+                "DELETE FROM measurement WHERE experiment = ? AND name = ?", experiment, name
+            )
 
     def once(self, experiment: str, name: str, measure: Callable[[], Any]) -> Any:
         """Return a stored measurement, or call `measure` and store its result.
@@ -143,40 +200,56 @@ class ExperimentStore:
 
     def claim(self, experiment: str, name: str) -> bool:
         """Claim a measurement; return False if another process has the claim, else True."""
-        try:
-            fcntl.lockf(self._claims, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, _place(experiment, name))
-        except BlockingIOError:
-            return False
+        if self._claims is not None:
+            place = _place(experiment, name)
+            try:
+                fcntl.lockf(self._claims, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, place)
+            except BlockingIOError:
+                return False
         return True
 
     def release(self, experiment: str, name: str) -> None:
         """Release the claim of a measurement."""
-        fcntl.lockf(self._claims, fcntl.LOCK_UN, 1, _place(experiment, name))
+        if self._claims is not None:
+            fcntl.lockf(self._claims, fcntl.LOCK_UN, 1, _place(experiment, name))
 
     def remove(self) -> None:
         """Close the store, and delete its files if no other process uses them."""
+        self._database.close()
+        if self._path is None or self._claims is None:
+            return
         try:
             fcntl.lockf(self._claims, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, _IN_USE)
+            for end in ("", "-wal", "-shm", CLAIMS):
+                self._path.with_name(self._path.name + end).unlink(missing_ok=True)
         except BlockingIOError:
-            return self.close()
-        self._database.close()
-        for end in ("", "-wal", "-shm", CLAIMS):
-            self._path.with_name(self._path.name + end).unlink(missing_ok=True)
-        os.close(self._claims)
+            pass  # the last process that uses the files deletes them
+        self.close()
 
     def close(self) -> None:
         """Release all claims of this process and close the file."""
         self._database.close()
-        os.close(self._claims)
+        if self._claims is not None:
+            os.close(self._claims)
+        self._claims = None
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(
-        self, _type: type[BaseException] | None, _value: BaseException | None,
+        self, _type: type[BaseException] | None, value: BaseException | None,
         _trace: TracebackType | None,
     ) -> None:  # fmt: skip
         self.close()
+        if isinstance(value, KeyboardInterrupt) and self._known and self._path is not None:
+            raise KeyboardInterrupt(
+                f"completed measurements are stored in '{self._path}'; the same command continues"
+            ) from value
+
+
+def _is_locked(error: Exception) -> bool:
+    primary = getattr(error, "sqlite_errorcode", 0) & 0xFF
+    return primary in (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED)
 
 
 def _place(experiment: str, name: str) -> int:
@@ -188,35 +261,24 @@ class Rows:
     """Measurements by name, in an experiment store in `file`; without a file nothing is stored.
 
     `of` is the digest of everything that affects the measurements; measurements with another digest
-    are ignored. Several processes can share a file and its work. After an interrupt, the user is
-    told where the measurements are. Raises Rejected as `ExperimentStore` does."""
+    are ignored. Raises Rejected as `ExperimentStore` does."""
 
-    def __init__(self, file: Path | None = None, of: str = "") -> None:
-        self._path, self._of = file, of
-        self._store = None if file is None else ExperimentStore(file)
+    def __init__(
+        self, file: Path | None = None, of: str = "",
+        report: Callable[[str], object] = lambda _text: None,
+    ) -> None:  # fmt: skip
+        self._of, self._store = of, ExperimentStore(file, report)
 
     def once(self, name: str, measure: Callable[[], Any]) -> Any:
         """Return the stored result, or call `measure` and store its result as JSON."""
-        return measure() if self._store is None else self._store.once(self._of, name, measure)
+        return self._store.once(self._of, name, measure)
 
     def remove(self) -> None:
         """Delete the file, after its values were written to the products."""
-        if self._store is not None:
-            self._store.remove()
-            self._store = None
+        self._store.remove()
 
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self, _type: type[BaseException] | None, value: BaseException | None,
-        _trace: TracebackType | None,
-    ) -> None:  # fmt: skip
-        if self._store is None:
-            return
-        known = bool(self._store.values(self._of))
-        self._store.close()
-        if isinstance(value, KeyboardInterrupt) and known:
-            raise KeyboardInterrupt(
-                f"completed measurements are stored in '{self._path}'; the same command continues"
-            ) from value
+    def __exit__(self, *raised: Any) -> None:
+        self._store.__exit__(*raised)

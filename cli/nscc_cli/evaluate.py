@@ -19,6 +19,7 @@ from nscc_cli.support import (
     refuse_ignored,
     say_compiling,
     say_done,
+    show,
 )
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ _save_option = click.option("--save", type=OUT, metavar="DIR",
 @_outputs
 def sci8(
     clips: tuple[Path, ...], method: str, iterations: int, weight: float, **outputs: Any
-) -> None:
+) -> int:
     """Run the benchmark of snapshot compressive imaging: eight frames from one measurement.
 
     The result marks reference methods that use the ground truth instead of the measurement
@@ -79,7 +80,7 @@ def sci8(
         say_compiling(denoise, "the loop of total variation")
     else:
         refuse_ignored(f"{method[:60]} has no total variation", "iterations", "weight")
-    _of_scenes(*evaluate_sci8(list(clips), method, iterations, weight), **outputs)
+    return _of_scenes(*evaluate_sci8(list(clips), method, iterations, weight), **outputs)
 
 
 @command.command("of", cls=CommonCommand)
@@ -108,7 +109,7 @@ def sci8(
 def of(
     subject: str, data: Path | None, protocol: str | None, split: str | None, seed: int,
     skip_seen: bool, shutter: str, effects: str, trust_code: bool, **outputs: Any,
-) -> None:  # fmt: skip
+) -> int:  # fmt: skip
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
     A run that was trained on one of the files is refused; --skip-seen leaves these files out.
@@ -141,7 +142,7 @@ def of(
         subject, data, protocol, seed, codes=shutter, effects=effects, skip_seen=skip_seen,
         trust_code=trust_code,
     )  # fmt: skip
-    _of_scenes(*evaluation, **outputs)
+    return _of_scenes(*evaluation, **outputs)
 
 
 @command.command("tables", cls=CommonCommand)
@@ -211,12 +212,15 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
 
 def _of_scenes(
     evaluation: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, **outputs: Any
-) -> None:
-    """Print and write the scores of scenes."""
-    from nscc_training.evaluation.results import arrays_in, result_text
+) -> int:
+    """Print and write the scores of scenes; return 1 if a file could not be read, else 0."""
+    from nscc_training.evaluation.results import arrays_in, damaged_files, result_text
 
     products = {} if save is None else arrays_in(save, arrays)
     _finish(evaluation, result_text(evaluation), products, **outputs)
+    damaged = damaged_files(evaluation)
+    show(damaged)
+    return 1 if damaged else 0
 
 
 def _finish(

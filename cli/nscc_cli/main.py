@@ -40,13 +40,15 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"nscc {__version__}")
         return DONE
     try:
-        with _interrupts() as interrupts:
+        with _interrupts(of_process=argv is None) as interrupts:
             status = _run(arguments, interrupts)
         if argv is None:
             gc.freeze()  # at exit, Python would search all objects for garbage
         return status
     except KeyboardInterrupt as stop:
         sys.stderr.write(f"\ninterrupted{': ' * bool(stop.args)}{stop}\n")
+        if argv is None:
+            signal.signal(signal.SIGINT, _leave)
         return INTERRUPTED
     except BrokenPipeError:
         # The reader has closed our output (`nscc disasm x.icw | head`). This is not an error, and
@@ -63,14 +65,18 @@ def _write_names_in_utf8() -> None:
 
 
 @contextmanager
-def _interrupts() -> Iterator[list[int]]:
-    """Yield a list that collects interrupts (SIGINT); each still raises KeyboardInterrupt.
+def _interrupts(*, of_process: bool) -> Iterator[list[int]]:
+    """Yield a list that collects interrupts (SIGINT); the first raises KeyboardInterrupt, and a
+    second one while the command cleans up ends the process, if it is ours (`of_process`).
 
     C code may discard the exception, as torch does while it imports numpy, and fail later. Outside
     the main thread, or if another handler is set, nothing is changed and the list stays empty."""
     came: list[int] = []
 
     def remember(number: int, frame: FrameType | None) -> None:
+        if came and of_process:
+            os.write(2, b"\ninterrupted\n")
+            _leave()
         came.append(number)
         signal.default_int_handler(number, frame)
 
@@ -83,6 +89,11 @@ def _interrupts() -> Iterator[list[int]]:
     finally:
         if ours:
             signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def _leave(*_signal: object) -> None:
+    """End the process at once, without a traceback: an interrupted user does not want to wait."""
+    os._exit(INTERRUPTED)
 
 
 def _run(arguments: list[str], interrupts: Sequence[int]) -> int:

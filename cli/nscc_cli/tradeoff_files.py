@@ -55,8 +55,7 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
     versions = [(name, installed_version(name)) for name in _DISTRIBUTIONS]
     key = digest((option_values, list(of), ours, versions, processor_name()))
     first = next(iter(files.values()))
-    first.parent.mkdir(parents=True, exist_ok=True)
-    return Rows(first.with_name(first.stem + STORE), key)
+    return Rows(first.with_name(first.stem + STORE), key, say_done)
 
 
 def _plain(value: Any) -> Any:

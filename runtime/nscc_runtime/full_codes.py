@@ -62,7 +62,7 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
     used, places = np.unique(program.lanes, return_inverse=True)
     lane_batches = np.array_split(used, -(-len(used) // _MOST_LANES))
     codes_by_batch = [_codes_of(program, lanes) for lanes in lane_batches]
-    shape = program.reference.groups.lane.shape
+    shape = program.lane.shape
     return {
         bit: np.concatenate([lane_codes[bit] for lane_codes in codes_by_batch], axis=1)[
             :, places
@@ -99,7 +99,7 @@ def _steady(
 ) -> tuple[Values, NDArray[np.uint8]]:
     """Return mean exposures (buckets, levels, lanes) of steady light, and saturation marks."""
     container, sensor, effects = program.container, program.sensor, everything()
-    seen_s = program.slot_s @ program.tables.seen_slots()[:, lanes]
+    seen_s = program.slot_s @ program.seen_slots[:, lanes]
     never = seen_s <= 0
     scale = effects.require_part(Well).full_e(sensor) / np.where(never, 1.0, seen_s)
     rate = (_LEVELS[:, None] * np.where(never, 0.0, scale)).reshape(-1)
@@ -129,7 +129,7 @@ class _SteadyPixels(WordPixels):
         """Return exposures and saturation marks for light of `rate` electrons per second."""
         start_s = np.concatenate(([0.0], np.cumsum(program.slot_s)))
         now_s = 0.0
-        for word in program.tables.decayed:
+        for word in program.decayed:
             ends_s = start_s[word.boundary] + 1e-6 * sum(ends(word) for ends in self.at("time"))
             passed_s = max(0.0, float(ends_s) - now_s)
             now_s += passed_s

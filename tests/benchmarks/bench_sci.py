@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from nscc_training import metrics
 from nscc_training.baselines.sci import gap_tv
 from nscc_training.baselines.tv_loop import denoise
-from nscc_training.protocol_scenes.sci import SciClip, sci_scenes
+from nscc_training.protocol_scenes.sci import SciClip, read_sci_clip
 from nscc_training.protocols import load_protocol
 
 _ITERATIONS = 40
@@ -70,7 +70,7 @@ def main() -> int:
         return 1
     denoise.load()
     protocol = load_protocol("sci8")
-    clips = {clip.file.stem: clip for clip in sci_scenes(arguments.clips, protocol)}
+    clips = {path.stem: read_sci_clip(path, protocol) for path in arguments.clips}
     for name, clip in (clips or {"made": made()}).items():
         best = [np.inf, np.inf]
         found: list[NDArray[np.float64]] = []

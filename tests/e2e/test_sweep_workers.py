@@ -151,6 +151,7 @@ def test_an_interrupted_sweep_prints_no_traceback(serial: tuple[Path, bytes]) ->
     assert process.returncode == 130
     assert b"Traceback" not in said
     assert b"KeyboardInterrupt" not in said
+    assert b"stored in 'interrupted/store.sqlite'; the same command continues" in said
     assert finished(folder, "interrupted", 0) == table
 
 

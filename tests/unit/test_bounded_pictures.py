@@ -12,8 +12,7 @@ from PIL import Image
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.npy import InvalidArrays
-from nscc_runtime.scenes import picture_size
-from nscc_runtime.scenes.clips import open_clip
+from nscc_runtime.scenes import pages as limits
 from nscc_runtime.scenes.light_arrays import mat_array, mat_arrays
 from nscc_runtime.scenes.picture_files import open_pages
 from nscc_training.array_files import read_picture_or_clip, real_array
@@ -24,7 +23,7 @@ SMALL, LARGE = np.full((20, 30, 3), 100, np.uint8), np.full((30, 40, 3), 100, np
 @pytest.fixture
 def bound(monkeypatch: pytest.MonkeyPatch) -> None:
     """One pixel less than LARGE has."""
-    monkeypatch.setattr(picture_size, "MOST_PIXELS", 1199)
+    monkeypatch.setattr(limits, "MOST_PIXELS", 1199)
 
 
 def refused(path: Path) -> str:
@@ -114,10 +113,10 @@ def write_video(path: Path, picture: np.ndarray, codec: str) -> None:
 @pytest.mark.parametrize("codec", ["ffv1", "mpeg4"])
 def test_videos(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, codec: str) -> None:
     write_video(tmp_path / "a.mkv", np.full((48, 64, 3), 100, np.uint8), codec)
-    assert len([*open_clip(tmp_path / "a.mkv").read()]) == 3
-    monkeypatch.setattr(picture_size, "MOST_PIXELS", 48 * 64 - 1)
+    assert len([*open_pages(tmp_path / "a.mkv").read()]) == 3
+    monkeypatch.setattr(limits, "MOST_PIXELS", 48 * 64 - 1)
     with pytest.raises(Rejected) as raised:
-        open_clip(tmp_path / "a.mkv")
+        open_pages(tmp_path / "a.mkv")
     (diagnostic,) = raised.value.diagnostics
     assert diagnostic.code == "NS0732"
     assert diagnostic.notes == (

@@ -16,7 +16,7 @@ from conftest import RunNscc
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import file_sha256, read_whole
 from nscc.npy import InvalidArrays, npz_arrays
-from nscc_runtime.scenes import picture_size
+from nscc_runtime.scenes import pages as limits
 from nscc_runtime.scenes.light_arrays import mat_arrays
 from nscc_runtime.scenes.picture_files import read_picture
 from nscc_training.array_files import read_picture_or_clip
@@ -175,7 +175,7 @@ def test_huge_pictures_are_refused_by_their_header(
             str(path), picture.astype(np.float32) if ending in (".hdr", ".pfm") else picture
         )
     assert read_picture(path).shape[:2] == (30, 40)
-    monkeypatch.setattr(picture_size, "MOST_PIXELS", 1199)
+    monkeypatch.setattr(limits, "MOST_PIXELS", 1199)
     with pytest.raises(Rejected) as raised:
         read_picture(path)
     (diagnostic,) = raised.value.diagnostics

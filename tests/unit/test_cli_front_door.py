@@ -253,6 +253,33 @@ def test_an_interrupt_that_is_swallowed_is_one(
     assert invoke(["check", "ok.nsl"], folder).status == 0
 
 
+TWICE = """
+import os, signal, time
+import nscc.compiler
+from nscc_cli.main import main
+
+def interrupted(*_):
+    try:
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(60)
+    finally:
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(60)
+
+nscc.compiler.compile_file = interrupted
+raise SystemExit(main())
+"""
+
+
+def test_a_second_interrupt_ends_at_once_without_a_traceback(folder: Path) -> None:
+    """While a command cleans up after the first one."""
+    ended = subprocess.run(
+        [sys.executable, "-c", TWICE, "check", "ok.nsl"], cwd=folder, capture_output=True,
+        text=True, timeout=60, check=False, env={**os.environ, "PYTHONPATH": ":".join(sys.path)},
+    )  # fmt: skip
+    assert (ended.returncode, ended.stderr) == (130, "\ninterrupted\n")
+
+
 def test_who_handles_interrupts_goes_on_to(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A program's own handler is left in place, and threads have none."""
     came: list[int] = []

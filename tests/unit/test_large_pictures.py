@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.scenes import picture_size
+from nscc_runtime.scenes import pages
 from nscc_runtime.scenes.exposure import BUILTIN
 from nscc_runtime.scenes.load import laid_scene
 from nscc_runtime.scenes.picture_files import open_pages, read_picture
@@ -46,8 +46,8 @@ def _shares(pixels: int, reduced_pixels: int) -> np.ndarray:
 @pytest.fixture
 def limits(monkeypatch: pytest.MonkeyPatch) -> None:
     """The picture of the tests lies between the usual limit and that of large pictures."""
-    monkeypatch.setattr(picture_size, "MOST_PIXELS", ROWS * COLS - 1)
-    monkeypatch.setattr(picture_size, "MOST_LARGE_PIXELS", ROWS * COLS)
+    monkeypatch.setattr(pages, "MOST_PIXELS", ROWS * COLS - 1)
+    monkeypatch.setattr(pages, "MOST_LARGE_PIXELS", ROWS * COLS)
 
 
 def write(path: Path, mode: str, **settings: Any) -> Path:
@@ -75,7 +75,7 @@ def test_a_large_picture_is_the_light_of_a_small_one(
     path = write(tmp_path / name, mode, **settings)
     fits = [fit for fit in FITS if fit != "tiles"]
     usual = [light(path, fit) for fit in fits]
-    monkeypatch.setattr(picture_size, "MOST_PIXELS", ROWS * COLS - 1)
+    monkeypatch.setattr(pages, "MOST_PIXELS", ROWS * COLS - 1)
     for fit, expected in zip(fits, usual, strict=True):
         np.testing.assert_allclose(light(path, fit), expected, rtol=1e-5)
 

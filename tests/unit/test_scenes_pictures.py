@@ -166,9 +166,12 @@ def test_primaries_of_an_exr_are_mentioned(tmp_path: Path) -> None:
     wide = (0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.329)
     rgb = {name: np.ones((ROWS, COLS), np.float32) for name in "RGB"}
     write_exr(tmp_path / "w.exr", rgb, chromaticities=wide)
-    assert "primaries" in open_pages(tmp_path / "w.exr").notes[0][0]
+    pages = open_pages(tmp_path / "w.exr")
+    assert "primaries" in pages.stated.notes[0][0]
+    # ITU-R BT.2020 gives these weights.
+    np.testing.assert_allclose(pages.colours.weights, (0.2627, 0.678, 0.0593), atol=1e-4)
     write_exr(tmp_path / "n.exr", rgb)
-    assert not open_pages(tmp_path / "n.exr").notes
+    assert not open_pages(tmp_path / "n.exr").stated.notes
 
 
 def raw_exr(channels: dict[str, tuple[np.ndarray, int]], rows: int, cols: int) -> bytes:
@@ -259,16 +262,17 @@ def png(chunks: dict[bytes, bytes], path: Path) -> None:
 @pytest.mark.parametrize(
     ("chunks", "transfer", "noted"),
     [
-        ({}, None, False),
+        ({}, "srgb", False),
         ({b"gAMA": struct.pack(">I", 100000)}, "linear", False),
         ({b"gAMA": struct.pack(">I", 45455)}, "srgb", False),
         ({b"gAMA": struct.pack(">I", 55556)}, None, True),
-        ({b"gAMA": struct.pack(">I", 100000), b"sRGB": b"\0"}, None, False),
+        ({b"gAMA": struct.pack(">I", 100000), b"sRGB": b"\0"}, "srgb", False),
         ({b"cICP": bytes([1, 13, 0, 1])}, "srgb", False),
-        ({b"cICP": bytes([9, 16, 0, 1])}, "pq", False),
-        ({b"cICP": bytes([9, 18, 0, 1])}, "hlg", False),
-        ({b"cICP": bytes([9, 8, 0, 1])}, "linear", False),
-        ({b"cICP": bytes([1, 4, 0, 1])}, None, True),
+        ({b"cICP": bytes([1, 16, 0, 1])}, "pq", False),
+        ({b"cICP": bytes([9, 18, 0, 1])}, "hlg", True),
+        ({b"cICP": bytes([1, 8, 0, 1])}, "linear", False),
+        ({b"cICP": bytes([1, 4, 0, 1])}, None, False),
+        ({b"cICP": bytes([1, 17, 0, 1])}, "srgb", True),
     ],
 )
 def test_curves_that_a_png_names(
@@ -276,7 +280,7 @@ def test_curves_that_a_png_names(
 ) -> None:
     png(chunks, tmp_path / "p.png")
     pages = open_pages(tmp_path / "p.png")
-    assert (pages.transfer, bool(pages.notes)) == (transfer, noted)
+    assert (pages.colours.transfer, bool(pages.stated.notes)) == (transfer, noted)
 
 
 def test_large_photographs_are_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

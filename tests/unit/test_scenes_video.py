@@ -11,7 +11,8 @@ import pytest
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime.scenes import ExposureLevel, load_scene
-from nscc_runtime.scenes.clips import open_clip
+from nscc_runtime.scenes.film_times import timed
+from nscc_runtime.scenes.picture_files import open_pages, read_frames
 
 av = pytest.importorskip("av")
 ROWS, COLS = 32, 64
@@ -53,7 +54,7 @@ def grey(value: int, dtype: Any = np.uint8, middle: int = 128) -> list[np.ndarra
 
 
 def frames_of(path: Path) -> list[np.ndarray]:
-    return [*open_clip(path).read()]
+    return [*open_pages(path).read()]
 
 
 @pytest.mark.parametrize("matrix", NUMBERS)
@@ -107,7 +108,7 @@ def test_a_ramp_grows_to_its_end(tmp_path: Path, curve: int, name: str) -> None:
     luma = np.tile(codes, (ROWS, 1))
     middle = np.full((ROWS, COLS), 512, "<u2")
     write(tmp_path / "v.mkv", [[luma, middle, middle]], "yuv444p10le", 9, True, curve)
-    assert open_clip(tmp_path / "v.mkv").transfer == name
+    assert open_pages(tmp_path / "v.mkv").colours.transfer == name
     light = load_scene(
         str(tmp_path / "v.mkv"), slot_us=(10.0,), rows=ROWS, cols=COLS,
         exposure=ExposureLevel(1.0, 100.0),
@@ -155,17 +156,27 @@ def test_rotation_is_that_of_the_file(tmp_path: Path, quarters: int) -> None:
 
 
 def test_frames_of_unequal_length(tmp_path: Path) -> None:
-    """At 0, 40, 80, 200 and 240 ms: the one at 80 lasts for three."""
+    """At 0, 40, 80, 200 and 240 ms: the one at 80 lasts for three steps."""
     values = (20, 60, 100, 140, 180)
     write(tmp_path / "v.mkv", [grey(v) for v in values], times=[0, 40, 80, 200, 240])
-    pages = open_clip(tmp_path / "v.mkv")
-    assert "variable frame rate, 40 to 120 ms" in pages.notes[0][0]
-    found = [int(frame[0, 0, 0]) for frame in pages.read()]
+    (note,) = timed(open_pages(tmp_path / "v.mkv")).notes
+    assert "frames of 40 to 120 ms" in note[0]
+    assert "steps of 40 ms" in note[0]
+    found = [int(frame[0, 0, 0]) for frame in read_frames(tmp_path / "v.mkv")]
     known = [round((v - 16) / 219 * 255) for v in (20, 60, 100, 100, 100, 140, 180)]
     assert found == known
-    assert pages.count == 7
     write(tmp_path / "e.mkv", [grey(v) for v in values], times=[0, 33, 67, 100, 133])
-    assert not open_clip(tmp_path / "e.mkv").notes
+    assert not timed(open_pages(tmp_path / "e.mkv")).notes
+
+
+def test_the_shortest_duration_is_the_step(tmp_path: Path) -> None:
+    """Frames of 20 ms among frames of 40 ms: each is shown, none is lost to a median."""
+    values = (20, 60, 100, 140, 180)
+    path = tmp_path / "v.mkv"
+    write(path, [grey(v) for v in values], times=[0, 40, 60, 80, 120])
+    stored = [int(frame[0, 0, 0]) for frame in open_pages(path).read()]
+    shown = [int(frame[0, 0, 0]) for frame in read_frames(path)]
+    assert shown == [stored[k] for k in (0, 0, 1, 2, 3, 3, 4, 4)]
 
 
 def test_a_video_that_breaks_off_says_how_many_frames_it_has(tmp_path: Path) -> None:
@@ -185,7 +196,7 @@ def test_a_video_that_breaks_off_says_how_many_frames_it_has(tmp_path: Path) -> 
                 container.mux(packet)
         for packet in stream.encode():
             container.mux(packet)
-    whole = open_clip(path)
+    whole = open_pages(path)
     assert (whole.count, whole.notes) == (20, ())
     data = path.read_bytes()
     path.write_bytes(data[: len(data) * 6 // 10])
@@ -204,7 +215,7 @@ def test_a_video_that_breaks_off_says_how_many_frames_it_has(tmp_path: Path) -> 
 def test_what_is_no_video_is_refused(tmp_path: Path, data: bytes) -> None:
     (tmp_path / "v.mp4").write_bytes(data)
     with pytest.raises(Rejected, match="NS0732"):
-        open_clip(tmp_path / "v.mp4")
+        open_pages(tmp_path / "v.mp4")
 
 
 def test_a_video_without_a_frame_that_decodes_is_refused(tmp_path: Path) -> None:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 import sqlite3
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
+from types import SimpleNamespace
+from unittest.mock import Mock
 
 import pytest
 from nscc_command import invoke
@@ -53,8 +57,7 @@ def test_measurements_of_another_experiment_do_not_count(tmp_path: Path) -> None
 
 
 def test_without_a_file_everything_is_measured() -> None:
-    rows = Rows()
-    assert [rows.once("a", lambda: 1), rows.once("a", lambda: 2)] == [1, 2]
+    assert [Rows().once("a", lambda: 1), Rows().once("a", lambda: 2)] == [1, 2]
 
 
 @pytest.mark.parametrize("bad", [float("nan"), float("inf"), None])
@@ -69,9 +72,56 @@ def test_what_is_no_store(tmp_path: Path) -> None:
     with pytest.raises(Rejected) as caught:
         ExperimentStore(tmp_path / "s")
     assert caught.value.diagnostics[0].code == "NS0834"
-    with pytest.raises(Rejected) as caught:
-        Rows(tmp_path / "no" / "rows", "x")
-    assert caught.value.diagnostics[0].code == "NS0784"
+    with sqlite3.connect(tmp_path / "other") as other:
+        other.execute("CREATE TABLE measurement (a)")
+    with ExperimentStore(tmp_path / "other") as store, pytest.raises(Rejected, match="NS0834"):
+        store.get("e", "a")
+    with pytest.raises(Rejected, match="choose a folder that you may write to"):
+        Rows(tmp_path / "s" / "rows", "x")
+
+
+def test_a_store_that_another_process_holds_is_waited_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("nscc.experiment_store._PATIENCE_S", 0.05)
+    reports: list[str] = []
+    with ExperimentStore(tmp_path / "s", reports.append) as store:
+        store.keep("e", "a", 1)
+        other = sqlite3.connect(tmp_path / "s", isolation_level=None, check_same_thread=False)
+        other.execute("BEGIN IMMEDIATE")
+        end = threading.Timer(0.5, other.execute, ["COMMIT"])
+        end.start()
+        store.keep("e", "b", 2)
+        end.join()
+        assert store.values("e") == {"a": 1, "b": 2}
+        assert len(reports) == 1
+        assert "waiting for another process" in reports[0]
+        monkeypatch.setattr("nscc.experiment_store._BUSY_S", 0.1)
+        other.execute("BEGIN IMMEDIATE")
+        with pytest.raises(Rejected, match="end the other process") as caught:
+            store.keep("e", "c", 3)
+        other.close()
+    assert (caught.value.diagnostics[0].code, caught.value.status) == ("NS0784", 2)
+
+
+@pytest.mark.parametrize("full", [sqlite3.SQLITE_FULL, sqlite3.SQLITE_IOERR, errno.ENOSPC])
+def test_a_full_disk_is_told_from_a_folder_without_permission(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, full: int
+) -> None:
+    """SQLite calls some writes to a full disk I/O errors."""
+    error: Exception = OSError(full, "No space left on device")
+    if full != errno.ENOSPC:
+        error = sqlite3.OperationalError("database or disk is full")
+        error.sqlite_errorcode = full  # type: ignore[attr-defined]
+    free = SimpleNamespace(free=0)
+    monkeypatch.setattr("nscc.experiment_store.disk_usage", lambda _folder: free)
+    monkeypatch.setattr(sqlite3, "connect", Mock(side_effect=error))
+    with pytest.raises(Rejected, match="free some space on this disk"):
+        ExperimentStore(tmp_path / "s")
+    free.free = 1 << 30
+    if full == sqlite3.SQLITE_IOERR:
+        with pytest.raises(Rejected, match="choose a folder"):
+            ExperimentStore(tmp_path / "s")
 
 
 WRITER = """

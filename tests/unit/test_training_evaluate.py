@@ -398,9 +398,42 @@ def test_baselines_of_clips(tmp_path: Path) -> None:
 
 def test_a_small_clip_is_named_with_its_own_size(tmp_path: Path) -> None:
     savemat(tmp_path / "flat.mat", {"orig": np.ones((64, 300, 16), np.uint8)})
-    (left_out,) = windows([tmp_path / "flat.mat"], load_protocol("video-v1"))
+    (left_out,) = windows(tmp_path / "flat.mat", load_protocol("video-v1"))
     assert isinstance(left_out, Unusable)
     assert left_out.reason == "64 x 300 is smaller than 256 x 256"
+
+
+def test_a_damaged_file_is_named_and_the_others_are_scored(tmp_path: Path) -> None:
+    """The means are those of a folder without it, and the exit status says that a file is missing;
+    of two damaged files nothing remains to score."""
+    for name in ("whole", "damaged"):
+        (tmp_path / name).mkdir()
+        for k in range(2):
+            clip(tmp_path / name / f"{k}.mat", 16, 256)
+    data = (tmp_path / "damaged/0.mat").read_bytes()
+    (tmp_path / "damaged/9.mat").write_bytes(data[: len(data) // 2])
+    line = ["evaluate", "thin-out", "--protocol", "video-v1", "--json", "--data"]
+    whole, damaged = (invoke([*line, name], tmp_path) for name in ("whole", "damaged"))
+    assert (whole.status, whole.codes) == (0, [])
+    assert damaged.status == 1
+    result = json.loads(damaged.out)
+    assert result["items"] == json.loads(whole.out)["items"]
+    [left_out] = result["left_out"]
+    assert left_out["file"] == "9.mat"
+    assert [left_out["code"]] == damaged.codes
+    assert "9.mat" in damaged.err
+    human = invoke(["evaluate", "thin-out", *line[2:4], "--data", "damaged"], tmp_path)
+    assert "left out: 9.mat" in human.out
+    (tmp_path / "g.toml").write_text(
+        'kind = "evaluate"\n[q]\nsubject = "thin-out"\nprotocol = "video-v1"\n'
+        'data = ["whole", "damaged"]\n'
+    )
+    swept = invoke(["sweep", "g.toml", "--out", "o", "--workers", "0"], tmp_path)
+    assert f"1 x {left_out['code']}" in swept.err
+    for k in range(2):
+        (tmp_path / f"damaged/{k}.mat").write_bytes(b"no clip")
+    nothing = invoke([*line, "damaged"], tmp_path)
+    assert (nothing.status, len(nothing.codes), nothing.out) == (2, 3, "")
 
 
 def test_data_of_which_nothing_can_be_used(tmp_path: Path) -> None:

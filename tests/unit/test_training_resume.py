@@ -15,6 +15,8 @@ from safetensors.torch import load_file  # noqa: E402
 from small_runs import CLIP, FILES, STILL, changed, run  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
+from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.loop.train import train  # noqa: E402
 
 
 @pytest.mark.parametrize("values", [STILL, CLIP], ids=["still", "clip"])
@@ -38,6 +40,26 @@ def test_resuming_changes_no_bit(values: dict[str, Any], tmp_path: Path) -> None
         )
         assert first.keys() == second.keys()
         assert all(torch.equal(first[key], second[key]) for key in first)
+
+
+def test_who_interrupts_is_told_how_to_go_on(tmp_path: Path) -> None:
+    settings = settings_of(changed(CLIP, "train", validate_every=2), ())
+
+    def until(last: int):
+        def track(items, _label, _total):
+            for number, item in enumerate(items):
+                if number == last:
+                    raise KeyboardInterrupt
+                yield item
+
+        return track
+
+    with pytest.raises(KeyboardInterrupt, match="no checkpoint yet; the same command starts again"):
+        train(settings, tmp_path / "r", track=until(1))
+    with pytest.raises(KeyboardInterrupt, match=r"checkpoint is stored in '.*r'; the same command"):
+        train(settings, tmp_path / "r", track=until(3))
+    with pytest.raises(KeyboardInterrupt, match="'; --resume auto continues"):
+        train(settings, tmp_path / "r", track=until(3), resume="never")
 
 
 def put_back_checkpoint(values: dict[str, Any], out: Path) -> None:

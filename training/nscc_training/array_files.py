@@ -118,8 +118,8 @@ def _chosen(path: Path, key: str | None, names: list[str]) -> str:
 
 
 def _read_image(path: Path, suffix: str) -> NDArray[Any]:
-    from nscc_runtime.scenes.colour import linear, luminance
-    from nscc_runtime.scenes.picture_files import LINEAR, PICTURES, open_pages
+    from nscc_runtime.scenes.colour import grey
+    from nscc_runtime.scenes.picture_files import PICTURES, open_pages
 
     if suffix not in PICTURES:
         raise rejected(
@@ -128,19 +128,20 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
             notes=(f"arrays end in {', '.join(ARRAYS)}, pictures in {', '.join(PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
-    pages: list[NDArray[Any]] = []
-    for page in open_pages(path).read():
-        pages.append(page)
+    pages = open_pages(path)
+    pictures: list[NDArray[Any]] = []
+    for picture in pages.read():
+        pictures.append(picture)
         try:
-            check_size((len(pages) - 1) * page.nbytes, _MOST_BYTES)
+            check_size((len(pictures) - 1) * picture.nbytes, _MOST_BYTES)
         except InvalidArrays as error:
             message = f"'{path}' holds too many pictures"
             raise unreadable("NS0801", message, error, "save fewer pictures in a file") from error
-    stored = np.stack(pages) if len(pages) > 1 else pages[0]
-    if pages[0].ndim == 2:
+    if pages.is_light and pictures[0].ndim == 3:
+        pictures = [grey(picture, pages.colours, None) for picture in pictures]
+    stored = np.stack(pictures) if len(pictures) > 1 else pictures[0]
+    if pictures[0].ndim == 2:
         return stored
-    if suffix in LINEAR:
-        return luminance(linear(stored, "linear"))
     if (stored == stored[..., :1]).all():
         return stored[..., 0]
     raise rejected(

@@ -28,12 +28,12 @@ from nscc_training.cell_programs import (
 from nscc_training.cells import CellNoise, PixelCell, Update, set_moving_edges
 from nscc_training.draws import generator_of
 from nscc_training.made_scenes import DIRECTIONS, moving_texture
+from nscc_training.random_streams import CellStream
 
 PROGRAM, KERNELS, DECODER, STATE = (
     "direction.nsl", "direction.kernels.npz", "direction.decoder.safetensors", "direction.pt"
 )  # fmt: skip
 """Names of the files of a trained cell."""
-_TRAINING, _TEST, _BATCHES, _NOISE = range(4)
 """Random-stream indices."""
 _RATE = 0.02
 _BLOCK = 32
@@ -125,7 +125,7 @@ class MotionCell:
         return target.rows * target.cols * target.code_bits
 
 
-def motion_films(settings: MotionSettings, count: int, stream: int) -> tuple[Tensor, Tensor]:
+def motion_films(settings: MotionSettings, count: int, stream: CellStream) -> tuple[Tensor, Tensor]:
     """Return films (count, frames, size, size) in full wells, and their directions."""
     generator = np.random.default_rng([settings.seed, stream])
     directions = np.arange(count) % len(DIRECTIONS)
@@ -149,8 +149,8 @@ def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> Mot
         pool=settings.pool, update=settings.update, level=level_on_chip(0.5, target),
     )  # fmt: skip
     set_moving_edges(cell)
-    films, directions = motion_films(settings, settings.films, _TRAINING)
-    test_films, test_directions = motion_films(settings, settings.test_films, _TEST)
+    films, directions = motion_films(settings, settings.films, CellStream.TRAINING_FILMS)
+    test_films, test_directions = motion_films(settings, settings.test_films, CellStream.TEST_FILMS)
     # The noise follows from the size of a cell: the program of the untrained cell gives it.
     noise = CellNoise.of(_program(cell, target)[0])
     trained_noise = CellNoise(noise.exposure * settings.noise, noise.count * settings.noise)
@@ -254,7 +254,7 @@ def _means(bits: Tensor) -> Tensor:
 
 def _shares(cell: PixelCell, light: Tensor, noise: CellNoise | None, seed: int) -> Tensor:
     """Return the fraction of 1 bits (films, outputs) of films computed in torch."""
-    generator = generator_of(light.device, seed, _NOISE)
+    generator = generator_of(light.device, seed, CellStream.NOISE)
     with torch.no_grad():
         return torch.cat([
             (cell.film(part, noise=noise, generator=generator).mean((1, 3, 4)) + 1) / 2
@@ -267,7 +267,7 @@ def _train(
     noise: CellNoise | None,
 ) -> None:  # fmt: skip
     """Train a cell together with a linear decoder, which is then discarded."""
-    generator = generator_of(films.device, settings.seed, _BATCHES, steps)
+    generator = generator_of(films.device, settings.seed, CellStream.BATCHES, steps)
     decoder = nn.Sequential(
         nn.BatchNorm1d(cell.outputs, affine=False), nn.Linear(cell.outputs, len(DIRECTIONS))
     )

@@ -14,14 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.scenes import clips
-from nscc_runtime.scenes.clips import read_clip
-from nscc_runtime.scenes.colour import Transfer, grey
+from nscc_runtime.scenes import picture_files
+from nscc_runtime.scenes.colour import Colours, Transfer, grey
 from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, clip_white, mat_shapes, read_mat
-from nscc_runtime.scenes.picture_files import PICTURES, size_of
+from nscc_runtime.scenes.picture_files import PICTURES, open_pages, read_frames
 
 _PICKED = re.compile(r"(.+)#(\d+(?:,\d+)*)/([1-9]\d*)")
-CLIPS = (*clips.CLIPS, ".mat")
+CLIPS = (*picture_files.CLIPS, ".mat")
 """File endings of clips: videos, and the arrays of the benchmark."""
 
 
@@ -80,15 +79,15 @@ def centre_of(frame: NDArray[Any], size: int) -> NDArray[Any]:
     return frame[first_row : first_row + size, first_col : first_col + size]
 
 
-def light_in(stored: NDArray[Any], transfer: Transfer) -> NDArray[np.float64]:
+def light_in(stored: NDArray[Any], colours: Transfer | Colours) -> NDArray[np.float64]:
     """Return the light (rows, cols) of a stored picture or frame, for colours the luminance."""
-    return grey(stored, transfer, None)
+    return grey(stored, colours, None)
 
 
 def frames_in(path: Path) -> Iterable[NDArray[Any]]:
     """Yield the stored frames of a clip; white is 1 in float frames."""
     if path.suffix.lower() != ".mat":
-        return read_clip(path)
+        return read_frames(path)
     key, stored = read_mat(path, lambda _shape: None)
     if key != MAT_CLIP_KEY:
         return stored
@@ -100,9 +99,9 @@ def frame_size(path: Path) -> tuple[int, int]:
     """Return rows and columns of a picture, or of the frames of a clip; raise Rejected as their
     readers do.
 
-    Pictures and .mat files are not decoded, of a video only the first frame is."""
-    if path.suffix.lower() in PICTURES:
-        return size_of(path)
+    Pictures, videos and .mat files are not decoded."""
+    if path.suffix.lower() in PICTURES + picture_files.CLIPS:
+        return open_pages(path).sizes[0]
     if path.suffix.lower() == ".mat":
         with suppress(Exception):  # the reader below refuses a damaged file
             rows, cols, _ = mat_shapes(path)[MAT_CLIP_KEY]

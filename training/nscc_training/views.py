@@ -28,8 +28,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.pictures.images import Image, image_plane_sheet, image_sheet
 from nscc_runtime.pictures.sheet import head, look, panels, png_of
 from nscc_runtime.pictures.tone import fitted
-from nscc_runtime.scenes.clips import CLIPS, read_clip
-from nscc_runtime.scenes.picture_files import PICTURES, open_pages, transfer_of
+from nscc_runtime.scenes.picture_files import CLIPS, PICTURES, open_pages, read_frames
 from nscc_runtime.sensor import load_sensor
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.demo.expose import camera
@@ -80,18 +79,15 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
         return _drawn(path, result_sheet, result_values, path.name)
     if suffix == ".npz":
         return _of_arrays(path, tone)
-    if suffix in PICTURES:
-        pages = open_pages(path)
-        most = _MOST_DRAWN_PIXELS if pages.count == 1 else _MOST_FRAME_PIXELS
-        stored = [_reduced(page, most) for page in islice(pages.read(), _MOST_FRAMES)]
-        linear = transfer_of(path) == "linear" or stored[0].dtype.kind == "f"
-        moving = pages.count > 1
-    elif suffix in CLIPS:
-        frames = islice(read_clip(path), _MOST_FRAMES)
-        stored, linear, moving = [_reduced(f, _MOST_FRAME_PIXELS) for f in frames], False, True
-    else:
+    if suffix not in PICTURES + CLIPS:
         raise _nothing_to_view(path, f"the ending '{suffix}' cannot be viewed")
-    clip = np.stack([light_in(frame, "linear" if linear else "srgb") for frame in stored])
+    pages = open_pages(path)
+    moving = pages.count > 1 or pages.is_clip
+    most = _MOST_FRAME_PIXELS if moving else _MOST_DRAWN_PIXELS
+    frames = read_frames(path) if moving else pages.read()
+    stored = [_reduced(frame, most) for frame in islice(frames, _MOST_FRAMES)]
+    linear = pages.colours.transfer == "linear" or stored[0].dtype.kind == "f"
+    clip = np.stack([light_in(f, "linear" if linear else pages.colours) for f in stored])
     usual, unit = ("log", "e") if linear else ("srgb", "")
     content = Content({}, clip if moving else clip[0], moving, tone=tone, usual=usual, unit=unit)
     return png_of(content_sheet, content, path.name)

@@ -230,17 +230,18 @@ def _ours(
 
 def _pictures(path: Path) -> NDArray[Any]:
     """Return the stored values (K, rows, cols) of a grey picture or a folder of pictures."""
-    from nscc_runtime.scenes import picture_files
+    from nscc_runtime.scenes.picture_files import PICTURES, open_pages
+    from nscc_runtime.scenes.picture_folders import files_of, read_folder
 
     if path.is_dir():
         # The order of frames does not matter, nor do gaps in their numbers.
-        pictures = list(picture_files.read_folder(picture_files.files_of(path, skip=True)))
-    elif path.suffix.lower() in picture_files.PICTURES:
-        pictures = list(picture_files.open_pages(path).read())
+        pictures = [picture for picture, _ in read_folder(files_of(path, skip=True))]
+    elif path.suffix.lower() in PICTURES:
+        pictures = list(open_pages(path).read())
     else:
         raise _no_frames(
             f"the ending of '{path}' is not a format for frames",
-            notes=(f"frames end in .npz, .npy, .mat, {', '.join(picture_files.PICTURES)}",),
+            notes=(f"frames end in .npz, .npy, .mat, {', '.join(PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
     for picture in pictures:

@@ -35,7 +35,7 @@ from nscc_runtime.execution.block_program import (
     numbers_of,
     switches_of,
 )
-from nscc_runtime.execution.count_loop import count_stretches
+from nscc_runtime.execution.count_loop import draw_deviations
 from nscc_runtime.execution.layout import (
     BLOCK,
     Numbers,
@@ -198,7 +198,7 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
         missing_e2=zeros(is_counted, rows, pixels),
     )  # fmt: skip
     sizes: dict[str, Any] = {
-        "sites": count, "pixels": pixels, "chip_pixels": program.lane.size,
+        "sites": count, "own": pixels, "pixels": program.lane.size,
         "even": scene.light.even, "counts_light": bool(lit), "counts_dark": bool(dark),
         "slow_words": slow, "exchanged": exchanged, "rate_cap": RATE_CAP,
     }  # fmt: skip
@@ -217,7 +217,9 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     in_parts(charge_pixels, pixels, threads, _FEWEST)
     counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
     counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
-    device = Device(sensor=scene.sensor, device_seed=scene.device_seed, places=sites.place[:pixels])
+    device = Device(
+        sensor=scene.sensor, device_seed=scene.device_seed, places=sites.place[:pixels]
+    )
     fixed = Patterns(**patterns(effects, device))
     return ChargeScene(number, sites, fixed, counted, means, exchanged)
 
@@ -303,7 +305,7 @@ def _charge_of_frame(
     """Return the charge (stretches, pixels) of a frame: means, counts, and exchange."""
     if not charge.counted:
         return charge.means.charge
-    away = count_stretches(charge.counted, charge.sites.place, seed, frame, threads)
+    away = draw_deviations(charge.counted, charge.sites.place, seed, frame, threads)
     charge_e = np.zeros(charge.means.charge.shape)
     exchange = scene.effects.having(Exchange)
     missing = base(seed, exchange[0][0].stream) if exchange else np.uint64(0)

@@ -62,7 +62,7 @@ def draw_counts(
                 away[at + i] = before + (values[i] - mean)
 
 
-def count_stretches(
+def draw_deviations(
     sources: Sequence[tuple[int, int, NDArray[np.float64]]], places: NDArray[np.int64], seed: int,
     frame: int, threads: int,
 ) -> NDArray[np.float64]:  # fmt: skip

@@ -1,4 +1,4 @@
-"""Loops for frames by weighted sums: counts, exposures from counts and noise, converter codes.
+"""Loops for frames by weighted sums: exposures from counts and noise, and converter codes.
 
 `nscc_runtime.execution.summed` prepares the arguments that all frames of a scene share."""
 
@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from nscc_runtime.execution.block_draws import BLOCK, counted, drawn_normals, read_out
+from nscc_runtime.execution.block_draws import BLOCK, drawn_normals, read_out
 from nscc_runtime.loop import (
     Bytes,
     Floats,
@@ -25,54 +25,6 @@ UP, DOWN, LEFT, RIGHT = range(4)
 
 
 @record
-class Counting:
-    """Sizes for `draw_counts`. Pixels `begin` to `end` - 1 of `pixels` are counted, in `groups`
-    groups of slots. `accumulates`: whether to add to the deviations of another source. `rate_cap`:
-    larger rates count as this rate."""
-
-    begin: int
-    end: int
-    pixels: int
-    groups: int
-    accumulates: int
-    rate_cap: float
-
-
-@loop
-def draw_counts(
-    counting: Counting,
-    keys: Annotated[Words, "groups"],
-    rates: Annotated[Floats, "groups pixels"],
-    places: Annotated[Ints, "pixels"],
-    values: Written[Floats],
-    scratch: Written[Floats],
-    pending_rates: Written[Floats],
-    pending_pixels: Written[Ints],
-    away: Written[Annotated[Floats, "groups pixels"]],
-) -> None:
-    """Set away[g, p], or increase it if `accumulates`, by a Poisson count minus its mean rates[g,
-    p].
-
-    `values`, `pending_rates` and `pending_pixels` are working memory for `BLOCK` pixels, `scratch`
-    for five times as many."""
-    for first in range(counting.begin, counting.end, BLOCK):
-        stop = min(first + BLOCK, counting.end)
-        for group in range(counting.groups):
-            at = group * counting.pixels + first
-            for i in range(stop - first):
-                values[i] = rates[at + i]
-            counted(
-                keys[group], counting.rate_cap, places, first, stop, values, scratch, pending_rates,
-                pending_pixels
-            )  # fmt: skip
-            for i in range(stop - first):
-                # Counts are clipped to the cap, but sums contain the light: no deviation there.
-                mean = rates[at + i] if rates[at + i] < counting.rate_cap else values[i]
-                before = away[at + i] if counting.accumulates else 0.0
-                away[at + i] = before + (values[i] - mean)
-
-
-@record
 class Adding:
     """Sizes for `add_up`. `fraction`: part of a pixel's charge that moves to each neighbour."""
 
@@ -83,8 +35,8 @@ class Adding:
     pixels: int
     buckets: int
     lane_count: int
-    groups: int
-    """Number of groups of slots whose charge is counted; 0 without counts."""
+    draws: int
+    """Number of counts that are drawn for a pixel; 0 without counts."""
     sources: int
     """Number of sources of small errors."""
     exchanges: int
@@ -94,7 +46,7 @@ class Adding:
 
 @compiled
 def _beside(
-    adding: Adding, direction: int, group: int, bucket: int, first: int, stop: int,
+    adding: Adding, direction: int, draw: int, bucket: int, first: int, stop: int,
     own_weights: Floats32, neighbour_weights: Floats32, away: Floats, total: Floats,
 ) -> None:  # fmt: skip
     """Add to total[bucket, i] the charge from one neighbour minus the charge given to it."""
@@ -109,13 +61,13 @@ def _beside(
         step, begin = -1, first if first % cols else first + 1
     else:
         step, end = 1, stop if stop % cols else stop - 1
-    group_start = group * adding.pixels
-    own_start = (group * adding.buckets + bucket) * pixels
-    neighbour_start = ((group * 4 + direction) * adding.buckets + bucket) * pixels
+    draw_start = draw * adding.pixels
+    own_start = (draw * adding.buckets + bucket) * pixels
+    neighbour_start = ((draw * 4 + direction) * adding.buckets + bucket) * pixels
     at = bucket * BLOCK - first
     for p in range(begin, end):
-        given_e = own_weights[own_start + p] * away[group_start + p]
-        received_e = neighbour_weights[neighbour_start + p] * away[group_start + p + step]
+        given_e = own_weights[own_start + p] * away[draw_start + p]
+        received_e = neighbour_weights[neighbour_start + p] * away[draw_start + p + step]
         total[at + p] += adding.fraction * (received_e - given_e)
 
 
@@ -129,14 +81,14 @@ def _counted(
         at = bucket * BLOCK - first
         for p in range(first, stop):
             total[at + p] = 0.0
-        for group in range(adding.groups):
-            own_start = (group * adding.buckets + bucket) * adding.pixels
-            group_start = group * adding.pixels
+        for draw in range(adding.draws):
+            own_start = (draw * adding.buckets + bucket) * adding.pixels
+            draw_start = draw * adding.pixels
             for p in range(first, stop):
-                total[at + p] += own_weights[own_start + p] * away[group_start + p]
+                total[at + p] += own_weights[own_start + p] * away[draw_start + p]
             for direction in range(4 if adding.exchanges else 0):
                 _beside(
-                    adding, direction, group, bucket, first, stop, own_weights, neighbour_weights,
+                    adding, direction, draw, bucket, first, stop, own_weights, neighbour_weights,
                     away, total,
                 )  # fmt: skip
 
@@ -148,8 +100,8 @@ def add_up(
     lanes: Annotated[Ints32, "pixels"],
     places: Annotated[Ints, "pixels"],
     expected: Annotated[Floats, "buckets pixels"],
-    away: Annotated[Floats, "groups pixels"],
-    own_weights: Annotated[Floats32, "groups buckets pixels"],
+    away: Annotated[Floats, "draws pixels"],
+    own_weights: Annotated[Floats32, "draws buckets pixels"],
     neighbour_weights: Floats32,
     sigma: Annotated[Floats, "sources buckets lane_count"],
     total: Written[Floats],
@@ -158,7 +110,7 @@ def add_up(
 ) -> None:
     """Compute exposures of some rows of a frame from their means and from deviations of counts.
 
-    `own_weights`: weights of a pixel's own deviations. `neighbour_weights` (groups, 4, buckets,
+    `own_weights`: weights of a pixel's own deviations. `neighbour_weights` (draws, 4, buckets,
     pixels): weights of its neighbours' deviations, used if neighbours exchange counts. `total` and
     `drawn` are working memory for `BLOCK` pixels, `total` for each bucket."""
     pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols

@@ -10,11 +10,13 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.parts import Exchange, Moving, Saturates
+from nscc_runtime.effects.parts import Moving, Saturates, Soft, Well
 from nscc_runtime.effects.selection import Selection
-from nscc_runtime.execution.chip import SimulatedChip, chip_of
+from nscc_runtime.effects.views import Device
+from nscc_runtime.execution.moments import dark_e_per_s, exchanged_fraction, light_factor
 from nscc_runtime.execution.overlap import NEIGHBOURS
 from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.execution.register_reach import reach_of
 from nscc_runtime.execution.sum_loop import SlotWeights
 from nscc_runtime.light import Light
 
@@ -53,83 +55,102 @@ NO_PIXELS = NearSaturation(
 
 
 def near_saturation(
-    program: AnalysedProgram, light: Light, device_seed: int, requested_effects: Selection
+    program: AnalysedProgram, light: Light, device_seed: int, effects: Selection
 ) -> NearSaturation:
-    """Return the pixels that may saturate under `requested_effects`; cached with the light."""
-    if not requested_effects.names(Saturates):
+    """Return the pixels that may saturate under `effects`; cached with the light."""
+    if not effects.names(Saturates):
         return NO_PIXELS
-    source = (requested_effects.find_part(Moving) and light.motion) or light
-    key = NearSaturation, device_seed, requested_effects.on
-    by_light: WeakKeyDictionary[Light, NearSaturation] = program.recent_chips.of(
-        key, WeakKeyDictionary
+    source = (effects.find_part(Moving) and light.motion) or light
+    by_light: WeakKeyDictionary[Light, NearSaturation] = program.recent.of(
+        (NearSaturation, device_seed, effects.on), WeakKeyDictionary
     )
     if source not in by_light:
-        chip = chip_of(program, device_seed, requested_effects, requested_effects)
-        by_light[source] = _search(chip, source)
+        by_light[source] = _search(program, source, effects, program.device(device_seed))
     return by_light[source]
 
 
-def _search(chip: SimulatedChip, light: Light) -> NearSaturation:
+@dataclass(frozen=True, eq=False)
+class _Limits:
+    """For each lane the weights of slots (kinds, N, lanes) on PIX and in registers, the seconds of
+    dark charge in them (kinds, lanes), the smallest charge with which a pixel may saturate (kinds,
+    lanes), and the smallest mean charge (lanes,) that noise may raise to it."""
+
+    weights: SlotWeights
+    dark_s: Values
+    saturation_e: Values
+    mean_e: Values
+
+
+def _search(
+    program: AnalysedProgram, light: Light, effects: Selection, device: Device
+) -> NearSaturation:
     """Return the pixels that may saturate: an upper bound for all pixels selects candidates, whose
     charge is then computed."""
-    weights, dark_s, limit = chip.compute_once(_of_lanes)
-    total_e = light.sum_e * chip.scale.reshape(light.shape)
+    limits: _Limits = program.recent.of(
+        (_Limits, effects.on), lambda: _limits(program, effects)
+    )
+    factor, current = light_factor(effects, device), dark_e_per_s(effects, device)
+    exchanged = exchanged_fraction(effects, program.sensor)
+    total_e = light.sum_e * factor.reshape(light.shape)
     gained_e: Values = np.zeros(light.shape)
-    if chip.kept_effects.find_part(Exchange) is not None:
+    if exchanged:
         for pixels, neighbours in NEIGHBOURS:
             gained_e[pixels] += total_e[neighbours]
-        gained_e *= chip.exchanged
+        gained_e *= exchanged
     gained_e = gained_e.reshape(-1)
     # The bound adds up the dark charge of the frame, crosstalk, and the largest fraction of the
     # light that PIX or a register can contain.
-    lanes = chip.array.flat_lanes
-    bound_e = weights.of_frames(light).most_part.take(lanes) * total_e.reshape(-1)
-    bound_e += chip.current * float(chip.program.slot_s.sum())
+    lanes = program.lanes
+    bound_e = limits.weights.of_frames(light).most_part.take(lanes) * total_e.reshape(-1)
+    bound_e += current * float(program.slot_s.sum())
     bound_e += gained_e
-    places = np.flatnonzero(bound_e >= limit.take(lanes))
+    places = np.flatnonzero(bound_e >= limits.mean_e.take(lanes))
     if not len(places):
         return NO_PIXELS
-    most_e, own_e = _charges(chip, light, weights, dark_s, places, gained_e[places])
-    limits = chip.saturation_e[:, lanes[places]]
-    is_near = np.any(most_e >= limits, axis=0)
-    spilt = ~np.any(own_e >= limits, axis=0)
+    lanes = lanes[places]
+    seen_e = _seen_e(limits.weights, light, lanes, places) * factor[places]
+    row, col = np.divmod(places, light.shape[1])
+    below, right = row + 1 < light.shape[0], col + 1 < light.shape[1]
+    neighbour_count = (row > 0).astype(np.int64) + below + (col > 0) + right
+    # Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours.
+    given_fraction = exchanged * neighbour_count
+    most_e = np.maximum(seen_e, (1.0 - given_fraction) * seen_e + gained_e[places])
+    dark_e = current[places] * limits.dark_s[:, lanes]
+    most_e, own_e = _reaching(most_e + dark_e), _reaching(seen_e + dark_e)
+    saturation_e = limits.saturation_e[:, lanes]
+    is_near = np.any(most_e >= saturation_e, axis=0)
+    spilt = ~np.any(own_e >= saturation_e, axis=0)
     return NearSaturation(places[is_near], most_e[0, is_near], own_e[0, is_near], spilt[is_near])
 
 
-def _charges(
-    chip: SimulatedChip, light: Light, weights: SlotWeights, dark_s: Values, places: Places,
-    gained_e: Values,
-) -> tuple[Values, Values]:  # fmt: skip
-    """Return the largest charge (kinds, places) of each pixel, with and without crosstalk.
-
-    Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours. `gained_e`
-    (places,): the charge that pixels receive from their neighbours."""
-    lanes = chip.array.flat_lanes[places]
+def _seen_e(
+    weights: SlotWeights, light: Light, lanes: NDArray[np.int32], places: Places
+) -> Values:
+    """Return the light (kinds, places) on PIX at a read and in registers, in electrons."""
     frames = light.ended.reshape(len(light.ended), -1)
     of_frames = weights.of_frames(light).weights
     seen_e = np.zeros((len(of_frames), len(places)))
     for frame, weight in zip(frames, of_frames.swapaxes(0, 1), strict=True):
         seen_e += weight.take(lanes, axis=1) * frame.take(places)
-    seen_e *= chip.scale[places]
-    row, col = np.divmod(places, light.shape[1])
-    below, right = row + 1 < light.shape[0], col + 1 < light.shape[1]
-    neighbours = (row > 0).astype(np.int64) + below + (col > 0) + right
-    dark_e = chip.current[places] * dark_s[:, lanes]
-    given_fraction = chip.exchanged * neighbours
-    most_e = np.maximum(seen_e, (1.0 - given_fraction) * seen_e + gained_e)
-    return _reaching(most_e + dark_e), _reaching(seen_e + dark_e)
+    return seen_e
 
 
-def _of_lanes(chip: SimulatedChip) -> tuple[SlotWeights, Values, Values]:
-    """Return for each lane the weights of slots (kinds, N, lanes) on PIX and in registers, the
-    seconds of dark charge in them, and the smallest charge with which a pixel may saturate."""
-    program = chip.program
-    held_weights = () if program.reach.held_weights is None else program.reach.held_weights
-    weights = np.stack([program.tables.seen_slots(), *held_weights]).astype(np.float64)
-    least_e = np.maximum(_SLACK * chip.saturation_e.min(axis=0), 0.0)
+def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
+    """Return the limits of a program's lanes under some effects."""
+    reach = reach_of(program)
+    held_weights = () if reach.held_weights is None else reach.held_weights
+    weights = np.stack([program.seen_slots, *held_weights]).astype(np.float64)
+    saturation_e = np.full((len(weights), len(program.container.encoding)), np.inf)
+    well = effects.find_part(Well)
+    if well is not None:
+        saturation_e[0] = well.full_e(program.sensor)
+    if effects.find_part(Soft) is not None:
+        registers = saturation_e if reach.held_weights is None else saturation_e[1:]
+        np.minimum(registers, reach.least_e, out=registers)
+    least_e = np.maximum(_SLACK * saturation_e.min(axis=0), 0.0)
     # The smallest mean charge whose upper bound (see `_reaching`) is the limit.
-    limit = ((np.sqrt(_SIGMAS**2 + 4.0 * least_e) - _SIGMAS) / 2.0) ** 2
-    return SlotWeights(weights), program.slot_s @ weights, limit
+    mean_e = ((np.sqrt(_SIGMAS**2 + 4.0 * least_e) - _SIGMAS) / 2.0) ** 2
+    return _Limits(SlotWeights(weights), program.slot_s @ weights, saturation_e, mean_e)
 
 
 def _reaching(charge_e: Values) -> Values:

@@ -1,11 +1,10 @@
-"""Crosstalk of counts: the fraction of a neighbour's count that arrives in a pixel's open slots.
+"""Crosstalk of counts: the part of a neighbour's counts that arrives in a pixel's open slots.
 
-A neighbour's charge is counted for the neighbour's own groups of slots. The fraction of a group's
-count in the open slots of another pixel is approximated by the fraction of the group's time."""
+A neighbour's charge is drawn for the neighbour's own exposures. What another pixel collects of it
+in its own open slots is estimated from these draws, slot by slot."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -29,57 +28,56 @@ neighbour, and these neighbours."""
 
 @dataclass(frozen=True, eq=False)
 class Overlap:
-    """The weight of the counts of one group of slots in the exposures of other pixels.
+    """The weights of the draws of one pixel in the exposures of another.
 
     Attributes
     ----------
     seconds : float64, shape (N, lanes, buckets)
-        Length of each slot times its weight.
-    inverse_seconds : float64, shape (N, lanes)
-        1 / (total seconds of the group's slots) in these slots; 0 elsewhere.
+        Length of each slot times its weight in the exposures of a lane.
+    estimated : float64, shape (N, lanes, draws)
+        Charge per second in each slot, for one count of a draw of a lane.
     """
 
     seconds: Values
-    inverse_seconds: Values
+    estimated: Values
 
     def between(
         self, pixel_lanes: NDArray[np.int32], neighbour_lanes: NDArray[np.int32]
     ) -> Weights:
-        """Return weights (buckets, pairs) of neighbours' counts in pixels, for pairs of lanes."""
+        """Return weights (draws, buckets, pairs) of neighbours' counts, for pairs of lanes."""
         if self._table is not None:
-            return self._table[:, pixel_lanes, neighbour_lanes]
-        weights = np.empty((self.seconds.shape[2], pixel_lanes.size), np.float32)
+            return self._table[:, :, pixel_lanes, neighbour_lanes]
+        draws, buckets = self.estimated.shape[2], self.seconds.shape[2]
+        weights = np.empty((draws, buckets, pixel_lanes.size), np.float32)
         for first in range(0, pixel_lanes.size, _CHUNK):
             chunk = slice(first, first + _CHUNK)
-            weights[:, chunk] = np.einsum(
-                "npb,np->bp",
+            weights[:, :, chunk] = np.einsum(
+                "npb,npd->dbp",
                 self.seconds[:, pixel_lanes[chunk]],
-                self.inverse_seconds[:, neighbour_lanes[chunk]],
+                self.estimated[:, neighbour_lanes[chunk]],
             )
         return weights
 
     @cached_property
     def _table(self) -> Weights | None:
-        """Weights (buckets, lanes, lanes) of all pairs of lanes; None if too many pairs."""
-        _, lanes, buckets = self.seconds.shape
-        if lanes**2 > _MOST_PAIRS:
+        """Weights (draws, buckets, lanes, lanes) of all pairs of lanes; None if too many pairs."""
+        if self.seconds.shape[1] ** 2 > _MOST_PAIRS:
             return None
-        by_bucket = (
-            self.seconds[:, :, bucket].T @ self.inverse_seconds for bucket in range(buckets)
-        )
-        return np.stack([*by_bucket]).astype(np.float32)
+        seconds, estimated = self.seconds.T, self.estimated.transpose(2, 0, 1)
+        pairs = [[of_bucket @ draw for of_bucket in seconds] for draw in estimated]
+        return np.array(pairs, np.float32)
 
 
-def weights_beside(overlaps: Sequence[Overlap], buckets: int, lanes: NDArray[np.int32]) -> Weights:
-    """Return the weights (groups, 4, buckets, pixels) of neighbours' counts in a pixel's exposures.
+def weights_beside(overlap: Overlap, lanes: NDArray[np.int32]) -> Weights:
+    """Return the weights (draws, 4, buckets, pixels) of neighbours' counts in a pixel's exposures.
 
     `lanes` (rows, cols): the lane of each pixel. Neighbours are above, below, left and right;
     beyond the border weights are 0."""
-    all_weights = np.zeros((len(overlaps), len(NEIGHBOURS), buckets, *lanes.shape), np.float32)
-    for number, overlap in enumerate(overlaps):
-        for side, (to, source) in enumerate(NEIGHBOURS):
-            weights = overlap.between(lanes[to].reshape(-1), lanes[source].reshape(-1))
-            all_weights[(number, side, slice(None), *to)] = weights.reshape(
-                buckets, *lanes[to].shape
-            )
-    return all_weights.reshape(*all_weights.shape[:3], lanes.size)
+    draws, buckets = overlap.estimated.shape[2], overlap.seconds.shape[2]
+    all_weights = np.zeros((draws, len(NEIGHBOURS), buckets, *lanes.shape), np.float32)
+    for side, (to, source) in enumerate(NEIGHBOURS):
+        weights = overlap.between(lanes[to].reshape(-1), lanes[source].reshape(-1))
+        all_weights[(slice(None), side, slice(None), *to)] = weights.reshape(
+            draws, buckets, *lanes[to].shape
+        )
+    return all_weights.reshape(draws, len(NEIGHBOURS), buckets, lanes.size)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,198 +12,146 @@ from numpy.typing import NDArray
 from nscc.words.container import Container
 from nscc_runtime.caches import OfContainer, Recent, remembered
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Device
 from nscc_runtime.emulator.capture import check_program
-from nscc_runtime.execution.overlap import Overlap
-from nscc_runtime.execution.pixel_array import PixelArray
-from nscc_runtime.execution.pixels import LaneWords, Wired
-from nscc_runtime.execution.register_reach import RegisterReach, Tables, reach_of
 from nscc_runtime.execution.sum_loop import SlotWeights
-from nscc_runtime.reference.capture import Reference
-from nscc_runtime.reference.weights import WeightModel
+from nscc_runtime.reference.trace import AnalogWord, analog_words, retention_us
+from nscc_runtime.reference.weights import Backward, WeightModel, backward
 
 Values = NDArray[np.float64]
 
-_RECENT_MODELS, _RECENT_CHIPS = 40, 4
-"""Number of cached results: planning compares a dozen models; chips are large."""
+_RECENT_MODELS, _RECENT_LARGE = 24, 4
+"""Number of cached results: planning compares a dozen models."""
 _MUCH = 1 << 20
-"""If slots x lanes is above this number, fewer models are cached."""
+"""If slots x lanes or the number of pixels is above this number, fewer results are cached."""
 
 
 @dataclass(frozen=True, eq=False)
 class AnalysedProgram:
-    """A compiled program on a sensor, analysed once for all scenes. `slot_s`: slot lengths (N,)."""
+    """A compiled program with fixed shutters on a sensor.
+
+    Attributes
+    ----------
+    container : Container
+    sensor : Sensor
+    fresh, decayed : tuple of AnalogWord
+        The analog words without and with decay of digital registers; the same object if decay
+        changes nothing.
+    lane : int32, shape (rows, cols)
+        The lane of each pixel: the number of its code, which determines its shutter.
+    slot_s : float64, shape (slots,)
+        Slot lengths in seconds.
+    """
 
     container: Container
     sensor: Sensor
-    reference: Reference
-    tables: Tables
+    fresh: tuple[AnalogWord, ...]
+    decayed: tuple[AnalogWord, ...]
+    lane: NDArray[np.int32]
     slot_s: Values
 
     @classmethod
     def of(cls, container: Container, sensor: Sensor) -> AnalysedProgram:
         """Analyse a program. Raises Rejected (NS0442) if its words open no shutters."""
         check_program(container)
-        reference = Reference.of(container, sensor, everything())
-        return cls(container, sensor, reference, Tables.of(reference), container.slot_s)
-
-    @cached_property
-    def array(self) -> PixelArray:
-        """All pixels of the chip."""
-        return PixelArray.of_chip(self.reference.groups.lane)
+        if container.pixel_codes is None:
+            raise ValueError("a container without pixels")
+        fresh = decayed = analog_words(container)
+        backward(container, fresh).open()
+        kept_us = retention_us(everything(), sensor)
+        if kept_us < inf:
+            fading = analog_words(container, kept_us)
+            same = (np.array_equal(a.lanes, b.lanes) for a, b in zip(fresh, fading, strict=True))
+            decayed = fresh if all(same) else fading
+        lane = container.table.shutter_of_code[container.pixel_codes]
+        lane = np.require(lane, np.int32, ["C", "A"])
+        return cls(container, sensor, fresh, decayed, lane, container.slot_s)
 
     @property
     def lanes(self) -> NDArray[np.int32]:
-        """The lane (code number) of each pixel, shape (pixels,)."""
-        return self.array.flat_lanes
-
-    @cached_property
-    def full(self) -> WeightModel:
-        """The weight model with every effect."""
-        return self.model(everything())
+        """The lane of each pixel, shape (pixels,)."""
+        return self.lane.reshape(-1)
 
     @remembered
-    def model(self, kept_effects: Selection) -> WeightModel:
+    def model(self, effects: Selection) -> WeightModel:
         """Return the weight model under some effects, at the mean leakage."""
-        return WeightModel.of(kept_effects, self.sensor)
+        return WeightModel.of(effects, self.sensor)
+
+    def weights(self, model: WeightModel) -> Backward:
+        """Return the weights of slots and of words' errors under a model, cached."""
+        # Models with the same weights share a result.
+        decay = model.decay and self.decayed is not self.fresh
+        lit_level = model.lit_level and model.dead_time
+        return self._backward(replace(model, decay=decay, lit_level=lit_level))
+
+    @remembered
+    def _backward(self, model: WeightModel) -> Backward:
+        return backward(self.container, self.decayed if model.decay else self.fresh, model)
 
     @cached_property
-    def pixels(self) -> LaneWords:
-        """The words for the loop over single pixels, with decay of digital registers."""
-        return LaneWords.of(self.reference)
+    def opened(self) -> NDArray[np.bool_]:
+        """The shutters (N, lanes, buckets)."""
+        return self._backward(WeightModel()).open()
 
-    def wired(self, effects: Selection, device_seed: int) -> Wired:
-        """Return the words of pixels on a chip under some effects, bound to the loop; cached."""
-        return self.recent.of(
-            (Wired, effects.on, device_seed),
-            lambda: Wired(self.words(effects), effects, device_seed),
+    @cached_property
+    def seen_slots(self) -> NDArray[np.bool_]:
+        """Mask (N, lanes) of the slots whose charge is on PIX at some read."""
+        container = self.container
+        is_seen = np.zeros((container.slots, len(container.encoding)), np.bool_)
+        live = np.zeros(len(container.encoding), np.bool_)
+        later = container.slots
+        for word in reversed(self.decayed):
+            if word.boundary < later:
+                is_seen[word.boundary : later] = live
+                later = word.boundary
+            if word.resets:
+                live = live & ~word.lanes
+            elif "PIX" in word.op.sources:
+                live = live | word.lanes
+        is_seen[:later] = live
+        return is_seen
+
+    def device(self, device_seed: int) -> Device:
+        """Return the fixed patterns of all pixels of a chip; the last result is cached."""
+        return self._devices.of(
+            device_seed,
+            lambda: Device(
+                sensor=self.sensor, device_seed=device_seed, places=np.arange(self.lane.size)
+            ),
         )
 
-    @cached_property
-    def _fresh_pixels(self) -> LaneWords:
-        return LaneWords.of(replace(self.reference, words=self.tables.fresh))
-
-    def words(self, kept_effects: Selection) -> LaneWords:
-        """Return the words for the loop over single pixels under some effects."""
-        faded = self.model(kept_effects).decay or not self.tables.decays
-        return self.pixels if faded else self._fresh_pixels
-
-    @cached_property
-    def reach(self) -> RegisterReach:
-        """The charge up to which registers stay linear, with every effect."""
-        all_effects = everything()
-        return reach_of(
-            self.tables, all_effects, all_effects.require_part(Soft).linear_e(self.sensor)
-        )
-
-    @cached_property
-    def open_part(self) -> NDArray[np.float32]:
-        """Fraction (rows, cols) of the frame in which light reaches each pixel's exposure."""
-        open_fraction = (
-            self.slot_s @ self.tables.seen_slots() / max(float(self.slot_s.sum()), 1e-300)
-        )
-        return np.asarray(open_fraction[self.array.lanes], np.float32)
-
-    @cached_property
-    def group_ids(self) -> NDArray[np.int64]:
-        """Numbers (groups,) of the groups of slots that occur; group 0 contains closed slots."""
-        return np.unique(self.reference.groups.of_slot)
-
-    @cached_property
-    def open_groups(self) -> tuple[int, ...]:
-        """Numbers of the groups of slots that are open in some bucket."""
-        return tuple(group for group in self.group_ids.tolist() if group)
-
-    def members(self, group: int) -> Values:
-        """Return a float64 mask (N, lanes): 1 where a slot belongs to the group, else 0."""
-        return np.ascontiguousarray((self.reference.groups.of_slot == group).T, np.float64)
-
-    @remembered
-    def group_seconds(self, group: int) -> Values:
-        """Return the total seconds (lanes,) of the slots of a group."""
-        return np.asarray(self.slot_s @ self.members(group))
-
-    @remembered
-    def open_seconds(self, model: WeightModel) -> Values:
-        """Return the open seconds (buckets, lanes), weighted by a model."""
-        return np.asarray(np.einsum("n,nlb->bl", self.slot_s, self.tables.weights(model).slots))
-
-    @remembered
-    def mean_weights(self, model: WeightModel) -> dict[int, Values]:
-        """Return for each group of slots its time-averaged weight (lanes, buckets)."""
-        weights = self.tables.weights(model).slots
-        means = {}
-        for group in self.group_ids.tolist():
-            seconds = self.members(group) * self.slot_s[:, None]
-            total_s = seconds.sum(axis=0)[:, None]
-            weighted = np.einsum("nl,nlb->lb", seconds, weights)
-            means[group] = np.divide(
-                weighted, total_s, out=np.zeros_like(weighted), where=total_s > 0
-            )
-        return means
-
-    @remembered
-    def uneven_seconds(self, model: WeightModel) -> tuple[Values, Values]:
-        """Return time integrals (buckets, lanes) of squared weights: relative to the group means,
-        and absolute.
-
-        Multiplied by the light per second, the first is the variance of counts that one count per
-        group neglects, and the second is the whole variance of counts."""
-        weights, means = self.tables.weights(model).slots, self.mean_weights(model)
-        uneven, square = np.zeros((2, weights.shape[2], weights.shape[1]))
-        for group in self.open_groups:
-            seconds = self.members(group) * self.slot_s[:, None]
-            uneven += np.einsum("nl,nlb->bl", seconds, (weights - means[group]) ** 2)
-            square += np.einsum("nl,nlb->bl", seconds, weights**2)
-        return uneven, square
-
-    def sum_weights(
-        self, model: WeightModel, leak_rates: tuple[float, ...], groups: tuple[int, ...]
+    def slot_weights(
+        self, model: WeightModel, leak_rates: tuple[float, ...], products: bool
     ) -> SlotWeights:
-        """Return the weights of slots for sums: a mask for each group, then for each bucket the
-        weights at each leakage rate."""
-        key = SlotWeights, model, leak_rates, groups
+        """Return the weights of slots for the sums of a scene, cached: the weights of each bucket
+        at each leakage rate, after the `products` of the weights of two buckets (a <= b)."""
 
         def make() -> SlotWeights:
-            slots = [
-                self.tables.weights(replace(model, leak_per_s=rate)).slots for rate in leak_rates
+            weights = self.weights(model).slots
+            buckets = range(weights.shape[2])
+            pairs = [(a, b) for b in buckets for a in range(b + 1)] if products else []
+            by_rate = [
+                self.weights(replace(model, leak_per_s=rate)).slots for rate in leak_rates
             ]
-            buckets = range(len(self.container.buckets))
-            counted = [self.members(group) for group in groups]
             return SlotWeights(
-                counted
-                + [slot_weights[:, :, bucket] for bucket in buckets for slot_weights in slots]
+                [
+                    *(weights[:, :, a] * weights[:, :, b] for a, b in pairs),
+                    *(of_rate[:, :, b] for b in buckets for of_rate in by_rate),
+                ]
             )
 
-        return self.recent.of(key, make)
-
-    def overlaps(self, model: WeightModel) -> list[Overlap]:
-        """Return for each open group the weights of a neighbour's counts in a pixel's exposures."""
-
-        def make() -> list[Overlap]:
-            seconds = self.tables.weights(model).slots * self.slot_s[:, None, None]
-            group_overlaps = []
-            for group in self.open_groups:
-                members, time_s = self.members(group), self.group_seconds(group)
-                inverse_seconds = np.divide(
-                    members, time_s, out=np.zeros_like(members), where=time_s > 0
-                )
-                group_overlaps.append(Overlap(seconds, inverse_seconds))
-            return group_overlaps
-
-        return self.recent.of((Overlap, model), make)
+        return self.recent.of((SlotWeights, model, leak_rates, products), make)
 
     @cached_property
     def recent(self) -> Recent:
-        """Cache of weights for recent models."""
-        is_large = self.container.slots * len(self.container.encoding) > _MUCH
-        return Recent(_RECENT_CHIPS if is_large else _RECENT_MODELS)
+        """Cache of weights and of arrays of all pixels for recent effects."""
+        size = max(self.container.slots * len(self.container.encoding), self.lane.size * 16)
+        return Recent(_RECENT_LARGE if size > _MUCH else _RECENT_MODELS)
 
     @cached_property
-    def recent_chips(self) -> Recent:
-        """Cache of arrays of all pixels for recent sets of effects."""
-        return Recent(_RECENT_CHIPS)
+    def _devices(self) -> Recent:
+        return Recent(1)
 
 
 analysed = OfContainer(AnalysedProgram.of)

@@ -1,26 +1,22 @@
-"""The words of a program as weights of slots and of errors, and the charge with which its registers
-leave their linear range.
+"""The charge with which the registers of a program leave their linear range.
 
 The words run forwards over some lanes. Register values are linear functions of the charge of each
 stretch of slots between words, of the fixed error of a word, and of noise."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.words.container import Container
-from nscc_runtime.caches import remembered
-from nscc_runtime.effects import Selection
-from nscc_runtime.effects.parts import WordGain
-from nscc_runtime.reference.capture import Reference, numbered_errors
-from nscc_runtime.reference.trace import AnalogWord, analog_words
-from nscc_runtime.reference.weights import Backward, WeightModel, backward, error_sign
+from nscc_runtime.effects import everything
+from nscc_runtime.effects.parts import Soft, WordGain
+from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.reference.trace import AnalogWord
+from nscc_runtime.reference.weights import error_sign
 
 Values = NDArray[np.float64]
-Weights = NDArray[np.float64]
 
 _MOST_LANES = 64
 _MOST_STRETCHES = 128
@@ -28,87 +24,6 @@ _SIGMAS = 6.0
 _KINDS = 2
 """Number of kinds of register content, usually light of open slots and light subtracted later."""
 _ROUNDING = 1e-9
-
-
-@dataclass(frozen=True, eq=False)
-class Tables:
-    """The weights of a program; `program` is the reference with every effect, so that all draws
-    exist.
-
-    `fresh`: the analog words without decay of digital registers. `decayed`: the words with decay;
-    the same object as `fresh` if decay changes nothing."""
-
-    program: Reference
-    fresh: tuple[AnalogWord, ...]
-    decayed: tuple[AnalogWord, ...]
-
-    @classmethod
-    def of(cls, program: Reference) -> Tables:
-        """Return the tables of a program with every effect."""
-        fresh = analog_words(program.container)
-        alike = all(
-            np.array_equal(a.lanes, b.lanes) for a, b in zip(fresh, program.words, strict=True)
-        )
-        return cls(program, fresh, fresh if alike else program.words)
-
-    @property
-    def container(self) -> Container:
-        return self.program.container
-
-    @property
-    def decays(self) -> bool:
-        """Whether decay of digital registers changes where a word acts."""
-        return self.decayed is not self.fresh
-
-    def same(self, model: WeightModel) -> WeightModel:
-        """Return a representative of all models with the same weights."""
-        decay, lit_level = model.decay and self.decays, model.lit_level and model.dead_time
-        return replace(model, decay=decay, lit_level=lit_level)
-
-    def weights(self, model: WeightModel) -> Backward:
-        """Return the weights of slots and of words' errors under a model, cached."""
-        return self._backward(self.same(model))
-
-    @remembered
-    def _backward(self, model: WeightModel) -> Backward:
-        words = self.decayed if model.decay else self.fresh
-        return backward(self.container, words, model)
-
-    @remembered
-    def noise(self, at: str, full: WeightModel) -> tuple[Weights, Weights]:
-        """Return coefficients of small errors of kind `at`: "reads", "resets" or "words".
-
-        The first array contains the coefficients (lanes, buckets, draws) of the keyed draws. The
-        second contains the remaining variance (lanes, buckets). Both are for errors of standard
-        deviation 1."""
-        lanes, buckets = len(self.container.encoding), len(self.container.buckets)
-        coefficients = numbered_errors(self.container.target, self.weights(full))[at]
-        drawn = self.program.draws[at]
-        factor = np.zeros((lanes, buckets, buckets))
-        square = np.zeros((lanes, buckets))
-        for number, weight in coefficients.items():
-            square += weight * weight
-            if number in drawn:
-                factor += weight[:, :, None] * drawn[number][:, None, :]
-        return factor, np.maximum(square - (factor * factor).sum(axis=2), 0.0)
-
-    @remembered
-    def seen_slots(self) -> NDArray[np.bool_]:
-        """Return a mask (N, lanes) of the slots whose charge is on PIX at some read."""
-        container = self.container
-        is_seen = np.zeros((container.slots, len(container.encoding)), np.bool_)
-        live = np.zeros(len(container.encoding), np.bool_)
-        later = container.slots
-        for word in reversed(self.decayed):
-            if word.boundary < later:
-                is_seen[word.boundary : later] = live
-                later = word.boundary
-            if word.resets:
-                live = live & ~word.lanes
-            elif "PIX" in word.op.sources:
-                live = live | word.lanes
-        is_seen[:later] = live
-        return is_seen
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,15 +39,18 @@ class RegisterReach:
     least_e: Values
 
 
-def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> RegisterReach:
-    """Return the charge up to which a program's registers stay in their linear range.
-    `kept_effects`: the effects with noise. `linear_e`: largest linear register value, in electrons.
-    """
-    lanes, slots = len(tables.container.encoding), tables.container.slots
+def reach_of(program: AnalysedProgram) -> RegisterReach:
+    """Return the charge up to which a program's registers stay in their linear range, with the
+    noise of every effect; cached with the program."""
+    return program.recent.of(RegisterReach, lambda: _reach_of(program))
+
+
+def _reach_of(program: AnalysedProgram) -> RegisterReach:
+    lanes, slots = len(program.container.encoding), program.container.slots
     sampled_lanes = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
-    ends = np.unique([word.boundary for word in tables.decayed])
+    ends = np.unique([word.boundary for word in program.decayed])
     shown = np.unique(np.linspace(0, len(ends) - 1, min(len(ends), _MOST_STRETCHES)).astype(int))
-    register_reach = _farthest(tables, sampled_lanes, ends[shown], kept_effects, linear_e)
+    register_reach = _farthest(program, sampled_lanes, ends[shown])
     if len(sampled_lanes) < lanes or len(shown) < len(ends):
         # Only some lanes or stretches are known.
         return RegisterReach(
@@ -146,18 +64,18 @@ def reach_of(tables: Tables, kept_effects: Selection, linear_e: float) -> Regist
 
 
 def _farthest(
-    tables: Tables, sampled_lanes: NDArray[np.intp], ends: NDArray[np.int64], kept_effects:
-    Selection, linear_e: float,
-) -> _RegisterReach:  # fmt: skip
+    program: AnalysedProgram, sampled_lanes: NDArray[np.intp], ends: NDArray[np.int64]
+) -> _RegisterReach:
     """Run the words over `sampled_lanes` and return the linear range of the written registers.
     Stretches of slots end at the boundaries `ends`."""
-    gain_part, sensor = kept_effects.find_part(WordGain), tables.program.sensor
+    effects, sensor = everything(), program.sensor
+    gain_part, linear_e = effects.find_part(WordGain), effects.require_part(Soft).linear_e(sensor)
     error_e = (gain_part.mean_e(sensor), gain_part.spread_e(sensor)) if gain_part else (0.0, 0.0)
-    state = _RegisterState(tables, len(sampled_lanes), len(ends), kept_effects)
+    state = _RegisterState(program, len(sampled_lanes), len(ends))
     held_weights = np.zeros((_KINDS, len(sampled_lanes), len(ends)))
     least = np.full((_KINDS, len(sampled_lanes)), np.inf)
     reach, at = _RegisterReach(linear_e, error_e, held_weights, least), -1
-    for word in tables.decayed:
+    for word in program.decayed:
         state.held_weights[:, state.pix, :-1][:, (ends > at) & (ends <= word.boundary)] = 1.0
         at, in_lane = word.boundary, word.lanes[sampled_lanes]
         if word.resets:
@@ -176,17 +94,17 @@ class _RegisterState:
     `held_weights` (lanes, rows, columns): weights of the charge of each stretch and, in the last
     column, of the fixed error. `covariance` (lanes, rows, rows): covariance of their noise."""
 
-    def __init__(self, tables: Tables, lanes: int, stretches: int, kept_effects: Selection) -> None:
-        self._container, sensor = tables.container, tables.program.sensor
+    def __init__(self, program: AnalysedProgram, lanes: int, stretches: int) -> None:
+        self._container, sensor, effects = program.container, program.sensor, everything()
         self.names = (*self._container.target.analog_registers, "IN", "PIX", "level")
         self.pix, self._level = len(self.names) - 2, len(self.names) - 1
         self.held_weights = np.zeros((lanes, len(self.names), stretches + 1))
         self.covariance = np.zeros((lanes, len(self.names), len(self.names)))
-        gain = kept_effects.find_part(WordGain)
+        gain = effects.find_part(WordGain)
         # Plans may drop the effect, so a gain below 1 counts as 1.
         self._gain = max(1.0, gain.gain(sensor)) if gain else 1.0
         self._variance = {"reads": 0.0, "resets": 0.0, "words": 0.0}
-        for _, errors in kept_effects.errors():
+        for _, errors in effects.errors():
             self._variance[errors.at] += errors.sigma_e(sensor) ** 2
 
     def reset(self, in_lane: NDArray[np.bool_]) -> None:

@@ -40,7 +40,7 @@ class Sites(NamedTuple):
     lane: Annotated[Ints32, "sites"]
     factor: Annotated[Floats, "sites"]
     dark_e_per_s: Annotated[Floats, "sites"]
-    beside: Annotated[Ints32, "pixels 4"]
+    beside: Annotated[Ints32, "own 4"]
 
 
 class StretchMeans(NamedTuple):
@@ -65,9 +65,9 @@ class Laying:
     begin: int
     end: int
     sites: int
+    own: int
+    """Number of pixels that run through their words: the first sites. `pixels`: on the chip."""
     pixels: int
-    """Number of pixels that run through their words: the first sites."""
-    chip_pixels: int
     even: int
     """Whether all slots have the same light."""
     counts_light: int
@@ -83,7 +83,7 @@ def _light_of_slot(sizes: Laying, light: LightMatrix, n: int, place: int) -> flo
     """Return the light of slot n at a place, rounded to float32 like `Light.slot`."""
     total = 0.0
     for k in range(light.row_start[n], light.row_start[n + 1]):
-        at = light.frame_index[k] * sizes.chip_pixels + place
+        at = light.frame_index[k] * sizes.pixels + place
         total += float(light.frames[at]) * light.weight[k]
     return float(np.float32(total))
 
@@ -188,7 +188,7 @@ def charge_means(
 ) -> None:
     """Compute the other means, for pixels; the means of counted charge are known. All are 0
     before."""
-    pixels = sizes.pixels
+    pixels = sizes.own
     for i in range(sizes.begin, sizes.end):
         first = stretches.start[sites.lane[i]]
         last = stretches.start[sites.lane[i] + 1] - first - 1

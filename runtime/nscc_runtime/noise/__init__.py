@@ -5,7 +5,7 @@ threads or order."""
 
 from __future__ import annotations
 
-from nscc_runtime.noise.arrays import RATE_CAP, normals, poisson, thin, uniforms
+from nscc_runtime.noise.arrays import RATE_CAP, normals, poisson, uniforms
 from nscc_runtime.noise.keys import key
 
-__all__ = ["RATE_CAP", "key", "normals", "poisson", "thin", "uniforms"]
+__all__ = ["RATE_CAP", "key", "normals", "poisson", "uniforms"]

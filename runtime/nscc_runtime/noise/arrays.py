@@ -55,30 +55,6 @@ def poisson(key: np.uint64, pixels: Pixels, rate: Floats) -> tuple[Floats, NDArr
     return out, valid
 
 
-def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floats:
-    """Distribute each count over slots in proportion to `shares`; return counts (pixels, slots).
-
-    `pixels` and `counts` are 1-D. `shares` is (pixels, slots) or, common to all pixels, (slots,).
-    Slots are halved recursively (at multiples of powers of two). One binomial draw gives the count
-    in the first half, monotonic in that half's share, so the charge of a range of slots needs one
-    draw for each halving that it cuts. Counts are whole numbers up to 2**53. Shares are at least 0;
-    their sum is finite, and above 0 for every count above 0."""
-    counts, shares = _floats(counts), _floats(shares)
-    pixel_count, slots = len(counts), shares.shape[-1]
-    from nscc_runtime.noise.noise_loops import Spread, fill_thin
-
-    out = np.empty((pixel_count, slots))
-    stride = slots if shares.ndim == 2 else 0
-    fill_thin(
-        spread=Spread(count=pixel_count, key=key, slots=slots, stride=stride),
-        pixels=_places(pixels),
-        counts=counts,
-        shares=np.atleast_2d(shares),
-        out=out,
-    )
-    return out
-
-
 def _places(pixels: Pixels) -> Pixels:
     return np.require(pixels, np.int64, ["C", "A"]).reshape(-1)
 

@@ -105,12 +105,15 @@ class Backward:
     resets: ByName[int]
     errors: ByName[tuple[int, int]]
 
-    def squared(self, at: Literal["reads", "resets", "words"]) -> Weights:
-        """Return the sum (lanes, buckets) of squared weights of all errors of a kind: the variance
-        of the exposures if each error has variance 1."""
+    def covariance(self, at: Literal["reads", "resets", "words"]) -> Weights:
+        """Return the covariance (buckets, buckets, lanes) of exposures if each error of a kind has
+        variance 1."""
         weights = {"reads": self.reads, "resets": self.resets, "words": self.errors}[at]
-        total = np.zeros(self.slots.shape[1:])
-        return sum((weight**2 for weight in weights.values()), total)  # type: ignore[attr-defined]
+        _, lanes, buckets = self.slots.shape
+        total = np.zeros((buckets, buckets, lanes))
+        for weight in weights.values():  # type: ignore[attr-defined]
+            total += weight.T[:, None] * weight.T
+        return total
 
     @cached_property
     def error_sum(self) -> Weights:

@@ -3,7 +3,7 @@ range."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from glob import glob
 from pathlib import Path
@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
-from nscc_runtime.scenes.colour import Transfer, linear
-from nscc_runtime.scenes.picture_files import files_of, read_folder, transfer_of
+from nscc_runtime.scenes.colour import Colours, Transfer
+from nscc_runtime.scenes.pages import Pages
+from nscc_runtime.scenes.picture_folders import files_of, read_folder
 
 _EXIF_IFD, _EXPOSURE_TIME, _F_NUMBER, _ISO = 0x8769, 0x829A, 0x829D, 0x8827
 
@@ -45,10 +46,15 @@ def bracket_files(spec: str) -> list[Path]:
     return files
 
 
-def merged_bracket(files: Sequence[Path], times: Sequence[float] | None) -> NDArray[np.float32]:
+def merged_bracket(
+    files: Sequence[Path],
+    times: Sequence[float] | None,
+    transfer: Transfer | None = None,
+    tell: Callable[[Pages], object] = lambda _: None,
+) -> tuple[NDArray[np.float32], Colours]:
     """Merge photos to linear light by the method of Debevec and Malik (SIGGRAPH 1997).
 
-    The camera response is known: the curve that the file names, or the curve of its format. Light
+    The camera response is known: the curve that the file states, or the curve of its format. Light
     is the exponential of a weighted mean of log light; samples near black and near white have the
     smallest weights. One photo is held in memory at a time.
 
@@ -59,11 +65,15 @@ def merged_bracket(files: Sequence[Path], times: Sequence[float] | None) -> NDAr
     times : sequence of float, optional
         Exposure times in seconds. None for those of the photos' EXIF, each times its ISO speed over
         the square of its f-number.
+    transfer : {"linear", "srgb", "pq", "hlg"}, optional
+        The curve of all photos, instead of the curves that the files state.
+    tell : callable, optional
+        Called with the pages of the first photo, which have its notes.
 
     Returns
     -------
-    array
-        (R, C) grey or (R, C, 3) red, green, blue.
+    tuple of array and Colours
+        Linear light, (R, C) grey or (R, C, 3) red, green, blue; and its colours.
 
     Raises
     ------
@@ -82,14 +92,20 @@ def merged_bracket(files: Sequence[Path], times: Sequence[float] | None) -> NDAr
             "all photos have the same exposure", "a bracket needs several exposures; see --times"
         )
     weights = weighted = shortest = longest = np.zeros((), np.float32)
-    for path, photo, log_exposure in zip(files, read_folder([*files]), log_exposures, strict=True):
+    light = Colours.of("linear")
+    photos = zip(files, read_folder([*files]), log_exposures, strict=True)
+    for path, (photo, pages), log_exposure in photos:
         if photo.dtype not in (np.uint8, np.uint16):
             text = (
                 f"'{path.name}' has {photo.dtype} samples, but only integer samples can be merged"
             )
             raise _refused(text, "convert the photos to .tiff, .png or .jpg with 8 or 16 bits")
-        colours = photo if photo.ndim == 3 else photo[..., None]
-        weight, logarithm = _weights(colours), _log_light(colours, transfer_of(path)) - log_exposure
+        if path == files[0]:
+            tell(pages)
+        channels = photo if photo.ndim == 3 else photo[..., None]
+        colours = Colours.of(transfer or pages.colours)
+        light = Colours.of("linear", colours.weights)
+        weight, logarithm = _weights(channels), _log_light(channels, colours) - log_exposure
         weights, weighted = weights + weight, weighted + weight * logarithm
         shortest = logarithm if log_exposure == min(log_exposures) else shortest
         longest = logarithm if log_exposure == max(log_exposures) else longest
@@ -97,7 +113,7 @@ def merged_bracket(files: Sequence[Path], times: Sequence[float] | None) -> NDAr
     # most black in the longest exposure.
     bound = np.where(shortest >= -min(log_exposures), shortest, longest)
     merged = np.exp(np.where(weights > 0, weighted / np.maximum(weights, 1e-9), bound))
-    return merged if merged.shape[-1] == 3 else merged[..., 0]
+    return merged if merged.shape[-1] == 3 else merged[..., 0], light
 
 
 def _weights(photo: NDArray[Any]) -> NDArray[np.float32]:
@@ -107,12 +123,16 @@ def _weights(photo: NDArray[Any]) -> NDArray[np.float32]:
     return np.asarray(triangle[photo].mean(axis=-1, keepdims=True))
 
 
-def _log_light(photo: NDArray[Any], transfer: Transfer) -> NDArray[np.float32]:
-    """Return the logarithm of linear light, 0 for white; black is half the smallest sample."""
-    samples = np.arange(np.iinfo(photo.dtype).max + 1)
-    light = linear(samples.astype(photo.dtype), transfer)
-    light[0] = light[1] / 2
-    return np.asarray(np.log(light).astype(np.float32)[photo])
+def _log_light(photo: NDArray[Any], colours: Colours) -> NDArray[np.float32]:
+    """Return the logarithm of linear light (R, C, channels), 0 for white; samples without light
+    count as half the least light of a sample."""
+    fractions = np.linspace(0, 1, np.iinfo(photo.dtype).max + 1)
+    logarithms = []
+    for channel in range(photo.shape[-1]):
+        light = colours.curve_of(channel)(fractions)
+        light = np.where(light > 0, light, light[light > 0].min() / 2)
+        logarithms.append(np.log(light).astype(np.float32)[photo[..., channel]])
+    return np.stack(logarithms, axis=-1)
 
 
 def _exif_exposure(path: Path) -> float:

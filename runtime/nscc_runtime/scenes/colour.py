@@ -2,21 +2,60 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, get_args
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 Transfer = Literal["linear", "srgb", "pq", "hlg"]
-TRANSFERS: tuple[Transfer, ...] = get_args(Transfer)
 CURVES = {"linear": "no curve", "srgb": "the sRGB curve", "pq": "the PQ curve (SMPTE ST 2084)",
           "hlg": "the HLG curve (ITU-R BT.2100)"}  # fmt: skip
 """Descriptions of the transfer curves in messages."""
 
-LUMINANCE = (0.2126, 0.7152, 0.0722)
+Weights = tuple[float, float, float]
+LUMINANCE: Weights = (0.2126, 0.7152, 0.0722)
 """Weights of linear red, green and blue (Rec. 709 primaries)."""
 
 _STRIP_SAMPLES = 1 << 22
+
+Curve = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+"""A function from samples as fractions of white to linear light, where white is 1."""
+
+
+@dataclass(frozen=True, eq=False)
+class Colours:
+    """What the samples of a picture mean.
+
+    `curves`: the curve of grey or of all colours, or one each of red, green and blue. `weights`:
+    the luminances of linear red, green and blue. `text`: the curve in messages. `transfer`: the
+    name of a standard curve, or None."""
+
+    curves: tuple[Curve, ...]
+    weights: Weights
+    text: str
+    transfer: Transfer | None = None
+
+    @classmethod
+    def of(cls, transfer: Transfer | Colours, weights: Weights = LUMINANCE) -> Colours:
+        """Return the colours of a standard curve, or colours as they are."""
+        if isinstance(transfer, Colours):
+            return transfer
+        return cls((_INVERSES[transfer],), weights, CURVES[transfer], transfer)
+
+    def curve_of(self, channel: int) -> Curve:
+        return self.curves[channel % len(self.curves)]
+
+
+def luminance_weights(primaries: Sequence[float]) -> Weights:
+    """Return the luminances of linear red, green, blue of a display whose white has luminance 1.
+
+    `primaries`: CIE x and y of red, green, blue and white (SMPTE RP 177)."""
+    x, y = np.reshape(np.asarray(primaries, np.float64), (4, 2)).T
+    xyz = np.stack([x / y, np.ones(4), (1 - x - y) / y])
+    red, green, blue = np.linalg.solve(xyz[:, :3], xyz[:, 3])
+    return float(red), float(green), float(blue)
 
 
 def white_of(dtype: np.dtype[Any]) -> float:
@@ -25,22 +64,31 @@ def white_of(dtype: np.dtype[Any]) -> float:
 
 
 def linear(
-    values: NDArray[Any], transfer: Transfer, white: float | None = None
+    values: NDArray[Any], colours: Transfer | Colours, white: float | None = None
 ) -> NDArray[np.float64]:
     """Convert stored samples to linear light, float64; white becomes 1.
 
-    Samples are fractions of `white` (None: `white_of` their type). The curves are those of IEC
-    61966-2-1 (`srgb`), SMPTE ST 2084 (`pq`) and ITU-R BT.2100 (`hlg`, the light of the scene). sRGB
-    is continued beyond 0..1 by its own formulas."""
+    Samples are fractions of `white` (None: `white_of` their type); with several curves the last
+    axis is red, green, blue. The standard curves are those of IEC 61966-2-1 (`srgb`), SMPTE ST
+    2084 (`pq`) and ITU-R BT.2100 (`hlg`, the light of the scene). sRGB is continued beyond 0..1 by
+    its own formulas."""
+    colours = Colours.of(colours)
+    if len(colours.curves) > 1:
+        channels = [_on_curve(values[..., k], colours.curve_of(k), white) for k in range(3)]
+        return np.stack(channels, axis=-1)
+    return _on_curve(values, colours.curves[0], white)
+
+
+def _on_curve(values: NDArray[Any], curve: Curve, white: float | None) -> NDArray[np.float64]:
     scale = white or white_of(values.dtype)
-    if values.dtype.kind in "ui" and transfer != "linear" and values.dtype.itemsize == 1:
-        table = _INVERSES[transfer](np.arange(256, dtype=np.float64) / scale)
-        decoded: NDArray[np.float64] = table[values.view(np.uint8)]
+    if values.dtype == np.uint8:
+        table = curve(np.arange(256, dtype=np.float64) / scale)
+        decoded: NDArray[np.float64] = table[values]
         return decoded
     fractions: NDArray[np.float64] = values.astype(np.float64)
     if scale != 1:
         fractions /= scale
-    return fractions if transfer == "linear" else _INVERSES[transfer](fractions)
+    return curve(fractions)
 
 
 def pq_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -66,24 +114,36 @@ def srgb_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.where(values <= 0.04045, values / 12.92, curve)
 
 
-_INVERSES = {"srgb": srgb_to_linear, "pq": pq_to_linear, "hlg": hlg_to_linear}
+def _unchanged(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    return values
 
 
-def luminance(rgb: NDArray[np.float64]) -> NDArray[np.float64]:
+_INVERSES: dict[Transfer, Curve] = {
+    "linear": _unchanged, "srgb": srgb_to_linear, "pq": pq_to_linear, "hlg": hlg_to_linear,
+}  # fmt: skip
+
+
+def luminance(rgb: NDArray[np.float64], weights: Weights = LUMINANCE) -> NDArray[np.float64]:
     """Return the luminance (rows, cols) of linear red, green, blue (rows, cols, 3)."""
-    red, green, blue = LUMINANCE
+    red, green, blue = weights
     return red * rgb[..., 0] + green * rgb[..., 1] + blue * rgb[..., 2]
 
 
 def grey(
-    stored: NDArray[Any], transfer: Transfer, channel: int | None, white: float | None = None
+    stored: NDArray[Any],
+    colours: Transfer | Colours,
+    channel: int | None,
+    white: float | None = None,
 ) -> NDArray[np.float64]:
     """Return the luminance (rows, cols) of a stored picture, or of its colour `channel`."""
-    if stored.ndim == 3 and channel is not None:
-        stored = stored[..., channel]
+    colours = Colours.of(colours)
+    if stored.ndim == 2 or channel is not None:
+        channel = 1 if channel is None else channel
+        samples = stored if stored.ndim == 2 else stored[..., channel]
+        return _on_curve(samples, colours.curve_of(channel), white)
     light = np.empty(stored.shape[:2])
     step = max(1, _STRIP_SAMPLES // max(1, stored[:1].size))
     for first in range(0, len(stored), step):  # colours in float64 take eight times a picture
-        strip = linear(np.ascontiguousarray(stored[first : first + step]), transfer, white)
-        light[first : first + step] = luminance(strip) if strip.ndim == 3 else strip
+        strip = np.ascontiguousarray(stored[first : first + step])
+        light[first : first + step] = luminance(linear(strip, colours, white), colours.weights)
     return light

@@ -3,20 +3,25 @@ channels."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from math import prod
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.scenes.colour import LUMINANCE
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.scenes import pages as limits
+from nscc_runtime.scenes.colour import LUMINANCE, Weights
+from nscc_runtime.scenes.file_colours import of_primaries
 from nscc_runtime.scenes.pages import Note, Pages, UnsupportedPicture
 
 _COLOURS = ("R", "G", "B")
-_REC_709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
-"""The default primaries: x and y of red, green, blue and white."""
 _LAYERS_SHOWN = 6
+_MOST_SAMPLES = 4
+"""Largest number of samples of an OpenEXR file, in all parts and channels, per MOST_PIXELS: they
+are decoded together."""
 
 
 def exr_pages(path: Path) -> Pages:
@@ -26,43 +31,61 @@ def exr_pages(path: Path) -> Pages:
     ------
     UnsupportedPicture
         If no part contains colours or luminance, or if a part contains several layers with them.
+    Rejected
+        NS0734 for too many samples.
     """
     import OpenEXR
 
-    pictures: list[NDArray[Any]] = []
-    names: list[str] = []
-    notes: list[Note] = []
-    channel_names: set[str] = set()
     with OpenEXR.File(str(path), header_only=True) as file:
-        count = len(file.parts)
-    with OpenEXR.File(str(path), separate_channels=True) as file:
-        if len(file.parts) < count:  # the library leaves out the parts that it cannot read
-            raise ValueError(f"{count - len(file.parts)} of {count} parts are incomplete")
-        for file_part in file.parts:
-            channel_names.update(file_part.channels)
-            layer = _picture_layer(file_part.channels)
-            if layer is None:
-                continue
-            picture = _layer_pixels(file_part.channels, layer, file_part.header["dataWindow"])
-            pictures.append(_in_display_window(picture, file_part.header))
-            names.append(str(file_part.header.get("name", "")) or f"part {len(names)}")
-            notes += _primaries_note(file_part.header)
-    if not pictures:
+        headers = [dict(file_part.header) for file_part in file.parts]  # emptied when closed
+    part_names = [[channel.name for channel in header["channels"]] for header in headers]
+    samples = sum(
+        prod(_size(header["dataWindow"])) * len(names)
+        for header, names in zip(headers, part_names, strict=True)
+    )
+    if samples > _MOST_SAMPLES * limits.MOST_PIXELS:
+        raise rejected(
+            "NS0734",
+            f"'{path}' has {samples:,} samples in its parts and channels, but at most "
+            f"{_MOST_SAMPLES * limits.MOST_PIXELS:,} are allowed",
+            helps=("save the required picture in a separate file",),
+        )
+    of_parts = [_picture_layer(names) for names in part_names]
+    layers = {k: layer for k, layer in enumerate(of_parts) if layer is not None}
+    if not layers:
+        names = sorted({name for part in part_names for name in part})
         raise UnsupportedPicture(
-            f"it has no channels R, G, B or Y, but {_listed(sorted(channel_names))}",
+            f"it has no channels R, G, B or Y, but {_listed(names)}",
             "save the picture as the channels R, G, B, or as Y",
         )
-    if len(pictures) > 1:
-        text = f"contains {len(names)} parts with a picture, used as frames of a clip"
+    stated = of_primaries(headers[next(iter(layers))].get("chromaticities"))
+    weights = LUMINANCE if stated.colours is None else stated.colours.weights
+    notes: list[Note] = []
+    if len(layers) > 1:
+        names = [str(headers[k].get("name", "")) or f"part {k}" for k in layers]
+        text = f"contains {len(layers)} parts with a picture, used as frames of a clip"
         notes.append((f"{text}: {_listed(names)}", "--still --first K selects one of them"))
 
     def read() -> Iterator[NDArray[Any]]:
-        yield from pictures
+        with OpenEXR.File(str(path), separate_channels=True) as file:
+            if len(file.parts) < len(headers):  # the library leaves out parts that it cannot read
+                missing = len(headers) - len(file.parts)
+                raise ValueError(f"{missing} of {len(headers)} parts are incomplete")
+            for k, layer in layers.items():
+                channels, window = file.parts[k].channels, headers[k]["dataWindow"]
+                picture = _layer_pixels(channels, layer, window, weights)
+                yield _in_display_window(picture, headers[k])
 
-    return Pages(len(pictures), read, notes=tuple(dict.fromkeys(notes)))
+    windows = [_size(headers[k][name]) for name in ("displayWindow", "dataWindow") for k in layers]
+    return Pages(tuple(windows), len(layers), read, stated, tuple(notes))
 
 
-def _picture_layer(channels: Mapping[str, Any]) -> str | None:
+def _size(corners: Any) -> tuple[int, int]:
+    (x0, y0), (x1, y1) = corners
+    return int(y1) - int(y0) + 1, int(x1) - int(x0) + 1
+
+
+def _picture_layer(channels: Sequence[str]) -> str | None:
     """Return the prefix of the channels with the picture of a part, '' or 'NAME.'; None if there is
     no picture. Raises UnsupportedPicture if several layers contain pictures."""
     prefixes = {name.rpartition(".")[0] for name in channels}
@@ -84,9 +107,10 @@ def _picture_layer(channels: Mapping[str, Any]) -> str | None:
 
 
 def _layer_pixels(
-    channels: Mapping[str, Any], layer: str, window: tuple[NDArray[Any], NDArray[Any]]
-) -> NDArray[Any]:
-    """Return the picture of a layer on its data window."""
+    channels: Mapping[str, Any], layer: str, window: tuple[NDArray[Any], NDArray[Any]],
+    weights: Weights,
+) -> NDArray[Any]:  # fmt: skip
+    """Return the picture of a layer on its data window; `weights` are those of luminance."""
 
     def pixels(name: str) -> NDArray[Any]:
         return _at_every_pixel(channels[layer + name], window)
@@ -99,7 +123,7 @@ def _layer_pixels(
     # Chroma is (red - Y) / Y and (blue - Y) / Y.
     luminance = luminance.astype(np.float32)
     red, blue = ((pixels(name) + 1) * luminance for name in ("RY", "BY"))
-    weight_red, weight_green, weight_blue = LUMINANCE
+    weight_red, weight_green, weight_blue = weights
     green = (luminance - weight_red * red - weight_blue * blue) / weight_green
     return np.stack([red, green, blue], axis=-1).astype(np.float32)
 
@@ -138,17 +162,6 @@ def _in_display_window(picture: NDArray[Any], header: Mapping[str, Any]) -> NDAr
     row, col = max(row, 0), max(col, 0)
     shown[row : row + visible.shape[0], col : col + visible.shape[1]] = visible
     return shown
-
-
-def _primaries_note(header: Mapping[str, Any]) -> list[Note]:
-    named = header.get("chromaticities")
-    if named is None or np.allclose(np.ravel(named), _REC_709, atol=2e-3):
-        return []
-    shown = ", ".join(f"{value:.4g}" for value in np.ravel(named))
-    return [(
-        f"names other primaries ({shown}); its luminance is weighted as of Rec. 709",
-        "convert its colours to Rec. 709 (sRGB) primaries if the weights matter",
-    )]  # fmt: skip
 
 
 def _listed(names: list[str]) -> str:

@@ -19,10 +19,11 @@ from nscc.files import reads
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import exposure, light_arrays, timing
-from nscc_runtime.scenes.colour import Transfer
+from nscc_runtime.scenes.colour import Colours, Transfer
 from nscc_runtime.scenes.errors import refuse_no_light
 from nscc_runtime.scenes.exposure import ExposureLevel, checked_white
-from nscc_runtime.scenes.pages import Pages
+from nscc_runtime.scenes.film_times import evenly, from_frame, timed
+from nscc_runtime.scenes.pages import Edges, Pages
 from nscc_runtime.scenes.picture_light import picture_light
 from nscc_runtime.scenes.placement import (
     Fit,
@@ -38,6 +39,8 @@ from nscc_runtime.scenes.placement import (
     white_used,
 )
 
+Stored = tuple[NDArray[Any], Colours]
+"""A picture as stored, and the meaning of its samples."""
 FramesAre = Literal["integrals", "samples"]
 
 ARRAYS = (".mat", ".npy", ".npz")
@@ -152,9 +155,17 @@ def laid_scene(
     else:
         from nscc_runtime.scenes.bracket import bracket_files, merged_bracket
 
-        _refuse(request, "a bracket is one still", "first", "transfer", "white", "skip")
+        _refuse(request, "a bracket is one still", "first", "white", "skip")
         files = bracket_files(spec)
-        return _still(request, lambda: merged_bracket(files, request.times), "linear")
+        notes: list[tuple[str, ...]] = []
+
+        def merged() -> Stored:
+            return merged_bracket(
+                files, request.times, request.transfer,
+                lambda pages: notes.append(_say_notes(request, pages)),
+            )  # fmt: skip
+
+        return replace(_still(request, merged), notes=notes[0])
     return _load_path(request, _existing(spec))
 
 
@@ -195,45 +206,59 @@ def _existing(spec: str) -> Path:
 
 
 def _load_path(request: _Request, path: Path) -> PlacedLight:
-    from nscc_runtime.scenes import clips, picture_files
+    from nscc_runtime.scenes.picture_files import CLIPS, PICTURES, open_pages
 
     reads(path)
-
     suffix = path.suffix.lower()
     if path.is_dir():
-        files = picture_files.files_of(path, request.skip, request.warn)
-        transfer = request.transfer or picture_files.transfer_of(files[0])
-        frames = picture_files.read_folder(files, request.skip, request.warn)
-        return _clip(request, frames, transfer)
+        return _folder(request, path)
     _refuse(request, "only a folder of pictures can lack frames", "skip")
     if suffix in ARRAYS:
         return _array(request, path)
-    if suffix in picture_files.PICTURES:
-        pages = picture_files.open_pages(path, large=True)
-        return _noted(request, pages, picture_files.default_transfer(path), pages.count == 1)
-    if suffix in clips.CLIPS:
-        pages = clips.open_clip(path)
-        return _noted(request, pages, "srgb")
-    known = ", ".join(sorted(ARRAYS + picture_files.PICTURES + clips.CLIPS))
-    raise rejected(
-        "NS0731",
-        f"the ending of '{path}' is not a scene format",
-        notes=(f"scenes end in {known}, or are folders of pictures",),
-        helps=("give the file the ending of its format",),
-    )
-
-
-def _noted(request: _Request, pages: Pages, usual: Transfer, still: bool = False) -> PlacedLight:
-    """Return the still or clip of a file, with the file's notes. `usual`: its format's curve."""
-    for text, help_text in pages.notes if request.channel is None else ():
-        request.warn(picture_note(f"'{request.name}' {text}", help_text))
-    transfer = request.transfer or pages.transfer or usual
-    if still:
+    if suffix not in PICTURES + CLIPS:
+        known = ", ".join(sorted(ARRAYS + PICTURES + CLIPS))
+        raise rejected(
+            "NS0731",
+            f"the ending of '{path}' is not a scene format",
+            notes=(f"scenes end in {known}, or are folders of pictures",),
+            helps=("give the file the ending of its format",),
+        )
+    pages = open_pages(path, large=True)
+    if pages.count == 1 and not pages.is_clip:
         _refuse(request, "a still is one frame", "first")
-        laid = _still(request, lambda: next(pages.read()), transfer)
+        notes = _say_notes(request, pages)
+        laid = _still(request, lambda: (next(pages.read()), pages.colours))
     else:
-        laid = _clip(request, pages.read(), transfer)
-    return replace(laid, notes=tuple(f"the scene {text}" for text, _ in pages.notes))
+        pages = pages if request.single else timed(pages)
+        notes = _say_notes(request, pages)
+        laid = _clip(request, ((frame, pages.colours) for frame in pages.read()), pages.edges)
+    return replace(laid, notes=notes)
+
+
+def _folder(request: _Request, path: Path) -> PlacedLight:
+    """Return the clip of a folder, with the notes of its first file."""
+    from nscc_runtime.scenes.picture_folders import files_of, read_folder
+
+    files = files_of(path, request.skip, request.warn)
+    notes: list[tuple[str, ...]] = []
+
+    def frames() -> Iterator[Stored]:
+        for picture, pages in read_folder(files, request.skip, request.warn):
+            if not notes:
+                notes.append(_say_notes(request, pages))
+            yield picture, pages.colours
+
+    laid = _clip(request, frames())
+    return replace(laid, notes=notes[0])
+
+
+def _say_notes(request: _Request, pages: Pages) -> tuple[str, ...]:
+    """Send a file's notes to `warn`, and return them as sentences. Notes on its colours are left
+    out if the request sets the transfer curve."""
+    notes = pages.notes + (pages.stated.notes if request.transfer is None else ())
+    for text, help_text in notes if request.channel is None else ():
+        request.warn(picture_note(f"'{request.name}' {text}", help_text))
+    return tuple(f"the scene {text}" for text, _ in notes)
 
 
 def _refuse(request: _Request, why: str, *names: str) -> None:
@@ -254,9 +279,10 @@ def _array(request: _Request, path: Path) -> PlacedLight:
     if path.suffix.lower() == ".mat":
         key, values = light_arrays.read_mat(path, request.check_light)
         if key == light_arrays.MAT_CLIP_KEY:
-            frames = (values[:, :, k] for k in range(values.shape[2]))
+            light = Colours.of("linear")
+            frames = ((values[:, :, k], light) for k in range(values.shape[2]))
             white = request.white or light_arrays.clip_white(values)
-            return _clip(replace(request, white=white), frames, request.transfer or "linear")
+            return _clip(replace(request, white=white), frames)
     else:
         values = light_arrays.read_light(path, request.check_light, request.progress)
     why = "`light` arrays hold electrons, slot by slot, for every pixel"
@@ -292,33 +318,37 @@ def _electrons(request: _Request, values: NDArray[np.float32]) -> Light:
     return Light.of_still(values, seconds)
 
 
-def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transfer) -> PlacedLight:
+def _still(request: _Request, read: Callable[[], Stored]) -> PlacedLight:
     _refuse(request, "a still has no frame rate", "fps")
     request.check_exposure()
-    stored = read()
-    frame, placement = _light(request, stored, transfer, request.name)
-    colour = _say_changes(request, stored, transfer, placement)
+    stored, colours = read()
+    frame, placement = _light(request, stored, colours, request.name)
+    colour = _say_changes(request, stored, colours, placement)
     seconds = request.slot_s
     factor = request.scale(frame.astype(np.float64) * float(seconds.sum()), placement)
     return PlacedLight(Light.of_still(frame, seconds * factor, factor), placement, colour)
 
 
-def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> PlacedLight:
-    """Return a clip's light: one frame per slot, by `--fps`, or with `single` one as a still."""
+def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None) -> PlacedLight:
+    """Return a clip's light: one frame per slot, by `--fps`, or with `single` one as a still.
+    `edges`: the times of frames that last unequally."""
     if request.single:
-        return _still(
-            request, partial(timing.only_frame, request.name, stored, request.first), transfer
-        )
+        read = partial(timing.only_frame, request.name, frames_read, request.first)
+        return _still(request, read)
     request.check_exposure()
     fps = None if request.fps is None else timing.check_fps(request.fps)
-    need = request.slots if fps is None else timing.frames_needed(request.slot_us, fps)
+    frames_read, edges = islice(frames_read, request.first, None), from_frame(edges, request.first)
+    if fps is None:
+        need, frames_read = request.slots, evenly(frames_read, edges)
+    else:
+        need = timing.frames_needed(request.slot_us, fps, edges)
     frames, placement = np.empty((0, 0, 0), np.float32), request.on_array
     have, colour = 0, False
-    for picture in request.progress(islice(stored, request.first, None), "reading frames", need):
+    for picture, colours in request.progress(frames_read, "reading frames", need):
         name = f"{request.name}, frame {request.first + have}"
-        frame, placement = _light(request, picture, transfer, name)
+        frame, placement = _light(request, picture, colours, name)
         if have == 0:
-            colour = _say_changes(request, picture, transfer, placement)
+            colour = _say_changes(request, picture, colours, placement)
         if have == len(frames):
             # realloc grows a large block without a copy; the final size is `need`
             frames.resize((min(need, max(64, 2 * have)), *frame.shape), refcheck=False)
@@ -332,35 +362,37 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
         factor = request.scale(frames.sum(axis=0, dtype=np.float64), placement)
         clip, seconds, rate = Light.of_clip(frames, factor), None, 1.0
     else:
-        overlap = timing.overlaps(request.slot_us, fps)
+        overlap = timing.overlaps(request.slot_us, fps, edges)
         clip = timing.spread(frames, overlap, lambda open_sum: request.scale(open_sum, placement))
         seconds, rate = overlap.seconds, float(fps)
     if request.frames_are == "samples":
-        clip = timing.with_motion(clip, seconds, rate)
+        clip = timing.with_motion(clip, seconds, rate, edges)
     return PlacedLight(clip, placement, colour)
 
 
 def _say_changes(
-    request: _Request, stored: NDArray[Any], transfer: Transfer, placement: Placement
+    request: _Request, stored: NDArray[Any], colours: Colours, placement: Placement
 ) -> bool:
     """Return whether the picture is in colour, and send notes on its changes to `warn`."""
     colour = in_colour(stored)
+    colours = Colours.of(request.transfer or colours)
     if request.channel is None:
         for note in changes(placement, colour, request.name):
             request.warn(note)
         floats = stored.dtype.kind == "f"
-        if request.transfer is None and transfer == "srgb" and floats:
+        if request.transfer is None and colours.transfer == "srgb" and floats:
             request.warn(taken_for_srgb(request.name))
         if request.white is None and few_bits(stored):
-            request.warn(white_used(request.name, transfer, stored))
+            request.warn(white_used(request.name, colours.text, stored))
     return colour
 
 
 def _light(
-    request: _Request, stored: NDArray[Any], transfer: Transfer, name: str
+    request: _Request, stored: NDArray[Any], colours: Colours, name: str
 ) -> tuple[NDArray[np.float32], Placement]:
     """Return a stored picture as light on the arrays, and its placement. Raises Rejected (NS0736)
     for values that are not light."""
+    colours = Colours.of(request.transfer or colours)
     placement = placement_of(request.fit, (stored.shape[0], stored.shape[1]), request.window, name)
     window = None
     if placement.fit == "crop":
@@ -370,7 +402,7 @@ def _light(
             slice(first_col, first_col + request.window.cols),
         )
     values = picture_light(
-        stored, transfer, name, channel=request.channel, white=request.white, window=window,
+        stored, colours, name, channel=request.channel, white=request.white, window=window,
         size=placement.size if placement.fit == "scale" else None, warn=request.warn,
     )  # fmt: skip
     return placed(values, placement), placement

@@ -1,29 +1,69 @@
-"""The pictures of a file, with the properties that the file states."""
+"""The pictures of a file, the properties that it states, and the limits of their size."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+from fractions import Fraction
+from math import prod
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.scenes.colour import Transfer
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.scenes.colour import Colours
+
+MOST_PIXELS = 1 << 26
+"""Largest number of pixels of a picture or of a frame of a clip: 8192 x 8192, 67 million."""
+
+MOST_LARGE_PIXELS = 3 * MOST_PIXELS
+"""Largest number of pixels of a scene that is one picture of 8 bits per sample: 201 million."""
 
 Note = tuple[str, str]
 """A sentence about a file, without its name, and a remedy."""
 
+Edges = tuple[Fraction, ...] | None
+"""Starts of a film's frames, and its end, in steps; None if every frame lasts one step."""
+
+
+@dataclass(frozen=True)
+class Stated:
+    """The colours that a file states, None if it states none, and notes about them."""
+
+    colours: Colours | None = None
+    notes: tuple[Note, ...] = ()
+
 
 @dataclass(frozen=True)
 class Pages:
-    """The `count` pictures of a file. `read` decodes them one after the other, each (R, C) grey or
-    (R, C, 3) red, green, blue as stored. `transfer`: the transfer curve that the file names, or
-    None. `notes`: unexpected choices of the reader."""
+    """The `count` pictures of a file, decoded only while `read` is iterated.
 
+    `sizes`: rows and columns of the pictures by the head of the file, the first picture first.
+    `read` yields each picture as stored, (R, C) grey or (R, C, 3) red, green, blue. `stated`: the
+    colours that the file states. `notes`: unexpected choices of the reader. `durations_s` returns
+    the durations of the pictures in seconds; None if the file has no clock. `edges`: the starts of
+    frames that last unequally (see `film_times`). `is_clip`: whether the file is a clip even if it
+    has one picture. `is_light`: whether samples are linear light unless the file states otherwise.
+    `has_8_bits`: whether samples have at most 8 bits."""
+
+    sizes: tuple[tuple[int, int], ...]
     count: int
     read: Callable[[], Iterator[NDArray[Any]]]
-    transfer: Transfer | None = None
+    stated: Stated = Stated()
     notes: tuple[Note, ...] = ()
+    durations_s: Callable[[], NDArray[np.float64]] | None = None
+    edges: Edges = None
+    is_clip: bool = False
+    is_light: bool = False
+    has_8_bits: bool = False
+
+    @property
+    def colours(self) -> Colours:
+        """The colours of the file, or else those of its format: linear light, or sRGB."""
+        return self.stated.colours or Colours.of("linear" if self.is_light else "srgb")
 
 
 class UnsupportedPicture(Exception):
@@ -32,3 +72,31 @@ class UnsupportedPicture(Exception):
     def __init__(self, reason: str, help_text: str) -> None:
         super().__init__(reason)
         self.reason, self.help_text = reason, help_text
+
+
+def check_sizes(path: Path, pages: Pages, large: bool) -> None:
+    """Raise Rejected (NS0734) for a picture of more than MOST_PIXELS. With `large`, a single
+    picture of 8 bits per sample may have MOST_LARGE_PIXELS."""
+    rows, cols = max(pages.sizes, key=prod)
+    admits_more = large and pages.has_8_bits and pages.count == 1
+    if rows * cols > (MOST_LARGE_PIXELS if admits_more else MOST_PIXELS):
+        raise rejected(
+            "NS0734",
+            f"'{path}' has {rows:,} x {cols:,} pixels, but at most {MOST_PIXELS:,} are allowed",
+            helps=(
+                "reduce or crop the picture; a single picture with 8 bits per sample may "
+                f"have {MOST_LARGE_PIXELS:,} pixels",
+            ),
+        )
+
+
+@contextmanager
+def without_pillow_limit() -> Iterator[None]:
+    """Switch off Pillow's limit on pixels in a with block: `check_sizes` applies the limits."""
+    from PIL import Image
+
+    pillow_limit, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None
+    try:
+        yield
+    finally:
+        Image.MAX_IMAGE_PIXELS = pillow_limit

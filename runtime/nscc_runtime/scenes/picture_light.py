@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from math import prod
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic
-from nscc_runtime.scenes import picture_size
-from nscc_runtime.scenes.colour import Transfer, grey
+from nscc_runtime.scenes import pages
+from nscc_runtime.scenes.colour import Colours, Transfer, grey
 from nscc_runtime.scenes.errors import clamped, refuse_no_light
 from nscc_runtime.scenes.light_arrays import check_type
-from nscc_runtime.scenes.pages import Pages
-from nscc_runtime.scenes.picture_size import png_head, without_pillow_limit
 
 _STRIP = 256
 """Number of rows that are converted at a time, to limit memory in double precision."""
@@ -26,7 +23,7 @@ _TINY_NEGATIVE = 1e-3
 
 def picture_light(
     stored: NDArray[Any],
-    transfer: Transfer,
+    colours: Transfer | Colours,
     name: str,
     *,
     channel: int | None = None,
@@ -41,8 +38,8 @@ def picture_light(
     ----------
     stored : array
         (R, C) grey or (R, C, 3) red, green, blue.
-    transfer : {"linear", "srgb", "pq", "hlg"}
-        The transfer curve of the samples.
+    colours : Colours or {"linear", "srgb", "pq", "hlg"}
+        The meaning of the samples, or a standard transfer curve.
     name : str
         Name of the picture in messages.
     channel : int, optional
@@ -69,8 +66,8 @@ def picture_light(
         peak = float(stored.max(initial=0.0, where=np.isfinite(stored))) if floats else 0.0
         region = stored[rows, cols]
         strips = (region[top : top + _STRIP] for top in range(0, len(region), _STRIP))
-        bands = (grey(strip, transfer, channel, white) for strip in strips)
-        if size and prod(region.shape[:2]) > picture_size.MOST_PIXELS:
+        bands = (grey(strip, colours, channel, white) for strip in strips)
+        if size and prod(region.shape[:2]) > pages.MOST_PIXELS:
             values = reduced(bands, len(region), size)
         else:
             values = np.concatenate([*bands])
@@ -81,50 +78,6 @@ def picture_light(
         warn(clamped(name, count, values.size, low))
     refuse_no_light(values, name, (rows.start, cols.start))
     return values
-
-
-_GREY, _COLOUR = ("1", "L"), ("LA", "P", "PA", "RGB", "RGBA", "RGBX", "CMYK", "YCbCr")
-_BAND_ROWS = 256
-
-
-def large_pages(path: Path) -> Pages | None:
-    """Open a single picture of 8 bits per sample that has more than `MOST_PIXELS`.
-
-    Pillow needs 4 bytes per pixel while it decodes a picture. Rows are copied in bands, so a
-    picture of `MOST_LARGE_PIXELS` needs at most 1.4 GB, or 1.6 GB if its EXIF orientation rotates
-    it.
-
-    Returns
-    -------
-    Pages or None
-        None for smaller pictures, deeper samples, files of several pictures, and pictures that
-        Pillow does not identify: the reader of their format opens or refuses them.
-    """
-    from PIL import Image, ImageOps, UnidentifiedImageError
-
-    try:
-        with without_pillow_limit(), Image.open(path) as image:
-            pixels, mode = image.width * image.height, image.mode
-            count = getattr(image, "n_frames", 1)
-    except (UnidentifiedImageError, OSError):
-        return None
-    most, least = picture_size.MOST_LARGE_PIXELS, picture_size.MOST_PIXELS
-    if count != 1 or mode not in (*_GREY, *_COLOUR) or not least < pixels <= most:
-        return None
-
-    def read() -> Iterator[NDArray[Any]]:
-        with without_pillow_limit(), Image.open(path) as image:
-            ImageOps.exif_transpose(image, in_place=True)
-            width, height = image.size
-            grey = image.mode in _GREY
-            samples = np.empty((height, width) if grey else (height, width, 3), np.uint8)
-            for top in range(0, height, _BAND_ROWS):
-                band = image.crop((0, top, width, min(top + _BAND_ROWS, height)))
-                samples[top : top + _BAND_ROWS] = np.asarray(band.convert("L" if grey else "RGB"))
-        yield samples
-
-    head = png_head(path) if path.suffix.lower() == ".png" else None
-    return Pages(1, read, *((head.transfer, head.notes) if head else ()))
 
 
 def reduced(bands: Iterator[NDArray[np.float64]], rows: int, size: tuple[int, int]) -> NDArray[Any]:

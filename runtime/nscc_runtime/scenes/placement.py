@@ -17,7 +17,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc_runtime.light import Light
-from nscc_runtime.scenes.colour import CURVES, Transfer, white_of
+from nscc_runtime.scenes.colour import white_of
 from nscc_runtime.scenes.errors import Path_or_name, size
 
 Fit = Literal["crop", "scale", "tiles"]
@@ -252,10 +252,10 @@ def few_bits(stored: NDArray[Any]) -> bool:
     return deep and int(stored.max()) <= int(np.iinfo(stored.dtype).max) // 4
 
 
-def white_used(name: str, transfer: Transfer, stored: NDArray[Any]) -> Diagnostic:
+def white_used(name: str, curve: str, stored: NDArray[Any]) -> Diagnostic:
     """Return the note NS0773 on curve and white level of a first picture with `few_bits`."""
     return picture_note(
-        f"the samples of '{name}' are converted with {CURVES[transfer]} and white at "
+        f"the samples of '{name}' are converted with {curve} and white at "
         f"{white_of(stored.dtype):g}; the largest is {stored.max():g}",
         "--white W sets the sample value of white, such as --white 4095 for 12 bits",
     )

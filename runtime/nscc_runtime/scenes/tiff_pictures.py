@@ -1,25 +1,39 @@
 """Read the pages of TIFF files: by Pillow if samples have at most 8 bits, else by OpenCV.
 
 OpenCV multiplies 8-bit colours by alpha, and does not invert 16-bit pictures in which 0 is white;
-Pillow does not support 16-bit colours."""
+Pillow does not support 16-bit colours. OpenCV gets each page, or each of its colour planes, as a
+TIFF file of its own, because it mistakes separate planes for colours side by side."""
 
 from __future__ import annotations
 
+import re
+import struct
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import prod
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
-from nscc_runtime.scenes.picture_size import refuse_size
+from nscc_runtime.scenes.file_colours import of_profile
+from nscc_runtime.scenes.opencv_pictures import decoded
+from nscc_runtime.scenes.pages import Note, Pages, Stated, UnsupportedPicture
+from nscc_runtime.scenes.pillow_pictures import pixels
 
-_SUBFILE, _COLS, _ROWS, _BITS, _COMPRESSION, _PHOTOMETRIC, _FORMAT = (
-    254, 256, 257, 258, 259, 262, 339,
+_SUBFILE, _COLS, _ROWS, _BITS, _COMPRESSION, _PHOTOMETRIC, _DESCRIPTION, _STARTS, _SAMPLES = (
+    254, 256, 257, 258, 259, 262, 270, 273, 277,
 )  # fmt: skip
+_STRIP_ROWS, _COUNTS, _PLANES, _TILE_STARTS, _TILE_COUNTS, _EXTRA, _FORMAT, _TABLES, _PROFILE = (
+    278, 279, 284, 324, 325, 338, 339, 347, 34675,
+)  # fmt: skip
+_COPIED = (_COLS, _ROWS, _BITS, _COMPRESSION, _PHOTOMETRIC, 266, 274, _SAMPLES, _STRIP_ROWS,
+           _PLANES, 317, 320, 322, 323, _EXTRA, _FORMAT, _TABLES, 530)  # fmt: skip
+"""Tags that describe how samples are stored."""
 _THUMBNAIL_OR_MASK = 0b101
-_WHITE_IS_ZERO, _BLACK_IS_ZERO = 0, 1
+_WHITE_IS_ZERO, _BLACK_IS_ZERO, _CMYK = 0, 1, 5
+_LABS = {8: "CIE L*a*b*", 9: "ICC L*a*b*", 10: "ITU L*a*b*"}
 _UNSIGNED, _SIGNED, _FLOAT = 1, 2, 3
 _FORMATS = {_UNSIGNED: "unsigned integers", _SIGNED: "signed integers", _FLOAT: "floats"}
 _DECODED = {(_UNSIGNED, 16), (_SIGNED, 16), (_UNSIGNED, 32), (_SIGNED, 32), (_FLOAT, 32),
@@ -28,52 +42,69 @@ _DECODED = {(_UNSIGNED, 16), (_SIGNED, 16), (_UNSIGNED, 32), (_SIGNED, 32), (_FL
 Tags = Mapping[int, Any]
 
 
+@dataclass(frozen=True)
+class _Page:
+    """A page: the index and the `tags` of its directory, and the number of pictures of the same
+    size before it in the samples of that directory (`skipped`)."""
+
+    index: int
+    tags: Tags
+    skipped: int = 0
+
+    @property
+    def size(self) -> tuple[int, int]:
+        return int(self.tags[_ROWS]), int(self.tags[_COLS])
+
+    @property
+    def samples(self) -> tuple[int, int]:
+        """Format and number of bits of the samples."""
+        kinds, bits = (np.ravel(self.tags.get(tag) or 1) for tag in (_FORMAT, _BITS))
+        return int(kinds[0]), int(bits.max())
+
+
 def tiff_pages(path: Path) -> Pages:
-    """Open the pages of a TIFF file, without thumbnails and masks.
+    """Open the pages of a TIFF file, without thumbnails and masks. Of several channels the first is
+    opened, with a note.
 
     Raises
     ------
     UnsupportedPicture
         If a page has samples of a kind that neither library decodes.
     """
-    directories = _directories(path)
-    chosen = _shown(directories)
-    for index in chosen:
-        _check_samples(directories[index])
-        refuse_size(path, *_size(directories[index]))
-
-    def read() -> Iterator[NDArray[Any]]:
-        for index in chosen:
-            yield _read_page(path, index, directories[index])
-
-    return Pages(len(chosen), read)
-
-
-def tiff_size(path: Path) -> tuple[int, int]:
-    """Return rows and columns of the first page, as its tags state them."""
-    directories = _directories(path)
-    return _size(directories[_shown(directories)[0]])
-
-
-def _size(tags: Tags) -> tuple[int, int]:
-    return int(tags[_ROWS]), int(tags[_COLS])
-
-
-def _shown(directories: list[Tags]) -> list[int]:
-    return [
-        index
+    byte_order, directories = _directories(path)
+    shown = [
+        _Page(index, tags)
         for index, tags in enumerate(directories)
         if not int(tags.get(_SUBFILE) or 0) & _THUMBNAIL_OR_MASK
-    ] or [0]
+    ] or [_Page(0, directories[0])]
+    pages, notes = _of_one_channel(_of_stack(shown))
+    for page in pages:
+        _check_samples(page)
+    profile = pages[0].tags.get(_PROFILE)
+
+    def read() -> Iterator[NDArray[Any]]:
+        for page in pages:
+            yield _picture(path, byte_order, page)
+
+    return Pages(
+        tuple(dict.fromkeys(page.size for page in pages)), len(pages), read,
+        Stated() if profile is None else of_profile(bytes(profile)), notes,
+        has_8_bits=pages[0].samples[1] <= 8,
+    )  # fmt: skip
 
 
-def _directories(path: Path) -> list[Tags]:
+def _directories(path: Path) -> tuple[bytes, list[Tags]]:
+    """Return the first two bytes of the file, which name its byte order, and its directories."""
     from PIL.TiffImagePlugin import ImageFileDirectory_v2
 
     directories: list[Tags] = []
     with open(path, "rb") as file:
         head = file.read(8)
         if head[2:4] in (b"+\0", b"\0+"):  # 43, the number of BigTIFF
+            if head[:2] != b"II":  # Pillow does not recognise it
+                raise UnsupportedPicture(
+                    "it is a BigTIFF of big-endian numbers", "save it with little-endian numbers"
+                )
             head += file.read(8)
         directory = ImageFileDirectory_v2(head)
         visited = set()
@@ -85,17 +116,60 @@ def _directories(path: Path) -> list[Tags]:
             directories.append(dict(directory))
     if not directories:
         raise ValueError("it has no pages")
-    return directories
+    return head[:2], directories
 
 
-def _samples(tags: Tags) -> tuple[int, int]:
-    """Return format and number of bits of a page's samples."""
-    kinds, bits = (np.ravel(tags.get(tag) or 1) for tag in (_FORMAT, _BITS))
-    return int(kinds[0]), int(bits.max())
+def _description(page: _Page) -> str:
+    return str(page.tags.get(_DESCRIPTION) or "")
 
 
-def _check_samples(tags: Tags) -> None:
-    kind, bits = _samples(tags)
+def _of_stack(pages: list[_Page]) -> list[_Page]:
+    """Return the pages of a stack whose only directory describes its first page (ImageJ)."""
+    stated = re.match(r"ImageJ=.*?\bimages=(\d+)", _description(pages[0]), re.DOTALL)
+    if stated is None or len(pages) > 1 or int(pages[0].tags.get(_COMPRESSION) or 1) != 1:
+        return pages
+    return [_Page(0, pages[0].tags, number) for number in range(int(stated[1]))] or pages
+
+
+def _of_one_channel(pages: list[_Page]) -> tuple[list[_Page], tuple[Note, ...]]:
+    """Return the pages of the first channel, and of the first plane in depth if there are several
+    times, by the axes that ImageJ or OME state; and a note on the choice."""
+    text = _description(pages[0])
+    if text.startswith("ImageJ="):
+        stated = dict(re.findall(r"^(channels|slices|frames)=(\d+)", text, re.MULTILINE))
+        names = {"C": "channels", "Z": "slices", "T": "frames"}
+        counts = {axis: int(stated.get(name, 1)) for axis, name in names.items()}
+        order = "CZT"
+    elif "<OME" in text and (pixels_tag := re.search(r"<Pixels\b[^>]*>", text)):
+        counts = {a: int(n) for a, n in re.findall(r'Size([CZT])="(\d+)"', pixels_tag[0])}
+        found = re.search(r'DimensionOrder="XY([CZT]{3})"', pixels_tag[0])
+        order = found[1] if found else "CZT"
+        # Colours of one page are not channels.
+        counts["C"] = counts.get("C", 1) // int(pages[0].tags.get(_SAMPLES) or 1) or 1
+    else:
+        return pages, ()
+    shape = [counts.get(axis, 1) for axis in order]
+    chosen = {"C": "channel"} if counts.get("C", 1) > 1 else {}
+    if counts.get("Z", 1) > 1 and counts.get("T", 1) > 1:
+        chosen["Z"] = "slice"
+    if not chosen or prod(shape) != len(pages):
+        return pages, ()
+    numbers = np.arange(len(pages)).reshape(shape[::-1]).transpose(2, 1, 0)
+    for axis in chosen:
+        numbers = np.take(numbers, [0], order.index(axis))
+    kept = [pages[number] for number in sorted(numbers.ravel().tolist())]
+    named = " and ".join(f"{name} 1 of {counts[axis]}" for axis, name in chosen.items())
+    help_text = "save another one in a separate file if you need it"
+    return kept, ((f"has several channels or slices: {named} is exposed", help_text),)
+
+
+def _check_samples(page: _Page) -> None:
+    """Raise UnsupportedPicture for samples that are not decoded to red, green, blue or grey."""
+    kind, bits = page.samples
+    photometric = int(page.tags.get(_PHOTOMETRIC) or 0)
+    if photometric in _LABS or (photometric == _CMYK and bits > 8):
+        name = _LABS.get(photometric, f"CMYK of {bits} bits")
+        raise UnsupportedPicture(f"its colours are {name}", "convert it to RGB or to grey")
     if (bits <= 8 and kind == _UNSIGNED) or (kind, bits) in _DECODED:
         return
     raise UnsupportedPicture(
@@ -104,44 +178,85 @@ def _check_samples(tags: Tags) -> None:
     )
 
 
-def _read_page(path: Path, index: int, tags: Tags) -> NDArray[Any]:
-    kind, bits = _samples(tags)
-    picture = _by_pillow(path, index) if bits <= 8 else None
+def _picture(path: Path, byte_order: bytes, page: _Page) -> NDArray[Any]:
+    kind, bits = page.samples
+    picture = _by_pillow(path, page) if bits <= 8 else None
     if picture is None:
-        picture = _by_opencv(path, index)
-        grey = tags.get(_PHOTOMETRIC) in (_WHITE_IS_ZERO, _BLACK_IS_ZERO)
-        picture = picture[..., 0] if grey and picture.ndim == 3 else picture
-        if bits > 8 and kind == _UNSIGNED and tags.get(_PHOTOMETRIC) == _WHITE_IS_ZERO:
+        files = _files_of_planes(path, byte_order, page)
+        planes = [decoded(np.frombuffer(file, np.uint8)) for file in files]
+        grey = int(page.tags.get(_PHOTOMETRIC) or 0) in (_WHITE_IS_ZERO, _BLACK_IS_ZERO)
+        if grey or len(planes) > 1:
+            planes = [plane[..., 0] if plane.ndim == 3 else plane for plane in planes]
+        picture = np.stack(planes[:3], axis=-1) if len(planes) > 2 else planes[0]
+        if bits > 8 and kind == _UNSIGNED and page.tags.get(_PHOTOMETRIC) == _WHITE_IS_ZERO:
             picture = np.iinfo(picture.dtype).max - picture
-    if sorted(picture.shape[:2]) != sorted(_size(tags)):  # it may have been rotated
-        raise ValueError(f"page {index} is {picture.shape[:2]}, its tags say {_size(tags)}")
+    if sorted(picture.shape[:2]) != sorted(page.size):  # it may have been rotated
+        raise ValueError(f"page {page.index} is {picture.shape[:2]}, its tags say {page.size}")
     return picture
 
 
-def _by_pillow(path: Path, index: int) -> NDArray[Any] | None:
+def _by_pillow(path: Path, page: _Page) -> NDArray[Any] | None:
     """Return the page in 8 bits; None if Pillow does not support its kind."""
-    from PIL import Image, ImageOps, UnidentifiedImageError
+    from PIL import Image, UnidentifiedImageError
 
+    if page.skipped:
+        return None
     try:
         with Image.open(path) as image:
-            image.seek(index)
-            grey = image.mode in ("1", "L", "LA", "La")
-            upright = ImageOps.exif_transpose(image)
-            return np.asarray(upright.convert("L" if grey else "RGB"))
+            image.seek(page.index)
+            return pixels(image)
     except UnidentifiedImageError:
         return None
 
 
-def _by_opencv(path: Path, index: int) -> NDArray[Any]:
-    import cv2
+def _files_of_planes(path: Path, byte_order: bytes, page: _Page) -> list[bytes]:
+    """Return TIFF files that contain the page alone, or each of its separate planes as grey."""
+    tags = page.tags
+    starts_tag, counts_tag = (
+        (_TILE_STARTS, _TILE_COUNTS) if _TILE_STARTS in tags else (_STARTS, _COUNTS)
+    )
+    starts = np.ravel(tags[starts_tag]).astype(np.int64)
+    counts = np.ravel(tags.get(counts_tag) or path.stat().st_size).astype(np.int64)
+    planes = int(tags.get(_SAMPLES) or 1)
+    kept = {tag: tags[tag] for tag in _COPIED if tag in tags}
+    if page.skipped:
+        page_bytes = prod(page.size) * planes * page.samples[1] // 8
+        starts, counts = starts[:1] + page.skipped * page_bytes, np.array([page_bytes])
+        kept[_STRIP_ROWS] = page.size[0]
+    if int(tags.get(_PLANES) or 1) == 1:
+        planes = 1
+    else:
+        kept |= {_SAMPLES: 1, _BITS: page.samples[1], _PHOTOMETRIC: _BLACK_IS_ZERO, _PLANES: 1,
+                 _FORMAT: page.samples[0]}  # fmt: skip
+        kept.pop(_EXTRA, None)
+    files = []
+    with open(path, "rb") as file:
+        for part in np.array_split(np.arange(len(starts)), planes):
+            blocks = []
+            for k in part:
+                file.seek(int(starts[k]))
+                blocks.append(file.read(int(counts[k])))
+            places = 8 + np.cumsum([0, *map(len, blocks)])
+            blocks.append(bytes(int(places[-1]) % 2))
+            stored = {starts_tag: places[:-1], counts_tag: np.diff(places)}
+            files.append(_file_of(byte_order, b"".join(blocks), kept | stored))
+    return files
 
-    data = np.fromfile(path, np.uint8)
-    # IMREAD_COLOR refuses 32 and 64 bits of one channel; with alpha they need IMREAD_UNCHANGED.
-    for flags in (cv2.IMREAD_COLOR, cv2.IMREAD_ANYCOLOR, cv2.IMREAD_UNCHANGED):
-        success, pages = cv2.imdecodemulti(
-            data, cv2.IMREAD_ANYDEPTH | flags, range=(index, index + 1)
-        )
-        if success and len(pages) == 1:
-            picture = np.asarray(pages[0])
-            return picture if picture.ndim == 2 else picture[..., 2::-1]
-    raise ValueError(f"OpenCV decodes no page {index} of it")
+
+def _file_of(byte_order: bytes, samples: bytes, tags: Tags) -> bytes:
+    """Return a TIFF file: the samples, and a directory of tags with whole numbers or bytes."""
+    order = "<" if byte_order == b"II" else ">"
+    start = 8 + len(samples)
+    entries, values = b"", b""
+    for tag, value in sorted(tags.items()):
+        numbers = value if isinstance(value, bytes) else np.ravel(value)
+        data = numbers if isinstance(numbers, bytes) else numbers.astype(f"{order}u4").tobytes()
+        entry = data.ljust(4, b"\0")
+        if len(data) > 4:
+            entry = struct.pack(f"{order}I", start + 6 + 12 * len(tags) + len(values))
+            values += data + bytes(len(data) % 2)
+        kind = 7 if isinstance(value, bytes) else 4
+        entries += struct.pack(f"{order}HHI", tag, kind, len(numbers)) + entry
+    head = byte_order + struct.pack(f"{order}HI", 42, start)
+    count = struct.pack(f"{order}H", len(tags))
+    return head + samples + count + entries + bytes(4) + values

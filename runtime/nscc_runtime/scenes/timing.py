@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -16,6 +17,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.light import Light
 from nscc_runtime.scenes.errors import Path_or_name
+from nscc_runtime.scenes.pages import Edges
 
 _SLACK_FRAMES = Fraction(1, 1000)
 """The last slot may exceed the clip by this fraction of a frame (16.667 ms at 60 Hz)."""
@@ -36,28 +38,31 @@ def slot_edges_us(slot_us: Sequence[float]) -> list[Fraction]:
     return [*accumulate((exact[length] for length in slot_us), initial=Fraction(0))]
 
 
-def frames_needed(slot_us: Sequence[float], fps: Fraction) -> int:
-    """Return the number of frames, counted from the first, that the slots need."""
-    end = slot_edges_us(slot_us)[-1] * fps / 1_000_000
-    return max(1, ceil(end - _SLACK_FRAMES))
+def frames_needed(slot_us: Sequence[float], fps: Fraction, edges: Edges = None) -> int:
+    """Return the number of frames, counted from the first, that the slots need. A film with `edges`
+    that ends too early needs one more frame than it has."""
+    end = slot_edges_us(slot_us)[-1] * fps / 1_000_000 - _SLACK_FRAMES
+    return max(1, ceil(end) if edges is None else bisect_left(edges, end))
 
 
-def overlaps(slot_us: Sequence[float], fps: Fraction) -> Overlaps:
+def overlaps(slot_us: Sequence[float], fps: Fraction, edges: Edges = None) -> Overlaps:
     """Return the overlap of slots and frames.
 
-    Frame k covers [k / fps, (k + 1) / fps); time beyond the last frame, number `frames_needed` - 1,
-    counts as the last frame. Boundaries are exact fractions, so a slot that ends with a frame
-    contains nothing of the next frame, for any number of slots."""
+    Frame k covers [k / fps, (k + 1) / fps), or from edges[k] / fps to edges[k + 1] / fps; time
+    beyond the last frame, number `frames_needed` - 1, counts as the last frame. Boundaries are
+    exact fractions, so a slot that ends with a frame contains nothing of the next frame, for any
+    number of slots."""
     per_us = fps / 1_000_000
-    last = frames_needed(slot_us, fps) - 1
+    last = frames_needed(slot_us, fps, edges) - 1
     row_start, frame_index, seconds = [0], [], []
     begin = Fraction(0)
     for edge_us in slot_edges_us(slot_us)[1:]:
         end = edge_us * per_us
-        k = min(int(begin), last)
+        k = min(int(begin) if edges is None else bisect_right(edges, begin) - 1, last)
         at = begin
         while at < end:
-            stop = end if k == last else min(end, Fraction(k + 1))
+            frame_end = Fraction(k + 1) if edges is None else edges[k + 1]
+            stop = end if k == last else min(end, frame_end)
             frame_index.append(k)
             seconds.append(float((stop - at) / fps))
             at, k = stop, k + 1
@@ -87,18 +92,21 @@ def spread(
 
 
 def with_motion(
-    light: Light, seconds: NDArray[np.float64] | None = None, fps: float = 1.0
+    light: Light, seconds: NDArray[np.float64] | None = None, fps: float = 1.0, edges: Edges = None
 ) -> Light:
     """Return a clip of samples with its `motion`: linear interpolation between frames.
 
     Frame k is the light at the start of its time. Each entry of the light's matrix covers `seconds`
-    of its frame, whose length is 1 / `fps`; entries follow each other without a gap. If `seconds`
-    is None, each entry is its whole frame. Within the last frame the light is constant."""
+    of its frame, whose length is 1 / `fps` (with `edges` a multiple); entries follow each other
+    without a gap. If `seconds` is None, each entry is its whole frame. Within the last frame the
+    light is constant."""
     entries = len(light.frame_index)
     begin, end = np.zeros(entries), np.ones(entries)
     if seconds is not None:
-        stop = np.cumsum(seconds) * fps - light.frame_index
-        begin, end = np.clip(stop - seconds * fps, 0.0, 1.0), np.clip(stop, 0.0, 1.0)
+        frame_edges = np.arange(len(light.frames) + 1) if edges is None else np.array(edges, float)
+        length = np.diff(frame_edges)[light.frame_index]
+        stop = (np.cumsum(seconds) * fps - frame_edges[light.frame_index]) / length
+        begin, end = np.clip(stop - seconds * fps / length, 0.0, 1.0), np.clip(stop, 0.0, 1.0)
     after = np.minimum(light.frame_index + 1, len(light.frames) - 1).astype(np.int32)
     later = light.weight * (begin + end) / 2
     moving = replace(
@@ -145,7 +153,7 @@ def too_short(
     )
 
 
-def only_frame(name: Path_or_name, stored: Iterator[NDArray[Any]], first: int) -> NDArray[Any]:
+def only_frame(name: Path_or_name, stored: Iterator[Any], first: int) -> Any:
     """Return frame number `first` of a clip as a still. Raises NS0735 if the clip is shorter."""
     have = 0
     for have, picture in enumerate(stored, 1):

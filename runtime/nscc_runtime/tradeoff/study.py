@@ -28,7 +28,7 @@ from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.tolerance import Tolerance, tolerance_of
 from nscc_runtime.reference import frames as reference_frames
-from nscc_runtime.reference.capture import scene_of
+from nscc_runtime.reference.capture import Reference, scene_of
 
 _MOST_BYTES = 1 << 28
 """Light and shutters of all slots are prepared as arrays before timing, unless they are larger than
@@ -89,10 +89,7 @@ class Naive:
         return self.light.dense(), np.stack([self._opened(n) for n in range(slots)])
 
     def _opened(self, n: int) -> NDArray[np.bool_]:
-        groups = self.program.reference.groups
-        buckets = np.arange(len(self.program.container.buckets))[:, None]
-        opened = groups.of_slot[:, n] >> buckets & 1
-        return opened.astype(np.bool_)[:, groups.lane]
+        return np.moveaxis(self.program.opened[n][self.program.lane], -1, 0)
 
 
 def copy_gb_per_s() -> float:
@@ -281,7 +278,10 @@ class _Bench:
         )  # fmt: skip
         # One row compiles and loads everything; each frame is then drawn once and timed.
         scene = scene_of(self.program.container, light)
-        self.program.reference.expose_rows(scene, range(1))
+        program = self.program
+        Reference.of(program.container, program.sensor, selected("all")).expose_rows(
+            scene, range(1)
+        )
         self.watch.ran(REFERENCE, self.scene.name)
         drawing = partial(self.watch.ms, REFERENCE, self.scene.name, partial(next, frames))
         truth, times_ms = zip(*(drawing() for _ in range(count)), strict=True)

@@ -23,6 +23,7 @@ from nscc_training.data.moving import Generator, Picture, moving
 from nscc_training.draws import uniform
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.measured import Measured
+from nscc_training.random_streams import DrawStream
 from nscc_training.run_files import searched_codes
 from nscc_training.settings import RunSettings
 
@@ -65,7 +66,7 @@ class LessonSet(Dataset[Lesson]):
 
     def __getitem__(self, step: int) -> Lesson:
         settings = self.settings
-        generator = np.random.default_rng([settings.train.seed, 12, step])
+        generator = np.random.default_rng([settings.train.seed, DrawStream.LESSONS, step])
         kind, size, batch = settings.decoder.lessons, settings.data.patch, settings.train.batch
         if kind == "stills":
             drawn = [_still_drawn(self.pictures, generator, size) for _ in range(batch)]  # type: ignore[arg-type]

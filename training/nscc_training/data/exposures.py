@@ -15,6 +15,7 @@ from torch.utils.data import Dataset
 
 from nscc_training.data.sources import Scenes, SourceScene
 from nscc_training.protocols import load_protocol
+from nscc_training.random_streams import DrawStream
 from nscc_training.settings import DataSettings
 
 _TRIES = 20
@@ -119,7 +120,7 @@ class ExposureSet(Dataset[Exposures]):
         source: list[int] = []
         corners, names, drawn_scenes = [], [], []
         for place in range(0, self.batch, self.settings.together):
-            generator = np.random.default_rng([self.seed, 4, step, place])
+            generator = np.random.default_rng([self.seed, DrawStream.PATCHES, step, place])
             scene = int(generator.integers(len(self.lights)))
             drawn_scenes.append(scene)
             light, lit, place_text = self._surroundings(scene, generator)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.scenes.picture_files import PICTURES, read_picture, transfer_of
+from nscc_runtime.scenes.picture_files import PICTURES, only_picture, open_pages
 from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training.curves import srgb
 from nscc_training.scene_files import folders_of
@@ -179,7 +179,8 @@ def light_of_picture(path: Path) -> NDArray[np.float32]:
     The reduction gives as much detail per pixel as small cameras have."""
     import cv2
 
-    light = picture_light(read_picture(path), transfer_of(path), str(path)).astype(np.float32)
+    pages = open_pages(path)
+    light = picture_light(only_picture(path, pages), pages.colours, str(path)).astype(np.float32)
     while min(light.shape) >= _SHORT:
         half = cv2.resize(light, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
         light = np.asarray(half, np.float32)

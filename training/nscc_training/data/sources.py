@@ -14,14 +14,14 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import file_sha256
-from nscc_runtime.scenes.colour import Transfer, linear
+from nscc_runtime.scenes.colour import Colours, Transfer, linear
 from nscc_runtime.scenes.picture_files import (
     DISPLAY,
     LINEAR,
     PICTURES,
-    default_transfer,
+    only_picture,
     open_pages,
-    read_picture,
+    read_frames,
 )
 from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training import made_scenes
@@ -30,6 +30,7 @@ from nscc_training.data.moving import light_of_picture, moving, pictures_below, 
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.protocol_scenes.classes import class_folders, class_of, moving_texture
 from nscc_training.protocols import load_protocol
+from nscc_training.random_streams import DrawStream
 from nscc_training.scene_files import CLIPS, centre_of, files_in, frames_in
 from nscc_training.settings import DataSettings
 from nscc_training.turning_camera import turned
@@ -132,10 +133,12 @@ class _Kind:
     classes: tuple[str, ...] = ()
     tell: Callable[[str], object] = lambda _text: None
 
-    def light(self, stored: NDArray[Any], transfer: Transfer, name: str) -> NDArray[np.float64]:
+    def light(
+        self, stored: NDArray[Any], colours: Transfer | Colours, name: str
+    ) -> NDArray[np.float64]:
         """Return the light of a stored picture, converted as by `nscc run`."""
         return picture_light(
-            stored, transfer, name, warn=lambda diagnostic: self.tell(diagnostic.message)
+            stored, colours, name, warn=lambda diagnostic: self.tell(diagnostic.message)
         )
 
 
@@ -173,12 +176,14 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
 
 
 def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
-    count = kind.settings.scenes if split_name == "train" else -(-kind.settings.scenes // 4)
+    count, stream = kind.settings.scenes, DrawStream.TRAINING_SCENES
+    if split_name != "train":
+        count, stream = -(-count // 4), DrawStream.VALIDATION_SCENES
     size = max(kind.settings.patch + kind.settings.patch // 2, 32)
     protocol = load_protocol(kind.settings.protocol)
     scenes = []
     for index in range(count):
-        generator = np.random.default_rng([kind.seed, 1 if split_name == "train" else 2, index])
+        generator = np.random.default_rng([kind.seed, stream, index])
         label = ""
         if kind.classes:
             label, light = moving_texture(
@@ -204,11 +209,11 @@ def _read(path: Path, kind: _Kind) -> list[SourceScene]:
         return [_scene(path.name, light, kind, digest)]
     pages = open_pages(path)
     if pages.count > 1 and not kind.still:
-        light = _clip_light(path, pages.read(), pages.transfer or default_transfer(path), kind)
+        light = _clip_light(path, read_frames(path), pages.colours, kind)
         return [_scene(path.name, light, kind, digest)]
     if suffix in DISPLAY:
         return _moved(path, digest, kind)
-    still = kind.light(read_picture(path), "linear", str(path))
+    still = kind.light(only_picture(path, pages), pages.colours, str(path))
     if not kind.still:
         return _turned(still.astype(np.float32), path.name, digest, kind)
     return [_scene(path.name, still, kind, digest)]
@@ -250,16 +255,16 @@ def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
 def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
     """Return a generator for each clip made of a file; file and seed determine it."""
     return [
-        np.random.default_rng([kind.seed, 3, int(digest[:8], 16), index])
+        np.random.default_rng([kind.seed, DrawStream.CAMERA_PATHS, int(digest[:8], 16), index])
         for index in range(kind.settings.paths)
     ]
 
 
 def _clip_light(
-    path: Path, stored: Iterable[NDArray[Any]], transfer: Transfer, kind: _Kind
+    path: Path, stored: Iterable[NDArray[Any]], colours: Transfer | Colours, kind: _Kind
 ) -> NDArray[np.float32]:
     frames = [
-        kind.light(centre_of(np.asarray(frame), _MOST_SIDE), transfer, f"{path}, frame {number}")
+        kind.light(centre_of(np.asarray(frame), _MOST_SIDE), colours, f"{path}, frame {number}")
         for number, frame in enumerate(islice(stored, kind.settings.frames))
     ]
     return np.stack(frames, dtype=np.float32, casting="same_kind")

@@ -12,17 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.scenes import Scene
-from nscc_runtime.scenes.clips import CLIPS, read_clip
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, read_light, read_mat
 from nscc_runtime.scenes.load import ARRAYS
-from nscc_runtime.scenes.picture_files import (
-    PICTURES,
-    default_transfer,
-    files_of,
-    open_pages,
-    read_picture,
-)
+from nscc_runtime.scenes.pages import Pages
+from nscc_runtime.scenes.picture_files import CLIPS, PICTURES, open_pages, read_picture
+from nscc_runtime.scenes.picture_folders import files_of
 
 _MOST_FRAMES = 600
 """Most frames of a clip that are searched for the part with the most motion."""
@@ -63,18 +58,22 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
         return Subject(scene, light.ndim == 2, "linear", in_electrons=True)
     if path.is_dir():
         files = files_of(path)
-        transfer = scene.transfer or default_transfer(files[0])
+        transfer = _transfer(scene, open_pages(files[0]))
         if len(files) == 1:
             return Subject(replace(scene, name=str(files[0])), True, transfer)
         return _of_clip(scene, (read_picture(file) for file in files), transfer, slots, frame_s)
-    if suffix in CLIPS and path.is_file():
-        return _of_clip(scene, read_clip(path), scene.transfer or "srgb", slots, frame_s)
-    if suffix in PICTURES and path.is_file():
-        pages = open_pages(path)
-        transfer = scene.transfer or pages.transfer or default_transfer(path)
-        if pages.count > 1:
-            return _of_clip(scene, pages.read(), transfer, slots, frame_s)
-    return Subject(scene, True, scene.transfer or default_transfer(path))
+    if suffix not in PICTURES + CLIPS or not path.is_file():
+        return Subject(scene, True, scene.transfer or "srgb")
+    pages = open_pages(path)
+    transfer = _transfer(scene, pages)
+    if pages.count > 1 or pages.is_clip:
+        return _of_clip(scene, pages.read(), transfer, slots, frame_s)
+    return Subject(scene, True, transfer)
+
+
+def _transfer(scene: Scene, pages: Pages) -> Transfer:
+    """Return the transfer curve of a scene; "srgb" for the curve of a colour profile."""
+    return scene.transfer or pages.colours.transfer or "srgb"
 
 
 def _of_clip(

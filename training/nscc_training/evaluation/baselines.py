@@ -266,8 +266,16 @@ def evaluate_sci8(
         begin = perf_counter()
         return chosen.decode(CapturedScene.of_benchmark(scene), **options), perf_counter() - begin
 
-    scored_scenes = list(scored(scenes_in(paths, protocol), decode))
+    scenes, left_out = usable_scenes(scenes_in(paths, protocol), protocol)
+    scored_scenes = list(scored(scenes, decode))
     spent_ms = 1e3 * float(np.mean([entry.seconds for entry in scored_scenes]))
     return result_of(
-        protocol, method, options, paths, scored_scenes, [], sees=chosen.sees, decoder_ms=spent_ms
+        protocol,
+        method,
+        options,
+        paths,
+        scored_scenes,
+        left_out,
+        sees=chosen.sees,
+        decoder_ms=spent_ms,
     )

@@ -28,7 +28,7 @@ from nscc_training.encoders import make_encoder
 from nscc_training.evaluation.runs import seen_of
 from nscc_training.loop.decoding import container_of, decoded_frame
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
-from nscc_training.protocol_scenes.file_scenes import scenes_in
+from nscc_training.protocol_scenes.file_scenes import readable, scenes_in
 from nscc_training.protocol_scenes.hdr import ENDINGS
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import load_protocol
@@ -168,10 +168,7 @@ def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Protocol
     paths = files_in(data / name, endings) or files_in(data, endings)
     seen_paths = seen_of(folder, paths)
     for path in (path for path in paths if path not in seen_paths):
-        file_scenes = scenes_in([path], protocol)
-        scene = next(
-            (candidate for candidate in file_scenes if isinstance(candidate, ProtocolScene)), None
-        )
+        scene = next(readable(scenes_in([path], protocol)), None)
         if scene is not None and scene.light_e.shape[-2:] == size:
             scenes.append((_worth(scene.light_e), path.name, scene))
     if not scenes:

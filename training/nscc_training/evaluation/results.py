@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import Product, read_whole
 from nscc.program.problems import counted
@@ -45,17 +46,37 @@ def usable_scenes(
     candidates: Iterable[ProtocolScene | Unusable], protocol: Protocol
 ) -> tuple[list[ProtocolScene | None], list[dict[str, Any]]]:
     """Return the usable scenes, and entries for others. A scene's index seeds its noise; None keeps
-    the place of others, except under hdr-v1."""
+    the place of others, except under hdr-v1.
+
+    A file that cannot be read is such an entry, with the `code` of its error; raises Rejected if
+    only such files remain."""
     scenes: list[ProtocolScene | None] = []
-    left_out = []
+    left_out: list[dict[str, Any]] = []
+    damages: list[Diagnostic] = []
     for scene in candidates:
         if isinstance(scene, ProtocolScene):
             scenes.append(scene)
             continue
-        left_out.append({"file": scene.file, **scene.place, "reason": scene.reason})
-        if not protocol.still:
+        code = {} if scene.damage is None else {"code": scene.damage.code}
+        left_out.append({"file": scene.file, **scene.place, "reason": scene.reason, **code})
+        if scene.damage is not None:
+            damages.append(scene.damage)
+            # Frames before the damage of a file do not count.
+            scenes = [s for s in scenes if s is None or s.file.name != scene.file]
+        elif not protocol.still:
             scenes.append(None)
+    if damages and not any(scenes):
+        raise Rejected(damages, status=2)
     return scenes, left_out
+
+
+def damaged_files(result: Mapping[str, Any]) -> list[Diagnostic]:
+    """Return an error for each file that is left out of a result because it cannot be read."""
+    help_text = "repair or remove the file, then the same command scores all files"
+    return [
+        Diagnostic(entry["code"], entry["reason"], helps=(help_text,))
+        for entry in result["left_out"] if "code" in entry
+    ]  # fmt: skip
 
 
 def scored(

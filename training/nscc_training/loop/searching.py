@@ -19,6 +19,7 @@ from nscc_training.encoders.base import Codes
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.loop.steps import compared, decoded, window
 from nscc_training.programs import compiled, program_of, words_per_slot
+from nscc_training.random_streams import DrawStream
 from nscc_training.search.expected import Motion, told_db
 from nscc_training.search.moves import moved
 from nscc_training.sensor_model import SensorModel
@@ -48,7 +49,7 @@ def search(setup: TrainingSetup, batch: Batch, step: int) -> float:
     best candidate with at least a tenth fewer words is chosen, whatever its loss."""
     chosen = setup.settings.shutter
     setup.decoder.eval()
-    generator = np.random.default_rng([setup.settings.train.seed, 11, step])
+    generator = np.random.default_rng([setup.settings.train.seed, DrawStream.SEARCH_MOVES, step])
     current = codes_of(setup)
     candidates = [moved(setup.encoder.spec, current, generator) for _ in range(chosen.moves)]
     first, words = _losses(setup, current, batch, step), _words(setup, current)
@@ -130,8 +131,9 @@ def _losses(setup: TrainingSetup, codes: Codes, batch: Batch, step: int) -> NDAr
     setup.encoder.load_codes(codes)
     setup.follow_codes()
     rows, cols = batch.light.shape[-2:]
-    shutters = window(setup.encoder.hard(), rows, cols, (seed, 7, step)).to(setup.device)
-    noise = generator_of(setup.device, seed, 10, step)
+    place = (seed, DrawStream.TILE_WINDOWS, step)
+    shutters = window(setup.encoder.hard(), rows, cols, place).to(setup.device)
+    noise = generator_of(setup.device, seed, DrawStream.READOUT_NOISE, step)
     prediction = decoded(setup, batch.light, shutters, setup.model, noise)
     losses = torch.stack([
         setup.loss(*compared(prediction[k : k + 1], batch.patches(k, k + 1)))

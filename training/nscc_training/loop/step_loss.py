@@ -22,6 +22,7 @@ from nscc_training.encoders import CodeTrial, Encoder
 from nscc_training.loop.ranks import Ranks
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.loop.steps import changes_of, compared, decoded, loss_of, window
+from nscc_training.random_streams import DrawStream
 from nscc_training.sensor_model import laid
 from nscc_training.settings import RunSettings
 
@@ -38,19 +39,21 @@ class StepLoss(nn.Module):
         setup, settings, rank = self._setup, self._setup.settings, self._ranks.rank
         seed, device = settings.train.seed, setup.device
         rows, cols = batch.light.shape[-2:]
-        place = (seed, 7, step)
+        place = (seed, DrawStream.TILE_WINDOWS, step)
         trial = None
         learns = codes_learn(settings, step)
         if learns and setup.encoder.relaxation == "tried":
-            trial = trial_of(setup.encoder, rows, cols, (seed, 6, step, rank), place)
+            trial = trial_of(
+                setup.encoder, rows, cols, (seed, DrawStream.RELAXED_CODES, step, rank), place
+            )
             shutters = trial.shutters[0]
         elif learns:
             # All processes share the noise of the codes, and draw the sensor's noise independently.
-            tile = setup.encoder(generator_of(device, seed, 6, step))
+            tile = setup.encoder(generator_of(device, seed, DrawStream.RELAXED_CODES, step))
             shutters = window(tile, rows, cols, place)
         else:
             shutters = window(setup.encoder.hard(), rows, cols, place)
-        noise = (seed, 10, step, rank)
+        noise = (seed, DrawStream.READOUT_NOISE, step, rank)
         prediction = decoded(
             setup, batch.light, shutters, setup.model, generator_of(device, *noise)
         )

@@ -48,6 +48,7 @@ from nscc_training.loop.validation import validated, validation_scenes
 from nscc_training.measures import means_text
 from nscc_training.programs import TARGET_FILE, compiled, program_of, words_per_slot
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
+from nscc_training.random_streams import DrawStream
 from nscc_training.settings import RunSettings
 
 METRICS = "metrics.csv"
@@ -166,7 +167,10 @@ def train(
                 **{out / name: data for name, data in run.setup.files.items()},
                 **(_so_far(run) if brought else {}),
             })  # fmt: skip
-        _steps(run, track if ranks.first else unseen, report, stop_after)
+        try:
+            _steps(run, track if ranks.first else unseen, report, stop_after)
+        except KeyboardInterrupt as stop:
+            raise KeyboardInterrupt(_how_to_go_on(out, resume)) from stop
         if ranks.first and run.progress.step >= settings.train.steps:
             # A run interrupted after its last step has no further step that would anneal.
             anneal(run.setup, settings.train.steps - 1)
@@ -179,6 +183,14 @@ def train(
             report(f"{out}: model_card.md says what it is worth; `{build}` compiles its shutters")
         run.log.close()
         ranks.meet()
+
+
+def _how_to_go_on(out: Path, resume: str) -> str:
+    """Return how an interrupted training continues."""
+    if not (out / CHECKPOINT).is_file():
+        return "there is no checkpoint yet; the same command starts again"
+    how = "the same command continues" if resume == "auto" else "--resume auto continues"
+    return f"the last checkpoint is stored in '{out}'; {how}"
 
 
 def start(
@@ -315,7 +327,7 @@ def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
     if not isinstance(drawn, Lesson):
         return _learn(run, run.step_loss(batch_of(run, drawn), step), drawn.names, step)
     light, mask = drawn.light.to(setup.device), drawn.mask.to(setup.device)
-    generator = generator_of(setup.device, settings.train.seed, 13, step)
+    generator = generator_of(setup.device, settings.train.seed, DrawStream.LESSON_NOISE, step)
     updates = lesson_losses(setup, drawn._replace(light=light, mask=mask), generator)
     return torch.stack([_learn(run, loss, drawn.names, step) for loss in updates]).mean()
 

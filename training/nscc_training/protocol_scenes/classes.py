@@ -13,12 +13,10 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_training import made_scenes
-from nscc_training.protocol_scenes.protocol_scene import Unusable
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, in_files
 from nscc_training.protocol_scenes.video import ClipWindow, exposed_window, windows
 from nscc_training.protocols import Protocol
-
-_TEST = 3
-"""Random-stream index of evaluation scenes; training and validation have indices 1 and 2."""
+from nscc_training.random_streams import DrawStream
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,15 +41,19 @@ def with_class(window: ClipWindow, label: str, classes: Sequence[str]) -> ClassW
 
 def class_windows(
     files: Sequence[Path], classes: Sequence[str], protocol: Protocol, seed: int
-) -> Iterator[ClassWindow | Unusable]:
+) -> Iterator[ProtocolScene | Unusable]:
     """Return the windows of files, in order; without files, procedural scenes of a seed."""
     if not files:
         return _moving_textures(classes, protocol, seed)
-    return (
-        window if isinstance(window, Unusable)
-        else with_class(window, class_of(path, classes), classes)
-        for path in files for window in windows([path], protocol)
-    )  # fmt: skip
+    labels = [class_of(path, classes) for path in files]
+
+    def of_class(path: Path, index: int) -> Iterator[ProtocolScene | Unusable]:
+        for window in windows(path, protocol):
+            if isinstance(window, ClipWindow):
+                window = with_class(window, labels[index], classes)
+            yield window
+
+    return in_files(files, of_class)
 
 
 def class_folders(folder: Path) -> Path:
@@ -88,7 +90,7 @@ def _moving_textures(
     classes: Sequence[str], protocol: Protocol, seed: int
 ) -> Iterator[ClassWindow | Unusable]:
     for index in range(int(protocol["procedural"])):
-        generator = np.random.default_rng([seed, _TEST, index])
+        generator = np.random.default_rng([seed, DrawStream.EVALUATION_SCENES, index])
         sides = int(protocol["frames"]), int(protocol["size"])
         label, clip = moving_texture(generator, index, classes, *sides, protocol)
         window = exposed_window(

@@ -3,7 +3,7 @@ slot."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -42,19 +42,19 @@ class DeblurMoment(ProtocolScene):
         return {**frame_scores(*pair, 1.0), "mu_psnr_db": decibels(mu_db)}
 
 
-def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[DeblurMoment | Unusable]:
-    """Yield the views of panoramas, in order; the indices of panorama and view seed the motion."""
+def moments(path: Path, index: int, protocol: Protocol) -> Iterator[DeblurMoment | Unusable]:
+    """Yield the views of a panorama, in order; the panorama's index and that of the view seed the
+    motion."""
     slots, size = int(protocol["frames"]), int(protocol["size"])
-    for index, path in enumerate(files):
-        light = light_of(path, protocol)
-        for number in range(int(protocol["views"])):
-            if light.shape != tuple(protocol["panorama"]):
-                reason = f"{light.shape}, not {tuple(protocol['panorama'])}"
-                yield Unusable(path.name, {"view": number}, reason)
-                continue
-            drawn = np.random.default_rng((protocol["view_seed"], index, number))
-            clip = turned(light.astype(np.float32), drawn, slots, size).astype(np.float64)
-            yield exposed_moment(path, number, clip, protocol)
+    light = light_of(path, protocol)
+    for number in range(int(protocol["views"])):
+        if light.shape != tuple(protocol["panorama"]):
+            reason = f"{light.shape}, not {tuple(protocol['panorama'])}"
+            yield Unusable(path.name, {"view": number}, reason)
+            continue
+        drawn = np.random.default_rng((protocol["view_seed"], index, number))
+        clip = turned(light.astype(np.float32), drawn, slots, size).astype(np.float64)
+        yield exposed_moment(path, number, clip, protocol)
 
 
 def exposed_moment(

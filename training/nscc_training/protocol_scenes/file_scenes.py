@@ -10,15 +10,17 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_training import made_scenes
 from nscc_training.protocol_scenes.classes import class_folders
 from nscc_training.protocol_scenes.deblur import exposed_moment, moments
 from nscc_training.protocol_scenes.hdr import ENDINGS, crops, crops_of, exposed_crop
-from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
-from nscc_training.protocol_scenes.sci import sci_scenes
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, in_files
+from nscc_training.protocol_scenes.sci import read_sci_clip
 from nscc_training.protocol_scenes.video import exposed_window, windows, windows_of
 from nscc_training.protocols import PROCEDURAL, Protocol, load_protocol
+from nscc_training.random_streams import DrawStream
 from nscc_training.scene_files import CLIPS, files_in, protocol_files
 
 Kind = Literal["clips", "stills"]
@@ -51,12 +53,30 @@ def files_of(protocol: Protocol, folder: Path) -> list[Path]:
 def scenes_in(
     files: Sequence[Path], protocol: Protocol, fraction: float | None = None
 ) -> Iterator[ProtocolScene | Unusable]:
-    """Yield the scenes of files; `fraction` replaces the share of saturated pixels."""
-    if protocol.name == "hdr-v1":
-        return crops(files, protocol, fraction)
-    if protocol.name == "deblur-v1":
-        return moments(files, protocol)
-    return sci_scenes(files, protocol) if protocol.name == "sci8" else windows(files, protocol)
+    """Return the scenes of files; `fraction` replaces the share of saturated pixels.
+
+    A file that cannot be read is `Unusable`, with its error."""
+
+    def scenes_of(path: Path, index: int) -> Iterable[ProtocolScene | Unusable]:
+        if protocol.name == "hdr-v1":
+            return crops(path, protocol, fraction)
+        if protocol.name == "deblur-v1":
+            return moments(path, index, protocol)
+        sci = protocol.name == "sci8"
+        return [read_sci_clip(path, protocol)] if sci else windows(path, protocol)
+
+    return in_files(files, scenes_of)
+
+
+def readable(
+    candidates: Iterable[ProtocolScene | Unusable],
+) -> Iterator[ProtocolScene]:
+    """Yield the usable scenes; raise Rejected for a file that cannot be read."""
+    for scene in candidates:
+        if isinstance(scene, ProtocolScene):
+            yield scene
+        elif scene.damage is not None:
+            raise Rejected(scene.damage, status=2)
 
 
 def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = None) -> Protocol:
@@ -97,9 +117,7 @@ def some_scenes(
         candidates = [
             scene
             for path in files[:count]
-            for scene in islice(
-                (s for s in scenes_in([path], protocol) if isinstance(s, ProtocolScene)), of_file
-            )
+            for scene in islice(readable(scenes_in([path], protocol)), of_file)
         ]
     scenes = [scene for scene in candidates if isinstance(scene, ProtocolScene)][:count]
     if not scenes:
@@ -119,13 +137,10 @@ def some_scenes(
     return scenes
 
 
-_MADE = 3
-"""Random-stream index of these scenes; training has 1 and validation 2."""
-
-
 def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unusable:
     """Return a procedural still or clip, exposed as hdr-v1 or video-v1 defines."""
-    generator, name = np.random.default_rng([seed, _MADE, index]), Path(f"made-{index}")
+    generator = np.random.default_rng([seed, DrawStream.EVALUATION_SCENES, index])
+    name = Path(f"made-{index}")
     if protocol.still:
         still = made_scenes.still(generator, protocol["crop_size"]).astype(np.float64)
         return exposed_crop(name, (0, 0), still, protocol)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -51,15 +51,14 @@ def light_of(path: Path, protocol: Protocol) -> Picture:
 
 
 def crops(
-    files: Sequence[Path], protocol: Protocol, fraction: float | None = None
+    path: Path, protocol: Protocol, fraction: float | None = None
 ) -> Iterator[Crop | Unusable]:
-    """Yield the crops of panoramas, in order; `Unusable` for crops that cannot be exposed."""
-    for path in files:
-        light = light_of(path, protocol)
-        if light.shape != tuple(protocol["panorama"]):
-            reason = f"{light.shape}, not {tuple(protocol['panorama'])}"
-            yield Unusable(path.name, {"crop": [0, 0]}, reason)
-            continue
+    """Yield the crops of a panorama, in order; `Unusable` for crops that cannot be exposed."""
+    light = light_of(path, protocol)
+    if light.shape != tuple(protocol["panorama"]):
+        reason = f"{light.shape}, not {tuple(protocol['panorama'])}"
+        yield Unusable(path.name, {"crop": [0, 0]}, reason)
+    else:
         yield from crops_of(path, light, protocol, fraction)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_training.protocols import Protocol
 
 Array = NDArray[Any]
@@ -57,11 +58,28 @@ class ProtocolScene(ABC):
 
 @dataclass(frozen=True)
 class Unusable:
-    """A scene that the protocol cannot expose: its file, its place in the file, and the reason."""
+    """A scene that the protocol cannot expose: its file, its place in the file, and the reason.
+
+    `damage` is the error of a file that cannot be read."""
 
     file: str
     place: Mapping[str, Any]
     reason: str
+    damage: Diagnostic | None = None
+
+
+def in_files(
+    files: Sequence[Path], scenes_of: Callable[[Path, int], Iterable[ProtocolScene | Unusable]]
+) -> Iterator[ProtocolScene | Unusable]:
+    """Yield the scenes of files, given a function of a file and its index.
+
+    A file that cannot be read is `Unusable`, with its error."""
+    for index, path in enumerate(files):
+        try:
+            yield from scenes_of(path, index)
+        except Rejected as rejected:
+            error = rejected.diagnostics[0]
+            yield Unusable(path.name, {}, error.message, error)
 
 
 def on_unit_range(light_e: Array, result_e: Array, peak_e: float) -> tuple[Array, Array]:

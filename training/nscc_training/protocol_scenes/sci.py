@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -52,10 +51,6 @@ class SciClip(ProtocolScene):
             {"file": self.file.name, "crop": None, "frame": k, **frame_scores(truth, frame, top)}
             for k, (truth, frame) in pairs
         ]
-
-
-def sci_scenes(files: Sequence[Path], protocol: Protocol) -> Iterator[SciClip]:
-    return (read_sci_clip(path, protocol) for path in files)
 
 
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
@@ -46,18 +46,17 @@ class ClipWindow(ProtocolScene):
         }
 
 
-def windows(files: Sequence[Path], protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
-    """Yield the windows of clips, in order; `Unusable` for windows that cannot be exposed."""
-    for path in files:
-        known = protocol["transfer"]
-        srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
-        size = int(protocol["size"])
-        frames: Iterable[NDArray[Any]] = frames_in(path)
-        # A frame that is too small stays whole, because the reason names its size.
-        cut = (centre_of(f, size) if min(f.shape[:2]) >= size else f for f in frames)
-        lights = (light_in(frame, "srgb" if srgb else "linear") for frame in cut)
-        clip_windows = windows_of(path, lights, srgb, protocol)
-        yield from islice(clip_windows, protocol.values.get("windows"))
+def windows(path: Path, protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
+    """Yield the windows of a clip, in order; `Unusable` for windows that cannot be exposed."""
+    known = protocol["transfer"]
+    srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
+    size = int(protocol["size"])
+    frames: Iterable[NDArray[Any]] = frames_in(path)
+    # A frame that is too small stays whole, because the reason names its size.
+    cut = (centre_of(f, size) if min(f.shape[:2]) >= size else f for f in frames)
+    lights = (light_in(frame, "srgb" if srgb else "linear") for frame in cut)
+    clip_windows = windows_of(path, lights, srgb, protocol)
+    yield from islice(clip_windows, protocol.values.get("windows"))
 
 
 def windows_of(

@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import write_whole
 from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
@@ -58,10 +59,12 @@ def _reads(values: Values) -> Sequence[Path]:
 def _evaluate(values: Values, task: PointTask) -> Figures:
     import torch
 
-    from nscc_training.evaluation.results import result_json
+    from nscc_training.evaluation.results import damaged_files, result_json
 
     torch.set_num_threads(task.threads)
     result = _result(values)
+    if damaged := damaged_files(result):  # a mean of fewer files must not stand in the table
+        raise Rejected(damaged)
     write_whole(task.files, result_json(result).encode())
     items = result["items"]
     low, high = result["ci95"] or (None, None)

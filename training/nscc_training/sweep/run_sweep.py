@@ -59,7 +59,7 @@ def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
     keys = _keys(grid, how.threads)
     if not out.is_dir():
         return len(keys), 0
-    with store_in(out) as store:
+    with ExperimentStore(out / STORE) as store:
         rows = rows_in(store)
     known_flags = (
         _is_known(rows.get(key), how, _output_path(out, p, key)) for p, key in keys.items()
@@ -88,7 +88,7 @@ def sweep(
 
     keys = _keys(grid, how.threads)
     points = of_parts(grid, grid_parts).points
-    with store_in(out) as store:
+    with ExperimentStore(out / STORE, report) as store:
         rows = rows_in(store)
         todo = {
             keys[point]: point
@@ -303,17 +303,6 @@ def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
     for link, target in links.items():
         with suppress(FileExistsError):
             os.symlink(target, link)
-
-
-def store_in(folder: Path) -> ExperimentStore:
-    """Return the experiment store in `folder`, created if needed; raise Rejected (NS0784)."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        message = f"cannot write into '{folder}': {error.strerror or error}"
-        help_text = "give --out a folder that you may write"
-        raise rejected("NS0784", message, helps=(help_text,)) from error
-    return ExperimentStore(folder / STORE)
 
 
 def rows_in(store: ExperimentStore) -> dict[str, PointRow]:

@@ -1,0 +1,371 @@
+"""Moments of frames without saturation: means, variances and covariances that the words cause.
+
+Without saturation an exposure is a weighted sum of the charge of slots and of the errors of words,
+so its mean and its covariance over buckets are weighted sums of light. `scene_moments` computes
+them once for a scene; `nscc_runtime.execution.summed` draws frames from them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.parts import (
+    CountedDark,
+    CountedLight,
+    Echo,
+    Exchange,
+    Leak,
+    Moving,
+    Response,
+    WordGain,
+)
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Device
+from nscc_runtime.execution.overlap import NEIGHBOURS, Overlap, weights_beside
+from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.execution.sum_loop import light_sums
+from nscc_runtime.light import Light
+from nscc_runtime.noise import RATE_CAP
+from nscc_runtime.reference.weights import WeightModel
+
+Values = NDArray[np.float64]
+
+_LEAK_SIGMAS = 4.0
+"""Leakage rates within this number of standard deviations lie between the two nodes; one pixel in
+ten thousand is outside."""
+
+
+@dataclass(frozen=True, eq=False)
+class Moments:
+    """The distribution of a scene's frames without saturation.
+
+    A frame is `mean_e`, plus the deviations of `counts` from their means times `own_weights`, plus
+    neighbours' deviations, plus normal errors. There is one Poisson count and one normal number for
+    each pixel and bucket.
+
+    Attributes
+    ----------
+    mean_e : float64, shape (buckets, pixels)
+        Mean exposures in electrons, with fixed errors of words.
+    counts : float64, shape (draws, pixels)
+        Means of the counts that are drawn; one draw a bucket, or none without counted charge.
+    own_weights : float32, shape (draws, buckets, pixels)
+        Electrons in each bucket for one count of the pixel.
+    neighbour_weights : float32, shape (draws, 4, buckets, pixels)
+        Electrons that arrive for one count of the neighbour above, below, left or right, before
+        the fraction `exchanged`; (1,) without crosstalk.
+    exchanged : float
+        Fraction of a pixel's charge that moves to each neighbour.
+    error_e : float64, shape (draws, buckets, lanes)
+        Errors of words in each bucket for one normal number.
+    """
+
+    mean_e: Values
+    counts: Values
+    own_weights: NDArray[np.float32]
+    neighbour_weights: NDArray[np.float32]
+    exchanged: float
+    error_e: Values
+
+    def variance_e2(self, lane: NDArray[np.int32]) -> Values:
+        """Return the variance (buckets, pixels) over frames, without the readout.
+
+        `lane` (rows, cols): the lane of each pixel."""
+        own_weights: Values | NDArray[np.float32] = self.own_weights
+        variance_e2 = (self.error_e**2).sum(axis=0)[:, lane.reshape(-1)]
+        if self.exchanged and len(self.counts):
+            fractions = np.full((4, 1, lane.size), self.exchanged)
+            given = _at_neighbours(fractions, np.ones(lane.size), lane.shape).sum(axis=(0, 1))
+            own_weights = own_weights * (1.0 - given)
+            for weights, counts in zip(self.neighbour_weights, self.counts, strict=True):
+                received = (self.exchanged * weights) ** 2
+                variance_e2 += _at_neighbours(received, counts, lane.shape).sum(axis=0)
+        return np.asarray(variance_e2 + (own_weights**2 * self.counts[:, None]).sum(axis=0))
+
+
+def scene_moments(
+    program: AnalysedProgram, light: Light, effects: Selection, device_seed: int, threads: int = 1
+) -> Moments:
+    """Return the moments of a scene's frames under some effects.
+
+    Parameters
+    ----------
+    program : AnalysedProgram
+    light : Light
+        The light of the whole array.
+    effects : Selection
+    device_seed : int
+        Seed of the fixed patterns.
+    threads : int
+        Results do not depend on it.
+
+    Returns
+    -------
+    Moments
+    """
+    sensor, device = program.sensor, program.device(device_seed)
+    model, exchanged = program.model(effects), exchanged_fraction(effects, sensor)
+    buckets = len(program.container.buckets)
+    rates = leak_rates(effects, sensor)
+    lit = effects.find_part(CountedLight) is not None
+    weights = program.slot_weights(model, rates, lit)
+    products = len(weights.slots) - buckets * len(rates)
+    source = (effects.find_part(Moving) and light.motion) or light
+    factor = light_factor(effects, device)
+    scales = factor, factor.astype(np.float32)
+    sums = light_sums(
+        source, program.lanes, scales, weights, products if exchanged else len(weights.slots),
+        exchanged, threads,
+    )  # fmt: skip
+    mean_e = _at_each_leakage(sums[products:], _rate_weights(effects, device, rates))
+    mean_e += _fixed_e(program, effects, device, rates)
+    covariance_e2 = _count_covariances(program, effects, device, sums[:products])
+    beside = np.zeros(1, np.float32)
+    if exchanged and len(covariance_e2):
+        beside, unknown_s = _neighbour_weights(program, model)
+        rate_e_per_s = dark_e_per_s(effects, device)
+        if lit:
+            rate_e_per_s = rate_e_per_s + factor * source.sum_e.reshape(-1) / program.slot_s.sum()
+        unknown_e2 = _at_neighbours(unknown_s, rate_e_per_s, program.lane.shape).sum(axis=0)
+        covariance_e2[_diagonal(buckets)] += exchanged**2 * unknown_e2
+    counts, own_weights = _independent_counts(program, model, np.minimum(covariance_e2, RATE_CAP))
+    errors = _word_errors(program, effects)
+    return Moments(mean_e, counts, own_weights, beside, exchanged, errors)
+
+
+def exchanged_fraction(effects: Selection, sensor: Sensor) -> float:
+    """Return the fraction of a pixel's charge that moves to each neighbour; 0 without crosstalk."""
+    exchange = effects.find_part(Exchange)
+    return 0.0 if exchange is None else exchange.fraction(sensor)
+
+
+def light_factor(effects: Selection, device: Device) -> Values:
+    """Return the factor (pixels,) on the light of each pixel: lag of an equal previous frame, and
+    the pixel's response."""
+    echo, response = effects.find_part(Echo), effects.find_part(Response)
+    factor = 1.0 if echo is None else 1.0 + echo.fraction(device.sensor)
+    if response is None:
+        return np.full(len(device.places), factor)
+    return factor * device.fixed(response.factor)
+
+
+def dark_e_per_s(effects: Selection, device: Device) -> Values:
+    """Return the dark current (pixels,) of each pixel; 0 if the effect is not simulated."""
+    dark = effects.find_part(CountedDark)
+    return np.zeros(len(device.places)) if dark is None else device.fixed(dark.per_s)
+
+
+def leak_rates(effects: Selection, sensor: Sensor) -> tuple[float, ...]:
+    """Return leakage rates in 1/s for which sums are computed: (0,) without leakage.
+
+    If the rate differs between pixels, there are two Chebyshev nodes, and sums are interpolated
+    linearly between them. The error is the square of the spread of rate times age, a few parts in a
+    million for the default sensor."""
+    leak = effects.find_part(Leak)
+    if leak is None:
+        return (0.0,)
+    mean, spread = 1.0 / leak.tau_s(sensor), leak.spread(sensor)
+    if spread == 0.0:
+        return (mean,)
+    sigma = math.sqrt(math.log1p(spread**2))
+    low, high = (
+        mean * math.exp(side * _LEAK_SIGMAS * sigma - sigma**2 / 2) for side in (-1, 1)
+    )
+    away = (high - low) / 2 * math.sqrt(0.5)
+    return (low + high) / 2 - away, (low + high) / 2 + away
+
+
+def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) -> Values:
+    """Return weights (rates, pixels) that interpolate sums at each pixel's leakage rate."""
+    leak = effects.find_part(Leak)
+    if leak is None or len(rates) == 1:
+        return np.ones((1, 1))
+    upper = (device.fixed(leak.per_s) - rates[0]) / (rates[1] - rates[0])
+    return np.stack([1.0 - upper, upper])
+
+
+def _at_each_leakage(sums: Values, rate_weights: Values) -> Values:
+    """Return sums (buckets, pixels) at each pixel's leakage, from sums at each rate (buckets *
+    rates, pixels)."""
+    if len(rate_weights) == 1:
+        return np.array(sums)
+    by_rate = sums.reshape(-1, len(rate_weights), sums.shape[1])
+    return np.asarray(np.einsum("brp,rp->bp", by_rate, rate_weights))
+
+
+def _fixed_e(
+    program: AnalysedProgram, effects: Selection, device: Device, rates: tuple[float, ...]
+) -> Values:
+    """Return the part of mean exposures (buckets, pixels) that does not depend on the light: dark
+    charge and fixed errors of words; cached."""
+
+    def make() -> Values:
+        model, lanes = program.model(effects), program.lanes
+        weights = [program.weights(replace(model, leak_per_s=rate)) for rate in rates]
+        rate_weights = _rate_weights(effects, device, rates)
+        total = np.zeros((len(program.container.buckets), lanes.size))
+        gain = effects.find_part(WordGain)
+        if gain is not None:
+            by_rate = np.stack([of_rate.error_sum.T[:, lanes] for of_rate in weights], axis=1)
+            errors = _at_each_leakage(by_rate.reshape(-1, lanes.size), rate_weights)
+            total += errors * device.fixed(gain.error_e)
+        if effects.find_part(CountedDark) is not None:
+            exchange, current = effects.find_part(Exchange), dark_e_per_s(effects, device)
+            if exchange is not None:
+                by_row = current.reshape(program.lane.shape)
+                fraction = exchange.fraction(program.sensor)
+                current = exchange.smeared(by_row, fraction).reshape(-1)
+            open_s = np.einsum("n,nlb->bl", program.slot_s, program.weights(model).slots)
+            total += current * open_s[:, lanes]
+        return total
+
+    return program.recent.of((_fixed_e, effects.on, device.device_seed), make)
+
+
+def _count_covariances(
+    program: AnalysedProgram, effects: Selection, device: Device, lit_e2: Values
+) -> Values:
+    """Return the covariances (pairs of buckets, pixels) of counted charge; no pairs without.
+
+    `lit_e2`: those of photons, which may be missing."""
+    if effects.find_part(CountedDark) is None:
+        return lit_e2
+    weights, lanes = program.weights(program.model(effects)).slots, program.lanes
+    square_s = np.stack(
+        [
+            np.einsum("n,nl,nl->l", program.slot_s, weights[:, :, a], weights[:, :, b])
+            for b in range(weights.shape[2]) for a in range(b + 1)
+        ]
+    )  # fmt: skip
+    dark_e2 = square_s[:, lanes] * dark_e_per_s(effects, device)
+    return dark_e2 + lit_e2 if len(lit_e2) else dark_e2
+
+
+def _diagonal(buckets: int) -> list[int]:
+    """Return the indices of the variances among the pairs of buckets."""
+    return [b * (b + 3) // 2 for b in range(buckets)]
+
+
+def _at_neighbours(weights: Values, values: Values, shape: tuple[int, int]) -> Values:
+    """Return `weights` (4, buckets, pixels) times the `values` (pixels,) of the neighbour above,
+    below, left and right; 0 beyond the border of an array of this shape."""
+    products = np.zeros((*weights.shape[:2], *shape))
+    for product, of_side, (to, source) in zip(products, weights, NEIGHBOURS, strict=True):
+        at = (slice(None), *to)
+        product[at] = of_side.reshape(product.shape)[at] * values.reshape(shape)[source]
+    return products.reshape(weights.shape)
+
+
+def _independent_counts(
+    program: AnalysedProgram, model: WeightModel, covariance_e2: Values
+) -> tuple[Values, NDArray[np.float32]]:
+    """Return the means of independent counts (draws, pixels), and their weights in the exposures
+    (draws, buckets, pixels), which have these covariances.
+
+    A count of draw b weighs as much as an electron weighs in bucket b, averaged over its open
+    time, so exposures of dim light are multiples of it."""
+    lanes, buckets = program.lanes, len(program.container.buckets)
+    if not len(covariance_e2):
+        return np.zeros((0, lanes.size)), np.zeros((0, buckets, lanes.size), np.float32)
+    lower, variance_e2 = lower_triangular(symmetric(covariance_e2, buckets))
+    weight_e = _electron_weights(program, model)[:, lanes]
+    counts = variance_e2 / weight_e**2
+    own_weights = lower.swapaxes(0, 1) * weight_e[:, None]
+    return np.ascontiguousarray(counts), np.ascontiguousarray(own_weights, np.float32)
+
+
+def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Values:
+    """Return the mean weight (buckets, lanes) of an electron in the slots that a bucket sees; 1
+    for buckets that see none."""
+    weights = program.weights(model).slots
+    square, plain = (
+        np.einsum("n,nlb->bl", program.slot_s, power) for power in (weights**2, np.abs(weights))
+    )
+    return np.divide(square, plain, out=np.ones_like(square), where=square > 0)
+
+
+def _neighbour_weights(
+    program: AnalysedProgram, model: WeightModel
+) -> tuple[NDArray[np.float32], Values]:
+    """Return the weights (draws, 4, buckets, pixels) of neighbours' counts, and the time (4,
+    buckets, pixels) in seconds whose counts do not follow from them; cached.
+
+    The counts of a neighbour in the slots that a pixel sees are estimated from its own draws, as if
+    its light were steady."""
+
+    def make() -> tuple[NDArray[np.float32], Values]:
+        weights = program.weights(model).slots
+        seconds = weights * program.slot_s[:, None, None]
+        # The covariance of a lane's own exposures in steady light gives its draws.
+        own_s = np.einsum("nla,nlb->abl", seconds, weights)
+        lower, variance_s = lower_triangular(own_s)
+        known = variance_s > 0
+        inverse_s = np.divide(1.0, variance_s, out=np.zeros_like(variance_s), where=known)
+        weight_e = _electron_weights(program, model)
+        scale = np.einsum("cal,cl->acl", inverse_lower(lower), inverse_s * weight_e)
+        beside = weights_beside(
+            Overlap(seconds, np.einsum("nla,acl->nlc", weights, scale)), program.lane
+        )
+        unknown_s = np.repeat(np.einsum("bbl->bl", own_s)[None, :, program.lanes], 4, axis=0)
+        counts_s = (variance_s / weight_e**2)[:, program.lanes]
+        for draw_weights, draw_s in zip(beside, counts_s, strict=True):
+            unknown_s -= _at_neighbours(draw_weights**2, draw_s, program.lane.shape)
+        return beside, np.maximum(unknown_s, 0.0)
+
+    return program.recent.of((_neighbour_weights, model), make)
+
+
+def _word_errors(program: AnalysedProgram, effects: Selection) -> Values:
+    """Return the errors (draws, buckets, lanes) of words for one normal number, cached."""
+
+    def make() -> Values:
+        weights = program.weights(program.model(effects))
+        lanes, buckets = weights.slots.shape[1:]
+        covariance_e2 = np.zeros((buckets, buckets, lanes))
+        for _, error_part in effects.errors():
+            sigma_e = error_part.sigma_e(program.sensor)
+            covariance_e2 += sigma_e**2 * weights.covariance(error_part.at)
+        lower, variance_e2 = lower_triangular(covariance_e2)
+        draws = lower.swapaxes(0, 1) * np.sqrt(variance_e2)[:, None]
+        return np.ascontiguousarray(draws[draws.any(axis=(1, 2))])
+
+    return program.recent.of((_word_errors, effects.on), make)
+
+
+def symmetric(pairs: Values, size: int) -> Values:
+    """Return symmetric matrices (size, size, ..) from their entries for a <= b, ordered by b."""
+    full = np.empty((size, size, *pairs.shape[1:]))
+    entry = iter(pairs)
+    for b in range(size):
+        for a in range(b + 1):
+            full[a, b] = full[b, a] = next(entry)
+    return full
+
+
+def lower_triangular(covariance: Values) -> tuple[Values, Values]:
+    """Return L and d with covariance = L diag(d) L^T: L has a unit diagonal and is lower
+    triangular. Matrices are in the first two axes; rows that depend on earlier rows have d = 0."""
+    size = len(covariance)
+    lower, variance = np.zeros_like(covariance), np.zeros_like(covariance[0])
+    for a in range(size):
+        rest = covariance[:, a] - np.einsum(
+            "bk..., k..., k... -> b...", lower[:, :a], lower[a, :a], variance[:a]
+        )
+        variance[a] = np.where(rest[a] > 1e-9 * np.abs(covariance[a, a]), rest[a], 0.0)
+        np.divide(rest, variance[a], out=lower[:, a], where=variance[a] > 0)
+        lower[:a, a], lower[a, a] = 0.0, 1.0
+    return lower, variance
+
+
+def inverse_lower(lower: Values) -> Values:
+    """Return the inverses of lower triangular matrices with unit diagonals (first two axes)."""
+    inverse = np.zeros_like(lower)
+    for b in range(len(lower)):
+        inverse[b, b] = 1.0
+        for a in range(b):
+            inverse[b, a] = -np.einsum("k..., k... -> ...", lower[b, a:b], inverse[a:b, a])
+    return inverse

@@ -1,0 +1,213 @@
+"""Read the colours that a file states: ICC profiles, numbers of ITU-T H.273, chunks of PNG files.
+
+A profile with curves and primaries (a matrix profile, or a grey one) gives exact curves. Its
+luminances are those of the profile's connection space, whose white is D50."""
+
+from __future__ import annotations
+
+import io
+import struct
+from collections.abc import Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.scenes.colour import (
+    LUMINANCE,
+    Colours,
+    Curve,
+    Transfer,
+    Weights,
+    luminance_weights,
+    srgb_to_linear,
+)
+from nscc_runtime.scenes.pages import Note, Stated
+
+_TRANSFER = "--transfer selects another curve"
+_SRGB_D50 = (0.2225, 0.7169, 0.0606)
+"""Luminances of the primaries of sRGB, adapted to D50."""
+_NEAR = 3e-3
+"""Curves and luminances that differ by less are equal: profiles store rounded numbers."""
+
+
+def of_profile(data: bytes) -> Stated:
+    """Return the colours of an ICC profile. Notes say which profile is used, or why it is not."""
+    from PIL import ImageCms
+
+    weights: Weights = _SRGB_D50
+    try:
+        profile: Any = ImageCms.ImageCmsProfile(io.BytesIO(data)).profile
+        name = " ".join((profile.profile_description or "without a name").split())[:60]
+        if profile.xcolor_space.strip() == "GRAY":
+            curves = [_profile_curve(data, b"kTRC")]
+        elif profile.is_matrix_shaper:
+            curves = [_profile_curve(data, tag) for tag in (b"rTRC", b"gTRC", b"bTRC")]
+            colorants = profile.red_colorant, profile.green_colorant, profile.blue_colorant
+            luminances = np.array([xyz[1] for xyz, _ in colorants])
+            red, green, blue = (luminances / luminances.sum()).tolist()
+            weights = (red, green, blue)
+        else:
+            text = f"has the colour profile '{name}', which consists of tables: it is not used"
+            return Stated(None, ((text, "convert the picture to sRGB"),))
+        return _named(tuple(curves), weights, f"the colour profile '{name}'")
+    except Exception as error:  # littleCMS reads what it can; a damaged profile fails anywhere
+        reason = " ".join(str(error).split())[:80] or type(error).__name__
+        text = f"has a damaged colour profile ({reason}), which is not used"
+        return Stated(None, ((text, _TRANSFER),))
+
+
+def _named(curves: tuple[Curve, ...], weights: Weights, text: str) -> Stated:
+    """Return colours with a note; without a note if they are sRGB."""
+    ramp = np.linspace(0, 1, 65)
+    values = [curve(ramp) for curve in curves]
+    if not all(np.isfinite(value).all() and value[-1] > value[0] for value in values):
+        raise ValueError("its curve does not rise")
+    if all(np.abs(value - values[0]).max() < 1e-6 for value in values):
+        curves = curves[:1]
+    is_srgb = all(np.abs(value - srgb_to_linear(ramp)).max() < _NEAR for value in values)
+    if is_srgb and any(np.allclose(weights, usual, atol=_NEAR) for usual in (_SRGB_D50, LUMINANCE)):
+        return Stated(Colours.of("srgb"))
+    return Stated(Colours(curves, weights, text), ((f"is converted with {text}", _TRANSFER),))
+
+
+def _profile_curve(data: bytes, tag: bytes) -> Curve:
+    """Return the curve of a tag, of type `curv` or `para` (ICC.1:2022, 10.6 and 10.18)."""
+    (count,) = struct.unpack_from(">I", data, 128)
+    entries = (struct.unpack_from(">4sII", data, 132 + 12 * k) for k in range(min(count, 100)))
+    start = next(at for name, at, _ in entries if name == tag)
+    kind = data[start : start + 4]
+    if kind == b"para":
+        function, *_ = struct.unpack_from(">H", data, start + 8)
+        lengths = (1, 3, 4, 5, 7)
+        numbers = struct.unpack_from(f">{lengths[function]}i", data, start + 12)
+        return partial(_parametric, tuple(n / 65536 for n in numbers))
+    if kind != b"curv":
+        raise ValueError(f"a curve of type {kind!r}")
+    (length,) = struct.unpack_from(">I", data, start + 8)
+    samples = np.frombuffer(data, ">u2", length, start + 12).astype(np.float64)
+    if length <= 1:
+        return partial(_power, float(samples[0]) / 256 if length else 1.0)
+    return partial(_table, samples / 65535)
+
+
+def _power(gamma: float, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.maximum(values, 0.0) ** gamma if gamma != 1 else values
+
+
+def _table(samples: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.interp(values, np.linspace(0, 1, len(samples)), samples)
+
+
+def _parametric(numbers: tuple[float, ...], values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Apply the function of 1, 3, 4, 5 or 7 `numbers`: g, a, b, c, d, e, f."""
+    g, a, b, c, d, e, f = numbers[0], 1.0, 0.0, 0.0, -np.inf, 0.0, 0.0
+    if len(numbers) > 1:
+        a, b = numbers[1:3]
+        d = -b / a
+    if len(numbers) == 4:
+        e = f = numbers[3]
+    elif len(numbers) > 4:
+        c, d = numbers[3:5]
+        e, f = numbers[5:] or (0.0, 0.0)
+    return np.where(values >= d, np.maximum(a * values + b, 0.0) ** g + e, c * values + f)
+
+
+_CURVES: dict[int, Transfer | float] = {
+    **dict.fromkeys((1, 6, 13, 14, 15), "srgb"), 4: 2.2, 5: 2.8, 8: "linear", 16: "pq", 18: "hlg",
+}  # fmt: skip
+"""Transfer curves, or powers, by their number in ITU-T H.273. Displays show the camera curves of
+BT.709 and BT.2020 nearly like sRGB."""
+_D65, _C = (0.3127, 0.3290), (0.310, 0.316)
+_PRIMARIES: dict[int, tuple[float, ...]] = {
+    4: (0.67, 0.33, 0.21, 0.71, 0.14, 0.08, *_C), 5: (0.64, 0.33, 0.29, 0.60, 0.15, 0.06, *_D65),
+    **dict.fromkeys((6, 7), (0.63, 0.34, 0.31, 0.595, 0.155, 0.07, *_D65)),
+    9: (0.708, 0.292, 0.17, 0.797, 0.131, 0.046, *_D65),
+    11: (0.68, 0.32, 0.265, 0.69, 0.15, 0.06, 0.314, 0.351),
+    12: (0.68, 0.32, 0.265, 0.69, 0.15, 0.06, *_D65),
+}  # fmt: skip
+"""Primaries by their number in ITU-T H.273: x and y of red, green, blue, white."""
+_UNSPECIFIED = (0, 2)
+
+
+def of_numbers(primaries: int, transfer: int) -> Stated:
+    """Return the colours of two numbers of ITU-T H.273, with notes on what is unusual."""
+    weights, notes = _weighted(_PRIMARIES.get(primaries))
+    curve = _CURVES.get(transfer)
+    if isinstance(curve, float):
+        colours = Colours((partial(_power, curve),), weights, f"a curve of power {curve:g}")
+        return Stated(colours, notes)
+    if curve is not None:
+        return Stated(Colours.of(curve, weights), notes)
+    if transfer not in _UNSPECIFIED:
+        text = f"names the unknown transfer curve {transfer}: the sRGB curve is used"
+        notes = (*notes, (text, _TRANSFER))
+    return Stated(Colours.of("srgb", weights) if weights != LUMINANCE else None, notes)
+
+
+def of_primaries(primaries: NDArray[Any] | None) -> Stated:
+    """Return the colours of linear light with these primaries: x, y of red, green, blue, white."""
+    weights, notes = _weighted(None if primaries is None else np.ravel(primaries).tolist())
+    return Stated(Colours.of("linear", weights), notes)
+
+
+def _weighted(primaries: Sequence[float] | None) -> tuple[Weights, tuple[Note, ...]]:
+    """Return the weights of luminance, with a note for primaries other than those of Rec. 709."""
+    if primaries is None:
+        return LUMINANCE, ()
+    weights = luminance_weights(primaries)
+    if np.allclose(weights, LUMINANCE, atol=_NEAR):
+        return LUMINANCE, ()
+    shown = ", ".join(f"{weight:.3g}" for weight in weights)
+    text = f"names other primaries than Rec. 709: luminance has the weights {shown}"
+    return weights, ((text, "convert its colours to Rec. 709 primaries if you need those weights"),)
+
+
+def of_pillow(path: Path, info: Mapping[Any, Any]) -> Stated:
+    """Return the colours of a file that Pillow opened: its numbers of H.273 in a PNG, its profile,
+    its numbers in a HEIC, its gamma and primaries in a PNG, in this order."""
+    numbers = _png_numbers(path)
+    if numbers is not None:
+        return of_numbers(*numbers)
+    notes: tuple[Note, ...] = ()
+    if info.get("icc_profile"):
+        stated = of_profile(info["icc_profile"])
+        if stated.colours is not None:
+            return stated
+        notes = stated.notes
+    if "nclx_profile" in info:
+        nclx = info["nclx_profile"]
+        stated = of_numbers(int(nclx["color_primaries"]), int(nclx["transfer_characteristics"]))
+    elif "gamma" in info and "srgb" not in info:
+        stated = _of_gamma(float(info["gamma"]), info.get("chromaticity"))
+    else:
+        stated = Stated()
+    return Stated(stated.colours, notes + stated.notes)
+
+
+def _of_gamma(gamma: float, primaries: Sequence[float] | None) -> Stated:
+    """Return the colours of a PNG file's gamma (the power of its encoding) and primaries."""
+    weights, notes = _weighted(primaries)
+    standard: tuple[tuple[float, Transfer], ...] = ((1.0, "linear"), (1 / 2.2, "srgb"))
+    for power, transfer in standard:
+        if abs(gamma - power) <= _NEAR:
+            return Stated(Colours.of(transfer, weights), notes)
+    if not 0.01 < gamma < 100:
+        return Stated(None, ((f"names the impossible gamma {gamma:g} (gAMA)", _TRANSFER),))
+    return _named((partial(_power, 1 / gamma),), weights, f"gamma {gamma:g} (gAMA)")
+
+
+def _png_numbers(path: Path) -> tuple[int, int] | None:
+    """Return primaries and transfer of a PNG file's chunk cICP, which Pillow does not read."""
+    with open(path, "rb") as file:
+        if file.read(8) != b"\x89PNG\r\n\x1a\n":
+            return None
+        while len(head := file.read(8)) == 8 and head[4:] != b"IDAT":
+            (size,) = struct.unpack_from(">I", head)
+            if head[4:] == b"cICP" and size == 4:
+                primaries, transfer, *_ = file.read(4)
+                return primaries, transfer
+            file.seek(size + 4, 1)
+    return None

@@ -1,0 +1,88 @@
+"""Times of a film's frames: films whose frames last unequally are resampled to even steps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from itertools import compress, islice, pairwise, repeat
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.scenes.pages import Edges, Note, Pages
+
+_CLOCK_S = 1e-3
+"""Clocks of files round times to this unit."""
+_SLACK = 1e-6
+_EVEN_SHARE = 0.5
+"""Durations that differ by at most this fraction of the shortest are equal, within the clock."""
+
+
+def timed(pages: Pages) -> Pages:
+    """Return a film with the starts of its frames, `edges`, if they last unequally.
+
+    Frames of 0 ms are left out, because no viewer shows them. Notes say what is unusual."""
+    if pages.durations_s is None or pages.count < 2:
+        return pages
+    durations_s = pages.durations_s()
+    shown = durations_s > 0
+    if not shown.any():
+        return pages
+    notes: list[Note] = []
+    if not shown.all():
+        count = int(np.count_nonzero(~shown))
+        text = f"has {count} frame{'s' * (count > 1)} of 0 ms, which {'are' if count > 1 else 'is'}"
+        notes.append((f"{text} left out", "give every frame a duration to expose it"))
+        frames = pages.read
+        pages = replace(
+            pages, count=len(shown) - count, read=lambda: compress(frames(), shown.tolist())
+        )
+        durations_s = durations_s[shown]
+    edges = None if _even(durations_s) else _edges(durations_s)
+    if edges is not None:
+        low, high = (1e3 * float(size) for size in (durations_s.min(), durations_s.max()))
+        notes.append((
+            f"has frames of {low:.4g} to {high:.4g} ms: without --fps they are repeated in steps "
+            f"of {low:.4g} ms, the shortest",
+            "--fps F shows each frame for its own time, and F of these steps per second",
+        ))  # fmt: skip
+    return replace(pages, edges=edges, notes=(*pages.notes, *notes))
+
+
+def _even(durations_s: NDArray[np.float64]) -> bool:
+    """Return whether durations are equal before the clock rounded their ends."""
+    shortest, difference_s = float(durations_s.min()), float(np.ptp(durations_s))
+    if difference_s > _CLOCK_S + _SLACK:
+        return False
+    mean = np.arange(len(durations_s) + 1) * durations_s.mean()
+    drift_s = np.ptp(np.cumsum([0, *durations_s]) - mean)
+    return bool(difference_s <= _EVEN_SHARE * shortest or drift_s <= _CLOCK_S + _SLACK)
+
+
+def _edges(durations_s: NDArray[np.float64]) -> tuple[Fraction, ...]:
+    """Return the starts of the frames, and the end, in units of the shortest duration."""
+    steps = durations_s / durations_s.min()
+    edges = [Fraction(0)]
+    for step in steps.tolist():
+        edges.append(edges[-1] + Fraction(step).limit_denominator(1_000_000))
+    return tuple(edges)
+
+
+def from_frame(edges: Edges, first: int) -> Edges:
+    """Return the edges of a film that begins with frame number `first`."""
+    if edges is None or first >= len(edges):
+        return edges
+    return tuple(edge - edges[first] for edge in edges[first:])
+
+
+def evenly(frames: Iterator[Any], edges: Edges) -> Iterator[Any]:
+    """Yield the frame of each step: a frame is shown from the step nearest to its start."""
+    if edges is None:
+        yield from frames
+        return
+    starts = [int(edge + Fraction(1, 2)) for edge in edges]
+    steps = [end - start for start, end in pairwise(starts)]
+    for k, frame in enumerate(islice(frames, len(steps))):
+        yield from repeat(frame, steps[k])

@@ -1,0 +1,99 @@
+"""Read Radiance, PFM and PNG pictures by OpenCV, which keeps 16 and 32 bits per sample."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from math import prod
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
+from nscc_runtime.scenes.pillow_pictures import pillow_pages
+
+_HEADER_BYTES = 1 << 16
+_PFM = re.compile(rb"^P[Ff]\s+(?P<cols>\d+)\s+(?P<rows>\d+)\s")
+_RADIANCE = re.compile(rb"[-+][XY]\s+(\d+)\s+[-+][XY]\s+(\d+)")
+_RESOLUTION = re.compile(rb"^([+-])([XY]) (\d+) ([+-])([XY]) (\d+)$", re.MULTILINE)
+_PNG_BITS_AT = 24
+"""Where the number of bits per sample lies in a PNG file."""
+
+
+def png_pages(path: Path) -> Pages:
+    """Open a PNG: by OpenCV for 16 bits per sample, else by Pillow, which composes animations."""
+    pages = pillow_pages(path)
+    if _head(path)[_PNG_BITS_AT] <= 8 or pages.durations_s is not None:
+        return pages
+    return replace(pages, read=_reader(path, decoded), has_8_bits=False)
+
+
+def pfm_pages(path: Path) -> Pages:
+    match = _PFM.match(_head(path))
+    if match is None:
+        raise ValueError("its head does not state its size")
+    return Pages(((int(match["rows"]), int(match["cols"])),), 1, _reader(path, decoded))
+
+
+def radiance_pages(path: Path) -> Pages:
+    """Open a Radiance file. A comment may look like the line with the size: the largest counts."""
+    sizes = [(int(lines), int(count)) for lines, count in _RADIANCE.findall(_head(path))]
+    if not sizes:
+        raise ValueError("its head does not state its size")
+    return Pages((max(sizes, key=prod),), 1, _reader(path, _radiance))
+
+
+def _head(path: Path) -> bytes:
+    with open(path, "rb") as file:
+        return file.read(_HEADER_BYTES)
+
+
+def _reader(
+    path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]
+) -> Callable[[], Iterator[NDArray[Any]]]:
+    """Return the function `read` of a file of one picture. Decoding from memory recognises files
+    by content, and supports any path."""
+
+    def read() -> Iterator[NDArray[Any]]:
+        yield decode(np.fromfile(path, np.uint8))
+
+    return read
+
+
+def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
+    """Decode a file's bytes by OpenCV. Raises ValueError if OpenCV cannot decode them."""
+    import cv2
+
+    # IMREAD_COLOR refuses 32 and 64 bits of one channel; with alpha they need IMREAD_UNCHANGED.
+    for flags in (cv2.IMREAD_COLOR, cv2.IMREAD_ANYCOLOR, cv2.IMREAD_UNCHANGED):
+        image = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | flags)
+        if image is not None:
+            picture = np.asarray(image)
+            return picture if picture.ndim == 2 else picture[..., 2::-1]
+    raise ValueError("OpenCV cannot decode it")
+
+
+def _radiance(data: NDArray[np.uint8]) -> NDArray[Any]:
+    """Decode a Radiance file in any of its eight orientations; OpenCV knows one. Raises
+    UnsupportedPicture for colours other than red, green, blue."""
+    head, blank, body = data.tobytes().partition(b"\n\n")
+    line, newline, samples = body.partition(b"\n")
+    if b"FORMAT=32-bit_rle_xyze" in head:
+        raise UnsupportedPicture(
+            "its colours are CIE XYZ (FORMAT=32-bit_rle_xyze)",
+            "convert it to FORMAT=32-bit_rle_rgbe: `ra_xyze -r IN.hdr OUT.hdr`",
+        )
+    resolution = _RESOLUTION.fullmatch(line)
+    if resolution is None or resolution[2] == resolution[5]:
+        return decoded(data)
+    usual = b"-Y %s +X %s" % (resolution[3], resolution[6])
+    picture = decoded(np.frombuffer(head + blank + usual + newline + samples, np.uint8))
+    signs = {resolution[2]: resolution[1], resolution[5]: resolution[4]}
+    if resolution[2] == b"X":
+        picture = picture.swapaxes(0, 1)
+    if signs[b"Y"] == b"+":
+        picture = picture[::-1]
+    return np.ascontiguousarray(picture[:, ::-1] if signs[b"X"] == b"-" else picture)

@@ -1,0 +1,112 @@
+"""Read pictures and animations by Pillow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.scenes.file_colours import of_numbers, of_pillow
+from nscc_runtime.scenes.pages import Note, Pages, Stated, without_pillow_limit
+
+_GREY = ("1", "L", "LA", "La")
+_BAND_ROWS = 256
+_GAIN_MAPS = (b"hdrgm:Version", b"urn:iso:std:iso:ts:21496", b"tmap")
+_HEAD_BYTES = 1 << 16
+_GAIN_MAP: Note = (
+    "has a gain map for displays of high dynamic range, which is not used",
+    "save it as .exr, or as .png or .avif with the PQ curve, if the highlights matter",
+)
+
+
+def pillow_pages(path: Path) -> Pages:
+    """Open the picture of a file, or the frames of an animation, which Pillow composes.
+
+    Rows are copied in bands: Pillow needs 4 bytes per pixel while it decodes a picture."""
+    from PIL import Image
+
+    with without_pillow_limit(), Image.open(path) as image:
+        count = int(getattr(image, "n_frames", 1))
+        # A picture before an animation is its title, which viewers of animations do not show.
+        first = int(bool(getattr(image, "default_image", False)))
+        moving = bool(getattr(image, "is_animated", False)) and image.format != "MPO"
+        size, mode, stated = (image.height, image.width), image.mode, of_pillow(path, image.info)
+        gain = any("gainmap" in str(kind).lower() for kind in image.info.get("aux", ()))
+    with open(path, "rb") as file:
+        head = file.read(_HEAD_BYTES)
+    notes = (_GAIN_MAP,) if gain or any(mark in head for mark in _GAIN_MAPS) else ()
+    numbers = range(first, count) if moving else range(1)
+
+    def read() -> Iterator[NDArray[Any]]:
+        with without_pillow_limit(), Image.open(path) as image:
+            for number in numbers:
+                if moving:
+                    image.seek(number)
+                yield pixels(image, upright=not moving)
+
+    return Pages(
+        (size,), len(numbers), read, stated, notes,
+        durations_s=(lambda: _durations_s(path, numbers)) if moving else None,
+        has_8_bits=not mode.startswith(("I", "F")),
+    )  # fmt: skip
+
+
+def pixels(image: Any, upright: bool = True) -> NDArray[np.uint8]:
+    """Return the samples of an image of Pillow: (R, C) of a grey photograph, else (R, C, 3).
+    `upright` marks a photograph, and applies the rotation that it notes."""
+    from PIL import ImageOps
+
+    if upright:
+        ImageOps.exif_transpose(image, in_place=True)
+    width, height = image.size
+    grey = upright and image.mode in _GREY
+    samples = np.empty((height, width) if grey else (height, width, 3), np.uint8)
+    for top in range(0, height, _BAND_ROWS):
+        band = image.crop((0, top, width, min(top + _BAND_ROWS, height)))
+        samples[top : top + _BAND_ROWS] = np.asarray(band.convert("L" if grey else "RGB"))
+    return samples
+
+
+def _durations_s(path: Path, numbers: range) -> NDArray[np.float64]:
+    """Return the durations of the frames in seconds; 0 for frames that cannot be read."""
+    from PIL import Image
+
+    durations_s = np.zeros(len(numbers))
+    with without_pillow_limit(), Image.open(path) as image, suppress(Exception):
+        for k, number in enumerate(numbers):
+            image.seek(number)
+            image.load()  # WebP states a duration with the samples
+            durations_s[k] = float(image.info.get("duration") or 0) / 1e3
+    return durations_s
+
+
+def gif_pages(path: Path) -> Pages:
+    """Open the frames of a GIF, also a single one, as a clip."""
+    return replace(pillow_pages(path), is_clip=True)
+
+
+def heif_pages(path: Path) -> Pages:
+    from pillow_heif import register_heif_opener
+
+    register_heif_opener()
+    return pillow_pages(path)
+
+
+def avif_pages(path: Path) -> Pages:
+    """Open an AVIF. Its numbers of H.273 are read by FFmpeg, because Pillow does not tell them."""
+    pages = pillow_pages(path)
+    if pages.stated.colours is not None:
+        return pages
+    stated = Stated()
+    with suppress(Exception):  # Pillow decodes it, whatever FFmpeg says
+        import av
+
+        with av.open(str(path)) as container:
+            context = container.streams.video[0].codec_context
+            stated = of_numbers(int(context.color_primaries), int(context.color_trc))
+    return replace(pages, stated=Stated(stated.colours, pages.stated.notes + stated.notes))

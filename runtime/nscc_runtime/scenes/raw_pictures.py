@@ -1,0 +1,53 @@
+"""Read raw files of cameras by LibRaw."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.scenes.pages import Note, Pages
+
+_NOTE: Note = (
+    "is a raw file: linear light, black and white level applied, colours as the camera has them",
+    "convert it to .tiff or .exr if you need the colours of a standard",
+)
+
+_TOP = 65535
+
+
+def raw_pages(path: Path) -> Pages:
+    """Open the picture of a raw file: uint16, 65535 at the camera's white level. No curve, no
+    colour balance and no brightening are applied. Raises ImportError without rawpy."""
+    import rawpy
+
+    with rawpy.imread(str(path)) as raw:
+        size = (int(raw.sizes.height), int(raw.sizes.width))
+        stored = (int(raw.sizes.raw_height), int(raw.sizes.raw_width))
+
+    def read() -> Iterator[NDArray[Any]]:
+        with rawpy.imread(str(path)) as raw:
+            _scale(raw)
+            picture = raw.postprocess(
+                gamma=(1, 1), no_auto_bright=True, output_bps=16, user_wb=[1, 1, 1, 1],
+                output_color=rawpy.ColorSpace.raw, highlight_mode=rawpy.HighlightMode.Clip,
+                adjust_maximum_thr=0.0, user_black=0, user_cblack=[0] * 4, user_sat=_TOP,
+            )  # fmt: skip
+            yield picture[..., 0] if picture.shape[2] == 1 else picture
+
+    return Pages((size, stored), 1, read, notes=(_NOTE,))
+
+
+def _scale(raw: Any) -> None:
+    """Scale the stored samples from their black level to the white level, to 0..65535.
+
+    LibRaw would stretch them to the brightest sample, and subtract one black level for all."""
+    samples = raw.raw_image_visible
+    black = np.array(raw.black_level_per_channel, np.float32)
+    if samples.ndim == 2:
+        black = black[raw.raw_colors_visible if raw.num_colors > 1 else 0]
+    fractions = (samples - black) / (np.float32(raw.white_level) - black)
+    samples[:] = np.rint(np.clip(fractions, 0, 1) * _TOP)
