@@ -1,6 +1,6 @@
 """Consecutive frames of programs that look: kept states continue from each frame to the next.
 
-The compiled loop over paths exposes them, or the reference if the loop does not support an effect.
+The block loop exposes them, or the reference if the loop does not support an effect.
 """
 
 from __future__ import annotations
@@ -12,25 +12,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Scene
 from nscc_runtime.emulator.capture import check
+from nscc_runtime.execution.block_program import lacks
+from nscc_runtime.execution.block_scene import expose_pixels, lay_out
 from nscc_runtime.frame_file import Frame, check_adc, converted
-from nscc_runtime.interface import Executed
+from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import told_by
-from nscc_runtime.looking.looking_program import LookingProgram
+from nscc_runtime.looking.paths import paths_of
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.looks import LookingReference
+from nscc_runtime.reference.trace import retention_us
 
 Planes = Mapping[str, NDArray[np.bool_]]
-
-looking_program_of = OfContainer(LookingProgram)
-"""Return the `LookingProgram` of a container on a sensor, cached for each pair."""
-
 
 def next_planes(
     container: Container, loaded: Planes, final_planes: Planes
@@ -49,37 +46,41 @@ def next_planes(
     }
 
 
-Exposing = Callable[[Scene, Planes, tuple[int, int], int, range | None], Executed]
-"""A function of (scene, loaded, seeds, frame, rows) that exposes like `LookingReference.expose`."""
+Exposing = Callable[[Planes, int], Executed]
+"""A function of (loaded registers, frame number) that exposes one frame."""
 
 
-def film(
-    expose: Exposing, container: Container, scene: Scene, sensor: Sensor, effects: Selection,
-    seeds: tuple[int, int], count: int,
-) -> Iterator[Frame]:  # fmt: skip
-    """Yield frames 0 to `count` - 1; kept states continue from frame to frame."""
-    loaded: Planes = container.planes()
-    for number in range(count):
-        executed = expose(scene, loaded, seeds, number, None)
-        loaded = next_planes(container, loaded, executed.planes)
-        frame = converted(executed.exposure, container.target, sensor, effects, seeds, number)
-        yield replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
+def exposing(
+    container: Container, light: Light, sensor: Sensor, effects: Selection,
+    seeds: tuple[int, int], threads: int, by_words: bool = False,
+) -> Exposing:  # fmt: skip
+    """Return a function that exposes frames of one light.
 
+    `seeds`: noise seed, device seed. `by_words`: use the reference, as for effects and programs
+    that the block loop does not support."""
+    if by_words or lacks(container, sensor, effects):
+        reference = LookingReference(container, sensor, effects, threads)
+        scene = scene_of(container, light)
+        return lambda loaded, number: reference.expose(scene, loaded, seeds, number)
+    shape = light.shape
+    places = np.arange(shape[0] * shape[1], dtype=np.int64)
+    block = lay_out(container, sensor, light, effects, places, seeds[1], threads)
+    paths = paths_of(container, retention_us(effects, sensor))
+    assert not isinstance(paths, str)  # `lacks` says so
 
-def exposer(
-    looking_program: LookingProgram, effects: Selection, threads: int = 1, by_words: bool = False
-) -> Exposing:
-    """Return a function of (scene, loaded, seeds, frame, rows) that exposes with these effects.
+    def expose(loaded: Planes, number: int) -> Executed:
+        begins = paths.begins(loaded, shape).reshape(-1)
+        pixels = expose_pixels(block, seeds[0], number, threads, begins)
+        whole = len(pixels.exposure_e), *shape
+        exposure_e = pixels.exposure_e.reshape(whole)
+        endings = pixels.endings.reshape(shape)
+        planes = {
+            name: bits.astype(np.bool_)[endings] for name, bits in paths.endings.items()
+        }
+        marks = pixels.saturated_by.reshape(whole)
+        return Executed(Exposure(exposure_e, np.isfinite(exposure_e), marks), planes)
 
-    It uses the compiled loop, or the reference if the loop does not support an effect, or with
-    `by_words`."""
-    if by_words or looking_program.lacks(effects):
-        return LookingReference(
-            looking_program.container, looking_program.sensor, effects, threads
-        ).expose
-    return lambda scene, loaded, seeds, frame, rows: looking_program.expose(
-        scene, loaded, effects, seeds, frame, rows, threads
-    )
+    return expose
 
 
 def frames(
@@ -93,6 +94,19 @@ def frames(
     Rejected, before the first frame, for programs and light that cannot run."""
     check(container, light)
     check_adc(container.target)
-    scene, threads = scene_of(container, light), threads_of(threads)
-    expose = exposer(looking_program_of(container, sensor), effects, threads, by_words)
-    return film(expose, container, scene, sensor, effects, (seed, device_seed), count)
+    seeds = seed, device_seed
+    expose = exposing(container, light, sensor, effects, seeds, threads_of(threads), by_words)
+    return _film(expose, container, sensor, effects, seeds, count)
+
+
+def _film(
+    expose: Exposing, container: Container, sensor: Sensor, effects: Selection,
+    seeds: tuple[int, int], count: int,
+) -> Iterator[Frame]:  # fmt: skip
+    """Yield frames 0 to `count` - 1; kept states continue from frame to frame."""
+    loaded: Planes = container.planes()
+    for number in range(count):
+        executed = expose(loaded, number)
+        loaded = next_planes(container, loaded, executed.planes)
+        frame = converted(executed.exposure, container.target, sensor, effects, seeds, number)
+        yield replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))

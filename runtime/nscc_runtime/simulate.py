@@ -176,7 +176,7 @@ def _simulated(
     absent: Mapping[str, str] = {}
     if container.pictures is not None and request.effects.auto:
         _say_once(
-            listener, "images and planes: all effects are simulated, slot by slot, without a plan"
+            listener, "images and planes: all effects are simulated, without a plan"
         )
     elif container.target.streamed and not noiseless:
         from nscc_runtime.reference.stream import absent_effects
@@ -192,7 +192,7 @@ def _simulated(
         plan["slot_loop_reasons"] = [reason]
     origin = Provenance(
         digest_of(container), sensor, request.seed, request.device_seed,
-        "planned" if noiseless else "reference", plan,
+        "planned" if noiseless or (container.pictures and request.planned) else "reference", plan,
     )  # fmt: skip
     return Simulated(frame, origin, effects)
 
@@ -219,16 +219,16 @@ def _exposing(
         lights = (light, *request.next_lights)
         for frame_light in lights:
             check(container, frame_light)
-        program = PicturedProgram(container, sensor, effects, threads)
+        program = PicturedProgram(container, sensor, effects, threads, not request.planned)
         if request.next_lights:
             return partial(program.film, lights, request.seed, request.device_seed)
         return partial(program.frames, light, request.seed, request.device_seed, count)
     frames: Callable[..., Iterable[Frame]]
     if container.machine is not None:
         from nscc_runtime import looked_frames
-        from nscc_runtime.looking.path_loop import run_paths
+        from nscc_runtime.execution.block_loop import run_blocks
 
-        loop, frames = run_paths, partial(looked_frames.frames, by_words=not noiseless)
+        loop, frames = run_blocks, partial(looked_frames.frames, by_words=not noiseless)
     elif noiseless:
         from nscc_runtime.emulator.loops import expose_pixels
 

@@ -100,7 +100,8 @@ class EmulatedChip:
 
         assert container.pictures is not None
         program = PicturedProgram(container, self._converting(container), selected("none"))
-        frame, kept_bits = program.next_frame(light, {}, None, (0, self.device_seed), 0)
+        exposure = program.exposing(light, self.device_seed)(0, 0)
+        frame, kept_bits = program.next_frame(exposure, {}, None, (0, self.device_seed), 0)
         images, told = container.pictures.images_read, frame.told
         return (
             [*frame.frame, *(told[f"image_codes_{name}"] for name in images)],

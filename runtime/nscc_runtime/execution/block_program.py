@@ -26,9 +26,15 @@ from nscc_runtime.execution.layout import (
 )
 from nscc_runtime.execution.stretch_loop import Stretches
 from nscc_runtime.looking.paths import Paths, paths_of
-from nscc_runtime.reference.trace import AnalogWord, RunningWord, analog_words, retention_us
+from nscc_runtime.reference.trace import (
+    AnalogWord,
+    RunningWord,
+    analog_words,
+    readout_waits_s,
+    retention_us,
+)
 from nscc_runtime.reference.weights import error_sign
-from nscc_runtime.reference.words import most_destinations, readout_waits_s
+from nscc_runtime.reference.words import most_destinations
 
 _WORD = np.dtype(LoopWord)
 AROUND_WORDS = {
@@ -85,17 +91,20 @@ def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str
 
 
 @OfContainer
-def block_program(container: Container, kept_us: float) -> BlockProgram:
+def block_program(
+    container: Container, kept_us: float, every_slot: bool = False
+) -> BlockProgram:
     """Return a program for the block loop; cached with the container.
 
-    `kept_us`: how long digital registers keep values. Raises Rejected like
+    `kept_us`: how long digital registers keep values. `every_slot`: whether each slot of a program
+    that looks is a stretch, so that light is added in the order in which exposures are defined. Raises Rejected like
     `nscc_runtime.reference.trace.analog_words`, and ValueError where `lacks` has a reason."""
     if container.machine is None:
         return _of_codes(container, analog_words(container, kept_us))
     paths = paths_of(container, kept_us)
     if isinstance(paths, str):
         raise ValueError(paths)
-    return _of_paths(container, paths)
+    return _of_paths(container, paths, every_slot)
 
 
 def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgram:
@@ -128,11 +137,12 @@ def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgr
     )  # fmt: skip
 
 
-def _of_paths(container: Container, paths: Paths) -> BlockProgram:
+def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProgram:
     """Return a program whose segments end with comparisons; all pixels have the same stretches."""
     assert container.pixel_codes is not None
     slots, shape = container.slots, container.pixel_codes.shape
-    boundaries = np.unique([0, slots, *(word.boundary for word in paths.words)])
+    bounds = range(slots + 1) if every_slot else (word.boundary for word in paths.words)
+    boundaries = np.unique([0, slots, *bounds])
     of_word = np.searchsorted(boundaries, [word.boundary for word in paths.words])
     segments = Segments(
         start=paths.start,

@@ -95,7 +95,8 @@ class ChargeScene:
     `number`: the index of each of these pixels among the pixels of the scene. `sites`: these
     pixels, then neighbours whose counts they exchange. `patterns`: their fixed patterns.
     `counted`: (stream, source, means) of each source of counts. `exchanged`: the fraction of its
-    charge that a pixel gives to each neighbour."""
+    charge that a pixel gives to each neighbour. `invalid`: the numbers of pixels whose light is not
+    a number."""
 
     number: NDArray[np.int64]
     sites: Sites
@@ -103,6 +104,7 @@ class ChargeScene:
     counted: list[tuple[int, int, Values]]
     means: StretchMeans
     exchanged: float
+    invalid: NDArray[np.int64]
 
     @property
     def pixels(self) -> int:
@@ -162,7 +164,7 @@ def lay_out(
     reasons = lacks(container, sensor, effects)
     if reasons:
         raise ValueError("; ".join(reasons))
-    program = block_program(container, retention_us(effects, sensor))
+    program = block_program(container, retention_us(effects, sensor), effects.noiseless)
     source = (effects.find_part(Moving) and light.motion) or light
     lane = program.lane.reshape(-1)[places]
     # Pixels of a code are neighbours in the arrays, so that they run in the same blocks.
@@ -221,7 +223,8 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
         sensor=scene.sensor, device_seed=scene.device_seed, places=sites.place[:pixels]
     )
     fixed = Patterns(**patterns(effects, device))
-    return ChargeScene(number, sites, fixed, counted, means, exchanged)
+    invalid = number[np.isnan(means.charge).any(axis=0)]
+    return ChargeScene(number, sites, fixed, counted, means, exchanged, invalid)
 
 
 def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
@@ -296,6 +299,7 @@ def expose_pixels(
     for charge in charges:
         charge_e = _charge_of_frame(scene, charge, seed, frame, threads)
         _run_words(scene, charge, charge_e, first, seed, frame, threads, result)
+        result.exposure_e[:, charge.invalid] = np.nan
     return result
 
 

@@ -82,6 +82,7 @@ def frame_source(
     effects: Selection,
     device_seed: int = 0,
     threads: int | None = None,
+    by_words: bool = False,
 ) -> FrameSource:
     """Prepare a scene with fixed shutters for exposing frames.
 
@@ -97,6 +98,8 @@ def frame_source(
         Seed of the fixed patterns.
     threads : int, optional
         Number of threads, by default that of the processors. Results do not depend on it.
+    by_words : bool
+        Whether the reference exposes frames, word by word.
 
     Returns
     -------
@@ -112,7 +115,7 @@ def frame_source(
     check_adc(container.target)
     count = threads_of(threads)
     slow = slow_effects(effects)
-    if slow:
+    if slow or by_words:
         return _by_reference(container, sensor, light, effects, device_seed, count, slow)
     program = analysed(container, sensor)
     near = near_saturation(program, light, device_seed, effects).places

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import repeat
@@ -105,12 +105,14 @@ Planes = dict[str, NDArray[np.bool_]]
 @dataclass(frozen=True, eq=False)
 class PicturedProgram:
     """A container with images and planes, prepared for a sensor and a set of effects. `threads`:
-    number of threads (None: all processors); results do not depend on it."""
+    number of threads (None: all processors); results do not depend on it. `by_words`: exposures
+    with effects are simulated by the reference."""
 
     container: Container
     sensor: Sensor
     effects: Selection
     threads: int | None = None
+    by_words: bool = False
 
     @property
     def pictures(self) -> Pictures:
@@ -133,13 +135,17 @@ class PicturedProgram:
         # The host loads the bits of states before the first frame.
         kept_bits = {pictures.registers[s.name]: np.full(pixels, s.start) for s in pictures.states}
         all_reaches = reaches_of_frames(self.container, _beyond_reaches(self.container))
+        previous: Light | None = None
         for number, light in enumerate(lights):
             reaches, seeds = next(all_reaches), (seed, device_seed)
-            frame, kept_bits = self.next_frame(light, kept_bits, reaches, seeds, number)
+            if light is not previous:
+                expose, previous = self.exposing(light, device_seed), light
+            exposure = expose(seed, number)
+            frame, kept_bits = self.next_frame(exposure, kept_bits, reaches, seeds, number)
             yield frame
 
     def next_frame(
-        self, light: Light, kept_bits: Planes, reaches: Mapping[str, Reach] | None,
+        self, exposure: Exposure, kept_bits: Planes, reaches: Mapping[str, Reach] | None,
         seeds: tuple[int, int], number: int,
     ) -> tuple[Frame, Planes]:  # fmt: skip
         """Return frame `number` of a film, and the bits of the states for the next frame.
@@ -148,7 +154,6 @@ class PicturedProgram:
         code bits. `seeds`: seed of the noise, and of the device. `reaches`: see
         `told_of_planes`."""
         container, pictures = self.container, self.pictures
-        exposure = self._exposed(light, *seeds, number)
         pixels = self._computed(exposure, seeds, number, kept_bits)
         frame = self._frame_of(pixels, exposure, seeds, number, reaches)
         # Bits of states are 0 if exposure and readouts take longer than registers keep them.
@@ -158,17 +163,20 @@ class PicturedProgram:
         names = [pictures.registers[state.name] for state in pictures.states]
         return frame, {name: pixels.bit(name).reshape(-1) & is_kept for name in names}
 
-    def _exposed(self, light: Light, seed: int, device_seed: int, number: int) -> Exposure:
-        if self.effects.noiseless:
+    def exposing(self, light: Light, device_seed: int) -> Callable[[int, int], Exposure]:
+        """Return a function of (seed, number) that exposes frames of one light."""
+        container, effects = self.container, self.effects
+        if effects.noiseless:
             from nscc_runtime.emulator import expose
 
-            return expose(self.container, light, device_seed=device_seed, threads=self.threads)
-        from nscc_runtime.reference.capture import expose as expose_slots
+            return lambda _seed, _number: expose(
+                container, light, device_seed=device_seed, threads=self.threads
+            )
+        from nscc_runtime.execution.frames import frame_source
 
-        return expose_slots(
-            self.container, light, self.sensor, self.effects,
-            seed=seed, device_seed=device_seed, frame=number, threads=self.threads,
-        )  # fmt: skip
+        return frame_source(
+            container, self.sensor, light, effects, device_seed, self.threads, self.by_words
+        ).expose
 
     def _frame_of(
         self, pixels: ArrayPixels | ArrayContents, exposure: Exposure, seeds: tuple[int, int],

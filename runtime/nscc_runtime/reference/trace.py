@@ -104,6 +104,16 @@ def retention_us(effects: Selection, sensor: Sensor) -> float:
     return min([kept_us(sensor) for kept_us in effects.at("digital")], default=inf)
 
 
+def readout_waits_s(container: Container) -> NDArray[np.float64]:
+    """Return the time (buckets,) in seconds from the end of the exposure to the readout: readouts
+    happen one after the other. Exposures of which images are computed are not read out first."""
+    if container.pictures is not None:
+        return np.zeros(len(container.buckets))
+    order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
+    readout_us = container.target.readout_us
+    return np.array([order[b] * readout_us * 1e-6 for b in container.buckets], np.float64)
+
+
 def analog_words(container: Container, retention_us: float = inf) -> tuple[AnalogWord, ...]:
     """Return every bus and reset word of a frame in the order of execution.
 

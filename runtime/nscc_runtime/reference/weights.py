@@ -20,7 +20,7 @@ from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Fading, Leak, LitLevel, SlowWords, WordGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.reference.trace import AnalogWord, opens_no_shutters
+from nscc_runtime.reference.trace import AnalogWord, opens_no_shutters, readout_waits_s
 
 Weights = NDArray[np.float64]
 Name = TypeVar("Name", int, tuple[int, int])
@@ -147,9 +147,10 @@ def backward(
     buckets = len(container.buckets)
     names = (*container.target.analog_registers, "PIX", "IN")
     weight = {name: np.zeros((lanes, buckets)) for name in names}
-    for order, readout in enumerate(container.readouts):
-        remaining = exp(-leak_per_s * order * container.target.readout_us * 1e-6)
+    waits_s = readout_waits_s(container)
+    for readout in container.readouts:
         bucket = container.buckets.index(readout.bucket)
+        remaining = exp(-leak_per_s * waits_s[bucket])
         weight[readout.register][:, bucket] += readout.gain * remaining
     result = Backward(np.zeros((container.slots, lanes, buckets)), ByName(), ByName(), ByName())
     start_s = np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6

@@ -22,7 +22,7 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.charge import Fallen
-from nscc_runtime.reference.trace import RunningWord
+from nscc_runtime.reference.trace import RunningWord, readout_waits_s
 from nscc_runtime.reference.weights import error_sign
 
 Full = NDArray[np.uint8]
@@ -161,13 +161,6 @@ WORD_DRAWS = 1
 """Source number, in random keys, of draws for the words of an exposure."""
 START = 0
 """Random stream of register contents at the start of a frame; effects have streams from 1."""
-
-
-def readout_waits_s(container: Container) -> NDArray[np.float64]:
-    """Return the waiting time (buckets,) in seconds: readouts happen one after the other."""
-    order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
-    readout_us = container.target.readout_us
-    return np.array([order[b] * readout_us * 1e-6 for b in container.buckets], np.float64)
 
 
 def most_destinations(target: Target) -> int:
@@ -311,11 +304,12 @@ class WordPixels(Pixels):
         exposures = np.empty((len(self.container.buckets), len(self.places)))
         marked = np.empty(exposures.shape, np.uint8)
         stays = self.container.pictures is not None  # readout follows the words of images
-        for order, readout in enumerate(self.container.readouts):
+        waits_s = readout_waits_s(self.container)
+        for readout in self.container.readouts:
             value = self.register[readout.register] * readout.gain
-            for decay in () if stays else self.at("hold"):
-                value = value * decay(self, order * self.target.readout_us * 1e-6)
             bucket = self.container.buckets.index(readout.bucket)
+            for decay in () if stays else self.at("hold"):
+                value = value * decay(self, waits_s[bucket])
             for leaves in () if stays else self.at("readout"):
                 value = leaves(self, value, bucket)
             exposures[bucket] = value + 0.0  # -0 + 0 is +0
