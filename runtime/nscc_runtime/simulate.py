@@ -175,9 +175,7 @@ def _simulated(
     noiseless = request.effects.noiseless
     absent: Mapping[str, str] = {}
     if container.pictures is not None and request.effects.auto:
-        _say_once(
-            listener, "images and planes: all effects are simulated, without a plan"
-        )
+        _say_once(listener, "images and planes: all effects are simulated, without a plan")
     elif container.target.streamed and not noiseless:
         from nscc_runtime.reference.stream import absent_effects
 

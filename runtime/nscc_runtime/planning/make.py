@@ -1,13 +1,12 @@
 """Make a plan for a scene.
 
-1. Drop each effect alone on a few pixels of the scene, those that save most time first, and choose
-   effects whose errors add up to less than the tolerance. Stop if the time that can still be saved
-   is less than the time that measuring takes: then every effect is simulated.
-2. Draw a larger sample (`sample`). Expose it with every effect and without the chosen effects, with
-   the same random numbers. If the error plus two standard errors is within the tolerance, the
-   choice is the plan.
-3. Otherwise, or if the user requests the table, drop each effect alone on the larger sample, choose
-   again, and measure the choice. While its error is too large, keep one more effect."""
+1. List the sets of effects that may be dropped, those that save most time first (`_moves`).
+2. Draw a sample of the pixels (`sample`), and expose it with every effect.
+3. Drop one set after the other. Measure the error of all dropped effects on the sample, with the
+   same random numbers, and keep the set if the error plus two standard errors exceeds the tolerance.
+
+Effects are only measured if that is predicted to save more time than it takes, or if the user
+requests the table. Otherwise every effect is simulated."""
 
 from __future__ import annotations
 
@@ -15,8 +14,12 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from nscc_runtime.effects import Effect, Selection, everything, registered
-from nscc_runtime.effects.parts import Codes, Converter, Moving, Saturates
+from nscc_runtime.effects.parts import Codes, Converter, Counted, CountedLight, Moving, Saturates
+from nscc_runtime.effects.parts import Errors as SmallErrors
+from nscc_runtime.execution.program import analysed
 from nscc_runtime.planning.plan import MOST_OTHER_STATES, Choice, Decision, Plan
 from nscc_runtime.planning.planned_scene import (
     SAMPLED,
@@ -31,7 +34,7 @@ from nscc_runtime.planning.tolerance import (
     DEFAULT,
     ToleranceInput,
     check_tolerance,
-    noise_part,
+    is_noise,
     tolerance_of,
 )
 
@@ -39,8 +42,6 @@ Names = frozenset[str]
 
 MANY = 1000
 """Default number of frames that share a plan."""
-_PILOT = 256
-"""Number of pixels on which a first, quick choice is measured."""
 _WORTH = 1.5
 """Effects are measured if that is predicted to save this multiple of the time that it takes."""
 _MARGIN, _SURE = 0.9, 0.97
@@ -96,25 +97,22 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     check_tolerance(request.tolerance, scene.sensor)
     work, absent = Work.of(scene), absent_effects(scene)
     moves = _moves(work, request, absent)
-    always = request.figures or (request.effects.auto and request.forced_off - absent)
-    dropped = None if always else _quick_choice(scene, work, request, moves)
-    if not always and not dropped:
+    trial_ms = 0.0 if request.figures else _WORTH * work.trials_ms(1, SAMPLED)
+    is_checked = request.effects.auto and bool(request.forced_off - absent)
+    if not request.figures and not is_checked and sum(moves.values()) < 3.0 * trial_ms:
         return _unmeasured(work, request, absent)
     measuring = _Measuring(trial_of(scene), request)
-    alone: dict[Names, SampledErrors] = {}
-    if dropped is not None:
-        together, by_choice = measuring.drop_together(dropped)
-    if dropped is None or not measuring.fits(by_choice):
-        sets = {*moves} if dropped is None else {*dropped}
-        if request.figures:
-            sets |= {frozenset({e.name}) for e in _of_exposure() if e.name not in absent}
-        alone = measuring.drop_each(sorted(sets, key=sorted))
-        dropped = measuring.choose([names for names in moves if names in sets], alone)
-        together, by_choice = measuring.drop_together(dropped)
-        while dropped and not measuring.fits(by_choice):
-            dropped = dropped[:-1]
-            together, by_choice = measuring.drop_together(dropped)
-    return _planned(measuring, work, alone, frozenset().union(*dropped), together, absent)
+    alone = measuring.drop_each(
+        [frozenset({e.name}) for e in _of_exposure() if request.figures and e.name not in absent]
+    )
+    dropped = Names()
+    together, _ = measuring.drop_together(dropped)
+    for names, saved_ms in moves.items():
+        if saved_ms > trial_ms and (names not in alone or measuring.fits(alone[names])):
+            candidate, by_choice = measuring.drop_together(dropped | names)
+            if measuring.fits(by_choice):
+                dropped, together = dropped | names, candidate
+    return _planned(measuring, work, alone, dropped, together, absent)
 
 
 def measured_again(scene: PlannedScene, plan: Plan, *, figures: bool = False) -> Plan:
@@ -128,7 +126,7 @@ def measured_again(scene: PlannedScene, plan: Plan, *, figures: bool = False) ->
     names = [e.name for e in _of_exposure() if figures and e.name not in absent]
     alone = measuring.drop_each([frozenset({name}) for name in names])
     dropped = frozenset(plan.names("dropped")) - request.forced_off
-    together, _ = measuring.drop_together([dropped])
+    together, _ = measuring.drop_together(dropped)
     made = _planned(measuring, work, alone, dropped, together, absent)
     decisions = (
         decision if decision.kind == "after" else replace(decision, reason=FROM_EARLIER_PLAN)
@@ -168,45 +166,50 @@ def _of_exposure() -> list[Effect]:
 
 
 def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float]:
-    """Return the sets of effects that may be dropped together, and the milliseconds of a frame that
-    each saves; those that save most first.
+    """Return the sets of effects that may be dropped together, and the milliseconds that each saves
+    of all requested frames; those that save most first.
 
-    These are single effects, and all effects that saturate: without them, no pixel runs through its
-    words."""
+    These are single effects and the groups whose effects share work. Without figures, effects that
+    are certainly too large are left out."""
     free = frozenset(e.name for e in _of_exposure()) - request.forced - absent
-    sets = [frozenset({name}) for name in free]
-    saturating = everything().names(Saturates) - absent
-    if len(saturating) > 1 and saturating <= free:
-        sets.append(saturating)
-    requested = everything().without(*request.forced_off)
-    all_ms = work.frame_ms(requested)
-    saved_ms = {names: all_ms - work.frame_ms(requested.without(*names)) for names in sets}
-    ordered = sorted(saved_ms, key=lambda names: (-saved_ms[names], sorted(names)))
+    if not request.figures:
+        free -= _too_large(work, request)
+    all_effects = everything()
+    groups = [all_effects.names(kind) - absent for kind in (Counted, SmallErrors, Saturates)]
+    sets = {names for names in groups if names and names <= free}
+    sets |= {frozenset({name}) for name in free}
+    requested = all_effects.without(*request.forced_off)
+    all_ms = work.milliseconds(requested, request.frames)
+    saved_ms = {
+        names: all_ms - work.milliseconds(requested.without(*names), request.frames)
+        for names in sets
+    }
+    ordered = sorted(sets, key=lambda names: (-saved_ms[names], sorted(names)))
     return {names: saved_ms[names] for names in ordered if saved_ms[names] > 0}
 
 
-def _quick_choice(
-    scene: PlannedScene, work: Work, request: PlanRequest, moves: Mapping[Names, float]
-) -> list[Names]:
-    """Return the moves that fit into the tolerance on few pixels; none if measuring them exactly
-    would take longer than they save."""
-    if not request.effects.auto:
-        return []
-    possible_ms = request.frames * sum(moves.values())
-    if possible_ms < _WORTH * work.trials_ms(3, SAMPLED):
-        return []
-    pilot = _Measuring(trial_of(scene, _PILOT, even=True), request)
-    alone: dict[Names, SampledErrors] = {}
-    dropped: list[Names] = []
-    for names, saved_ms in moves.items():
-        alone |= pilot.drop_each([names])
-        chosen = pilot.choose(alone, alone, standard_errors=0.0)
-        if names not in chosen:
-            possible_ms -= request.frames * saved_ms
-            if possible_ms < _WORTH * work.trials_ms(3, SAMPLED):
-                return []
-        dropped = chosen
-    return dropped
+def _too_large(work: Work, request: PlanRequest) -> Names:
+    """Return effects whose error certainly exceeds a tolerance in electrons: noise of counts and of
+    words, and losses near saturation."""
+    scene = work.scene
+    if is_noise(request.tolerance):
+        return Names()
+    tolerance_e = tolerance_of(request.tolerance, scene.sensor, scene).electrons
+    all_effects, full_e = everything(), scene.sensor.full_well_e
+    least_e = {
+        effect.name: part.sigma_e(scene.sensor)
+        for effect, part in all_effects.errors()
+        if part.at != "resets"  # double sampling subtracts these
+    }
+    if not scene.looks:
+        program = analysed(scene.container, scene.sensor)
+        open_share = program.opened.mean(axis=0).max(axis=1)[program.lanes]
+        light_e = np.minimum(scene.light.sum_e.reshape(-1) * open_share, full_e)
+        lost_e = np.maximum(scene.near_pixels(all_effects).own_e / 1.5 - full_e, 0.0)
+        least_e |= dict.fromkeys(all_effects.names(CountedLight), 0.5 * light_e.mean() ** 0.5)
+        lost_rms_e = math.sqrt(float((lost_e**2).sum()) / scene.pixels)
+        least_e |= dict.fromkeys(all_effects.names(Saturates), lost_rms_e)
+    return frozenset(name for name, error_e in least_e.items() if error_e > tolerance_e)
 
 
 class _Measuring:
@@ -234,33 +237,19 @@ class _Measuring:
                 errors[names] = self.trial.errors(self.requested.without(*names), self.base)
         return errors
 
-    def choose(
-        self, moves: Iterable[Names], alone: Mapping[Names, SampledErrors],
-        standard_errors: float = 2.0,
-    ) -> list[Names]:  # fmt: skip
-        """Return the sets that fit into the tolerance, added one after the other."""
-        dropped: list[Names] = []
-        total: SampledErrors | None = None
-        for names in moves:
-            joined = alone[names] if total is None else total.plus(alone[names])
-            if not any(names & others for others in dropped) and self.fits(joined, standard_errors):
-                dropped.append(names)
-                total = joined
-        return dropped
-
-    def fits(self, errors: SampledErrors, standard_errors: float = 2.0) -> bool:
+    def fits(self, errors: SampledErrors) -> bool:
         """Return whether errors are within the tolerance, with a margin for sampling errors."""
         tolerance_e = self.allowed.electrons
         return (
             errors.square_e2() <= (_MARGIN * tolerance_e) ** 2
-            and errors.square_e2(standard_errors) <= (_SURE * tolerance_e) ** 2
+            and errors.square_e2(2.0) <= (_SURE * tolerance_e) ** 2
             and errors.other_states <= _OTHER_STATES
         )
 
-    def drop_together(self, dropped: Iterable[Names]) -> tuple[SampledErrors, SampledErrors]:
-        """Return the errors of dropping sets at once: relative to every effect, and relative to
+    def drop_together(self, dropped: Names) -> tuple[SampledErrors, SampledErrors]:
+        """Return the errors of dropping effects at once: relative to every effect, and relative to
         every effect that the user did not force off."""
-        effects = self.requested.without(*frozenset[str]().union(*dropped))
+        effects = self.requested.without(*dropped)
         exposed = self.base if effects.on == self.requested.on else self.trial.exposures(effects)
         unseen_e2 = unseen_square_e2(self.trial, effects)
         by_choice = self.trial.between(exposed, self.base).with_unseen(unseen_e2)
@@ -283,8 +272,8 @@ def _planned(
     return Plan(
         allowed.text, allowed.electrons, together.rms_e,
         math.sqrt(together.square_e2(_BOUND_ERRORS)), together.worst_e, *_slot_loop(work, effects),
-        len(trial.sample.places) / trial.scene.pixels, work.frame_ms(effects),
-        work.frame_ms(measuring.requested), work.trials_ms(3 + len(alone), SAMPLED), decisions,
+        len(trial.sample.places) / trial.scene.pixels, work.milliseconds(effects),
+        work.milliseconds(measuring.requested), work.trials_ms(3 + len(alone), SAMPLED), decisions,
         allowed.signal_e, allowed.noise_e, together.other_states if trial.scene.looks else None,
     )  # fmt: skip
 
@@ -292,9 +281,9 @@ def _planned(
 def _unmeasured(work: Work, request: PlanRequest, absent: Names) -> Plan:
     """Return a plan without measured errors that simulates every effect except those forced off."""
     scene, requested = work.scene, everything().without(*request.forced_off)
-    is_noise = isinstance(request.tolerance, str) and noise_part(request.tolerance) is not None
-    allowed = None if is_noise else tolerance_of(request.tolerance, scene.sensor, scene)
-    frame_ms = work.frame_ms(requested)
+    is_unknown = is_noise(request.tolerance)
+    allowed = None if is_unknown else tolerance_of(request.tolerance, scene.sensor, scene)
+    frame_ms = work.milliseconds(requested)
     return Plan(
         str(request.tolerance) if allowed is None else allowed.text,
         None if allowed is None else allowed.electrons, None, None, None,
@@ -322,7 +311,7 @@ def _decision(
     """Return the decision on an effect that may change this scene."""
     name, request = effect.name, measuring.request
     forced, off = name in request.forced, name in dropped | request.forced_off
-    saved_ms = work.frame_ms(everything()) - work.frame_ms(everything().without(name))
+    saved_ms = work.milliseconds(everything()) - work.milliseconds(everything().without(name))
     choice: Choice = "dropped" if off else "kept"
     rms_e = None if alone is None else alone.rms_e
     then = together if off else None if alone is None else together.plus(alone)

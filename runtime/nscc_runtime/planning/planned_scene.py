@@ -17,11 +17,11 @@ from nscc_runtime.emulator import expose as expose_without_effects
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.block_program import block_program, lacks
 from nscc_runtime.execution.block_scene import expose_pixels, lay_out
+from nscc_runtime.execution.frames import frame_source
 from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation, near_saturation
 from nscc_runtime.execution.program import analysed
-from nscc_runtime.frame_file import Frame, check_adc
+from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import frames as looked_frames
 from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, drawing_chances
 from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
@@ -85,18 +85,16 @@ class PlannedScene:
     def frames(self, effects: Selection, seed: int, count: int) -> Iterable[Frame]:
         """Return frames 0 to `count` - 1 with these effects, with converter codes."""
         if self.looks:
+            from nscc_runtime.looked_frames import frames as looked_frames
+
             return looked_frames(
                 self.container, self.light, self.sensor, effects, seed=seed,
                 device_seed=self.device_seed, count=count, threads=self.threads,
             )  # fmt: skip
-        from nscc_runtime.execution.frames import frame_source
-
-        check_adc(self.container.target)
         source = frame_source(
-            self.container, self.sensor, self.light, effects, self.device_seed,
-            threads_of(self.threads),
-        )  # fmt: skip
-        return (source.frame(seed, number) for number in range(count))
+            self.container, self.sensor, self.light, effects, self.device_seed, self.threads
+        )
+        return source.frames(seed, count)
 
     def signal_e(self) -> float:
         """Return the mean signal of a frame without effects, in electrons (see `mean_signal_e`)."""
@@ -182,15 +180,11 @@ class Trial:
         return _exposures(self.scene, self.sample, effects, self.begins, self.repeats)
 
 
-def trial_of(
-    scene: PlannedScene, count: int = SAMPLED, repeats: int | None = None, *, even: bool = False
-) -> Trial:
-    """Draw about `count` pixels of a scene, and expose them with every effect.
-
-    `repeats`: number of frames with other noise; by default more than one for small scenes. `even`:
-    draw all pixels with equal probabilities, which is faster."""
+def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = None) -> Trial:
+    """Draw about `count` pixels of a scene, and expose them with every effect. `repeats`: number of
+    frames with other noise; by default more than one for small scenes."""
     full_well_e, all_effects = scene.sensor.full_well_e, everything()
-    chance = np.ones(scene.pixels) if even else drawing_chances(scene.light, full_well_e)
+    chance = drawing_chances(scene.light, full_well_e)
     sample = draw_sample(scene.near_pixels(all_effects), full_well_e, count, chance)
     repeats = repeats or min(-(-_ENOUGH // len(sample.places)), _MOST_REPEATS)
     first = _exposures(scene, sample, all_effects, [None], repeats)
