@@ -27,7 +27,6 @@ from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, dra
 from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, scene_of
-from nscc_runtime.reference.looks import LookingReference
 from nscc_runtime.reference.trace import retention_us
 
 Values = NDArray[np.float64]
@@ -248,14 +247,9 @@ def _by_reference(
     """Return the exposures (buckets, pixels) and endings (pixels,) of all pixels of a scene by the
     reference."""
     light = scene_of(scene.container, scene.light)
-    if not scene.looks:
-        reference = Reference.of(scene.container, scene.sensor, effects)
-        threads = threads_of(scene.threads)
-        exposed = reference.expose(light, SEED, scene.device_seed, number, threads).exposure_e
-        return exposed.reshape(len(exposed), -1), np.zeros(scene.pixels, np.int32)
-    looking = LookingReference(scene.container, scene.sensor, effects)
-    seeds = SEED, scene.device_seed
-    executed = looking.expose(light, scene.container.planes(), seeds, number)
+    reference = Reference.of(scene.container, scene.sensor, effects)
+    seeds, loaded = (SEED, scene.device_seed), scene.container.planes()
+    executed = reference.execute(light, loaded, seeds, number, threads=threads_of(scene.threads))
     endings = np.zeros(scene.pixels, np.int32)
     for bit, name in enumerate(sorted(executed.planes)):
         endings += executed.planes[name].reshape(-1).astype(np.int32) << bit
