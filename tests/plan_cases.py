@@ -12,8 +12,9 @@ from reference_programs import program
 from nscc.words.container import Container
 from nscc_runtime.effects import registered, selected
 from nscc_runtime.light import Light
-from nscc_runtime.planning.make import PlanRequest, make_plan
+from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan import Decision, Plan
+from nscc_runtime.planning.plan_request import PlanRequest
 from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.sensor import Sensor
 

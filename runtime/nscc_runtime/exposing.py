@@ -245,7 +245,8 @@ def plan(
         As `capture`; NS0750 for programs that plans do not apply to.
     """
     from nscc_runtime.emulator.capture import check
-    from nscc_runtime.planning.make import PlanRequest, make_plan
+    from nscc_runtime.planning.make import make_plan
+    from nscc_runtime.planning.plan_request import PlanRequest
     from nscc_runtime.planning.planned_scene import planning_of
 
     call = "nscc_runtime.plan"

@@ -28,6 +28,7 @@ from nscc_runtime.reference.trace import retention_us
 
 Planes = Mapping[str, NDArray[np.bool_]]
 
+
 def next_planes(
     container: Container, loaded: Planes, final_planes: Planes
 ) -> dict[str, NDArray[np.bool_]]:
@@ -74,9 +75,7 @@ def exposing(
         whole = len(pixels.exposure_e), *shape
         exposure_e = pixels.exposure_e.reshape(whole)
         endings = pixels.endings.reshape(shape)
-        planes = {
-            name: bits.astype(np.bool_)[endings] for name, bits in paths.endings.items()
-        }
+        planes = {name: bits.astype(np.bool_)[endings] for name, bits in paths.endings.items()}
         marks = pixels.saturated_by.reshape(whole)
         return Executed(Exposure(exposure_e, np.isfinite(exposure_e), marks), planes)
 

@@ -175,9 +175,7 @@ def _simulated(
     noiseless = request.effects.noiseless
     absent: Mapping[str, str] = {}
     if container.pictures is not None and request.effects.auto:
-        _say_once(
-            listener, "images and planes: all effects are simulated, without a plan"
-        )
+        _say_once(listener, "images and planes: all effects are simulated, without a plan")
     elif container.target.streamed and not noiseless:
         from nscc_runtime.reference.stream import absent_effects
 
@@ -295,8 +293,9 @@ def _planned(
 def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: bool) -> Plan:
     """Return the plan of a request: given and measured on this scene, made for this scene, or made
     for an earlier scene and valid here. A plan for a file or an audit has every figure."""
-    from nscc_runtime.planning.make import PlanRequest, make_plan, measured_again, served_plan
+    from nscc_runtime.planning.make import make_plan, measured_again, served_plan
     from nscc_runtime.planning.plan_file import read_plan
+    from nscc_runtime.planning.plan_request import PlanRequest
 
     if isinstance(request.plan, Path) and plan_given:
         plan = read_plan(request.plan, digest, scene.sensor)

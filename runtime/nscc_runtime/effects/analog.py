@@ -70,5 +70,5 @@ ANALOG = Effect(
         {"gain": GAIN, "word_error": _noise},
         {"error_e": pattern_e},
     ),
-    cost_ns=6.0,
+    cost_ns=3.0,
 )

@@ -43,6 +43,6 @@ CROSSTALK = Effect(
     "counts that pass between pixels; worst at saturated and moving edges",
     sums=(Exchange(FRACTION, smeared),),
     words=InLoop(),
-    cost_ns=3.0,
-    light_ns=0.5,
+    cost_ns=20.0,
+    light_ns=0.8,
 )

@@ -48,5 +48,5 @@ DARK = Effect(
     "neighbours spill; rms = sqrt(mean (D t)^2 + counts of variance D t)",
     sums=(CountedDark(current_e_per_s),),
     words=InLoop(),
-    cost_ns=10.0,
+    cost_ns=15.0,
 )

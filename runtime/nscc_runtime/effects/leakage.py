@@ -43,5 +43,6 @@ LEAKAGE = Effect(
     size="rms and mean of sum S E (1 - exp(-age / tau)), tau of each pixel, and of its counts",
     sums=(Leak(leak_per_s, TAU, SPREAD),),
     words=InLoop("leaks", patterns={"leak_per_s": leak_per_s}),
-    cost_ns=1.5,
+    cost_ns=5.0,
+    light_ns=0.4,
 )

@@ -37,5 +37,5 @@ PRNU = Effect(
     size="rms and mean of the light that the pixels' own factors add or take, about p rms(L)",
     sums=(Response(response),),
     words=InLoop(),
-    cost_ns=1.0,
+    cost_ns=5.0,
 )

@@ -29,5 +29,4 @@ READ = Effect(
     "level that is subtracted k times counts k^2",
     sums=(Errors("reads", SIGMA),),
     words=InLoop("read_errors", {"read_error": SIGMA}),
-    cost_ns=5.0,
 )

@@ -31,5 +31,4 @@ RESET = Effect(
     size="rms = sigma sqrt(resets), resets weighted with their squared coefficients",
     sums=(Errors("resets", SIGMA),),
     words=InLoop("reset_errors", {"reset_error": SIGMA}),
-    cost_ns=5.0,
 )

@@ -100,6 +100,10 @@ class Selection:
         selections cache their parts."""
         return _without(self, frozenset(names))
 
+    def including(self, name: str) -> Selection:
+        """Return the selection with one more effect."""
+        return Selection(self.on | {name}, self.forced, self.auto)
+
 
 @lru_cache(4096)
 def _without(selection: Selection, names: frozenset[str]) -> Selection:

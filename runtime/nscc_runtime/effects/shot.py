@@ -26,4 +26,5 @@ SHOT = Effect(
     sums=(CountedLight(),),
     words=InLoop(),
     cost_ns=10.0,
+    light_ns=0.5,
 )

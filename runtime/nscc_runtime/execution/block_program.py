@@ -91,9 +91,7 @@ def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str
 
 
 @OfContainer
-def block_program(
-    container: Container, kept_us: float, every_slot: bool = False
-) -> BlockProgram:
+def block_program(container: Container, kept_us: float, every_slot: bool = False) -> BlockProgram:
     """Return a program for the block loop; cached with the container.
 
     `kept_us`: how long digital registers keep values. `every_slot`: whether each slot of a program

@@ -219,9 +219,7 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     in_parts(charge_pixels, pixels, threads, _FEWEST)
     counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
     counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
-    device = Device(
-        sensor=scene.sensor, device_seed=scene.device_seed, places=sites.place[:pixels]
-    )
+    device = Device(sensor=scene.sensor, device_seed=scene.device_seed, places=sites.place[:pixels])
     fixed = Patterns(**patterns(effects, device))
     invalid = number[np.isnan(means.charge).any(axis=0)]
     return ChargeScene(number, sites, fixed, counted, means, exchanged, invalid)

@@ -172,9 +172,7 @@ def leak_rates(effects: Selection, sensor: Sensor) -> tuple[float, ...]:
     if spread == 0.0:
         return (mean,)
     sigma = math.sqrt(math.log1p(spread**2))
-    low, high = (
-        mean * math.exp(side * _LEAK_SIGMAS * sigma - sigma**2 / 2) for side in (-1, 1)
-    )
+    low, high = (mean * math.exp(side * _LEAK_SIGMAS * sigma - sigma**2 / 2) for side in (-1, 1))
     away = (high - low) / 2 * math.sqrt(0.5)
     return (low + high) / 2 - away, (low + high) / 2 + away
 

@@ -86,9 +86,7 @@ def _search(
 ) -> NearSaturation:
     """Return the pixels that may saturate: an upper bound for all pixels selects candidates, whose
     charge is then computed."""
-    limits: _Limits = program.recent.of(
-        (_Limits, effects.on), lambda: _limits(program, effects)
-    )
+    limits: _Limits = program.recent.of((_Limits, effects.on), lambda: _limits(program, effects))
     factor, current = light_factor(effects, device), dark_e_per_s(effects, device)
     exchanged = exchanged_fraction(effects, program.sensor)
     total_e = light.sum_e * factor.reshape(light.shape)
@@ -123,9 +121,7 @@ def _search(
     return NearSaturation(places[is_near], most_e[0, is_near], own_e[0, is_near], spilt[is_near])
 
 
-def _seen_e(
-    weights: SlotWeights, light: Light, lanes: NDArray[np.int32], places: Places
-) -> Values:
+def _seen_e(weights: SlotWeights, light: Light, lanes: NDArray[np.int32], places: Places) -> Values:
     """Return the light (kinds, places) on PIX at a read and in registers, in electrons."""
     frames = light.ended.reshape(len(light.ended), -1)
     of_frames = weights.of_frames(light).weights

@@ -131,9 +131,7 @@ class AnalysedProgram:
             weights = self.weights(model).slots
             buckets = range(weights.shape[2])
             pairs = [(a, b) for b in buckets for a in range(b + 1)] if products else []
-            by_rate = [
-                self.weights(replace(model, leak_per_s=rate)).slots for rate in leak_rates
-            ]
+            by_rate = [self.weights(replace(model, leak_per_s=rate)).slots for rate in leak_rates]
             return SlotWeights(
                 [
                     *(weights[:, :, a] * weights[:, :, b] for a, b in pairs),

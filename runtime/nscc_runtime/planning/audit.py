@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import everything
+from nscc.diagnostics.rejection import rejected
 from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
-from nscc_runtime.planning.planned_scene import PlannedScene, trial_of
+from nscc_runtime.planning.planned_scene import PlannedScene, full_effects, trial_of
 
 Values = NDArray[np.float64]
 
@@ -99,9 +99,17 @@ class Audit:
 
 def audit(scene: PlannedScene, plan: Plan) -> Audit:
     """Measure the errors of a plan on all pixels of a scene."""
+    reasons = scene.needs_reference(plan.requested_effects)
+    if reasons:
+        raise rejected(
+            "NS0750",
+            "--audit does not apply to this program with these effects",
+            notes=(*reasons, "frames of the reference have every selected effect, exactly"),
+            helps=("leave --audit out",),
+        )
     repeats = min(-(-_POOLED // scene.pixels), _MOST_POOLED)
-    trial = trial_of(scene, scene.pixels, repeats)
-    errors = trial.errors(plan.kept)
+    trial = trial_of(scene, full_effects(scene, plan.requested_effects), scene.pixels, repeats)
+    errors = trial.between(trial.exposures(plan.kept), trial.truth)
     rms_e, square_e2 = errors.rms_e, errors.size_e**2
     spread_e2 = float(square_e2.std(axis=(1, 2)).max()) / math.sqrt(square_e2[0].size)
     report = Audit(
@@ -111,7 +119,7 @@ def audit(scene: PlannedScene, plan: Plan) -> Audit:
     if not scene.looks:
         frames = max(_FRAMES, repeats)
         own_e = np.stack([f.exposure_e for f in scene.frames(plan.kept, _SEED, frames)], axis=1)
-        loop_e = trial.frames(everything(), frames).exposure_e
+        loop_e = trial.frames(frames).exposure_e
         report = in_distribution(report, own_e.reshape(loop_e.shape), loop_e)
     return replace(report, holds=report.breach(plan) is None)
 

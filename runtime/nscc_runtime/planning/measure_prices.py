@@ -12,7 +12,8 @@ import nscc
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.execution.block_scene import expose_pixels, lay_out
 from nscc_runtime.light import Light
-from nscc_runtime.planning.make import PlanRequest, make_plan
+from nscc_runtime.planning.make import make_plan
+from nscc_runtime.planning.plan_request import PlanRequest
 from nscc_runtime.planning.planned_scene import SAMPLED, PlannedScene, trial_of
 from nscc_runtime.planning.prices import SHIPPED, Work
 from nscc_runtime.reference.capture import Reference, scene_of
@@ -61,7 +62,7 @@ def measure_prices() -> list[Price]:
     request = PlanRequest(selected("auto"), 5.0, figures=True)
     planned_ms = make_plan(scene, request).planning_ms
     reference_ns = 1e9 * _least_s(lambda: reference.expose(light, 0, 0, 0, 1), 1)
-    trial = trial_of(scene)
+    trial = trial_of(scene, all_effects)
     return [
         Price("planning", f"a plan for {rows} x {cols} pixels", "ms", planned_ms,
               1e3 * _least_s(lambda: make_plan(scene, request))),
@@ -69,7 +70,7 @@ def measure_prices() -> list[Price]:
               work.trials_ms(1, SAMPLED), 1e3 * _least_s(lambda: trial.exposures(all_effects))),
         Price("words", "a pixel through its words, all effects", "ns", work.loop_ns(all_effects),
               1e9 / _NEAR * _least_s(lambda: expose_pixels(laid, 0, 0))),
-        Price("reference", "a pixel and slot in the reference", "ns", SHIPPED.slot_of_reference,
+        Price("reference", "a pixel and slot in the reference", "ns", SHIPPED.slot,
               reference_ns / (scene.pixels * still.slots)),
         *_of_sums(scenes),
     ]  # fmt: skip
@@ -83,7 +84,7 @@ def _of_sums(scenes: list[PlannedScene]) -> list[Price]:
     bare = [_frame_ns(scene, nothing) for scene in scenes]
     every = [_frame_ns(scene, all_effects) for scene in scenes]
     prices = [
-        Price("sums", "a pixel without effects", "ns", SHIPPED.summed, bare[0]),
+        Price("sums", "a pixel without effects", "ns", SHIPPED.frame, bare[0]),
         Price("light", "a pixel and frame of light", "ns", SHIPPED.light,
               max(0.0, bare[1] - bare[0]) / frames),
     ]  # fmt: skip

@@ -71,7 +71,7 @@ def _read(path: Path) -> StoredPlan:
             meta = read_frame_arrays(path, lambda _name: False)[1]
             if (meta.get("plan") or {}).get("tolerance") is None:
                 raise ValueError("its frame was exposed without a plan")
-            stored = from_plain(StoredPlan, {name: meta.get(name) for name in _STORED})
+            stored: StoredPlan = from_plain(StoredPlan, {name: meta.get(name) for name in _STORED})
         else:
             stored = from_json(StoredPlan, read_whole(path), PLAN_SCHEMA)
         unknown = {decision.name for decision in stored.plan.decisions} - {*by_name()}

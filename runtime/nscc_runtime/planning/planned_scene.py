@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,17 +16,17 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator import expose as expose_without_effects
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.block_program import block_program, lacks
-from nscc_runtime.execution.block_scene import expose_pixels, lay_out
+from nscc_runtime.execution.block_scene import PixelExposures, expose_pixels, lay_out
+from nscc_runtime.execution.frames import frame_source, slow_effects
 from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation, near_saturation
 from nscc_runtime.execution.program import analysed
-from nscc_runtime.frame_file import Frame, check_adc
+from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import frames as looked_frames
 from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, drawing_chances
 from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
 from nscc_runtime.pool import threads_of
-from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.reference.trace import retention_us
 
 Values = NDArray[np.float64]
@@ -79,7 +79,9 @@ class PlannedScene:
     def needs_reference(self, effects: Selection) -> tuple[str, ...]:
         """Return the reasons why only the reference simulates these effects; empty if the compiled
         simulations do."""
-        return lacks(self.container, self.sensor, effects)
+        if self.looks:
+            return lacks(self.container, self.sensor, effects)
+        return tuple(f"{name}: only the reference has it" for name in slow_effects(effects))
 
     def frames(self, effects: Selection, seed: int, count: int) -> Iterable[Frame]:
         """Return frames 0 to `count` - 1 with these effects, with converter codes."""
@@ -88,14 +90,10 @@ class PlannedScene:
                 self.container, self.light, self.sensor, effects, seed=seed,
                 device_seed=self.device_seed, count=count, threads=self.threads,
             )  # fmt: skip
-        from nscc_runtime.execution.frames import frame_source
-
-        check_adc(self.container.target)
         source = frame_source(
-            self.container, self.sensor, self.light, effects, self.device_seed,
-            threads_of(self.threads),
-        )  # fmt: skip
-        return (source.frame(seed, number) for number in range(count))
+            self.container, self.sensor, self.light, effects, self.device_seed, self.threads
+        )
+        return source.frames(seed, count)
 
     def signal_e(self) -> float:
         """Return the mean signal of a frame without effects, in electrons (see `mean_signal_e`)."""
@@ -111,7 +109,7 @@ class PlannedScene:
 
         The noise is the standard deviation over frames, as a root mean square over pixels and
         buckets, measured on a sample."""
-        return trial_of(self).noise_e()
+        return trial_of(self, everything()).noise_e()
 
 
 def planning_of(
@@ -134,24 +132,36 @@ class SampledExposures:
     endings: NDArray[np.int32]
 
 
+Expose = Callable[[int, Places | None], PixelExposures]
+"""A function of (frame number, first segments) that exposes the sampled pixels."""
+
+
 @dataclass(frozen=True, eq=False)
 class Trial:
     """Exposures of a sample of a scene with any set of effects, with equal random numbers.
 
     `begins`: the first segments of the pixels in consecutive frames, for kept states; None for the
     states that the program starts with. `repeats`: number of frames with other noise for each of
-    these. `truth`: the exposures with every effect."""
+    these. `full`: every effect; `expose_full` exposes the sample with these, and `truth` are the
+    exposures."""
 
     scene: PlannedScene
     sample: Sample
     repeats: int
     begins: tuple[Places | None, ...]
+    full: Selection
+    expose_full: Expose
     truth: SampledExposures
 
-    def errors(self, effects: Selection, than: SampledExposures | None = None) -> SampledErrors:
-        """Return the errors of exposures with `effects` relative to `than`, by default relative to
-        the exposures with every effect."""
-        return self.between(self.exposures(effects), than or self.truth)
+    def exposures(self, effects: Selection) -> SampledExposures:
+        """Return the exposures of the sampled pixels with these effects."""
+        expose = _sampled(self.scene, self.sample, effects)
+        return _exposures(expose, self.begins, self.repeats)
+
+    def frames(self, count: int, first_number: int = 0) -> SampledExposures:
+        """Return consecutive frames with every effect, which all begin with the states that the
+        program starts with."""
+        return _exposures(self.expose_full, (None,), count, first_number)
 
     def between(self, exposed: SampledExposures, true: SampledExposures) -> SampledErrors:
         """Return the differences between two exposures of the sample."""
@@ -167,94 +177,68 @@ class Trial:
         """Return the noise of a frame of the scene (see `PlannedScene.noise_e`)."""
         buckets, number = len(self.scene.container.buckets), len(self.begins) * self.repeats
         first = SampledExposures(self.truth.exposure_e[:buckets], self.truth.endings[:buckets])
-        second = self.frames(everything(), self.repeats, number)
+        second = self.frames(self.repeats, number)
         mean_e2 = self.between(second, first).mean_square_e2 / 2.0
         return with_readout_e(math.sqrt(float(mean_e2.mean())), self.scene.sensor)
 
-    def frames(self, effects: Selection, count: int, first_number: int = 0) -> SampledExposures:
-        """Return consecutive frames of the sampled pixels, which all begin with the states that the
-        program starts with."""
-        return _exposures(self.scene, self.sample, effects, [None], count, first_number)
 
-    def exposures(self, effects: Selection) -> SampledExposures:
-        """Return the exposures of the sampled pixels with these effects."""
-        return _exposures(self.scene, self.sample, effects, self.begins, self.repeats)
+def full_effects(scene: PlannedScene, requested: Selection) -> Selection:
+    """Return every effect, except those that the user forced off and that only the reference has:
+    they cannot be measured."""
+    all_effects = everything()
+    unknown = (
+        name
+        for name in all_effects.on - requested.on
+        if scene.needs_reference(requested.including(name))
+    )
+    return all_effects.without(*unknown)
 
 
 def trial_of(
-    scene: PlannedScene, count: int = SAMPLED, repeats: int | None = None, *, even: bool = False
+    scene: PlannedScene, full: Selection, count: int = SAMPLED, repeats: int | None = None
 ) -> Trial:
-    """Draw about `count` pixels of a scene, and expose them with every effect.
-
-    `repeats`: number of frames with other noise; by default more than one for small scenes. `even`:
-    draw all pixels with equal probabilities, which is faster."""
-    full_well_e, all_effects = scene.sensor.full_well_e, everything()
-    chance = np.ones(scene.pixels) if even else drawing_chances(scene.light, full_well_e)
-    sample = draw_sample(scene.near_pixels(all_effects), full_well_e, count, chance)
+    """Draw about `count` pixels of a scene, and expose them with the effects `full`. `repeats`:
+    number of frames with other noise; by default more than one for small scenes."""
+    full_well_e = scene.sensor.full_well_e
+    chance = drawing_chances(scene.light, full_well_e)
+    sample = draw_sample(scene.near_pixels(full), full_well_e, count, chance)
     repeats = repeats or min(-(-_ENOUGH // len(sample.places)), _MOST_REPEATS)
-    first = _exposures(scene, sample, all_effects, [None], repeats)
-    trial = Trial(scene, sample, repeats, (None,), first)
-    if not scene.container.keeps_states or scene.needs_reference(all_effects):
-        return trial
-    begins: list[Places | None] = [None]
-    while len(begins) < _MOST_FRAMES:
-        following = -1 - trial.truth.endings[-1, 0].astype(np.int64)
-        known = [following == before for before in begins[1:] if before is not None]
+    expose = _sampled(scene, sample, full)
+    begins: tuple[Places | None, ...] = (None,)
+    truth = _exposures(expose, begins, repeats)
+    while scene.container.keeps_states and len(begins) < _MOST_FRAMES:
+        following = -1 - truth.endings[-1, 0].astype(np.int64)
+        known = [following == before for before in begins if before is not None]
         new_weight = sample.weight[~np.any(known, axis=0)] if known else sample.weight
         if new_weight.sum() <= _SETTLED * sample.weight.sum():
             break
-        begins.append(following)
-        truth = _exposures(scene, sample, all_effects, begins, repeats)
-        trial = replace(trial, begins=tuple(begins), truth=truth)
-    return trial
+        begins = *begins, following
+        truth = _exposures(expose, begins, repeats)
+    return Trial(scene, sample, repeats, begins, full, expose, truth)
+
+
+def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
+    """Prepare the sampled pixels for exposing with these effects."""
+    threads = threads_of(scene.threads)
+    laid = lay_out(
+        scene.container, scene.sensor, scene.light, effects, sample.places, scene.device_seed,
+        threads,
+    )  # fmt: skip
+    return lambda number, begins: expose_pixels(laid, SEED, number, threads, begins)
 
 
 def _exposures(
-    scene: PlannedScene, sample: Sample, effects: Selection, begins: Sequence[Places | None],
-    repeats: int, first_number: int = 0,
-) -> SampledExposures:  # fmt: skip
-    """Expose the sampled pixels in `repeats` frames for each element of `begins`; frames are
-    numbered from `first_number`."""
-    threads = threads_of(scene.threads)
-    numbers = range(first_number, first_number + len(begins) * repeats)
-    # One trial uses one simulation for all sets of effects: their random numbers are not the same.
-    if scene.needs_reference(everything()):
-        exposed = [_by_reference(scene, effects, number) for number in numbers]
-        exposed = [(values[:, sample.places], ends[sample.places]) for values, ends in exposed]
-    else:
-        laid = lay_out(
-            scene.container, scene.sensor, scene.light, effects, sample.places, scene.device_seed,
-            threads,
-        )  # fmt: skip
-        results = (
-            expose_pixels(laid, SEED, number, threads, begins[(number - first_number) // repeats])
-            for number in numbers
-        )
-        exposed = [(result.exposure_e, result.endings) for result in results]
-    buckets = len(scene.container.buckets)
-    shape = len(begins), repeats, buckets, len(sample.places)
-    exposure_e = np.array([values for values, _ in exposed]).reshape(shape).swapaxes(1, 2)
-    endings = np.array([ends for _, ends in exposed]).reshape(len(begins), 1, repeats, -1)
-    whole = len(begins) * buckets, repeats, -1
-    return SampledExposures(
-        exposure_e.reshape(whole), np.broadcast_to(endings, exposure_e.shape).reshape(whole)
-    )
-
-
-def _by_reference(
-    scene: PlannedScene, effects: Selection, number: int
-) -> tuple[Values, NDArray[np.int32]]:
-    """Return the exposures (buckets, pixels) and endings (pixels,) of all pixels of a scene by the
-    reference."""
-    light = scene_of(scene.container, scene.light)
-    reference = Reference.of(scene.container, scene.sensor, effects)
-    seeds, loaded = (SEED, scene.device_seed), scene.container.planes()
-    executed = reference.execute(light, loaded, seeds, number, threads=threads_of(scene.threads))
-    endings = np.zeros(scene.pixels, np.int32)
-    for bit, name in enumerate(sorted(executed.planes)):
-        endings += executed.planes[name].reshape(-1).astype(np.int32) << bit
-    exposure_e = executed.exposure.exposure_e
-    return exposure_e.reshape(len(exposure_e), -1), endings
+    expose: Expose, begins: Sequence[Places | None], repeats: int, first_number: int = 0
+) -> SampledExposures:
+    """Return `repeats` frames for each element of `begins`, numbered from `first_number`."""
+    exposed = [
+        [expose(first_number + series * repeats + turn, begin) for turn in range(repeats)]
+        for series, begin in enumerate(begins)
+    ]
+    exposure_e = [np.stack([frame.exposure_e for frame in frames], axis=1) for frames in exposed]
+    endings = [np.stack([frame.endings for frame in frames]) for frames in exposed]
+    buckets = exposure_e[0].shape[0]
+    return SampledExposures(np.concatenate(exposure_e), np.repeat(endings, buckets, axis=0))
 
 
 def unseen_square_e2(trial: Trial, effects: Selection) -> float:
@@ -264,25 +248,19 @@ def unseen_square_e2(trial: Trial, effects: Selection) -> float:
     For example, nearly all pixels may be full, so that noise changes nothing, except a few. Each of
     these pixels is assumed to change as much as the sampled pixels would if nothing saturated and
     their light just filled PIX."""
-    sample, all_effects = trial.sample, everything()
-    saturating = all_effects.names(Saturates)
-    if not sample.unseen_share or effects.on >= all_effects.on - saturating:
+    sample, saturating = trial.sample, everything().names(Saturates)
+    if not sample.unseen_share or effects.on | saturating >= trial.full.on:
         return 0.0
     near = replace(
-        trial,
-        sample=replace(
-            sample, places=sample.places[sample.near], weight=sample.weight[sample.near],
-            near=sample.near[sample.near],
-        ),
-        begins=(None,),
-        repeats=1,
+        sample, places=sample.places[sample.near], weight=sample.weight[sample.near],
+        near=sample.near[sample.near],
     )  # fmt: skip
     kept, complete = (
-        near.exposures(selection.without(*saturating)).exposure_e
-        for selection in (effects, all_effects)
+        _sampled(trial.scene, near, selection.without(*saturating))(0, None).exposure_e
+        for selection in (effects, trial.full)
     )
     full_e = trial.scene.sensor.full_well_e
     just_full = full_e / np.maximum(np.nan_to_num(np.abs(complete)), full_e)
     square_e2 = (np.nan_to_num(kept - complete) * just_full) ** 2
-    weight = near.sample.weight / near.sample.weight.sum()
-    return float((square_e2.mean(axis=1) * weight).sum(axis=-1).max()) * sample.unseen_share
+    mean_e2 = (square_e2 * near.weight).sum(axis=1) / near.weight.sum()
+    return float(mean_e2.max()) * sample.unseen_share

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Counted, Exchange, Saturates
+from nscc_runtime.effects.parts import Errors as SmallErrors
 from nscc_runtime.execution.block_program import block_program
 from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.reference.trace import retention_us
@@ -16,45 +17,38 @@ from nscc_runtime.reference.trace import retention_us
 
 @dataclass(frozen=True)
 class Prices:
-    """Times of parts of a simulation, in nanoseconds of one core unless the name says otherwise.
+    """Times of parts of a simulation, in nanoseconds of one core per pixel.
 
-    `slot_of_reference`: the reference, per pixel and slot. Per pixel in the loop over words:
-    `pixel`, to begin; `word`, each word; `error`, each small error of a word; `stretch`, the charge
-    between two words; `count`, its photon count, at the pixel and at each neighbour that exchanges
-    charge. Per pixel of a frame by sums: `summed`, and `light` for each frame of its light; effects
-    declare their own. `trial_ms`: each set of effects on a sample."""
+    A frame by sums: `frame`; for each bucket `counts` of light or dark charge, their `exchange`
+    between neighbours, and the small `errors` of all words together. Once for a scene by sums:
+    `scene`, and `light` for each frame of light and bucket; effects declare their own. A frame by
+    the loop over words: `loop`; for each word of a pixel `word`, and `error` for each effect that
+    adds an error to it; for each stretch between two words `count`, of each source of charge. The
+    reference: `slot`, each slot. In milliseconds: `trial_ms`, each set of effects on a sample."""
 
-    slot_of_reference: float
-    pixel: float
-    word: float
-    error: float
-    stretch: float
-    count: float
-    summed: float
-    light: float
-    frame_ms: float
-    trial_ms: float
+    frame: float = 8.0
+    counts: float = 17.0
+    exchange: float = 4.0
+    errors: float = 7.0
+    scene: float = 10.0
+    light: float = 1.0
+    loop: float = 150.0
+    word: float = 8.0
+    error: float = 6.0
+    count: float = 60.0
+    slot: float = 450.0
+    trial_ms: float = 1.2
 
 
-SHIPPED = Prices(
-    slot_of_reference=450.0, pixel=60.0, word=6.0, error=8.0, stretch=20.0, count=25.0, summed=4.0,
-    light=0.5, frame_ms=0.6, trial_ms=0.7,
-)  # fmt: skip
+SHIPPED = Prices()
 """Measured on one core of an x86 server at about 3 GHz by `nscc effects --cost`. Predicted times
 are right to a factor of about 2."""
 
-_SHARED_SITES, _SITES = 2.0, 5.0
-"""Pixels whose counts are drawn for each pixel with crosstalk: if all pixels run, and if few do."""
 
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Work:
-    """The work of a frame of a scene.
-
-    `words`, `stretches`: words of a pixel that act, and stretches of slots between them, as means.
-    `slots`: number of slots. `frames_of_light`: frames of light times buckets. `pixels`: number of
-    pixels, of which `near` may saturate. `looks`: whether all pixels run through their words.
-    `motion`: whether light moves inside slots."""
+    """The work of a frame of a scene: means over pixels of the number of `words` and of `stretches`
+    of slots between them, and the number of pixels that run through their words (`near`)."""
 
     scene: PlannedScene
     words: float
@@ -73,33 +67,36 @@ class Work:
         words = len(program.words.words) if scene.looks else len(program.segments.word) / lanes
         return cls(scene, words, len(program.stretches.boundary) / lanes - 1.0, near)
 
-    def loop_ns(self, effects: Selection, sites: float = _SITES) -> float:
-        """Return the nanoseconds of a pixel that runs through its words with these effects.
-        `sites`: pixels whose counts are drawn for it if charge is exchanged."""
-        prices, counted = SHIPPED, len(effects.names(Counted))
-        if effects.find_part(Exchange) is None:
-            sites = 1.0
-        errors_ns = prices.error * len(effects.errors())
-        charge_ns = prices.stretch + prices.count * counted * sites
-        return prices.pixel + self.words * (prices.word + errors_ns) + self.stretches * charge_ns
+    def loop_ns(self, effects: Selection) -> float:
+        """Return the nanoseconds of a pixel that runs through its words with these effects."""
+        prices, sites = SHIPPED, 1.0 if effects.find_part(Exchange) is None else 2.0
+        word_ns = prices.word + prices.error * len(effects.errors())
+        count_ns = prices.count * sites * len(effects.names(Counted))
+        return prices.loop + self.words * word_ns + self.stretches * count_ns
 
-    def frame_ms(self, effects: Selection) -> float:
-        """Return the milliseconds of a frame with these effects."""
+    def milliseconds(self, effects: Selection, frames: int = 1) -> float:
+        """Return the milliseconds of a number of frames of the scene with these effects."""
         scene, prices = self.scene, SHIPPED
         if scene.needs_reference(effects):
-            return prices.slot_of_reference * scene.light.slots * scene.pixels * 1e-6
+            return frames * prices.slot * scene.light.slots * scene.pixels * 1e-6
         if scene.looks:
-            return prices.frame_ms + self.loop_ns(effects, _SHARED_SITES) * scene.pixels * 1e-6
-        passes = len(scene.light.frames) * len(scene.container.buckets)
-        summed_ns = prices.summed + prices.light * passes
-        summed_ns += sum(effect.summed_ns(passes) for effect in effects.effects)
-        near = self.near if effects.names(Saturates) else 0
-        return prices.frame_ms + (summed_ns * scene.pixels + self.loop_ns(effects) * near) * 1e-6
+            return frames * self.loop_ns(effects) * scene.pixels * 1e-6
+        buckets, passes = len(scene.container.buckets), len(scene.light.frames)
+        scene_ns = prices.scene + prices.light * passes * buckets
+        scene_ns += sum(effect.summed_ns(passes * buckets) for effect in effects.effects)
+        frame_ns = prices.frame
+        if effects.names(Counted):
+            exchanges = effects.find_part(Exchange) is not None
+            frame_ns += buckets * (prices.counts + prices.exchange * exchanges)
+        if effects.names(SmallErrors):
+            frame_ns += buckets * prices.errors
+        near_ns = self.near * self.loop_ns(effects) if effects.names(Saturates) else 0.0
+        return ((scene_ns + frames * frame_ns) * scene.pixels + frames * near_ns) * 1e-6
 
     def trials_ms(self, sets: int, pixels: int) -> float:
         """Return the milliseconds of exposing a sample of `pixels` with some sets of effects."""
-        scene, effects = self.scene, everything()
-        if scene.needs_reference(effects):
-            return sets * self.frame_ms(effects)
-        pixels = min(pixels, scene.pixels)
-        return sets * (SHIPPED.trial_ms + 1e-6 * self.loop_ns(effects) * pixels)
+        effects = everything()
+        if self.scene.needs_reference(effects):
+            return self.milliseconds(effects, sets)
+        pixels = min(pixels, self.scene.pixels)
+        return sets * (SHIPPED.trial_ms + 2e-6 * self.loop_ns(effects) * pixels)

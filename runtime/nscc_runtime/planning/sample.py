@@ -7,6 +7,7 @@ these (`drawing_chances`). Pixels near saturation are a stratum of their own, or
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,8 @@ _UNSEEN = 3.0
 """A kind of pixels with this expected number of draws is missed by one sample in twenty."""
 _SIGMAS = 3.0
 """A mean within this number of standard errors of 0 is shown as 0."""
+_MOST_E = 1e15
+"""More light than this counts as this, in electrons."""
 _NOT_FINITE_E = 1e30
 """Error, in electrons, of an exposure that is NaN or infinite."""
 
@@ -219,21 +222,24 @@ def drawing_chances(light: Light, full_well_e: float) -> Values:
     Of eight draws, four are even, two are proportional to the contrast of light up to the full
     well, and one to the squared contrast of all light: neighbours of lamps may cause most of the
     mean square error. The last is proportional to the change of the light from frame to frame."""
-    total_e = np.nan_to_num((light.motion or light).sum_e)
-    within_well = _contrast(np.minimum(total_e, full_well_e))
-    scores = [(4.0, np.ones(total_e.shape)), (2.0, within_well), (1.0, _contrast(total_e) ** 2)]
+    total_e = np.minimum(np.nan_to_num((light.motion or light).sum_e), _MOST_E).astype(np.float32)
+    contrast = within_well = _contrast(total_e)
+    if total_e.max(initial=0.0) > full_well_e:
+        within_well = _contrast(np.minimum(total_e, np.float32(full_well_e)))
+    scores = [(4.0, np.ones(total_e.shape, np.float32)), (2.0, within_well), (1.0, contrast**2)]
     if light.motion is not None and len(light.motion.frames) > 1:
-        change = np.zeros(total_e.shape)
-        for before, after in zip(light.motion.frames, light.motion.frames[1:], strict=False):
-            change += np.abs(np.nan_to_num(after, posinf=1e30) - np.nan_to_num(before, posinf=1e30))
+        change = np.zeros_like(total_e)
+        frames = np.nan_to_num(light.motion.frames, posinf=_MOST_E)
+        for before, after in pairwise(frames):
+            change += np.abs(after - before)
         scores.append((1.0, change))
     chance = np.zeros(total_e.shape)
     for share, score in scores:
-        chance += score * (share / max(float(score.sum()), 1e-300))
+        chance += score * (share / max(float(score.sum(dtype=np.float64)), 1e-300))
     return chance.reshape(-1)
 
 
-def _contrast(light_e: Values) -> Values:
+def _contrast(light_e: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return each pixel's light plus the absolute differences to its four neighbours."""
     score = light_e.copy()
     for axis in (0, 1):

@@ -52,11 +52,6 @@ class Tolerance:
         return not self.follows and not self.text.endswith("lsb")
 
     @property
-    def noise_part(self) -> float | None:
-        """The tolerance as a fraction of the noise; None if it was not entered in this form."""
-        return None if self.noise_e is None else self.electrons / self.noise_e
-
-    @property
     def name(self) -> str:
         """A text that identifies the tolerance independently of the scene."""
         return f"{self.electrons:g}e" if self.in_electrons else self.text
@@ -119,10 +114,10 @@ def tolerance_of(requested: ToleranceInput, sensor: Sensor, scene: ToleranceScen
     return _within(tolerance, f"{text[:40]} of a mean signal of {signal:.3g} electrons")
 
 
-def noise_part(text: str) -> float | None:
-    """Return the fraction in a text like `0.1noise`; None for any other text."""
-    match = _TOLERANCE.fullmatch(text.lower())
-    return float(match[1]) if match is not None and match[2] == "noise" else None
+def is_noise(tolerance: ToleranceInput) -> bool:
+    """Return whether a tolerance is text like `0.1noise`: the noise has to be measured."""
+    match = _TOLERANCE.fullmatch(tolerance.lower()) if isinstance(tolerance, str) else None
+    return match is not None and match[2] == "noise"
 
 
 def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:

@@ -23,8 +23,9 @@ from nscc_runtime.frame_file import Frame, read_out
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.planning.audit import audit
-from nscc_runtime.planning.make import PlanRequest, make_plan
+from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.plan_request import PlanRequest
 from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.tolerance import Tolerance, tolerance_of
 from nscc_runtime.reference import frames as reference_frames

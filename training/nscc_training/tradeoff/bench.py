@@ -29,7 +29,7 @@ from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
-from nscc_runtime.planning.scenes import planning_of
+from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
 from nscc_runtime.response import response_of
 from nscc_runtime.scenes import Scene

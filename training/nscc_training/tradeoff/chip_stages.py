@@ -26,8 +26,9 @@ from nscc_runtime.frame_file import Frame
 from nscc_runtime.looked_light import OPEN
 from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.audit import bands, compared_rows
-from nscc_runtime.planning.make import PlanRequest, make_plan
-from nscc_runtime.planning.scenes import planning_of
+from nscc_runtime.planning.make import make_plan
+from nscc_runtime.planning.plan_request import PlanRequest
+from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.planning.tolerance import LEAST_E
 from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.simulate import Request, simulate

@@ -1,0 +1,134 @@
+"""The decision on each effect, with its measured error and the reason."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from nscc_runtime.effects import Effect, everything, registered
+from nscc_runtime.effects.parts import Codes, Converter, Saturates
+from nscc_runtime.planning import plan as plans
+from nscc_runtime.planning.plan import Decision, Plan
+from nscc_runtime.planning.plan_request import Names, PlanRequest
+from nscc_runtime.planning.planned_scene import SAMPLED
+from nscc_runtime.planning.prices import Work
+from nscc_runtime.planning.sample import SampledErrors
+from nscc_runtime.planning.tolerance import Tolerance
+
+MARGIN = 0.9
+"""Effects are dropped while the measured error is at most this fraction of the tolerance."""
+_BOUND_ERRORS = 3.0
+"""Number of standard errors that are added to the predicted error to get its bound."""
+FROM_EARLIER_PLAN = "taken from an earlier plan"
+"""The reason shown for decisions of a plan that was made for another scene."""
+
+
+@dataclass(frozen=True, eq=False)
+class Choice:
+    """The choice of effects for a scene.
+
+    `absent`: effects that change nothing. `allowed`: the tolerance; None if it is unknown.
+    `dropped`: effects that the planner drops. `together`: the error of dropping these and the
+    effects that the user forced off; None if nothing was measured. `alone`: the errors of dropping
+    single effects."""
+
+    work: Work
+    request: PlanRequest
+    absent: Names
+    allowed: Tolerance | None
+    dropped: Names = frozenset()
+    together: SampledErrors | None = None
+    alone: Mapping[Names, SampledErrors] = field(default_factory=dict)
+
+
+def plan_of(choice: Choice) -> Plan:
+    """Return the plan of a choice."""
+    work, request, allowed, together = choice.work, choice.request, choice.allowed, choice.together
+    effects, scene = request.requested.without(*choice.dropped), choice.work.scene
+    reasons = scene.needs_reference(effects)
+    if not reasons and scene.looks:
+        reasons = ("pixels look at the light: each runs through the words that act in it",)
+    elif not reasons and work.near and effects.names(Saturates):
+        reasons = (f"{work.near} pixels may saturate",)
+    measured = together is not None
+    return Plan(
+        tolerance=str(request.tolerance) if allowed is None else allowed.text,
+        tolerance_e=None if allowed is None else allowed.electrons,
+        predicted_e=together.rms_e if together else None,
+        bound_e=math.sqrt(together.square_e2(_BOUND_ERRORS)) if together else None,
+        worst_e=together.worst_e if together else None,
+        slot_loop=bool(reasons),
+        slot_loop_reasons=reasons,
+        sampled_fraction=len(together.weight) / scene.pixels if together else 0.0,
+        total_ms=work.milliseconds(effects),
+        all_ms=work.milliseconds(request.requested),
+        planning_ms=work.trials_ms(3 + len(choice.alone), SAMPLED) if measured else 0.0,
+        decisions=tuple(_decision(effect, choice) for effect in registered()),
+        signal_e=None if allowed is None else allowed.signal_e,
+        noise_e=None if allowed is None else allowed.noise_e,
+        other_states=together.other_states if together and scene.looks else None,
+    )
+
+
+def _decision(effect: Effect, choice: Choice) -> Decision:
+    """Return the decision on one effect."""
+    name, request, work = effect.name, choice.request, choice.work
+    if effect.kind == "after":
+        return _after_exposure(effect, choice)
+    forced, off = name in request.forced, name in choice.dropped | request.forced_off
+    alone, together = choice.alone.get(frozenset({name})), choice.together
+    is_zero = alone is not None and not alone.size_e.any() and alone.compared.all()
+    decision: plans.Choice = "dropped" if off else "kept"
+    if not off and (name in choice.absent or is_zero):
+        decision = "absent"
+    saved_ms = 0.0
+    if decision != "absent" and together is not None:
+        all_effects = everything()
+        saved_ms = work.milliseconds(all_effects) - work.milliseconds(all_effects.without(name))
+    then = together
+    if not off:
+        then = None if alone is None or together is None else together.plus(alone)
+    reason = effect.absent if decision == "absent" else "named in --effects"
+    if decision != "absent" and not forced:
+        reason = _reason(choice, off, saved_ms, alone, then)
+    return Decision(
+        name, effect.kind, decision, forced, reason,
+        None if alone is None else alone.rms_e, None if alone is None else 0.0 - alone.bias_e,
+        None if then is None else then.rms_e, max(saved_ms, 0.0),
+        alone.other_states if alone is not None and work.scene.looks else None,
+    )  # fmt: skip
+
+
+def _reason(
+    choice: Choice, off: bool, saved_ms: float, alone: SampledErrors | None,
+    then: SampledErrors | None,
+) -> str:  # fmt: skip
+    """Return the reason for simulating or dropping (`off`) an effect. `alone`: the error of
+    dropping it alone; `then`: the error of the plan without the effect."""
+    if off:
+        return ("" if alone is None else f"{alone.rms_e:.3g} e ") + "fits into the tolerance"
+    if choice.together is None:
+        return "choosing effects would take longer than it saves"
+    if saved_ms <= 0 or alone is None or then is None:
+        return "costs nothing" if saved_ms <= 0 else "saves too little time to be measured"
+    if choice.allowed is not None and then.rms_e > MARGIN * choice.allowed.electrons:
+        return f"left out, the error would be {then.rms_e:.3g} e"
+    if alone.other_states > 0:
+        return f"left out, {alone.other_states:.2%} would end in other states"
+    return f"left out, the error could be {math.sqrt(then.square_e2(2.0)):.3g} e: few pixels tell"
+
+
+def _after_exposure(effect: Effect, choice: Choice) -> Decision:
+    """Return the decision on an effect of the readout. It is simulated unless the user forces it
+    off, and the tolerance does not include its error."""
+    request, sensor = choice.request, choice.work.scene.sensor
+    forced = not effect.always and effect.name in request.forced
+    code_e = everything().require_part(Codes).electrons(sensor)
+    rms_e = code_e / math.sqrt(12.0) if effect.parts_of_kind(Codes) else None
+    for converter in effect.parts_of_kind(Converter):
+        rms_e = converter.sigma_lsb(sensor) * code_e
+    is_on = effect in request.effects or (request.effects.auto and not forced)
+    reason = "named in --effects" if forced else "always applied, after the exposure"
+    decision: plans.Choice = "kept" if is_on else "dropped"
+    return Decision(effect.name, effect.kind, decision, forced, reason, rms_e, 0.0)
