@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from nscc_runtime.execution.block_draws import BLOCK, ROOM
-from nscc_runtime.execution.frame_loop import Counting, draw_counts
+from nscc_runtime.execution.count_loop import Counting, draw_counts
 from nscc_runtime.noise import RATE_CAP, poisson
 
 

@@ -23,8 +23,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.looked_light import told_by
 from nscc_runtime.looking.paths import paths_of
 from nscc_runtime.pool import threads_of
-from nscc_runtime.reference.capture import scene_of
-from nscc_runtime.reference.looks import LookingReference
+from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.reference.trace import retention_us
 
 Planes = Mapping[str, NDArray[np.bool_]]
@@ -60,9 +59,10 @@ def exposing(
     `seeds`: noise seed, device seed. `by_words`: use the reference, as for effects and programs
     that the block loop does not support."""
     if by_words or lacks(container, sensor, effects):
-        reference = LookingReference(container, sensor, effects, threads)
-        scene = scene_of(container, light)
-        return lambda loaded, number: reference.expose(scene, loaded, seeds, number)
+        reference, scene = Reference.of(container, sensor, effects), scene_of(container, light)
+        return lambda loaded, number: reference.execute(
+            scene, loaded, seeds, number, threads=threads
+        )
     shape = light.shape
     places = np.arange(shape[0] * shape[1], dtype=np.int64)
     block = lay_out(container, sensor, light, effects, places, seeds[1], threads)

@@ -10,8 +10,7 @@ from drawn_counts import by_plan, by_reference
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nscc_runtime.noise import RATE_CAP, key, normals, poisson, thin, uniforms
-from nscc_runtime.noise.binomial_law import binomial
+from nscc_runtime.noise import RATE_CAP, key, normals, poisson, uniforms
 from nscc_runtime.noise.poisson_law import poisson_exact
 
 STEP = 2.0**-53
@@ -59,18 +58,6 @@ def test_counts_of_plans_are_in_order_about_their_crossover(place, a, b):
     assert abs(low - by_reference(key(1, 2), places, rates)[0]) <= 1
 
 
-@given(any_unit, st.integers(0, 10**9), units, units)
-def test_binomial_counts_never_decrease_in_the_chance(u, n, a, b):
-    low, high = sorted((a, b))
-    assert 0 <= binomial(u, float(n), low) <= binomial(u, float(n), high) <= n
-
-
-@given(any_unit, st.integers(0, 10**6), st.integers(0, 10**6), units)
-def test_binomial_counts_never_decrease_in_the_trials(u, a, b, p):
-    low, high = sorted((a, b))
-    assert binomial(u, float(low), p) <= binomial(u, float(high), p)
-
-
 @given(st.lists(any_float, min_size=1, max_size=30), st.integers(0, 2**64 - 1))
 def test_any_bits_give_whole_counts_or_are_flagged(values, seed):
     rate = np.array(values)
@@ -80,20 +67,6 @@ def test_any_bits_give_whole_counts_or_are_flagged(values, seed):
     assert np.all((counts >= 0) & (counts <= RATE_CAP + 10 * math.sqrt(RATE_CAP)))
     assert not counts[~valid].any()
     assert not counts[rate <= 0].any()
-
-
-@given(
-    st.lists(st.integers(0, 10**7), min_size=1, max_size=6),
-    st.lists(st.integers(0, 0x7FCF_FFFF_FFFF_FFFF).map(of_bits), min_size=1, max_size=8),
-    st.integers(0, 2**64 - 1),
-)
-def test_spreading_loses_nothing(counts, shares, seed):
-    if not sum(shares) > 0:
-        shares = [*shares, 1.0]
-    pixels = np.arange(len(counts))
-    spread = thin(key(seed, 2), pixels, np.array(counts, float), np.array(shares))
-    assert np.array_equal(spread.sum(axis=1), counts)
-    assert not spread[:, np.array(shares) == 0].any()
 
 
 @given(st.data())
@@ -111,8 +84,5 @@ def test_pixels_in_any_order_and_pieces(data):
         poisson(stream, pixels[part], rate[part])[0] for part in (slice(cut), slice(cut, None))
     ]
     assert np.array_equal(np.concatenate(pieces), whole)
-    shares = np.array([0.2, 0.5, 0.3])
-    spread = thin(stream, pixels, whole, shares)
-    assert np.array_equal(thin(stream, pixels[order], whole[order], shares), spread[order])
     for draw in (uniforms, normals):
         assert np.array_equal(draw(stream, pixels[order]), draw(stream, pixels)[order])

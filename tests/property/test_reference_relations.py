@@ -29,7 +29,6 @@ from nscc_runtime.emulator import expose as noiseless
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, poisson
 from nscc_runtime.reference import expose
-from nscc_runtime.reference.weights import ByName, orthonormal
 
 PLACES = np.arange(ROWS * COLS, dtype=np.int64)
 LINEAR = ["shot", "prnu", "dark", "lag", "crosstalk", "reset", "read", "dead_time"]
@@ -268,26 +267,3 @@ def test_every_effect_runs_alone_and_changes_something() -> None:
               if np.array_equal(exposures(container, light, sensor, name), nothing)}  # fmt: skip
     compared = {"comparator_offset", "comparator_noise"}
     assert absent == {"motion", "decay", "adc_noise", "spreading", "black_sun", *compared}
-
-
-def test_nearly_dependent_weights_of_buckets_become_orthonormal() -> None:
-    # One pass of Gram-Schmidt would leave a product of 1e-16 / 1e-7.
-    weights: ByName[int] = ByName()
-    columns = np.array([[1.0, 1.0, 1.0], [1.0, 1.0 + 1e-7, 1.0], [1.0, 1.0, 1.0 + 1e-7]])
-    for name, row in enumerate(columns):
-        weights.keep(name, np.stack([row, row * [1.0, 1.0, 0.0]]))
-    orthonormal_weights = orthonormal(weights)
-    q = np.array([orthonormal_weights[name] for name in range(3)])
-    for lane, buckets in enumerate((3, 2)):
-        products = q[:, lane].T @ q[:, lane]
-        np.testing.assert_allclose(products, np.diag([1.0] * buckets + [0.0] * (3 - buckets)),
-                                   atol=1e-13)  # fmt: skip
-
-
-def test_dependent_weights_of_a_bucket_become_0() -> None:
-    weights: ByName[int] = ByName()
-    for name, row in enumerate(np.array([[1.0, 2.0], [0.5, 1.0], [3.0, 6.0]])):
-        weights.keep(name, row[None])
-    orthonormal_weights = orthonormal(weights)
-    q = np.array([orthonormal_weights[name][0] for name in range(3)])
-    np.testing.assert_allclose(np.linalg.norm(q, axis=0), [1.0, 0.0], atol=1e-15)

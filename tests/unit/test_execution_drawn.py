@@ -8,7 +8,7 @@ from scipy.special import ndtri
 from scipy.stats import poisson as law
 
 from nscc_runtime.execution.block_draws import BLOCK, FORMULA_FROM, MARGIN, ROOM
-from nscc_runtime.execution.frame_loop import Counting, draw_counts
+from nscc_runtime.execution.count_loop import Counting, draw_counts
 from nscc_runtime.noise import RATE_CAP, key, uniforms
 from nscc_runtime.noise.poisson_law import SEARCH_BELOW, quantile
 

@@ -11,6 +11,7 @@ from saturation_oracle import lost_e
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.execution.register_reach import reach_of
 
 SHAPE = (6, 8)
 
@@ -27,9 +28,9 @@ def test_registers_are_linear_up_to_the_light_that_is_said(name: str) -> None:
     program = program_of(name)
     linear_e = everything().require_part(Soft).linear_e(program.sensor)
     light = np.random.default_rng(4).lognormal(0.0, 1.5, (program.container.slots, *SHAPE))
-    assert program.reach.held_weights is not None
-    weights = program.reach.held_weights[:, :, program.lanes].reshape(-1, len(light), *SHAPE)
-    least_e = program.reach.least_e[:, program.lanes].reshape(-1, *SHAPE)
+    assert reach_of(program).held_weights is not None
+    weights = reach_of(program).held_weights[:, :, program.lanes].reshape(-1, len(light), *SHAPE)
+    least_e = reach_of(program).least_e[:, program.lanes].reshape(-1, *SHAPE)
     part = ((weights * light).sum(axis=1) / least_e).max(axis=0)
     whole = light / np.where(part > 0, part, 1.0)
     limits = {"most_e": linear_e / 0.999, "knee": 0.999}
@@ -42,18 +43,18 @@ def test_registers_are_linear_up_to_the_light_that_is_said(name: str) -> None:
 
 def test_noise_leaves_less_room() -> None:
     quiet, noisy = program_of("codebook"), program_of("codebook", analog_noise_lsb=2.0)
-    finite = np.isfinite(quiet.reach.least_e)
+    finite = np.isfinite(reach_of(quiet).least_e)
     assert finite.any()
-    assert np.array_equal(finite, np.isfinite(noisy.reach.least_e))
-    assert (noisy.reach.least_e < quiet.reach.least_e)[finite].all()
+    assert np.array_equal(finite, np.isfinite(reach_of(noisy).least_e))
+    assert (reach_of(noisy).least_e < reach_of(quiet).least_e)[finite].all()
 
 
 def test_noise_alone_may_be_enough() -> None:
     program = program_of("codebook", reset_noise_e=1e5)
-    assert (program.reach.least_e[0] == 0).all()
+    assert (reach_of(program).least_e[0] == 0).all()
 
 
 @pytest.mark.parametrize("bias_lsb", [-1000.0, 1000.0])
 def test_a_fixed_error_of_either_sign_may_be_enough(bias_lsb: float) -> None:
     program = program_of("codebook", analog_bias_lsb=bias_lsb)
-    assert (program.reach.least_e[0] == 0).all()
+    assert (reach_of(program).least_e[0] == 0).all()

@@ -10,7 +10,7 @@ from reference_programs import sensor_of
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.leakage import leak_per_s
 from nscc_runtime.execution import sum_loop as sums
-from nscc_runtime.execution.chip import SimulatedChip
+from nscc_runtime.execution.moments import _rate_weights, leak_rates
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.light import Light
 
@@ -118,13 +118,12 @@ def test_between_two_rates_leakage_is_that_of_every_pixel(spread: float) -> None
     container = case("b edges", rows=40, cols=50)
     sensor = sensor_of(container, leakage_tau_s=1.0, leakage_spread_fraction=spread)
     every = everything()
-    chip = SimulatedChip(
-        analysed(container, sensor), analysed(container, sensor).array, 3, every, every
-    )
-    rates = np.array(chip.leak_rates)
+    rates = np.array(leak_rates(every, sensor))
     assert len(rates) == (1 if spread == 0.0 else 2)
-    of_pixels = leak_per_s(sensor, 3, chip.array.places)
+    device = analysed(container, sensor).device(3)
+    of_pixels = leak_per_s(sensor, 3, device.places)
+    rate_weights = _rate_weights(every, device, tuple(rates.tolist()))
     for age_s in (0.001, 0.05):
-        near = np.exp(-rates * age_s) @ (chip.leak_weights * np.ones((len(rates), 2000)))
+        near = np.exp(-rates * age_s) @ (rate_weights * np.ones((len(rates), 2000)))
         away = np.abs(near - np.exp(-of_pixels * age_s))
         assert np.sqrt((away**2).mean()) <= (4 * spread * age_s) ** 2 + 1e-12

@@ -13,7 +13,7 @@ from nscc.words.container import Container
 from nscc_runtime.effects import named, selected
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.execution.program import AnalysedProgram
-from nscc_runtime.execution.register_reach import Tables, reach_of
+from nscc_runtime.execution.register_reach import reach_of
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose
 from nscc_runtime.reference.weights import ByName, WeightModel
@@ -59,24 +59,24 @@ def test_weights_are_those_of_the_words(name: str, effects: str, model: WeightMo
     container = case(name, rows=ROWS, cols=COLS)
     sensor = sensor_of(container, digital_retention_us=1600.0, **QUIET)
     made = AnalysedProgram.of(container, sensor)
-    weights = made.tables.weights(model).slots[:, made.lanes].transpose(0, 2, 1)
+    weights = made.weights(model).slots[:, made.lanes].transpose(0, 2, 1)
     np.testing.assert_allclose(weights, probed(container, sensor, effects), atol=1e-9)
 
 
 def test_weights_are_kept_and_decay_costs_nothing_where_nothing_decays() -> None:
     container = case("b edges", rows=ROWS, cols=COLS)
-    tables = AnalysedProgram.of(container, sensor_of(container)).tables
-    assert not tables.decays
-    assert tables.weights(WeightModel(decay=True)) is tables.weights(WeightModel())
-    short = AnalysedProgram.of(container, sensor_of(container, digital_retention_us=600.0)).tables
-    assert short.decays
+    made = AnalysedProgram.of(container, sensor_of(container))
+    assert made.decayed is made.fresh
+    assert made.weights(WeightModel(decay=True)) is made.weights(WeightModel())
+    short = AnalysedProgram.of(container, sensor_of(container, digital_retention_us=600.0))
+    assert short.decayed is not short.fresh
     assert short.weights(WeightModel(decay=True)) is not short.weights(WeightModel())
 
 
 @pytest.mark.parametrize("name", CASES)
 @pytest.mark.parametrize("effect", ["read", "reset", "analog"])
 def test_noise_is_as_large_as_the_references(name: str, effect: str) -> None:
-    """Coefficients and what they leave out, against the variance of many pixels."""
+    """The covariance of errors of words, against many pixels."""
     rows, cols = 60, 128
     container = case(name, rows=rows, cols=cols)
     quiet = {**QUIET, "analog_noise_lsb": 0.75, "analog_gain": 1.0, "leakage_tau_s": 1e6}
@@ -86,42 +86,34 @@ def test_noise_is_as_large_as_the_references(name: str, effect: str) -> None:
     made = AnalysedProgram.of(container, sensor)
     dark = Light.of_clip(np.zeros((container.slots, rows, cols), np.float32))
     found = expose(container, dark, sensor, selected(effect)).exposure_e.reshape(-1, rows * cols)
-    factor, rest = made.tables.noise(errors.at, WeightModel())
-    variance = sigma**2 * ((factor**2).sum(axis=2) + rest)
-    assert np.all(rest <= 1e-9 * variance.max() / sigma**2 + 1e-12)
+    covariance = sigma**2 * made.weights(WeightModel()).covariance(errors.at)
+    variance = np.einsum("bbl->lb", covariance)
     for lane in np.unique(made.lanes):
         here = made.lanes == lane
         for bucket in range(len(found)):
             expected = variance[lane, bucket]
             tolerance = 6 * expected * (2 / here.sum()) ** 0.5
             assert (found[bucket, here] ** 2).mean() == pytest.approx(expected, abs=tolerance)
-
-
-def test_noise_of_other_weights_than_the_draws_is_split_in_drawn_and_left_out() -> None:
-    container = case("d accumulate", rows=ROWS, cols=COLS)
-    sensor = sensor_of(container, **{**QUIET, "leakage_tau_s": 0.002})
-    tables = AnalysedProgram.of(container, sensor).tables
-    full = tables.weights(WeightModel())
-    factor, rest = tables.noise("reads", WeightModel())
-    total = sum(weight**2 for weight in full.reads.values())
-    np.testing.assert_allclose((factor**2).sum(axis=2) + rest, total, rtol=1e-12)
-    assert rest.max() > 1e-3
+        if len(found) > 1:
+            product = (found[0, here] * found[1, here]).mean()
+            limit = 6 * (variance[lane].max()) / here.sum() ** 0.5
+            assert product == pytest.approx(covariance[0, 1, lane], abs=limit)
 
 
 @pytest.mark.parametrize("name", CASES)
 def test_seen_slots_are_those_on_pix_at_a_read(name: str) -> None:
     container = case(name, rows=ROWS, cols=COLS)
-    tables = AnalysedProgram.of(container, sensor_of(container)).tables
-    expected = [[brute_force(tables, lane, slot) > 0 for lane in range(len(container.encoding))]
+    made = AnalysedProgram.of(container, sensor_of(container))
+    expected = [[brute_force(made, lane, slot) > 0 for lane in range(len(container.encoding))]
                 for slot in range(container.slots)]  # fmt: skip
-    np.testing.assert_array_equal(tables.seen_slots(), expected)
+    np.testing.assert_array_equal(made.seen_slots, expected)
 
 
-def brute_force(tables: Tables, lane: int, slot: int) -> float:
+def brute_force(made: AnalysedProgram, lane: int, slot: int) -> float:
     """The largest part of one electron in a slot that any register of a lane ever holds."""
-    held = dict.fromkeys((*tables.container.target.analog_registers, "PIX"), 0.0)
+    held = dict.fromkeys((*made.container.target.analog_registers, "PIX"), 0.0)
     most, at = 0.0, 0
-    for word in tables.decayed:
+    for word in made.decayed:
         held["PIX"] += at <= slot < word.boundary
         at = word.boundary
         if not word.lanes[lane]:
@@ -141,9 +133,9 @@ def test_reach_of_light_is_that_of_every_slot_and_lane(name: str) -> None:
     container = case(name, rows=ROWS, cols=COLS)
     made = AnalysedProgram.of(container, sensor_of(container))
     lanes, slots = range(len(container.encoding)), range(container.slots)
-    most = [[brute_force(made.tables, lane, slot) for lane in lanes] for slot in slots]
-    assert made.reach.held_weights is not None
-    np.testing.assert_array_equal(made.reach.held_weights.max(axis=0), most)
+    most = [[brute_force(made, lane, slot) for lane in lanes] for slot in slots]
+    assert reach_of(made).held_weights is not None
+    np.testing.assert_array_equal(reach_of(made).held_weights.max(axis=0), most)
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -159,36 +151,26 @@ def test_noise_and_offsets_alone_stay_within_their_reach(name: str, bias: float)
     for lane in np.unique(made.lanes):
         most = found[made.lanes == lane].max()
         tight, wide = (
-            reach_of(made.tables, selected("all"), linear_e).least_e[:, lane].min()
+            reach_of(AnalysedProgram.of(container, limited(sensor, linear_e))).least_e[:, lane].min()
             for linear_e in (most, 8 * most + 200)
         )
         assert tight == 0 < wide
+
+
+def limited(sensor: Sensor, linear_e: float) -> Sensor:
+    """A sensor whose registers are linear up to so many electrons."""
+    return sensor.changed(
+        register_min_e=-linear_e, register_max_e=linear_e, register_knee_fraction=1.0
+    )
 
 
 def test_many_lanes_share_the_reach_of_the_worst() -> None:
     text = "nsl 1\nframe 128 slots of 500us\ncode stop : 0..N\nopen when n < stop\n"
     container = program(text + "pixels stop = (x + 8 * y) % (N + 1)\n", "accumulate", 16, 16)
     made = AnalysedProgram.of(container, sensor_of(container))
-    assert made.reach.held_weights is None
-    assert made.reach.least_e.shape[1] == len(container.encoding) > 64
-    assert np.ptp(made.reach.least_e) == 0
-
-
-def test_a_program_made_ready_knows_its_groups() -> None:
-    container = case("two buckets", rows=ROWS, cols=COLS)
-    made = AnalysedProgram.of(container, sensor_of(container))
-    ids = made.group_ids.tolist()
-    assert ids == [1, 2]
-    total = sum(made.members(group) for group in ids)
-    np.testing.assert_array_equal(total, np.ones_like(total))
-    means = made.mean_weights(WeightModel())
-    np.testing.assert_allclose(means[1], np.broadcast_to([1.0, 0.0], means[1].shape), atol=1e-12)
-    np.testing.assert_allclose(means[2], np.broadcast_to([0.0, 1.0], means[2].shape), atol=1e-12)
-    assert made.words(selected("all")) is made.pixels
-    short = made.sensor.changed(digital_retention_us=600.0)
-    other = AnalysedProgram.of(container, short)
-    assert other.words(selected("all")) is other.pixels
-    assert other.words(selected("all,-decay")) is not other.pixels
+    assert reach_of(made).held_weights is None
+    assert reach_of(made).least_e.shape[1] == len(container.encoding) > 64
+    assert np.ptp(reach_of(made).least_e) == 0
 
 
 def test_weights_of_words_in_few_lanes_are_held_by_lane() -> None:

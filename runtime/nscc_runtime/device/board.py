@@ -64,7 +64,7 @@ class EmulatedChip:
         light = self._light[1]
         if container.pictures is None:
             if looks(container):
-                from nscc_runtime.reference.looks import executed
+                from nscc_runtime.reference.capture import executed
 
                 looked = executed(container, light, self.sensor, self.device_seed)
                 exact, planes = looked.exposure, looked.planes

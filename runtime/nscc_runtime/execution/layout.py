@@ -126,9 +126,9 @@ class Patterns(NamedTuple):
     """Fixed patterns of the pixels: the error of a word in electrons, the leakage rate of registers
     in 1/s, the offset of the comparator in electrons."""
 
-    error_e: Annotated[Floats, "pixels"]
-    leak_per_s: Annotated[Floats, "pixels"]
-    offset_e: Annotated[Floats, "pixels"]
+    error_e: Annotated[Floats, "charged"]
+    leak_per_s: Annotated[Floats, "charged"]
+    offset_e: Annotated[Floats, "charged"]
 
 
 class PixelState(NamedTuple):

@@ -74,10 +74,7 @@ class ArrayPixels(WordPixels):
             case WordEffect.BUS:
                 self._bus_on_array(word)
             case WordEffect.FLAG_ANALOG:
-                total = self.total(word)
-                for seen in self.at("compare"):
-                    total = seen(self, total, word)
-                found = total > 0
+                found = self.compared(word) > 0
                 if self.target.where_obeys_flag:
                     found &= digital.read("FLAG") == 1
                 digital.write("FLAG", found)

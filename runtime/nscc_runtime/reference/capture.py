@@ -1,59 +1,82 @@
-"""The reference: the words of a program executed slot by slot in float64, with sensor effects.
+"""The reference: the words of a program executed in every pixel in float64, with sensor effects.
 
-A frame starts with arbitrary values in PIX and the analog registers, determined by the device seed.
-The charge of slot n reaches PIX between boundaries n and n + 1. PIX counts relative to its reset
-level. All random numbers are keyed (`nscc_runtime.noise`), so a draw depends neither on the other
-effects nor on how the array is cut into rows."""
+A frame starts with arbitrary values in PIX and in registers that contain neither codes nor kept
+states, determined by the device seed. FLAG decides in each pixel whether a word acts there; a
+comparison sets it from the light, and a launch sets IN. PIX counts relative to its reset level.
+
+The charge of slot n reaches PIX between boundaries n and n + 1. Slots between two boundaries with
+words are one interval, which changes no distribution: in between charge is only collected, PIX may
+fill, and registers leak. A slot at whose boundary words run is an interval of its own. All random
+numbers are keyed (`nscc_runtime.noise`), so a draw depends neither on the other effects nor on how
+the array is cut into rows."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from math import inf
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.operations import WordEffect
 from nscc.words.container import Container
-from nscc_runtime.effects import Selection
+from nscc.words.readout import converter_of
+from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
-from nscc_runtime.emulator.capture import check
+from nscc_runtime.emulator.capture import check, check_size
 from nscc_runtime.frame_file import Frame
-from nscc_runtime.interface import Exposure
+from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.light import Light
+from nscc_runtime.noise import key, uniforms
 from nscc_runtime.reference.charge import Fallen, charge_of_rows, places_of
+from nscc_runtime.reference.digital import Digital
 from nscc_runtime.reference.stream import expose_stream
-from nscc_runtime.reference.trace import AnalogWord, analog_words, retention_us
+from nscc_runtime.reference.trace import RunningWord, analog_words, retention_us, running_words
 from nscc_runtime.reference.weights import backward
-from nscc_runtime.reference.words import Marked, WordPixels, converted_frames, in_rows
+from nscc_runtime.reference.words import START, Marked, WordPixels, converted_frames, in_rows
+from nscc_runtime.sensor import default_sensor
 
 Values = NDArray[np.float64]
+Bits = NDArray[np.bool_]
+Planes = Mapping[str, Bits]
+"""Digital registers (rows, cols) by name."""
+
+_FIRST_BIT = 256
+"""Group number, in the stream START, of the first digital register, after analog ones."""
 
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """A program prepared for simulation with the given effects.
-
-    `words`: its analog words. `lane` (rows, cols): the lane (code number) of each pixel."""
+    """A program prepared for simulation with the given effects. `words`: all words of a frame."""
 
     container: Container
     sensor: Sensor
     effects: Selection
-    words: tuple[AnalogWord, ...]
-    lane: NDArray[np.intp]
+    words: tuple[RunningWord, ...]
 
     @classmethod
     def of(cls, container: Container, sensor: Sensor, effects: Selection) -> Reference:
-        """Prepare a program. Raises Rejected if its words open no shutters (NS0442) or fail."""
+        """Prepare a program. Raises Rejected if its words fail, and NS0442 if the words of a
+        program without looks open no shutters."""
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
-        fresh = analog_words(container)
-        backward(container, fresh).open()
-        kept_us = retention_us(effects, sensor)
-        words = fresh if kept_us == inf else analog_words(container, kept_us)
-        lane = container.table.shutter_of_code[container.pixel_codes].astype(np.intp)
-        return cls(container, sensor, effects, words, lane)
+        if container.machine is None:
+            backward(container, analog_words(container)).open()
+        return cls(container, sensor, effects, tuple(running_words(container)))
+
+    @cached_property
+    def starts(self) -> tuple[int, ...]:
+        """The first slot of each interval; without effects each slot is an interval, because sums
+        of light are defined slot by slot."""
+        slots = self.container.slots
+        if self.effects.noiseless:
+            return tuple(range(slots))
+        at = {launch.instant for launch in self.container.launches}
+        # After the last slot the light goes on as in that slot.
+        first = {0, *at, *(n + 1 for n in at), *(slots - 1 for n in at if n == slots)}
+        return tuple(sorted(n for n in first if n < slots))
 
     def expose(
         self, scene: Scene, seed: int = 0, device_seed: int = 0, frame: int = 0,
@@ -68,22 +91,46 @@ class Reference:
         threads: int | None = None,
     ) -> Exposure:  # fmt: skip
         """Return the exposure of consecutive rows, identical to these rows of the whole frame."""
-        seeds = seed, device_seed
+        loaded = self.container.planes()
+        return self.execute(scene, loaded, (seed, device_seed), frame, rows, threads).exposure
+
+    def execute(
+        self, scene: Scene, loaded: Planes, seeds: tuple[int, int], frame: int,
+        rows: range | None = None, threads: int | None = None,
+    ) -> Executed:  # fmt: skip
+        """Return the exposure of frame number `frame`, or of consecutive rows of it, and its state
+        registers.
+
+        `loaded`: the digital registers (rows, cols) at the start (`Container.planes`, then those
+        that the previous frame left). `seeds`: noise seed, device seed. Rows are identical to these
+        rows of the whole frame. Results do not depend on `threads` (None: all processors)."""
+        container, (height, cols) = self.container, scene.light.shape
+        rows = range(height) if rows is None else rows
+        states = {name for planes in container.state_planes.values() for name in planes.registers}
+        names = sorted(states | {*container.code_registers}) if states else []
+        final_planes = {name: np.empty((len(rows), cols), np.bool_) for name in names}
 
         def fall(part_rows: range) -> Fallen:
-            return charge_of_rows(scene, self.sensor, self.effects, seeds, frame, part_rows)
+            return charge_of_rows(
+                scene, self.sensor, self.effects, seeds, frame, part_rows, self.starts
+            )
 
         def run(part_rows: range, fallen: Fallen) -> Marked:
-            pixels = _FixedShutterPixels(
-                sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame,
-                places=places_of(part_rows, self.lane.shape[1]), container=self.container,
-                effects=self.effects, program=self,
-                lanes=self.lane[part_rows.start : part_rows.stop].reshape(-1),
+            array_rows = slice(part_rows.start, part_rows.stop)
+            pixels = _ProgramPixels(
+                sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
+                places=places_of(part_rows, cols), container=container, effects=self.effects,
+                program=self,
+                code={name: plane[array_rows].reshape(-1) for name, plane in loaded.items()},
             )  # fmt: skip
-            return pixels.run(fallen.charge.reshape(self.container.slots, -1))
+            marked = pixels.run(fallen.charge.reshape(len(self.starts), -1))
+            chunk = slice(part_rows.start - rows.start, part_rows.stop - rows.start)
+            for name, plane in final_planes.items():
+                plane[chunk] = pixels.digital.bits[name].reshape(len(part_rows), cols)
+            return marked
 
-        shape = len(self.container.buckets), scene.light.shape[1], self.container.slots
-        return in_rows(fall, run, rows, shape, threads)
+        shape = len(container.buckets), cols, len(self.starts)
+        return Executed(in_rows(fall, run, rows, shape, threads), final_planes)
 
 
 def expose(
@@ -97,8 +144,7 @@ def expose(
     frame: int = 0,
     threads: int | None = None,
 ) -> Exposure:
-    """Run the words of `container` over `light` with the `effects` of `sensor`, slot by slot, in
-    float64.
+    """Run the words of `container` over `light` with the `effects` of `sensor` in float64.
 
     `frame`: number of the repeat of the scene. `threads`: None for all processors; results do not
     depend on it. Raises Rejected like `nscc_runtime.emulator.expose`, and NS0442 for words that
@@ -106,6 +152,17 @@ def expose(
     check(container, light)
     scene = scene_of(container, light)
     return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame, threads)
+
+
+def executed(
+    container: Container, light: Light, sensor: Sensor | None = None, device_seed: int = 0
+) -> Executed:
+    """Return one frame without effects of a container that its loader has checked, whose pixels
+    look."""
+    check_size(container, light)
+    sensor = sensor or default_sensor(converter_of(container))
+    reference = Reference.of(container, sensor, selected("none"))
+    return reference.execute(scene_of(container, light), container.planes(), (0, device_seed), 0)
 
 
 def frames(
@@ -141,32 +198,63 @@ def scene_of(container: Container, light: Light) -> Scene:
 
 
 @dataclass(eq=False, kw_only=True)
-class _FixedShutterPixels(WordPixels):
-    """Some pixels of a program with fixed shutters, during one frame. `lanes`: shape (pixels,)."""
+class _ProgramPixels(WordPixels):
+    """Some pixels of a program during one frame. `code`: digital registers (pixels,) by name."""
 
     program: Reference
-    lanes: NDArray[np.intp]
+    code: Planes
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        bits = {
+            name: uniforms(key(self.device_seed, START, group=_FIRST_BIT + i), self.places) < 0.5
+            for i, name in enumerate((*self.target.digital_registers, "FLAG"))
+        }
+        self.digital = Digital(
+            self.target, {**bits, **self.code}, retention_us(self.effects, self.sensor)
+        )
 
     def run(self, charge: Values) -> Marked:
-        """Return exposures and saturation marks for `charge` (N, pixels) in electrons."""
-        slots = self.container.slots
+        """Return exposures and saturation marks for `charge` (intervals, pixels) in electrons."""
+        slots, starts = self.container.slots, self.program.starts
+        slot_us = np.array(self.container.slot_us)
+        interval_us = np.add.reduceat(slot_us, starts).tolist()
         words = iter(self.program.words)
         word = next(words, None)
-        for n in range(slots + 1):
-            slot = min(n, slots - 1)
-            fallen = 0.0
+        for number, n in enumerate((*starts, slots)):
+            self.fallen = 0.0
             while word is not None and word.boundary == n:
-                for ends_us in self.at("time"):
-                    now = ends_us(word) / self.container.slot_us[slot]
-                    now = now if n == slots else min(now, 1.0)
-                    self.fall(charge[slot] * (now - fallen))
-                    fallen = now
-                acting = word.lanes[self.lanes]
-                if acting.any():
-                    run = self.reset if word.resets else self.bus
-                    run(word, acting)
+                if word.op.analog:
+                    self._until(word, charge[min(number, len(charge) - 1)])
+                self._run(word)
                 word = next(words, None)
             if n < slots:
-                self.fall(charge[n] * (1.0 - fallen) if fallen else charge[n])
-                self.hold(self.container.slot_us[n] * 1e-6)
+                self.fall(charge[number] * (1.0 - self.fallen) if self.fallen else charge[number])
+                self.hold(interval_us[number] * 1e-6)
+                self.digital.now_us += interval_us[number]
         return self.read_out()
+
+    def _until(self, word: RunningWord, slot_charge: Values) -> None:
+        """Add the part of the slot's charge that is collected until a word ends."""
+        slots, slot_us = self.container.slots, self.container.slot_us
+        for ends_us in self.at("time"):
+            now = ends_us(word) / slot_us[min(word.boundary, slots - 1)]
+            now = now if word.boundary == slots else min(now, 1.0)
+            self.fall(slot_charge * (now - self.fallen))
+            self.fallen = now
+
+    def _run(self, word: RunningWord) -> None:
+        flag = self.digital.read("FLAG") == 1
+        match word.op.operation.effect:
+            case WordEffect.RESET_PIX:
+                everywhere = self.target.reset_honours_flag == "no"
+                self.reset(word, np.ones_like(flag) if everywhere else flag)
+            case WordEffect.BUS:
+                self.bus(word, flag)
+            case WordEffect.FLAG_ANALOG:
+                is_above = self.compared(word) > 0
+                self.digital.write(
+                    "FLAG", is_above & flag if self.target.where_obeys_flag else is_above
+                )
+            case _:
+                self.digital.run(word.op)

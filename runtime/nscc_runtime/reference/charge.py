@@ -3,7 +3,9 @@ crosstalk."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -46,8 +48,9 @@ def charge_of_rows(
     seeds: tuple[int, int],
     frame: int,
     rows: range,
+    starts: Sequence[int],
 ) -> Fallen:
-    """Return the charge of consecutive rows.
+    """Return the charge of consecutive rows in intervals, whose first slots are `starts`.
 
     `seeds`: noise seed, device seed. The charge of a pixel does not depend on how the array is cut
     into rows."""
@@ -56,9 +59,11 @@ def charge_of_rows(
     begin, end = max(rows.start - halo, 0), min(rows.stop + halo, height)
     for choose in effects.at("scene"):
         scene = choose(scene)
+    scene = replace(scene, slot_s=np.add.reduceat(scene.slot_s, starts))
     slots = _Slots(
         sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
         places=places_of(range(begin, end), cols), scene=scene, rows=slice(begin, end),
+        starts=starts,
     )  # fmt: skip
     charge = light = slots.electrons(scene.light)
     for stage in ("light", "response", "count", "charge", "neighbours"):
@@ -74,6 +79,7 @@ class _Slots(Slots):
     """The slots of some rows. `valid` (pixels,) becomes False where a rate is NaN."""
 
     rows: slice
+    starts: Sequence[int]
 
     def __post_init__(self) -> None:
         self.valid = np.ones(len(self.places), np.bool_)
@@ -83,9 +89,11 @@ class _Slots(Slots):
 
     @remembered
     def electrons(self, light: Light) -> Charge:
-        out = np.empty((light.slots, len(self.places) // light.shape[1], light.shape[1]))
-        for n in range(light.slots):
-            out[n] = light.slot(n, self.rows)
+        shape = len(self.starts), len(self.places) // light.shape[1], light.shape[1]
+        out = np.zeros(shape)
+        for interval, (start, stop) in enumerate(pairwise([*self.starts, light.slots])):
+            for n in range(start, stop):
+                out[interval] += light.slot(n, self.rows)
         return out
 
     def counted(self, stream: int, source: int, rates: Charge) -> Charge:

@@ -60,7 +60,9 @@ def expose_stream(
         raise ValueError("a container without planes")
 
     def fall(part_rows: range) -> Fallen:
-        return charge_of_rows(scene, sensor, effects, seeds, frame, part_rows)
+        return charge_of_rows(
+            scene, sensor, effects, seeds, frame, part_rows, range(container.slots)
+        )
 
     def run(part_rows: range, fallen: Fallen) -> Marked:
         pixels = _Taps(

@@ -287,6 +287,13 @@ class WordPixels(Pixels):
                 total += self.register[name]
         return total
 
+    def compared(self, word: RunningWord) -> Values:
+        """Return the electrons (pixels,) of which a comparison tests whether they are above 0."""
+        total = self.total(word)
+        for compare in self.at("compare"):
+            total = compare(self, total, word)
+        return total
+
     def bus(self, word: RunningWord, acting: Bits) -> None:
         """Write -(sum of a word's sources) / divisor to its destinations where `acting`."""
         result, at = self.total(word) / -word.op.operation.divisor, word.boundary
