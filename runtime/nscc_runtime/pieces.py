@@ -140,7 +140,7 @@ def _for_all(
         return request
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.planned_scene import PlannedScene, planning_of
-    from nscc_runtime.planning.tolerance import is_noise, tolerance_of
+    from nscc_runtime.planning.tolerance import tolerance_of, unit_of
 
     class All:
         """A scene of all lights, for relative tolerances."""
@@ -156,7 +156,7 @@ def _for_all(
         def noise_e(self) -> float:
             return math.sqrt(sum(piece.noise_e() ** 2 for piece in self.pieces()) / len(lights))
 
-    if is_noise(request.tolerance) and not request.audit:
+    if unit_of(request.tolerance) == "noise" and not request.audit:
         return request
     return replace(request, tolerance=tolerance_of(request.tolerance, sensor, All()))
 

@@ -151,7 +151,9 @@ def test_noise_and_offsets_alone_stay_within_their_reach(name: str, bias: float)
     for lane in np.unique(made.lanes):
         most = found[made.lanes == lane].max()
         tight, wide = (
-            reach_of(AnalysedProgram.of(container, limited(sensor, linear_e))).least_e[:, lane].min()
+            reach_of(AnalysedProgram.of(container, limited(sensor, linear_e)))
+            .least_e[:, lane]
+            .min()
             for linear_e in (most, 8 * most + 200)
         )
         assert tight == 0 < wide

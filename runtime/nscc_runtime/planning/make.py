@@ -30,7 +30,7 @@ from nscc_runtime.planning.planned_scene import (
 )
 from nscc_runtime.planning.prices import Work
 from nscc_runtime.planning.sample import SampledErrors
-from nscc_runtime.planning.tolerance import check_tolerance, is_noise, tolerance_of
+from nscc_runtime.planning.tolerance import check_tolerance, tolerance_of, unit_of
 
 _WORTH = 1.5
 """Effects are measured if that is predicted to save this multiple of the time that it takes."""
@@ -114,7 +114,7 @@ def _unmeasured(work: Work, request: PlanRequest, absent: Names) -> Plan:
     that is a fraction of the noise stays unknown."""
     scene = work.scene
     allowed = None
-    if not is_noise(request.tolerance):
+    if unit_of(request.tolerance) != "noise":
         allowed = tolerance_of(request.tolerance, scene.sensor, scene)
     return plan_of(Choice(work, request, absent, allowed))
 
@@ -159,7 +159,7 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
 def _too_large(work: Work, request: PlanRequest) -> Names:
     """Return effects whose noise certainly exceeds a tolerance in electrons."""
     scene = work.scene
-    if is_noise(request.tolerance):
+    if unit_of(request.tolerance) == "noise":
         return Names()
     tolerance_e = tolerance_of(request.tolerance, scene.sensor, scene).electrons
     all_effects, full_e = everything(), scene.sensor.full_well_e
