@@ -142,7 +142,6 @@ def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
     for lowered in lowerings:
         solution, machine = lowered.looking, lowered.program.machine
         assert solution is not None
-        assert machine is not None
         for value_bits in (solution.encoding.code, *solution.encoding.states):
             distinct = {row.tobytes() for row in value_bits.bits}
             _require(

@@ -155,7 +155,7 @@ def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
 
     Errors: NS0535, NS0540 and NS0541 for images and planes that exceed the chip's resources."""
     container, program = assemble(choice.best, job.options.level), choice.best.program
-    if program.pictures is None:
+    if not program.pictures.outputs:
         return container, []
     from nscc.neighbours.passes import with_pictures
 
@@ -275,7 +275,7 @@ def _passes(values: Mapping[str, Any]) -> Iterator[Pass]:
     yield from PASSES[:read]
     program: Program = values["program"]
     chip = STREAM_PASSES if program.target.streamed else PASSES
-    yield from (chip if program.machine is None else LOOKING_PASSES)[read:]
+    yield from (LOOKING_PASSES if program.machine.stages else chip)[read:]
 
 
 Observer = Callable[[str, Any], None]

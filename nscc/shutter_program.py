@@ -260,7 +260,7 @@ class ShutterProgram:
 
     @cached_property
     def _replayed(self) -> NDArray[np.bool_]:
-        if self.container.machine is not None:
+        if self.container.machine.stages:
             raise rejected(
                 "NS0442",
                 f"the shutters of '{self.name}' depend on the light: they are unknown "

@@ -165,7 +165,7 @@ def _picture(
 
     if content.colour and content.light is not None:
         return png_of(content_sheet, content, title)
-    if container.pictures is not None:
+    if container.pictures.outputs:
         return png_of(image_plane_sheet, frame.first, container.buckets_read, title)
     return png_of(frame_sheet, readouts(container, frame.first, response()), title)
 

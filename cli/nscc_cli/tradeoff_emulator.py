@@ -91,7 +91,7 @@ def _refuse(container: Container) -> None:
     from nscc_runtime.planless import refuse_planless
 
     refuse_planless(container, "nscc tradeoff emulator")
-    if container.machine is not None:
+    if container.machine.stages:
         raise rejected(
             "NS0828",
             "nscc tradeoff emulator uses sums over slots, which are undefined for pixels "

@@ -53,7 +53,7 @@ def _shutters(program: Path, options: dict[str, Any]) -> bytes:
     say(messages)
     from nscc_runtime.pictures.sheet import png_of
 
-    if container.machine is not None:
+    if container.machine.stages:
         from nscc_runtime.pictures.looking_chart import course_sheet
 
         return png_of(course_sheet, container, program.name)

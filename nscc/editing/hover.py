@@ -22,7 +22,7 @@ from nscc.source import Span
 from nscc.syntax import tree
 from nscc.syntax.words import FORMS
 from nscc.words.counts import counts_by_name
-from nscc.words.pictures import Weights
+from nscc.words.pictures import NO_PICTURES, Weights
 
 _MOST_VALUES = 12
 
@@ -67,7 +67,7 @@ def _bucket(document: Document, mention: Mention) -> str | None:
     compiled = document.checked.compiled
     names = [] if compiled is None else [bucket.name for bucket in compiled.program.buckets]
     text = "one of the exposures of a frame"
-    if compiled is None or compiled.program.machine is not None or mention.name not in names:
+    if compiled is None or compiled.program.machine.stages or mention.name not in names:
         return text
     shutters = compiled.program.table.shutters[:, names.index(mention.name)]
     opened = shutters.sum(axis=1)
@@ -114,11 +114,10 @@ def _picture(document: Document, name: str) -> str | None:
         return None
     if any(isinstance(rule, tree.Bucket) and rule.name.text == name for rule in declared.rules):
         return "one of the frames that an exposure gives"
-    pictures = None if compiled is None or compiled.container is None else (
-        compiled.container.pictures
-    )  # fmt: skip
+    container = None if compiled is None else compiled.container
+    pictures = NO_PICTURES if container is None else container.pictures
     if name in declared.kernels:
-        weights = None if pictures is None else pictures.weights_by_name.get(name)
+        weights = pictures.weights_by_name.get(name)
         return "a kernel" if weights is None else f"a kernel\n\n{_grid(weights)}"
     kinds = {picture.name.text: picture for picture in declared.pictures}
     if name not in kinds:
@@ -127,11 +126,11 @@ def _picture(document: Document, name: str) -> str | None:
     description = (
         "a plane, a bit of every pixel" if is_plane else "an image, a value of every pixel"
     )
-    cost = next((c for c in pictures.costs if c.name == name), None) if pictures else None
+    cost = next((c for c in pictures.costs if c.name == name), None)
     if cost is None:
         return description
     description += f". {counted(cost.words, 'word')}"
-    if is_plane or pictures is None:
+    if is_plane:
         return description
     count = counts_by_name(pictures).get(name)
     if count is not None:

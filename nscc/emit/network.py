@@ -152,7 +152,6 @@ class _LookingMaker(NetworkMaker):
     def __init__(self, lowered: LookingLowered, solution: LookingSolution) -> None:
         super().__init__(lowered, solution.encoding.name)
         self.solution = solution
-        assert lowered.program.machine is not None
         self.machine = lowered.program.machine
         self.buckets = [bucket.name for bucket in lowered.program.buckets]
         self.resets_some = lowered.program.target.reset_honours_flag != "no"

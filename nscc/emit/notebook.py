@@ -81,7 +81,7 @@ def _bars(
 def program_card(name: str, container: Container, compiled: Compiled | None) -> str:
     """Return a program's shutters, summary and messages; `compiled` is None for a loaded one."""
     chart, target = html.Html(), container.target
-    if container.has_table and container.machine is None:
+    if container.has_table and not container.machine.stages:
         drawn = shutters_of(container)
         chart = shutter_chart(drawn.rows, drawn.labels, container.slot_us, container.buckets)
     if compiled is not None:

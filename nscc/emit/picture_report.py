@@ -33,7 +33,7 @@ def pictures_us(pictures: Pictures, target: Target) -> float:
 def picture_report(container: Container) -> dict[str, Any]:
     """Return the part of `--emit report` about images and planes; empty if there are none."""
     pictures = container.pictures
-    if pictures is None:
+    if not pictures.outputs:
         return {}
     costs = {cost.name: cost for cost in pictures.costs}
     reach, counts = reaches(pictures), counts_by_name(pictures)

@@ -102,9 +102,13 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
             "slots": proof.slots,
             "frames": proof.frames,
             "holds": proof.holds,
-            **({"answers": proof.transitions} if program.machine else {}),
+            **({"answers": proof.transitions} if program.machine.stages else {}),
         },
-        **({"looks": looks_report(program.machine, program.target)} if program.machine else {}),
+        **(
+            {"looks": looks_report(program.machine, program.target)}
+            if program.machine.stages
+            else {}
+        ),
         "target": program.target.name,
         "source_sha256": hashlib.sha256(program.source.text.encode()).hexdigest(),
     }

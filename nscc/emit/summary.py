@@ -41,7 +41,7 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
             f"{counted(len(program.frame.slot_us), 'slot')}",
         ),
     ]
-    if program.machine is not None:
+    if program.machine.stages:
         names = tuple(bucket.name for bucket in program.buckets)
         looks = _looks_lines(program.machine, names, program.target)
         rows += [("looks" * (not k), text) for k, text in enumerate(looks)]
@@ -55,7 +55,7 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
     digital = ledger(schedule.allocation.holders)
     shortest = min(program.frame.slot_us)
     stored, executed = _words(compiled)
-    if compiled.container is not None and compiled.container.pictures is not None:
+    if compiled.container is not None and compiled.container.pictures.outputs:
         from nscc.emit.picture_report import picture_rows
 
         rows += picture_rows(compiled.container.pictures, program.target)
@@ -78,7 +78,7 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
             f"{counted(proof.codes, 'code')} x {counted(proof.slots, 'slot')}, "
             f"{counted(proof.frames, 'frame')}"
             + f", {counted(proof.transitions, 'answer')}"
-            * (program.machine is not None),
+            * (program.machine.stages > 0),
         ),
     ]
 

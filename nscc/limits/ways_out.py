@@ -77,7 +77,7 @@ def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOu
         if lowered is not None:
             in_use = counted(len(lowered.program.table.shutters), "shutter")
             yield _way_out("`--codes fixed`", f"only the {in_use} in use", lowered, level)
-    if program.machine is not None or program.pictures is not None:
+    if program.machine.stages or program.pictures.outputs:
         return
     yield from _fewer_rows(program, attempt, most)
     if len(program.buckets) == 1:

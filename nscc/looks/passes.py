@@ -257,7 +257,6 @@ def plan_of(
     program: Program, lowering: LoweringOption
 ) -> tuple[LookingPlan | Misfit, Sequence[Diagnostic]]:
     """Return the plan and no errors, or a Misfit and the error NS0413 or NS0414."""
-    assert program.machine is not None
     plan = plan_looks(program, program.machine, lowering)
     if isinstance(plan, Misfit):
         name = "edges" if lowering == "auto" else lowering
@@ -303,7 +302,6 @@ def container_of(lowered: Lowered, level: int) -> Container:
     assert lowered.looking is not None
     looking, machine = lowered.looking, lowered.program.machine
     places = lowered.schedule.allocation.places
-    assert machine is not None
     planes = {}
     encoded_states = zip(machine.states, looking.encoding.states, looking.registers, strict=True)
     for state, how, names in encoded_states:

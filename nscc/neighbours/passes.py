@@ -39,7 +39,6 @@ def with_pictures(
     instruction store (NS0535), values beyond the range of the registers (NS0540), and images that
     read pixels too far away (NS0541)."""
     pictures = program.pictures
-    assert pictures is not None
     far = _too_far(pictures, program) or _fading(pictures, program)
     if far is not None:
         return container, [far]
@@ -235,7 +234,6 @@ def _beyond_range(
 ) -> Diagnostic:
     """Return NS0540, with changes that compile if they are found."""
     pictures, over = program.pictures, refused.needed
-    assert pictures is not None
     target = container.target
     helps = []
     notes = [

@@ -49,7 +49,6 @@ class Looks(ReplayPixels):
     (lanes,) is the signal `light`; `exact` is bool (lanes,)."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
-        assert container.machine is not None
         self.machine: StateMachine = container.machine
         self.full_e = container.target.full_well_e
         nodes = np.arange(self.machine.first[1], dtype=np.int64)

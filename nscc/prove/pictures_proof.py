@@ -33,8 +33,6 @@ def pictures_fault(container: Container) -> str | None:
 
     Raises TooLarge for planes whose decision diagrams are too large, and AlwaysEqual."""
     pictures = container.pictures
-    if pictures is None:
-        return None
     number = 0
     try:
         words = picture_words(container)
@@ -69,7 +67,6 @@ def _difference(
 
     `written`: the registers that the words of images write."""
     pictures, forms = container.pictures, replay.forms
-    assert pictures is not None
     for name in pictures.expressions:
         if forms.compares_equal(meaning.value(name, middle)):
             raise AlwaysEqual(name)
@@ -136,7 +133,6 @@ class PictureReplay:
         for name in (*target.digital_registers, "FLAG", "SELECT", "bus"):
             self.digital[name] = {at: forms.diagrams.new_variable(at) for at in places}
         pictures = container.pictures
-        assert pictures is not None
         for state in pictures.states:
             register = pictures.registers.get(state.name, "")
             self.digital[register] = {at: forms.kept_bit(state.name, at) for at in places}

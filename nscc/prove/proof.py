@@ -206,7 +206,7 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
             reason = f"the target does not support the word `{operation}`: {fault}"
             return Proof(codes, slots, 0, Failure(reason, 0))
     replay: Looks | Replay
-    if container.machine is None:
+    if not container.machine.stages:
         replay = Replay(container, kernels)
     else:
         from nscc.prove.looks_proof import Looks
@@ -230,7 +230,7 @@ def _after_frame(container: Container) -> Failure | None:
     fault = readout_fault(container)
     if fault is not None:
         return Failure(fault[1], FRAMES, fault[0])
-    if container.pictures is None:
+    if not container.pictures.outputs:
         return None
     from nscc.prove.diagrams import AlwaysEqual, TooLarge
     from nscc.prove.pictures_proof import pictures_fault

@@ -17,7 +17,7 @@ from nscc.words.legality import decoded
 
 def refuse_looking(container: Container, name: str = "this program") -> None:
     """Raise Rejected (NS0444, status 1) for programs whose shutters depend on the light."""
-    if container.machine is not None:
+    if container.machine.stages:
         raise rejected(
             "NS0444",
             f"the shutters of {name} depend on the light: they are unknown before the exposure",

@@ -109,7 +109,7 @@ class Capture(Frame):
         1. With `repeat`, each is a list."""
         pictures = self.container.pictures
         reports: dict[str, Any] = {}
-        for report in pictures.reports if pictures is not None else ():
+        for report in pictures.reports:
             key = f"report_{report.kind}_{report.plane}"
             values, counts = self.told[key], self.told.get(f"{key}_count")
             repeated = values.ndim > {"any": 0, "events": 2, "box": 1}[report.kind]
@@ -123,8 +123,7 @@ class Capture(Frame):
 
     @property
     def _pictures_read(self) -> tuple[str, ...]:
-        pictures = self.container.pictures
-        return () if pictures is None else pictures.reads
+        return self.container.pictures.reads
 
     def _told_arrays(self, prefix: str, names: Sequence[str]) -> dict[str, NDArray[Any]]:
         keys = {name: f"{prefix}{name}" for name in names}

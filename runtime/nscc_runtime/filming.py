@@ -66,7 +66,7 @@ def film(
     """
     call = "nscc_runtime.film"
     container = container_of(call, program)
-    if container.pictures is None:
+    if not container.pictures.outputs:
         raise wrong_argument(
             f"{call} takes a program with images or planes",
             helps=("nscc_runtime.captures(program, lights) captures other programs",),

@@ -174,7 +174,7 @@ def _simulated(
         return _planned(container, light, sensor, request, listener)
     noiseless = request.effects.noiseless
     absent: Mapping[str, str] = {}
-    if container.pictures is not None and request.effects.auto:
+    if container.pictures.outputs and request.effects.auto:
         _say_once(
             listener, "images and planes: all effects are simulated, slot by slot, without a plan"
         )
@@ -212,7 +212,7 @@ def _exposing(
     from nscc_runtime.noise.noise_loops import fill_normals
 
     noiseless, count, threads = request.effects.noiseless, request.repeat or 1, request.threads
-    if container.pictures is not None:
+    if container.pictures.outputs:
         from nscc_runtime.emulator.capture import check
         from nscc_runtime.neighbours.pictured_program import PicturedProgram
 
@@ -224,7 +224,7 @@ def _exposing(
             return partial(program.film, lights, request.seed, request.device_seed)
         return partial(program.frames, light, request.seed, request.device_seed, count)
     frames: Callable[..., Iterable[Frame]]
-    if container.machine is not None:
+    if container.machine.stages:
         from nscc_runtime import looked_frames
         from nscc_runtime.looking.path_loop import run_paths
 

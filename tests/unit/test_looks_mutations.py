@@ -181,7 +181,6 @@ def test_every_single_word_that_compares_is_needed(name: str) -> None:
 def test_a_machine_that_is_another_is_noticed() -> None:
     container = built(PROGRAMS["float"])
     machine = container.machine
-    assert machine is not None
     kernels = decoded(container)
     opens = machine.opens.copy()
     opens[machine.nodes(2).stop - 1, 0, 2] ^= True

@@ -169,7 +169,7 @@ def begun_with(
     if container.slots != spec.slots:
         raise ValueError(f"the program has {container.slots} slots, but the run has {spec.slots}")
     if spec.kind == "looks":
-        comparisons = () if container.machine is None else container.machine.comparisons
+        comparisons = container.machine.comparisons
         if len(comparisons) != spec.tile[1]:
             raise ValueError(
                 f"it looks {len(comparisons)} times, but the run looks {spec.tile[1]} times"
@@ -177,7 +177,7 @@ def begun_with(
         moments = np.array([[comparison.boundary for comparison in comparisons]])
         levels = np.array([[comparison.level for comparison in comparisons]])
         return {"at": moments, "level": levels}, None
-    if container.machine is not None:
+    if container.machine.stages:
         raise ValueError(f"its pixels look at the light, but those of class {spec.kind} do not")
     if container.pixel_codes is None:
         raise ValueError("the program has no pixels")

@@ -143,7 +143,7 @@ def _read_out(
 
     A 1 of a plane is the code 255 and one electron."""
     pictures = container.pictures
-    if pictures is None:
+    if not pictures.outputs:
         return frame.frame, frame.exposure_e
     if not pictures.reads:
         return frame.frame, None

@@ -229,8 +229,7 @@ class LookTrial(Trial):
     def planning_ms(self) -> float:
         pixels = min(self.pixels, 16 * _TILES)
         exposures = sum(e.kind != "after" for e in registered()) - len(self.absent) + 2
-        machine = self.program.container.machine
-        films = 4 if machine is not None and machine.keeps else 1
+        films = 4 if self.program.container.machine.keeps else 1
         return SHIPPED.looked * exposures * pixels * films * 1e-6
 
 

@@ -235,6 +235,6 @@ def planning_of(
 
     Raises Rejected for programs with images or planes."""
     refuse_planless(container, "planning")
-    if container.machine is None:
-        return FixedShutters(container, sensor, light, device_seed, threads)
-    return LookingPixels(container, sensor, light, device_seed, threads)
+    if container.machine.stages:
+        return LookingPixels(container, sensor, light, device_seed, threads)
+    return FixedShutters(container, sensor, light, device_seed, threads)

@@ -170,7 +170,6 @@ def _stages(
     hard = setup.encoder.hard().cpu()
     if kind == LOOKS:
         machine = container.machine
-        assert machine is not None
         codes = setup.encoder.codes()
         compiled_looks = [
             (comparison.boundary, comparison.level) for comparison in machine.comparisons

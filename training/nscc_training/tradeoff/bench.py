@@ -112,8 +112,7 @@ class Bench:
         signal_e = mean_signal_e(self.ideal_e, self.sensor)
         if signal_e > 0:
             return signal_e
-        pictures = self.container.pictures
-        if pictures is not None and not {*pictures.reads} & {*self.container.buckets}:
+        if not self.container.buckets_read:
             raise rejected(
                 "NS0826", f"'{self.request.program.name}' reads out no exposure",
                 notes=("errors are relative to the mean signal of the exposures",),
@@ -204,7 +203,7 @@ class Bench:
         if original is not None:
             ideal_e = self._ideal_e(original, self._light_in(original))
         frame = self._captured(container, light).frame
-        if container.machine is not None:
+        if container.machine.stages:
             light_e_per_s, sure = (frame.told[key] for key in (LIGHT, DEVIATION))
             counted = (np.isfinite(sure) & np.isfinite(light_e_per_s)).any(axis=0)[None]
             seen_e = merged_image(light_e_per_s, sure)[None] * (sum(container.slot_us) * 1e-6)
@@ -239,7 +238,7 @@ class Bench:
         return simulate(container, light, self.sensor, request)
 
     def _ideal_e(self, container: Container, light: Light) -> Values:
-        if container.machine is not None:
+        if container.machine.stages:
             return np.asarray(light.total_e(), np.float64)[None]
         none = selected("none")
         exact = simulate(container, light, self.sensor, Request.of(effects="none")).frame
