@@ -222,17 +222,10 @@ OF_SOME_PROGRAMS = (
     "nscc.prove.looks_proof",
     "nscc.prove.pictures_proof",
     "nscc.stream.passes",
-    "nscc.words.machine",
-    "nscc.words.pictures",
 )
 _GATES = ["nscc.logic.cover", "nscc.logic.encodings"]
-_LOOKS = ["nscc.looks.passes", "nscc.prove.looks_proof", "nscc.words.machine"]
-_IMAGES = [
-    "nscc.neighbours.passes",
-    "nscc.prove.pictures_proof",
-    "nscc.words.machine",  # levels of comparisons
-    "nscc.words.pictures",
-]
+_LOOKS = ["nscc.looks.passes", "nscc.prove.looks_proof"]
+_IMAGES = ["nscc.neighbours.passes", "nscc.prove.pictures_proof"]
 
 
 @pytest.mark.parametrize(
