@@ -4,11 +4,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
+from math import inf
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, cast, get_args
 
 from nscc import checks
 from nscc.cache.results import Results, results_of_user
@@ -16,7 +18,7 @@ from nscc.chips.load import load_target
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower import fit
-from nscc.lower.exposure_plan import LoweringOption, Planned, frame_time, plan_exposures
+from nscc.lower.exposure_plan import LOWERINGS, LoweringOption, Planned, frame_time, plan_exposures
 from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, assemble, lay_out
 from nscc.program.analyse import analyse
@@ -26,6 +28,8 @@ from nscc.record import Record
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File
+from nscc.toml.kinds import Flag, Instance, Integer, TextKind
+from nscc.toml.schema import key
 from nscc.words.container import Container
 from nscc.words.legality import decoded
 
@@ -36,23 +40,40 @@ LEVELS = (0, 1, 2, 3)
 """Optimisation levels; a higher level allows more steps in the search for gates."""
 
 
-class Options(Record):
+@dataclass(frozen=True)
+class Options:
     """Options of the compiler.
 
-    `level` is one of LEVELS. `target` (a `Target`, or a name or file as for `--target`) replaces
-    the program's own. `price_all` computes the costs of all lowerings, for the report. If
-    `unproved_is_error` is false and only a longer search can decide whether the program fits, this
-    is a note instead of an error. Without `cache`, search results are neither read nor stored.
-    `max_words_per_slot` limits the digital and analog words at every boundary."""
+    `price_all` computes the costs of all lowerings, for the report. If `unproved_is_error` is false
+    and only a longer search can decide whether the program fits, this is a note instead of an
+    error."""
 
-    level: int = 2
-    codes: Codes = "fixed"
-    lowering: LoweringOption = "auto"
-    target: Target | str | None = None
+    level: int = key(
+        Integer(0, 3), "Effort of the search for fewer words", 2,
+        option="-O", default_text="2; check: 1",
+    )  # fmt: skip
+    codes: Codes = key(
+        TextKind(get_args(Codes)), "Compile for the codes in use, or for every legal one", "fixed"
+    )
+    lowering: LoweringOption = key(
+        TextKind(("auto", *LOWERINGS)), "How the exposure is computed", "auto",
+        default_text="auto, the cheapest",
+    )  # fmt: skip
+    target: Target | str | None = key(
+        Instance((Target, str, os.PathLike), "a chip's name, its file or a Target"),
+        "The chip, instead of the chip in the program", None, notation="NAME|FILE.toml",
+    )  # fmt: skip
+    cache: bool = key(
+        Flag(),
+        "Store search results of -O2 and -O3 and reuse them (default), or search again",
+        True, option="--cache/--no-cache",
+    )  # fmt: skip
+    max_words_per_slot: int | None = key(
+        Integer(1, inf),
+        "Reject programs that execute more words than this in any slot", None, notation="W",
+    )  # fmt: skip
     price_all: bool = False
     unproved_is_error: bool = True
-    cache: bool = True
-    max_words_per_slot: int | None = None
 
 
 class Job(Record):

@@ -16,7 +16,7 @@ import os
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,26 +26,22 @@ from nscc.compiler import compile_source
 from nscc.containers import program_text, with_pixels
 from nscc.diagnostics.arguments import (
     flag,
-    one_of,
     path_of,
-    require_whole_number,
-    shown,
     warn,
     wrong_argument,
 )
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_together
-from nscc.lower.exposure_plan import LOWERINGS, LoweringOption
-from nscc.pipeline import LEVELS, Compiled, Options, all_lowerings
+from nscc.lower.exposure_plan import LoweringOption
+from nscc.pipeline import Compiled, Options, all_lowerings
 from nscc.program.problems import counted
 from nscc.program.program import Codes
 from nscc.prove.shutters import replayed
 from nscc.source import Source
+from nscc.toml.arguments import checked
 from nscc.words.container import Container
 from nscc.words.file import read_container, to_bytes
-
-_DEFAULTS = Options()
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -306,12 +302,12 @@ class ShutterProgram:
 def compile(
     source: str | os.PathLike[str],
     *,
-    target: Target | str | os.PathLike[str] | None = _DEFAULTS.target,
-    level: int = _DEFAULTS.level,
-    codes: Codes = _DEFAULTS.codes,
-    lowering: LoweringOption = _DEFAULTS.lowering,
-    max_words_per_slot: int | None = _DEFAULTS.max_words_per_slot,
-    cache: bool = _DEFAULTS.cache,
+    target: Target | str | os.PathLike[str] | None = Options.target,
+    level: int = Options.level,
+    codes: Codes = Options.codes,
+    lowering: LoweringOption = Options.lowering,
+    max_words_per_slot: int | None = Options.max_words_per_slot,
+    cache: bool = Options.cache,
     folder: str | os.PathLike[str] | None = None,
 ) -> ShutterProgram:
     """Compile a program and prove its words.
@@ -345,20 +341,7 @@ def compile(
     Rejected
         With all errors and their places. Warnings are Python warnings.
     """
-    one_of("nscc.compile", "level", level, LEVELS)
-    one_of("nscc.compile", "codes", codes, get_args(Codes))
-    one_of("nscc.compile", "lowering", lowering, ("auto", *LOWERINGS))
-    if not (target is None or isinstance(target, Target | str | os.PathLike)):
-        raise wrong_argument(
-            f"nscc.compile: target is a chip's name, its file or a Target, not {shown(target)}"
-        )
-    chip = target if target is None or isinstance(target, Target) else os.fspath(target)
-    if max_words_per_slot is not None:
-        require_whole_number("nscc.compile", "max_words_per_slot", max_words_per_slot, least=1)
-    options = Options(
-        level=int(level), codes=codes, lowering=lowering, target=chip,
-        cache=flag("nscc.compile", "cache", cache), max_words_per_slot=max_words_per_slot,
-    )  # fmt: skip
+    options = Options(**checked("nscc.compile", Options, locals()))
     return compiled(*program_text(source, folder), options)
 
 

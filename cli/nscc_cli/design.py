@@ -12,6 +12,7 @@ from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import LEVEL, OUT
+from nscc_cli.scene_options import fit_option, placing_options
 from nscc_cli.support import (
     CommonCommand,
     NumberRange,
@@ -63,8 +64,8 @@ _CLIP_PARTS = 16
 @shared.chip_option
 @click.option("-O", "level", type=LEVEL, default=2, show_default=True,
               help="Effort of the search for fewer words.")  # fmt: skip
-@shared.scene_options
-@shared.fit_option("crop")
+@placing_options
+@fit_option
 @shared.sensor_options
 @shared.section(shared.OUTPUT, click.option(
     "-o", "out", type=OUT,
@@ -172,8 +173,12 @@ def _laid(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any], warns: bool = True
 ) -> Iterator[PlacedLight]:
     """Yield each scene, placed on the chip's array and divided into the slots of the frame."""
+    from nscc_runtime.scenes import laid_lights
+
     slot_us = [options["slot_us"]] * options["slots"]
     for name in scenes or (None,):
         scene = scene_of({**options, "scene": name}, "--scene is missing: a design needs a scene")
-        [laid] = scene.laid(slot_us, target, lambda diagnostic: say([diagnostic] * warns), progress)
+        [laid] = laid_lights(
+            scene, slot_us, target, lambda diagnostic: say([diagnostic] * warns), progress
+        )
         yield laid

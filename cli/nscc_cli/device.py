@@ -13,9 +13,11 @@ from nscc_cli import options as shared
 from nscc_cli import support
 from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import OUT, PATH, SEED
+from nscc_cli.options import OUT, PATH
 from nscc_cli.programs import load_program
+from nscc_cli.scene_options import placing_options
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_done
+from nscc_runtime.simulate import Request
 
 _LONGEST_S = 1e6
 
@@ -40,10 +42,9 @@ def command() -> None:
               show_default=True,
               help="The machine that runs the firmware: this one, or a Cortex-M4 (or "
                    "Cortex-M0) emulated by QEMU.")  # fmt: skip
-@shared.scene_options
+@placing_options
 @shared.sensor_options
-@click.option("--device-seed", type=SEED, default=0, show_default=True,
-              help="Seed of the fixed patterns of the chip.")  # fmt: skip
+@shared.declared(Request, "device_seed", show=True)
 @click.option("--once", is_flag=True, help="End when the first host has closed the port.")
 @click.option("--for", "seconds", type=NumberRange(0, _LONGEST_S), help="End after S seconds.")
 def serve(**options: Any) -> None:

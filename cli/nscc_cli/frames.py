@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected, unknown_name
 from nscc.files import Product, refuse_inputs, refuse_same, write_together
+from nscc_cli.options import given
 from nscc_cli.support import progress, refuse_ignored
 
 if TYPE_CHECKING:
@@ -36,10 +37,7 @@ def scene_of(
             missing,
             helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
         )
-    named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
-    optional_names = ("fit", "color", "first", "single", "white", "skip", "bracket", "times")
-    optional_values = {name: options[name] for name in optional_names if name in options}
-    return Scene(*(options[name] for name in named), **optional_values)
+    return Scene(**given(Scene, options))
 
 
 def refuse_swapped(program: Path, scene: str | None) -> None:

@@ -18,6 +18,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.files import inputs_kept, reads
+from nscc.toml.kinds import LARGEST_INTEGER
 
 Item = TypeVar("Item")
 MessageFormat = Literal["human", "short", "json", "github", "sarif"]
@@ -50,6 +51,17 @@ class NumberRange(click.FloatRange):
         converted = float(super().convert(value, param, ctx))
         if converted != converted:
             self.fail(f"{value!r} is not a number.", param, ctx)
+        return converted
+
+
+class WholeNumber(click.IntRange):
+    """A whole number of 64 bits within limits."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        """Return the number; raise BadParameter if it is too large for 64 bits."""
+        converted = int(super().convert(value, param, ctx))
+        if converted > LARGEST_INTEGER:
+            self.fail(f"{value!r} is too large.", param, ctx)
         return converted
 
 

@@ -17,21 +17,16 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.arguments import (
     as_array,
-    path_of,
-    require_whole_number,
     shown,
     wrong_argument,
 )
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.words.container import Container
 from nscc_runtime.caches import remembered
-from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
-from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.tolerance import Tolerance, ToleranceInput
 from nscc_runtime.scenes.errors import refuse_no_light
-from nscc_runtime.scenes.load import PlacedLight, light_of_array
+from nscc_runtime.scenes.load import PlacedLight, laid_lights, light_of_array
 from nscc_runtime.scenes.placement import Placement
 from nscc_runtime.scenes.scene import Scene
 from nscc_runtime.sensor.file import default_sensor, load_sensor
@@ -89,7 +84,7 @@ def laid_of(
     if isinstance(light, str | os.PathLike):
         light = Scene(str(os.fspath(light)))
     if isinstance(light, Scene):
-        return light.laid(slot_us, target, warn)
+        return laid_lights(light, slot_us, target, warn)
     if _container(light) is not None:
         raise wrong_argument(
             f"{call}: the light is {shown(light)}, which is a program",
@@ -156,48 +151,6 @@ def _array(call: str, light: object) -> NDArray[Any]:
         notes=("arrays are electrons per slot (N, rows, cols), or per second (rows, cols)",),
         helps=("nscc_runtime.scene('photo.exr', exposure='30000@70') loads your own scene",),
     )
-
-
-def text_of(call: str, name: str, value: object, count: int) -> str | None:
-    """Return `count` numbers as command-line text; texts and None are returned unchanged."""
-    if value is None or isinstance(value, str):
-        return value
-    items = value if isinstance(value, tuple | list) else [value]
-    if len(items) != count:
-        expected = "a number" if count == 1 else f"{count} numbers"
-        raise wrong_argument(f"{call}: {name} is text or {expected}, not {shown(value)}")
-    return ",".join(f"{number(call, name, item):.17g}" for item in items)
-
-
-def check_run(call: str, seed: object, device_seed: object, threads: object) -> None:
-    """Raise WrongArgument unless the seeds and the number of threads are whole numbers."""
-    require_whole_number(call, "seed", seed)
-    require_whole_number(call, "device_seed", device_seed)
-    if threads is not None:
-        require_whole_number(call, "threads", threads, least=1)
-
-
-def tolerance_of(call: str, name: str, tolerance: object) -> ToleranceInput | None:
-    if tolerance is None or isinstance(tolerance, str | Tolerance):
-        return tolerance
-    return number(call, name, tolerance)
-
-
-def effects_of(call: str, effects: object) -> str | Selection | None:
-    if effects is None or isinstance(effects, str | Selection):
-        return effects
-    raise wrong_argument(
-        f"{call}: effects is text, not {shown(effects)}",
-        helps=("for instance effects='auto', 'all', 'none' or 'shot,read'",),
-    )
-
-
-def plan_of(call: str, plan: object) -> Plan | Path | None:
-    if plan is None or isinstance(plan, Plan):
-        return plan
-    if isinstance(plan, str | os.PathLike):
-        return path_of(call, plan)
-    raise wrong_argument(f"{call}: plan must be a plan or a plan file, not {shown(plan)}")
 
 
 _REMOVED = {

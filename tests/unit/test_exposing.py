@@ -213,7 +213,10 @@ WRONG = {
     "threads": (lambda p: nscc_runtime.capture(p, LIGHT, threads=0), "threads is a whole number"),
     "a number": (lambda p: nscc_runtime.sensor_for(p, full_well_e="a"), "full_well_e is a number"),
     "a chip": (lambda p: nscc_runtime.sensor_for(TARGET), "takes a compiled program first"),
-    "tolerance": (lambda p: nscc_runtime.plan(p, LIGHT, tolerance=[1]), "is a number, not a list"),
+    "tolerance": (
+        lambda p: nscc_runtime.plan(p, LIGHT, tolerance=[1]),
+        "text or a number, not a list",
+    ),
     "exposure": (lambda p: nscc_runtime.scene("x", exposure=[]), "exposure is text or a number"),
     "crop": (lambda p: nscc_runtime.scene("x", crop=5), "crop is text or 2 numbers, not 5"),
     "fps": (lambda p: nscc_runtime.scene("x", fps="a"), "fps is a number, not the text 'a'"),

@@ -22,8 +22,12 @@ from nscc_runtime.scenes.picture_folders import files_of, read_folder
 _EXIF_IFD, _EXPOSURE_TIME, _F_NUMBER, _ISO = 0x8769, 0x829A, 0x829D, 0x8827
 
 
-def parse_times(text: str) -> tuple[float, ...]:
-    """Parse exposure times in seconds, `1/250,1/60,0.066`. Raises NS0777 for other texts."""
+def parse_times(text: str | tuple[float, ...] | None) -> tuple[float, ...] | None:
+    """Parse exposure times in seconds, `1/250,1/60,0.066`. Raises NS0777 for other texts.
+
+    Parsed times, or None, are returned unchanged."""
+    if not isinstance(text, str):
+        return text
     try:
         times = tuple(float(Fraction(item.strip())) for item in text.split(","))
     except (ValueError, ZeroDivisionError):
