@@ -132,10 +132,10 @@ def test_exposure_times_of_raw_files(tmp_path: Path) -> None:
     for number, time in enumerate((1 / 64, 1 / 16)):
         mosaic = np.full((64, 80), round(0.6 * 4095 * 16 * time), np.uint16)
         path = tmp_path / f"{number}.dng"
-        write_dng(path, mosaic, exif=(34665, "I", 1, 0))
+        write_dng(path, mosaic, exif=(34664, "I", 1, 0))
         data = bytearray(path.read_bytes())
-        at = data.index(struct.pack("<HHI", 34665, 4, 1)) + 8
-        data[at : at + 4] = struct.pack("<I", len(data))
+        at = data.index(struct.pack("<HHI", 34664, 4, 1))
+        data[at : at + 12] = struct.pack("<HHII", 34665, 4, 1, len(data))
         entry = struct.pack("<HHIII", 0x829A, 5, 1, len(data) + 18, 0)
         data += (
             struct.pack("<H", 1) + entry[:12] + bytes(4) + struct.pack("<II", 1, round(1 / time))
