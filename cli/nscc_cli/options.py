@@ -214,6 +214,11 @@ chip_option = option(
     help="The chip.",
 )  # fmt: skip
 
+slots_axis_option = option(
+    "--slots-axis", type=click.Choice(("first", "last")),
+    help="The axis of a mask that counts slots, for a mask whose sizes do not tell it.",
+)  # fmt: skip
+
 trust_code_option = option(
     "--trust-code", is_flag=True,
     help="Allow the run to execute its custom Python code (module:name).",
