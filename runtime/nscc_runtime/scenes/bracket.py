@@ -162,9 +162,9 @@ def _exif_factors(path: Path) -> tuple[float, float | None, float | None]:
     """Return exposure time in seconds, f-number and ISO speed; None for what is not stated."""
     try:
         tags = exif_of(path)
-        time_s, f_number, iso = (tags.get(tag) for tag in (_EXPOSURE_TIME, _F_NUMBER, _ISO))
+        f_number, iso = tags.get(_F_NUMBER), tags.get(_ISO)
         iso = iso[0] if isinstance(iso, tuple) else iso
-        return float(time_s), float(f_number or 0) or None, float(iso or 0) or None
+        return float(tags[_EXPOSURE_TIME]), float(f_number or 0) or None, float(iso or 0) or None
     except Exception as error:  # Pillow's plugins raise what they like
         raise _refused(
             f"the exposure time of '{path}' is missing",
