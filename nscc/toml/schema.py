@@ -45,7 +45,10 @@ class Key:
 
     A key may also be an option of the command line and an argument in Python. `option` is the
     option's name, by default `--NAME`; `notation` shows how its value is written; `default_text`
-    describes the default in place of the value, and is empty if `meaning` describes it."""
+    describes the default in place of the value, and is empty if `meaning` describes it.
+
+    Each of `checks` takes all settings. It returns the reason why they contradict the value of this
+    key, or a false value."""
 
     section: str
     name: str
@@ -60,6 +63,7 @@ class Key:
     option: str = ""
     notation: str = ""
     default_text: str | None = None
+    checks: tuple[Callable[[Any], object], ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "option", self.option or "--" + self.name.replace("_", "-"))

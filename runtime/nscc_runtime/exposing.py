@@ -211,7 +211,7 @@ def plan(
         As for `capture`.
     effects : str or Selection
         As for `capture`.
-    tolerance : str or float, optional
+    tolerance : str or float
         As for `capture`.
     device_seed : int
         Seed of the fixed pattern.

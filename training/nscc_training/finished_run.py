@@ -24,8 +24,8 @@ from nscc_runtime.frame_file import last_codes
 from nscc_runtime.python_arguments import LightLike
 from nscc_runtime.scenes.scene import Scene
 from nscc_training import run_folder
+from nscc_training.code_choices import LOOKS
 from nscc_training.encoders import Encoder
-from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.frame_reading import Dark, FrameRead, by_colour, mean_dark, read_dark, read_frame
 from nscc_training.loop.decoding import decoded_frame
 from nscc_training.measures import METRIC_NAMES, score_text

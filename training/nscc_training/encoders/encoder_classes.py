@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.arguments import require_type, require_whole_number
-from nscc_training.code_choices import ORDERED, RANKS, SCATTERED, STARTS
+from nscc_training.code_choices import LOOKS, ORDERED, RANKS, SCATTERED, STARTS
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
 from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
-from nscc_training.encoders.looks_encoder import LOOKS, LooksEncoder
+from nscc_training.encoders.looks_encoder import LooksEncoder
 from nscc_training.encoders.patterns import Bits, Codebook
 
 _SIDE = 4
