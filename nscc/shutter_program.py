@@ -25,7 +25,6 @@ from nscc.chips.target import Target
 from nscc.compiler import compile_source
 from nscc.containers import program_text, with_pixels
 from nscc.diagnostics.arguments import (
-    flag,
     path_of,
     warn,
     wrong_argument,
@@ -39,7 +38,8 @@ from nscc.program.problems import counted
 from nscc.program.program import Codes
 from nscc.prove.shutters import replayed
 from nscc.source import Source
-from nscc.toml.arguments import checked
+from nscc.toml.arguments import argument, checked
+from nscc.toml.kinds import Flag
 from nscc.words.container import Container
 from nscc.words.file import read_container, to_bytes
 
@@ -140,7 +140,7 @@ class ShutterProgram:
         """
         table = self.container.table
         at_code = self._replayed[table.shutter_of_code].transpose(1, 0, 2)
-        if not flag("shutters", "pixels", pixels):
+        if not argument("shutters", "pixels", Flag(), pixels):
             return at_code.copy()
         at_pixel = table.shutter_of_code[self.code_at_pixels]
         laid = self._replayed.transpose(1, 2, 0)

@@ -10,7 +10,7 @@ import numpy as np
 
 from nscc.diagnostics.arguments import shown, wrong_argument
 from nscc.diagnostics.suggest import meant
-from nscc.toml.kinds import TextKind
+from nscc.toml.kinds import Kind, TextKind
 from nscc.toml.schema import Key, keys_of
 
 
@@ -30,17 +30,27 @@ def checked(call: str, settings: type, values: Mapping[str, Any]) -> dict[str, A
     }
 
 
+def argument(call: str, name: str, kind: Kind, value: Any) -> Any:
+    """Return the argument `name` of a Python call as a value of a kind.
+
+    Raises WrongArgument (NS0789) for an invalid value."""
+    return _read(f"{call}: {name} is", kind, value)
+
+
 def _checked(call: str, key: Key, value: Any) -> Any:
-    plain = value.item() if isinstance(value, np.generic) else value
-    if plain is None and key.default is None:
+    if value is None and key.default is None:
         return None
+    subject = f"{call} takes" if key.required else f"{call}: {key.attribute} is"
+    return _read(subject, key.kind, value)
+
+
+def _read(subject: str, kind: Kind, value: Any) -> Any:
+    plain = value.item() if isinstance(value, np.generic) else value
     try:
-        return key.kind.argument(plain)
+        return kind.argument(plain)
     except ValueError:
-        choices = key.kind.choices if isinstance(key.kind, TextKind) else ()
+        choices = kind.choices if isinstance(kind, TextKind) else ()
         similar = meant(plain, choices) if isinstance(plain, str) and choices else ()
-        subject = f"{call} takes" if key.required else f"{call}: {key.attribute} is"
         raise wrong_argument(
-            f"{subject} {key.kind.in_python}, not {shown(value)}",
-            helps=(*similar, *key.kind.helps),
+            f"{subject} {kind.in_python}, not {shown(value)}", helps=(*similar, *kind.helps)
         ) from None

@@ -104,8 +104,10 @@ class Number(Kind):
     @property
     def in_python(self) -> str:
         number = "a whole number" if self.is_whole else "a number"
+        if -self.low == self.high == inf:
+            return "a finite number"
         unit = f" ({self.unit})" if self.unit else ""
-        return f"{number} {self.range}".rstrip() + unit
+        return f"{number} {self.range}{unit}"
 
     def read(self, value: Any) -> float | None:
         return None if self._word and value == self._word else self.argument(value)

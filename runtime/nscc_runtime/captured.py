@@ -13,8 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc import html
-from nscc.diagnostics.arguments import one_of, path_of
+from nscc.diagnostics.arguments import path_of
 from nscc.files import write_together
+from nscc.toml.arguments import argument
+from nscc.toml.kinds import TextKind
 from nscc.words.container import Container
 from nscc_runtime.formats import check_ending, endings, file_of
 from nscc_runtime.formats.content import frame_content
@@ -189,8 +191,9 @@ class Capture(Frame):
         check_ending(out, endings(), "a frame")
         named = tuple(keep) if isinstance(keep, list | tuple | set) else (keep,)
         for name in named:
-            one_of("save", "keep", name, KEEP)
-        one_of("save", "tone", tone, (None, *TONES))
+            argument("save", "keep", TextKind(KEEP), name)
+        if tone is not None:
+            argument("save", "tone", TextKind(TONES), tone)
         shutters = self.container.table.shutters
         file = FrameFile.of(self.container, self.light, self, self.meta, named, shutters)
         content = frame_content(

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
 from functools import wraps
 from pathlib import Path
 from typing import Any, ParamSpec, Protocol, TypeVar
@@ -21,6 +20,8 @@ from nscc.diagnostics.arguments import (
     wrong_argument,
 )
 from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.toml.arguments import argument
+from nscc.toml.kinds import ANY_NUMBER, Instance
 from nscc.words.container import Container
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects.sensor import Sensor
@@ -33,6 +34,9 @@ from nscc_runtime.sensor.file import default_sensor, load_sensor
 
 P = ParamSpec("P")
 R = TypeVar("R")
+
+
+_FLOAT = Instance((float,), "a number")
 
 
 class HasWords(Protocol):
@@ -123,16 +127,12 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
 
 def changes_of(call: str, values: Mapping[str, float]) -> dict[str, float]:
     """Return values by name as floats. Raises WrongArgument for other values."""
-    return {str(name): number(call, str(name), value) for name, value in values.items()}
-
-
-def number(call: str, name: str, value: object) -> float:
-    """Return an argument as float. Raises WrongArgument if it is not a number."""
-    real = isinstance(value, int | float | np.integer | np.floating)
-    if real and not isinstance(value, bool):
-        with suppress(OverflowError):
-            return float(value)  # type: ignore[arg-type]
-    raise wrong_argument(f"{call}: {name} is a number, not {shown(value)}")
+    changes = {}
+    for name, value in values.items():
+        # The sensor's own error names the range, also for NaN and infinity.
+        kind = _FLOAT if isinstance(value, float) else ANY_NUMBER
+        changes[str(name)] = float(argument(call, str(name), kind, value))
+    return changes
 
 
 def _container(value: object) -> Container | None:

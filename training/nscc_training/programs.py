@@ -20,8 +20,9 @@ from nscc.pipeline import Compiled, Options
 from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse
+from nscc.toml.arguments import argument
+from nscc.toml.kinds import ANY_NUMBER
 from nscc.words.legality import refuse_pictures
-from nscc_runtime.python_arguments import number
 from nscc_training.code_choices import ShutterSpec, over_array
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import LookSchedule
@@ -63,7 +64,7 @@ class Chip:
 
     def __post_init__(self) -> None:
         require_type("Chip", "target", self.target, str, "str(path)")
-        number("Chip", "slot_us", self.slot_us)
+        argument("Chip", "slot_us", ANY_NUMBER, self.slot_us)
 
     @property
     def file(self) -> str | None:
