@@ -12,7 +12,7 @@ from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import LEVEL, OUT
-from nscc_cli.scene_options import fit_option, placing_options
+from nscc_cli.runtime_options import fit_option, placing_options
 from nscc_cli.support import (
     CommonCommand,
     NumberRange,

@@ -29,9 +29,6 @@ LEVEL = IntRange(0, 3)
 COUNT = IntRange(1, 1000)
 """A number of scenes or of repeated measurements."""
 
-DEFAULT_BAUD = 3_000_000
-DEFAULT_PATIENCE_S = 10.0
-
 
 def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
     """Combine several options into one decorator; `--help` lists them in this order."""
@@ -156,16 +153,6 @@ def _click_type(kind: Kind) -> click.ParamType[Any] | None:
 
 build_options = section(COMPILE, declared(Options))
 """Options that control the compiler; `nscc_cli.programs` reads them."""
-
-link_options = section(
-    DEVICE,
-    option("--baud", type=IntRange(1200, 12_000_000), default=DEFAULT_BAUD, show_default=True,
-           help="Speed of the device's port."),
-    option("--patience", type=NumberRange(0.1, 3600), default=DEFAULT_PATIENCE_S,
-           show_default=True,
-              help="Seconds without an answer after which a device counts as lost."),
-)  # fmt: skip
-"""Options of commands that open a serial port."""
 
 
 def _tone(_context: Context, _option: Parameter, name: str | None) -> str | None:

@@ -23,7 +23,7 @@ from nscc_cli.frames import (
 )
 from nscc_cli.options import OUT, PATH, given
 from nscc_cli.programs import load_program
-from nscc_cli.scene_options import fit_option, placing_options
+from nscc_cli.runtime_options import fit_option, link_options, placing_options
 from nscc_cli.support import (
     CommonCommand,
     given_options,
@@ -90,7 +90,7 @@ def _refuse_tolerance_max(
                  help="Where to run: the emulator, a device at a serial port, or a chip "
                       "that a host module of its vendor drives."),
 )  # fmt: skip
-@shared.link_options
+@link_options
 @shared.section(
     shared.OUTPUT,
     click.option("-o", "out", type=OUT,
@@ -188,7 +188,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     from nscc.words.readout import converter_of
     from nscc_runtime.device.captured_frames import exposed
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
+    from nscc_runtime.device.link import LinkSettings, SerialLink
     from nscc_runtime.frame_file import check_adc
     from nscc_runtime.response import response_of
     from nscc_runtime.scenes import scene_light
@@ -228,7 +228,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     else:
         with (
             timings.measure("expose_s"),
-            SerialLink(place, baud=options["baud"], patience_s=options["patience"]) as link,
+            SerialLink(place, **given(LinkSettings, options)) as link,
         ):
             chip = DeviceChip(link, sensor, progress)
             frame, meta = exposed(chip, container, light, options["repeat"], progress)

@@ -25,7 +25,7 @@ from nscc_cli.completion import SCENE
 from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of
 from nscc_cli.options import COUNT, PATH, some_option, tradeoff_options
 from nscc_cli.programs import compile_options
-from nscc_cli.scene_options import measured_options
+from nscc_cli.runtime_options import measured_options
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_compiling
 from nscc_cli.tradeoff_emulator import command as emulator
 from nscc_cli.tradeoff_files import kept_rows, output_files, write_files

@@ -15,7 +15,7 @@ from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH
 from nscc_cli.programs import compile_options, load_program
-from nscc_cli.scene_options import measured_options
+from nscc_cli.runtime_options import measured_options
 from nscc_cli.support import CommonCommand, progress, say
 from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 

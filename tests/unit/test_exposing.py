@@ -211,7 +211,10 @@ WRONG = {
         "keep is one of 'light'",
     ),
     "threads": (lambda p: nscc_runtime.capture(p, LIGHT, threads=0), "threads is a whole number"),
-    "a number": (lambda p: nscc_runtime.sensor_for(p, full_well_e="a"), "full_well_e is a finite number"),
+    "a number": (
+        lambda p: nscc_runtime.sensor_for(p, full_well_e="a"),
+        "full_well_e is a finite number",
+    ),
     "a chip": (lambda p: nscc_runtime.sensor_for(TARGET), "takes a compiled program first"),
     "tolerance": (
         lambda p: nscc_runtime.plan(p, LIGHT, tolerance=[1]),

@@ -1,8 +1,9 @@
-"""Options of commands that expose scenes, as `nscc_runtime` declares them."""
+"""Options of scenes, captures and serial ports, as `nscc_runtime` declares them."""
 
 from __future__ import annotations
 
 from nscc_cli.options import (
+    DEVICE,
     SCENE,
     build_options,
     declared,
@@ -11,6 +12,7 @@ from nscc_cli.options import (
     sensor_options,
     together,
 )
+from nscc_runtime.device.link import LinkSettings
 from nscc_runtime.scenes import Scene
 from nscc_runtime.simulate import Request
 
@@ -24,6 +26,9 @@ placing_options = section(
 """Options that place a scene on the array."""
 
 fit_option = section(SCENE, declared(Scene, "fit", show=True))
+
+link_options = section(DEVICE, declared(LinkSettings, show=True))
+"""Options of commands that open a serial port."""
 
 measured_options = together(
     declared(Request, "seed", "device_seed", show=True),
