@@ -193,7 +193,7 @@ class Capture(Frame):
         for name in named:
             argument("save", "keep", TextKind(KEEP), name)
         if tone is not None:
-            argument("save", "tone", TextKind(TONES), tone)
+            argument("save", "tone", TextKind(tuple(TONES)), tone)
         shutters = self.container.table.shutters
         file = FrameFile.of(self.container, self.light, self, self.meta, named, shutters)
         content = frame_content(
