@@ -14,6 +14,7 @@ from typing import Any, Literal, TypeVar
 
 import click
 
+from nscc.cache.folder import refusal
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
@@ -124,6 +125,13 @@ def say_done(text: str) -> None:
     """Print what was done to standard error, except with the message formats `json` and `sarif`."""
     if session().message_format not in ("json", "sarif"):
         click.echo(text, err=True)
+
+
+def say_refused_cache(of: Session) -> None:
+    """Print once, at the end of a command, why it used no cache."""
+    if of.message_format == "human" and refusal():
+        click.echo(f"{refusal()}; NSCC_CACHE_DIR names another folder, NSCC_CACHE=off none",
+                   err=True)  # fmt: skip
 
 
 def say_compiling(loop: Any, part_name: str) -> None:
