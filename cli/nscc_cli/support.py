@@ -130,8 +130,8 @@ def say_done(text: str) -> None:
 def say_refused_cache(of: Session) -> None:
     """Print once, at the end of a command, why it used no cache."""
     if of.message_format == "human" and refusal():
-        click.echo(f"{refusal()}; NSCC_CACHE_DIR names another folder, NSCC_CACHE=off none",
-                   err=True)  # fmt: skip
+        hint = "NSCC_CACHE_DIR names another folder, NSCC_CACHE=off none"
+        click.echo(f"{refusal()} ({hint})", err=True)
 
 
 def say_compiling(loop: Any, part_name: str) -> None:

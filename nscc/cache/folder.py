@@ -10,7 +10,8 @@ import stat
 from collections.abc import Mapping
 from pathlib import Path
 
-_refusals: dict[Path, str] = {}
+_refusal: list[str] = []
+"""The reason against the folder that the environment names, as found last."""
 
 
 def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
@@ -30,14 +31,13 @@ def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
         home = variables["HOME"] if "HOME" in variables else os.path.expanduser("~")
         folder = Path(home) / ".cache" / "nscc"
     reason = _unsafe(folder)
-    if reason:
-        _refusals[folder] = reason
+    _refusal[:] = [f"'{folder}' {reason}, so nscc runs without a cache"] if reason else []
     return None if reason else folder
 
 
 def refusal() -> str:
     """Return why this process has no cache, or an empty text."""
-    return "".join(f"no cache: '{folder}' {reason}" for folder, reason in [*_refusals.items()][:1])
+    return "".join(_refusal)
 
 
 def is_own(path: Path) -> bool:

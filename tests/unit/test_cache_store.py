@@ -54,7 +54,7 @@ def test_a_folder_of_others_is_not_used(tmp_path: Path, monkeypatch: pytest.Monk
     monkeypatch.setattr(os, "geteuid", lambda: 12345)
     assert cache_folder(own) is None
     assert cache_folder({"NSCC_CACHE_DIR": str(tmp_path / "new")}) is None
-    assert "no cache" in refusal()
+    assert "belongs to another user, so nscc runs without a cache" in refusal()
     # In a folder where nobody can replace what belongs to another user, a new one is safe.
     (tmp_path / "shared").mkdir()
     (tmp_path / "shared").chmod(0o1777)
