@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.compiler import compile_source
+from nscc.container_proof import replayed
 from nscc.containers import program_text, with_pixels
 from nscc.diagnostics.arguments import (
     path_of,
@@ -33,10 +34,9 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_together
 from nscc.lower.exposure_plan import LoweringOption
-from nscc.pipeline import Compiled, Options, all_lowerings
+from nscc.pipeline import KINDS, Compiled, Options, with_all_lowerings
 from nscc.program.problems import counted
 from nscc.program.program import Codes
-from nscc.prove.shutters import replayed
 from nscc.source import Source
 from nscc.toml.arguments import argument, checked
 from nscc.toml.kinds import Flag
@@ -166,12 +166,8 @@ class ShutterProgram:
         Rejected
             NS0743 for a loaded program, which has no report.
         """
-        from nscc.emit.products import report_of
-
         compiled, options = self._as_compiled("report")
-        if compiled.sending is None:
-            compiled = replace(compiled, choice=all_lowerings(compiled.program, options))
-        return report_of(compiled)
+        return KINDS.of(compiled.program).report(with_all_lowerings(compiled, options))
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the program to a file, completely or not at all.
@@ -238,16 +234,11 @@ class ShutterProgram:
     def __repr__(self) -> str:
         name = self.container.notes.get("class", "")
         kind = f"class {name}, " if len(name) == 1 else f"{name}, " if name else ""
+        size = KINDS.of(self.container).size_text(self.container)
         return (
             f"<nscc program {self.name!r}: {kind}{counted(len(self.container.table.codes), 'code')}"
-            f", {counted(self.slots, 'slot')}, {self._a_frame} a frame, for {self.target.name}>"
+            f", {counted(self.slots, 'slot')}, {size} a frame, for {self.target.name}>"
         )
-
-    @property
-    def _a_frame(self) -> str:
-        if self.target.streamed:
-            return counted(self.slots, "bit plane")
-        return counted(self.words_per_frame, "word")
 
     def _repr_html_(self) -> str:
         from nscc.emit.notebook import program_card
@@ -256,14 +247,6 @@ class ShutterProgram:
 
     @cached_property
     def _replayed(self) -> NDArray[np.bool_]:
-        if self.container.machine.stages:
-            raise rejected(
-                "NS0442",
-                f"the shutters of '{self.name}' depend on the light: they are unknown "
-                "before the exposure",
-                helps=("a captured frame contains the open time of each pixel: `open_slots`",),
-                status=1,
-            )
         return replayed(self.container, f"'{self.name}'")
 
     @cached_property

@@ -102,8 +102,8 @@ def prove(file: Path, **options: Any) -> None:
     The proof checks that every code opens the shutter in the decode table, and that each bucket
     contains exactly the light of its open slots. For a chip that receives
     bit planes, it follows the light of every pixel through the planes."""
+    from nscc.container_proof import prove_container
     from nscc.program.problems import counted
-    from nscc.prove.shutters import prove_container
 
     if file.suffix.lower() == ".nsl":
         container, messages = load_program(file, options)
@@ -135,7 +135,7 @@ def shutters(file: Path, out: Path, **options: Any) -> None:
     from nscc_runtime.formats.content import shutter_content
 
     check_ending(out, endings("arrays"), "shutters")
-    from nscc.prove.shutters import shutters_of_pixels
+    from nscc.container_proof import shutters_of_pixels
 
     container, messages = load_program(file, options)
     say(messages)

@@ -86,8 +86,8 @@ def command(
     several lengths and patterns by the information that a frame contains about moving light. The
     program is compiled and proved before it is written."""
     from nscc.chips.load import load_target
-    from nscc.emit.summary import cost_text
     from nscc.files import refuse_inputs, write_together
+    from nscc.pipeline import KINDS
     from nscc_training.design import Frame, design_looks, design_pattern, design_tile
 
     tile = criterion == _SVE_RISK
@@ -141,7 +141,7 @@ def command(
     click.echo(f"wrote {path.as_posix()}")
     for label, text in design.lines:
         click.echo(f"  {label:<9} {text}")
-    say_done(cost_text(design.compiled))
+    say_done(KINDS.of(design.compiled.program).cost_text(design.compiled))
 
 
 def _scene_lights(

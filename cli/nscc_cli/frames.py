@@ -127,7 +127,7 @@ def write_frame(
 ) -> list[Path]:  # fmt: skip
     """Write the frame file and the requested picture, plan and timings, and return the paths.
     `response` computes the sensor response for the picture."""
-    from nscc.prove.shutters import replayed
+    from nscc.container_proof import replayed
     from nscc_runtime.formats import file_of
     from nscc_runtime.formats.content import frame_content
     from nscc_runtime.frame_file import FrameFile

@@ -51,7 +51,7 @@ _MOST_CLEARED = 4
 class LookingLowered(Lowered):
     """A lowering whose container has a state machine."""
 
-    looking: LookingSolution | None = None
+    looking: LookingSolution
 
 
 def lay_out_looks(
@@ -299,7 +299,6 @@ def lowered_of(
 def container_of(lowered: Lowered, level: int) -> Container:
     """Return the container, with its state machine and the encodings of states."""
     assert isinstance(lowered, LookingLowered)
-    assert lowered.looking is not None
     looking, machine = lowered.looking, lowered.program.machine
     places = lowered.schedule.allocation.places
     planes = {}

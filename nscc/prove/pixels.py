@@ -135,6 +135,10 @@ class ReplayPixels:
 
     # Frames.
 
+    def prove_frame(self, light: Values) -> None:
+        """Run one frame in `light` (N,); raise ReplayError if it differs from the program."""
+        raise NotImplementedError
+
     def start_frame(self) -> None:
         """Start a frame, with unknown analog registers."""
         if self._frame:

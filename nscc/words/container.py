@@ -144,10 +144,6 @@ class Container:
         return words + self.pictures.words
 
     def __repr__(self) -> str:
-        if self.target.streamed:
-            planes = "no planes yet" if self.stream is None else f"{self.slots} planes"
-            codes = len(self.table.codes)
-            return f"Container({codes} codes, {self.slots} slots, {planes}, for {self.target.name})"
         return (
             f"Container({len(self.table.codes)} codes, {self.slots} slots, {self.words_stored} "
             f"words, {self.words_per_frame} a frame, for {self.target.name})"

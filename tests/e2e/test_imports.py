@@ -219,13 +219,13 @@ OF_SOME_PROGRAMS = (
     "nscc.logic.events",
     "nscc.looks.passes",
     "nscc.neighbours.passes",
-    "nscc.prove.looks_proof",
-    "nscc.prove.pictures_proof",
+    "nscc.looks.proof",
+    "nscc.neighbours.proof",
     "nscc.stream.passes",
 )
 _GATES = ["nscc.logic.cover", "nscc.logic.encodings"]
-_LOOKS = ["nscc.looks.passes", "nscc.prove.looks_proof"]
-_IMAGES = ["nscc.neighbours.passes", "nscc.prove.pictures_proof"]
+_LOOKS = ["nscc.looks.passes", "nscc.looks.proof"]
+_IMAGES = ["nscc.neighbours.passes", "nscc.neighbours.proof"]
 
 
 @pytest.mark.parametrize(

@@ -13,10 +13,10 @@ from nscc_command import invoke
 
 import nscc
 from nscc.chips.load import builtin_target
+from nscc.neighbours.proof import pictures_fault
 from nscc.operations import NEIGHBOURS, Op, op
 from nscc.pipeline import Options, run_passes
 from nscc.prove import diagrams
-from nscc.prove.pictures_proof import pictures_fault
 from nscc.source import Source
 from nscc.syntax.parse import read_source
 from nscc.words.container import Container, StoredKernel

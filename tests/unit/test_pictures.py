@@ -23,8 +23,7 @@ from PIL import Image as PillowImage
 import nscc
 from nscc.chips.load import builtin_target
 from nscc.compiler import compile_file
-from nscc.emit.network import network_of
-from nscc.pipeline import Options
+from nscc.pipeline import KINDS, Options
 from nscc.tradeoff.points import Point
 from nscc.words.container import Container, DecodeTable
 from nscc_runtime.effects import selected
@@ -160,7 +159,7 @@ def looking_program(name: str) -> Container:
 def gates(name: str) -> Figure:
     compiled = compile_file(example(name), Options(level=0))
     assert compiled.lowered is not None
-    return gate_sheet(network_of(compiled.lowered), f"{name}.nsl")
+    return gate_sheet(KINDS.of(compiled.program).network(compiled.lowered), f"{name}.nsl")
 
 
 def images_and_planes() -> Figure:

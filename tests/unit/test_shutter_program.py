@@ -191,7 +191,7 @@ def test_repr_is_a_line(made: str, tmp_path: Path) -> None:
     assert p.compiled is not None
     values = {
         "compiled": p.compiled, "container": p.container, "program": p.compiled.program,
-        "choice": p.compiled.choice, "table": p.container.table,
+        "choice": p.compiled.layout, "table": p.container.table,
         "loaded": nscc.load(p.save(tmp_path / "p.icw")),
     }  # fmt: skip
     for text in (repr(values[made]), repr(p)):

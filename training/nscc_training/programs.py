@@ -213,12 +213,9 @@ def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[
 
 def words_per_slot(compiled_program: Compiled) -> float:
     """Return the mean number of words per slot of all kinds; 0 for a chip without words."""
-    if compiled_program.sending is not None:
-        return 0.0
-    assert compiled_program.lowered is not None
-    return sum(compiled_program.lowered.words_per_boundary) / len(
-        compiled_program.program.frame.slot_us
-    )
+    container = compiled_program.container
+    assert container is not None
+    return container.words_per_frame / container.slots
 
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:

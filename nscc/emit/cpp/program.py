@@ -33,8 +33,8 @@ from nscc.emit.cpp.frame import (
 from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines, narrowed
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
+from nscc.pipeline import KINDS
 from nscc.program.program import Program
-from nscc.prove.proof import prove
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
 from nscc.words.assembly_text import number_text, ranges_text
@@ -305,7 +305,7 @@ def _kernels(
             )
             raise Rejected(_no_cpp(program, devkit, reason, TOO_WIDE, "NS0521"))
         if narrow is not None:
-            proof = prove(exposure, narrow)
+            proof = KINDS.of(exposure).prove(exposure, narrow)
             if not proof.holds:
                 raise ValueError(
                     f"calls with few sources do not implement the program: {proof.failure}"

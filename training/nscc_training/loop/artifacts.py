@@ -13,7 +13,7 @@ import numpy as np
 import torch
 
 from nscc import __version__
-from nscc.prove.shutters import shutters_of_pixels
+from nscc.container_proof import shutters_of_pixels
 from nscc.words.container import Container
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.code_choices import LOOKS

@@ -18,6 +18,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
 from nscc.prove.diagrams import IN, AlwaysEqual, Form, Forms, TooLarge
 from nscc.prove.meaning import Bits, Fields, PictureMeaning, reaches
+from nscc.prove.proof import ALWAYS_EQUAL, FRAMES, Failure
 from nscc.words.container import Container
 from nscc.words.legality import decoded, picture_words
 from nscc.words.pictures import Condition
@@ -26,6 +27,17 @@ from nscc.words.reach import Reach, RegisterReaches
 
 class PictureReplayError(Exception):
     """Raised for a word that the proof does not support."""
+
+
+def pictures_failure(container: Container) -> Failure | None:
+    """Return the error in the words of a container's images and planes, or None."""
+    try:
+        reason = pictures_fault(container)
+    except TooLarge as large:
+        return Failure("its proof is too large", FRAMES, unproved=large.name)
+    except AlwaysEqual as equal:
+        return Failure(ALWAYS_EQUAL, FRAMES, unproved=str(equal))
+    return Failure(reason, FRAMES) if reason else None
 
 
 def pictures_fault(container: Container) -> str | None:

@@ -41,7 +41,7 @@ _DIGITS = 1e8
 """Remainders whose difference is below the frame's light divided by this number are equal."""
 
 
-class Looks(ReplayPixels):
+class LookingReplay(ReplayPixels):
     """The lanes of a container's state machine during the proof.
 
     Arrays with one row per lane: `node` and `outcome`, the answers of the current look as bits, are
