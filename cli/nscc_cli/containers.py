@@ -158,7 +158,7 @@ def export_mask(program: Path, out: Path, bucket: str | None, **options: Any) ->
     from nscc_runtime.formats.content import mask_content
 
     check_ending(out, (".npy", ".npz", ".mat"), "a mask")
-    from nscc.prove.shutters import shutters_of_pixels
+    from nscc.container_proof import shutters_of_pixels
 
     container, messages = load_program(program, options)
     if bucket is not None and bucket not in container.buckets:

@@ -53,7 +53,6 @@ def word_product(
 ) -> dict[str, bytes]:
     """Return a product of words, for a program of a `kind` with words; raises as `emitted` does."""
     from nscc.emit.listing import schedule_text
-    from nscc.emit.network import dot_text, graphml_bytes
 
     lowered, container = compiled.lowered, compiled.container
     assert lowered is not None
@@ -84,8 +83,9 @@ def word_product(
             data = schedule_text(lowered).encode()
         case "gates":
             data = kind.gates_text(lowered).encode()
-        case "graphml":
-            data = graphml_bytes(kind.network(lowered))
         case _:
-            data = dot_text(kind.network(lowered)).encode()
+            from nscc.emit.network import dot_text, graphml_bytes
+
+            network = kind.network(lowered)
+            data = graphml_bytes(network) if product == "graphml" else dot_text(network).encode()
     return {stem + SUFFIXES[product]: data}

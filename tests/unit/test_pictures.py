@@ -190,7 +190,7 @@ def readout(rows: int, cols: int, name: str = "frame") -> BucketReadout:
 
 
 TOLERANCES = (0.5, 1, 2, 5, 10, 20, 50)
-KINDS: dict[str, Callable[[], Figure]] = {
+CHARTS: dict[str, Callable[[], Figure]] = {
     "a point": diagram(1, 1, 1),
     "two lines": diagram(2, 2, 4),
     "many lines": diagram(3, 16, 4),
@@ -227,12 +227,12 @@ LONG = ("many lines", "studies")
 """Descriptions of these pictures are long, and show little that those of others do not."""
 
 
-@pytest.mark.parametrize("name", KINDS)
+@pytest.mark.parametrize("name", CHARTS)
 def test_pictures(name: str, update_cases: bool) -> None:
     """No text lies on another or leaves the picture; the same picture has the same bytes, and shows
     what was recorded."""
     with sheet.style():
-        figure = KINDS[name]()
+        figure = CHARTS[name]()
         figure.draw_without_rendering()
         boxes = [(t.get_text(), t.get_window_extent()) for t in written(figure)]
         whole = figure.get_tightbbox().transformed(figure.dpi_scale_trans)
@@ -247,7 +247,7 @@ def test_pictures(name: str, update_cases: bool) -> None:
         assert not a.padded(-1).overlaps(b.padded(-1)), f"{one!r} lies on {other!r}"
     first = sheet.png_of(lambda: figure)
     with matplotlib.rc_context({"lines.linewidth": 9, "axes.facecolor": "red", "font.size": 20}):
-        assert sheet.png_of(KINDS[name]) == first
+        assert sheet.png_of(CHARTS[name]) == first
     image = PillowImage.open(io.BytesIO(first))
     image.load()
     assert 300 < image.size[0] < 1800
@@ -388,7 +388,7 @@ def test_looks_differ_in_colours_only() -> None:
     sizes, grounds = [], []
     for chosen in LOOKS.values():
         with looking(chosen):
-            image = PillowImage.open(io.BytesIO(sheet.png_of(KINDS["two lines"]))).convert("RGB")
+            image = PillowImage.open(io.BytesIO(sheet.png_of(CHARTS["two lines"]))).convert("RGB")
         sizes.append(image.size)
         grounds.append("#{:02x}{:02x}{:02x}".format(*image.getpixel((1, 1))))  # type: ignore[misc]
     assert sizes[0] == sizes[1]
