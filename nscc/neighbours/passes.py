@@ -20,9 +20,7 @@ from nscc.neighbours.table import WordForms
 from nscc.operations import Op
 from nscc.program.program import Program
 from nscc.prove.meaning import reaches
-from nscc.source import Source, Span
-from nscc.syntax.parse import parse
-from nscc.syntax.tree import Image, Next, Plane
+from nscc.syntax.parse import declared_at
 from nscc.words.container import Container
 from nscc.words.encoding import encode
 from nscc.words.pictures import Condition, PictureCost, Pictures, Sum, TailLaunch
@@ -39,7 +37,6 @@ def with_pictures(
     instruction store (NS0535), values beyond the range of the registers (NS0540), and images that
     read pixels too far away (NS0541)."""
     pictures = program.pictures
-    assert pictures is not None
     far = _too_far(pictures, program) or _fading(pictures, program)
     if far is not None:
         return container, [far]
@@ -148,16 +145,6 @@ def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
     return replace(pictures, items=tuple(items))
 
 
-def place_of(source: Source, name: str) -> Span:
-    """Return the span of the statement that declares an image or a plane, or of a state's step; of
-    the first statement if there is none."""
-    statements = parse(source)[0].statements
-    for statement in statements:
-        if isinstance(statement, Image | Plane | Next) and statement.name.text == name:
-            return statement.span
-    return statements[0].span
-
-
 def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
     target = program.target
     for name, reach in reaches(pictures).items():
@@ -171,7 +158,7 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
                     f"`{name}` depends on pixels {size} {unit} away, but at most {limit} are "
                     f"allowed, a quarter of the array of {target.name}",
                     source=program.source,
-                    label=Label(place_of(program.source, name), "depends on these pixels"),
+                    label=Label(declared_at(program.source, name), "depends on these pixels"),
                     helps=("use smaller convolution kernels, or apply fewer of them in sequence",),
                     data={"resource": "reach", "required": size, "available": limit},
                 )
@@ -203,7 +190,7 @@ def _refusal(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
     name, needed, available = refused.name, refused.needed, refused.available
-    label = Label(place_of(program.source, name), "computed here")
+    label = Label(declared_at(program.source, name), "computed here")
     if refused.kind == "range":
         return _beyond_range(refused, container, program, level)
     resource = {
@@ -235,7 +222,6 @@ def _beyond_range(
 ) -> Diagnostic:
     """Return NS0540, with changes that compile if they are found."""
     pictures, over = program.pictures, refused.needed
-    assert pictures is not None
     target = container.target
     helps = []
     notes = [
@@ -277,7 +263,7 @@ def _beyond_range(
         Severity.ERROR,
         source=program.source,
         label=Label(
-            place_of(program.source, refused.name),
+            declared_at(program.source, refused.name),
             f"too large for exposures up to {limit:.3g}% of a full well",
         ),
         notes=tuple(notes),

@@ -67,10 +67,8 @@ def converter_of(container: Container) -> Target:
 
 def _free(container: Container) -> str | None:
     """Return a register that is not read out, or None."""
-    pictures = container.pictures
-    if pictures is not None:
-        return free_register(container.target, pictures.registers.values())
-    return free_register(container.target, (readout.register for readout in container.readouts))
+    read = container.pictures.registers.values() or [each.register for each in container.readouts]
+    return free_register(container.target, read)
 
 
 def free_register(target: Target, read: Iterable[str]) -> str | None:

@@ -76,7 +76,7 @@ def simulate_scene(
     options that support one exposure only."""
     listener = listener or Listener()
     placement, exposed = scene[0].placement, container
-    if container.pictures is not None and not (len(scene) == 1 and placement.fits_one_array):
+    if container.pictures.outputs and not (len(scene) == 1 and placement.fits_one_array):
         placement = overlapping(container, placement)
         exposed = with_planes_for_reports(container)
     lights = [piece for laid in scene for piece in placement.pieces(laid.light)]
@@ -122,7 +122,7 @@ def _joined(
         joined(frames[k : k + piece_count], placement.joined)
         for k in range(0, len(pieces), piece_count)
     ]
-    if container.pictures is not None:
+    if container.pictures.outputs:
         frames = [with_reports(frame, container, placement) for frame in frames]
     worst = max(pieces, key=lambda piece: (piece.plan.predicted_e or 0.0) if piece.plan else 0.0)
     broken = next((piece.broken for piece in pieces if piece.broken), None)
@@ -219,5 +219,4 @@ def with_reports(frame: Frame, container: Container, placement: Placement) -> Fr
 
 
 def _pictures(container: Container) -> Pictures:
-    assert container.pictures is not None
     return container.pictures

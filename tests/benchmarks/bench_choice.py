@@ -191,7 +191,7 @@ def any_program(rng: np.random.Generator) -> tuple[str, Container]:
             slot = f"{rng.choice([100, 250, 500, 1000])}us"
             shown = text.format(slots=slots, slot=slot, rows=book_rows(slots))
             name, container = f"{kind} {slots}", nscc.compile(shown, lowering=lowering).container
-        if container and container.machine is None and container.pixel_codes is not None:
+        if container and not container.machine.stages and container.pixel_codes is not None:
             return name, container
 
 

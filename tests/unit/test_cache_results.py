@@ -67,7 +67,7 @@ def built(text: str, **options: object) -> tuple[bytes, bytes]:
     """The container and the report of a program, every lowering priced."""
     given = Options(codes="open", price_all=True, **options)  # type: ignore[arg-type]
     compiled = compile_source(Source("p.nsl", f"nsl 1 {text}\n"), Path(), given)
-    values = report(compiled.choice, compiled.proof)
+    values = report(compiled.layout, compiled.proof)
     return to_bytes(compiled.container), report_bytes(values)
 
 

@@ -26,7 +26,6 @@ WELLS = np.geomspace(0.05, 60, 9)
 def check(text: str, container: Container) -> None:
     """Two frames of every behaviour at some lights."""
     interpreter, table, machine = Interpreter(text), container.table, container.machine
-    assert machine is not None
     for behaviour in range(int(machine.behaviour.max()) + 1):
         code = int(np.flatnonzero(table.shutter_of_code == behaviour)[0])
         fields = dict(zip(table.fields, table.codes[code].tolist(), strict=True))

@@ -324,5 +324,5 @@ def test_an_improvement_that_raises_is_left_out_and_named(monkeypatch):
     assert "NS0504" not in [d.code for d in improved.diagnostics]
     (warning,) = (d for d in kept.diagnostics if d.code == "NS0504")
     assert "'improve'" in warning.message
-    assert kept.choice.failed_generators == ("improve",)
+    assert kept.layout.failed_generators == ("improve",)
     assert kept.lowered.schedule.words_total > improved.lowered.schedule.words_total

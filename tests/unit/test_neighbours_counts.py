@@ -20,7 +20,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.editing.complete import complete
 from nscc.editing.document import Document
 from nscc.editing.hover import hover
-from nscc.emit.picture_report import picture_report
+from nscc.neighbours.report import picture_report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc.syntax.format import format_source
@@ -199,7 +199,6 @@ def test_counts_that_cancel_or_lie_in_one_place() -> None:
     light = np.random.default_rng(5).integers(0, 30000, (1, SIDE, SIDE)).astype(np.float32)
     bits = light[0] > 64 * 30000 / 127
     container = small(text)
-    assert container.pictures is not None
     assert all(abs(launch.level or 0) <= 126 for launch in container.pictures.launches)
     told, unit_e = frame_of(container, light), container.pictures.count_steps * 30000 / 127
     assert np.array_equal(told["plane_q"], bits)

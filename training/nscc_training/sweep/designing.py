@@ -57,13 +57,13 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _design(values: Values, task: PointTask) -> Figures:
-    from nscc_runtime.progress import unseen
+    from nscc_runtime.scenes import laid_lights
     from nscc_training.design import Design, Frame, design_looks, design_tile
     from nscc_training.metrics import psnr_of_mse
 
     target = load_target(values["target"], Path())
     slots, slot_us = values["slots"], values["slot_us"]
-    [laid] = scene_of(values).laid([slot_us] * slots, target, lambda _diagnostic: None, unseen)
+    [laid] = laid_lights(scene_of(values), [slot_us] * slots, target)
     scene_light = [laid.placement.cut(laid.light.total_e())]
     frame = Frame(slots, slot_us, values["target"], sensor_of(values, target), values["level"])
     figures: Figures

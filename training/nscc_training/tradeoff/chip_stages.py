@@ -78,10 +78,8 @@ def lowering(bench: Bench) -> StageResult:
     """Measure the lowerings: the shortest frame that their words allow."""
     if bench.source is None:
         return StageResult((), (Refused("lowering", "", "", "NS0743", _COMPILED),))
-    if bench.container.machine is not None or bench.container.target.streamed:
-        chip_kind = (
-            "pixels that look" if bench.container.machine is not None else "a chip without logic"
-        )
+    if bench.container.machine.stages or bench.container.target.streamed:
+        chip_kind = "pixels that look" if bench.container.machine.stages else "a chip without logic"
         reason = f"there is one way for {chip_kind}"
         return StageResult((), (Refused("lowering", "", "", "", reason),))
     points, misfits = [], []
@@ -240,7 +238,7 @@ class _Truth:
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
         self.rows: NDArray[np.intp] = np.arange(bench.light.shape[0])
-        if bench.container.machine is None:
+        if not bench.container.machine.stages:
             self.rows = compared_rows(bench.container.slots, bench.light.total_e(), COMPARED)
 
     def percent(self, frame: Frame) -> float:
@@ -255,7 +253,7 @@ class _Truth:
     @cached_property
     def frame(self) -> tuple[tuple[Values, NDArray[np.bool_], Any], float]:
         """Exposure, validity and final states, and the time in milliseconds."""
-        looks = self._bench.container.machine is not None
+        looks = self._bench.container.machine.stages > 0
         return self._bench.watch.ms(
             "reference", "all", self._looked if looks else partial(self._summed, self.rows),
             first=(lambda: None) if looks else partial(self._summed, self.rows[:1]),
