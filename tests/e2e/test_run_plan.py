@@ -65,7 +65,7 @@ def test_auto_makes_a_plan_and_says_it_all(folder: Path) -> None:
     for each in plan["effects"]:
         assert f"\n{each['name']} " in outcome.err
     assert "predicted error" in outcome.err
-    assert "words one by one" in outcome.err
+    assert "words run one by one" in outcome.err
     assert "wrote f.npz" in outcome.err
 
 

@@ -12,6 +12,7 @@ import pytest
 from looks_oracle import FULL_WELL_E, Interpreter
 from looks_programs import looking_frames, random_program
 from marks import slow
+from nscc_runtime.looking.looking_program import LookingProgram
 
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
@@ -22,7 +23,6 @@ from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import frames
-from nscc_runtime.looking.looking_program import LookingProgram
 from nscc_runtime.sensor import default_sensor
 
 PROGRAMS, CHUNKS = 2000, 20

@@ -88,7 +88,7 @@ def test_the_promise_is_kept_and_foreseen(
 
 def test_comparators_are_kept_where_they_turn_pixels(program: Container) -> None:
     bright, dim = (run(program, light(wells), "auto", tolerance=5.0)[0] for wells in (2.0, 0.01))
-    for plan, choice in ((bright, "kept"), (dim, "dropped")):
+    for plan, choice in ((bright, "kept"), (dim, "absent")):
         found = {each.name: each for each in plan.decisions}
         assert found["comparator_noise"].decision == choice
     noise = next(each for each in bright.decisions if each.name == "comparator_noise")

@@ -18,6 +18,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.text import Text
+from nscc_runtime.planning.plan_parts import Choice, Decision
 from PIL import Image as PillowImage
 
 import nscc
@@ -37,7 +38,6 @@ from nscc_runtime.pictures.sheet import LOOKS, MARKERS, Look, contrast, look, lo
 from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.plan_parts import Choice, Decision
 from nscc_runtime.scenes import load_scene
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.simulate import Request, simulate

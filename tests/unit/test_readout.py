@@ -13,6 +13,7 @@ from device_sessions import ChipAtOnce, new_host
 from device_simulation import Simulation
 from emulator_programs import bumps, target_of
 from loader_twin.loader import Loader
+from nscc_runtime.planning.scenes import planning_of
 
 from nscc.chips.target import Target
 from nscc.compiler import compile_source
@@ -34,7 +35,6 @@ from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import PlanRequest, make_plan
-from nscc_runtime.planning.scenes import planning_of
 from nscc_runtime.reference import frames
 from nscc_runtime.sensor import default_sensor
 
