@@ -22,9 +22,7 @@ ROWS, COLS = 12, 16
 SEED, DEVICE = 3, 5
 
 
-def source(
-    name: str, effects: str, light: Light, threads: int = 1, **values: float
-) -> FrameSource:
+def source(name: str, effects: str, light: Light, threads: int = 1, **values: float) -> FrameSource:
     """A scene that is ready to be exposed."""
     container = case(name, rows=light.shape[0], cols=light.shape[1])
     sensor = sensor_of(container, **values)
@@ -37,9 +35,7 @@ def both(
     """Frame 1 by sums and by the reference (buckets, rows, cols)."""
     scene = source(name, effects, light, **values)
     container = case(name, rows=ROWS, cols=COLS)
-    full = exposures(
-        container, light, sensor_of(container, **values), effects, 2, SEED, DEVICE
-    )[1]
+    full = exposures(container, light, sensor_of(container, **values), effects, 2, SEED, DEVICE)[1]
     return scene.expose(SEED, 1).exposure_e, full, scene
 
 
