@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, Literal
 
 import numpy as np
@@ -193,6 +194,34 @@ class Light:
         """
         motion = None if self.motion is None else self.motion.scaled(factor)
         return replace(self, frames=self.frames * np.float32(factor), motion=motion)
+
+    def joined(self, starts: Sequence[int]) -> Light:
+        """Return the same light in fewer, longer slots.
+
+        Parameters
+        ----------
+        starts : sequence of int
+            First slot of each new slot; the first is 0. A new slot ends where the next begins, the
+            last at N.
+
+        Returns
+        -------
+        Light
+        """
+        rows, index, weight = [0], [], []
+        for begin, end in pairwise([*starts, self.slots]):
+            entries = slice(int(self.row_start[begin]), int(self.row_start[end]))
+            frame_numbers, place = np.unique(self.frame_index[entries], return_inverse=True)
+            index.append(frame_numbers)
+            weight.append(np.bincount(place, self.weight[entries], len(frame_numbers)))
+            rows.append(rows[-1] + len(frame_numbers))
+        return replace(
+            self,
+            row_start=np.array(rows, np.int64),
+            frame_index=np.concatenate(index).astype(np.int32),
+            weight=np.concatenate(weight),
+            motion=None if self.motion is None else self.motion.joined(starts),
+        )
 
     def dense(self) -> NDArray[np.float32]:
         """Return the electrons of all slots.

@@ -75,9 +75,7 @@ class ShutterResponse:
             bias_e = bias_e + words.mean_e(sensor) * weights.error_sum
             variance_e2 = variance_e2 + (words.spread_e(sensor) * weights.error_sum) ** 2
         for _, errors in effects.errors():
-            variance_e2 = variance_e2 + errors.sigma_e(sensor) ** 2 * np.einsum(
-                "bbl->lb", weights.covariance(errors.at)
-            )
+            variance_e2 = variance_e2 + errors.sigma_e(sensor) ** 2 * weights.variance(errors.at)
         return cls(seen_s, bias_e, variance_e2)
 
     def gain(self, open_s: Values) -> Values:

@@ -21,6 +21,7 @@ from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected
+from nscc_runtime.execution.block_program import lacks
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import frames
 from nscc_runtime.sensor import default_sensor
@@ -93,7 +94,7 @@ def check(text: str, container: Container, seed: int) -> None:
     kept_names = {state.name for state in container.machine.states if state.is_kept}
     scene, none, count = Light.of_clip(light), selected("none"), 2 if kept_names else 1
     taken = [*looking_frames(container, scene, sensor, none, device_seed=seed, count=count)]
-    assert not LookingProgram(container, sensor).lacks(none), text
+    assert not lacks(container, sensor, none), text
     for words, ways in zip(taken, frames(container, scene, sensor, none, count=count), strict=True):
         assert np.array_equal(words.exposure_e, ways.exposure_e), text
         alike = (np.array_equal(words.told[key], ways.told[key], True) for key in words.told)
@@ -119,9 +120,9 @@ def check(text: str, container: Container, seed: int) -> None:
 
 
 def check_with_effects(text: str, container: Container, scene: Light, seed: int) -> None:
-    """With all effects ways give what the words give, to rounding."""
-    sensor, every = default_sensor(container.target), selected("all")
-    assert not LookingProgram(container, sensor).lacks(every), text
+    """With all effects but counts, paths give what the words give, to the rounding of noise."""
+    sensor, every = default_sensor(container.target), selected("all,-shot,-dark")
+    assert not lacks(container, sensor, every), text
     options = {"seed": seed, "device_seed": seed, "count": 2}
     for words, ways in zip(
         looking_frames(container, scene, sensor, every, **options),
@@ -129,7 +130,7 @@ def check_with_effects(text: str, container: Container, scene: Light, seed: int)
         strict=True,
     ):
         np.testing.assert_allclose(
-            ways.exposure_e, words.exposure_e, rtol=1e-9, atol=1e-6, err_msg=text
+            ways.exposure_e, words.exposure_e, rtol=1e-9, atol=1e-3, err_msg=text
         )
         assert np.array_equal(ways.saturated_by, words.saturated_by), text
         assert np.array_equal(ways.told["open_slots"], words.told["open_slots"]), text

@@ -23,11 +23,9 @@ import nscc_runtime.reference.words
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import op
 from nscc.words.container import Container
-from nscc_runtime.effects import named, optional, selected
-from nscc_runtime.effects.views import LIGHT
+from nscc_runtime.effects import optional, selected
 from nscc_runtime.emulator import expose as noiseless
 from nscc_runtime.light import Light
-from nscc_runtime.noise import key, normals, poisson
 from nscc_runtime.reference import expose
 
 PLACES = np.arange(ROWS * COLS, dtype=np.int64)
@@ -52,32 +50,6 @@ def test_without_effects_it_is_the_exact_sum(text: str, lowering: str) -> None:
     found = exposures(container, light, sensor_of(container), "none")[0]
     np.testing.assert_allclose(found, exact, rtol=1e-9, atol=1e-9)
     assert not np.signbit(found[exact == 0]).any()
-
-
-@pytest.mark.parametrize("lowering", LOWERINGS)
-def test_the_counts_of_the_slots_are_the_draw_of_their_sum(lowering: str) -> None:
-    container = program(lowering=lowering)
-    light = random_light()
-    found = exposures(container, light, sensor_of(container), "shot", seed=9)[0, 0]
-    stop = np.arange(COLS) % 5
-    opened = np.arange(SLOTS)[:, None] < stop
-    rate = (light.frames.astype(np.float64) * opened[:, None, :]).sum(axis=0).reshape(-1)
-    stream = key(9, named("shot").stream, LIGHT, 0, 1)
-    counts, valid = poisson(stream, PLACES, rate)
-    assert valid.all()
-    np.testing.assert_allclose(found.reshape(-1), counts, atol=1e-9)
-
-
-@pytest.mark.parametrize("lowering", LOWERINGS)
-def test_the_noise_of_the_reads_is_the_draw_of_their_sum(lowering: str) -> None:
-    container = program(lowering=lowering)
-    # The draw's coefficients are those of the sensor's gain and leakage: here 1 and none.
-    sensor = sensor_of(container, read_noise_e=7.0, analog_gain=1.0, leakage_tau_s=1e9)
-    found = exposures(container, flat(10.0), sensor, "read", seed=9)[0, 0]
-    stop = np.arange(COLS) % 5
-    reads = stop + stop**2 if lowering == "accumulate" else 2 * (stop > 0)
-    z = normals(key(9, named("read").stream), PLACES).reshape(ROWS, COLS)
-    np.testing.assert_allclose(found, 10.0 * stop + 7.0 * np.sqrt(reads) * z, atol=1e-6)
 
 
 def test_overlapping_buckets_share_their_reads() -> None:
@@ -179,7 +151,7 @@ def test_permuted_slots_give_the_same_where_order_means_nothing() -> None:
     sensor = sensor_of(container)
     light = random_light()
     swapped = Light.of_clip(np.ascontiguousarray(light.frames[[3, 1, 0, 2]]))
-    names = "shot,prnu,dark,read,lag"
+    names = "prnu,lag,crosstalk,reset"
     one, other = (exposures(container, each, sensor, names) for each in (light, swapped))
     np.testing.assert_allclose(one, other, atol=1e-8)
 

@@ -214,6 +214,6 @@ class Chain:
         if container.pixel_codes is not None:
             lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])
 
-        reads, resets = weights.squared("reads"), weights.squared("resets")
+        reads, resets = weights.variance("reads"), weights.variance("resets")
         sums = (reads, resets, weights.error_sum)
         return cls(*(float(per_shutter[lanes, 0].mean()) for per_shutter in sums))

@@ -1,4 +1,4 @@
-"""The arguments of the loop over words that depend on effects, by the field names of its records."""
+"""Arguments of the loop over words that depend on effects, by the field names of its records."""
 
 from __future__ import annotations
 

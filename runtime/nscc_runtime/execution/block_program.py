@@ -95,8 +95,9 @@ def block_program(container: Container, kept_us: float, every_slot: bool = False
     """Return a program for the block loop; cached with the container.
 
     `kept_us`: how long digital registers keep values. `every_slot`: whether each slot of a program
-    that looks is a stretch, so that light is added in the order in which exposures are defined. Raises Rejected like
-    `nscc_runtime.reference.trace.analog_words`, and ValueError where `lacks` has a reason."""
+    that looks is a stretch, so that light is added in the order in which exposures are defined.
+    Raises Rejected like `nscc_runtime.reference.trace.analog_words`, and ValueError where `lacks`
+    has a reason."""
     if not container.machine.stages:
         return _of_codes(container, analog_words(container, kept_us))
     paths = paths_of(container, kept_us)

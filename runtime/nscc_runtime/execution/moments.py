@@ -283,7 +283,7 @@ def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Values:
     square, plain = (
         np.einsum("n,nlb->bl", program.slot_s, power) for power in (weights**2, np.abs(weights))
     )
-    return np.divide(square, plain, out=np.ones_like(square), where=square > 0)
+    return np.asarray(np.divide(square, plain, out=np.ones_like(square), where=square > 0))
 
 
 def _neighbour_weights(

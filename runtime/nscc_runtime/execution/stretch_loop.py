@@ -85,7 +85,8 @@ def _light_of_slot(sizes: Laying, light: LightMatrix, n: int, place: int) -> flo
     for k in range(light.row_start[n], light.row_start[n + 1]):
         at = light.frame_index[k] * sizes.pixels + place
         total += float(light.frames[at]) * light.weight[k]
-    return float(np.float32(total))
+    rounded: float = np.float32(total)
+    return rounded
 
 
 @compiled
@@ -100,7 +101,8 @@ def _light_between(
         # Light below 0 is none; NaN stays NaN.
         rate = 0.0 if rate < 0.0 else rate
         total += sizes.rate_cap if rate > sizes.rate_cap else rate
-    return total * (stop - begin) if sizes.even else total
+    summed: float = total * (stop - begin) if sizes.even else total
+    return summed
 
 
 @compiled
@@ -119,7 +121,8 @@ def _charge_between(
         if other >= 0:
             lit = _light_between(sizes, light, sites, other, begin, stop)
             flow += lit + sites.dark_e_per_s[other] * seconds - own
-    return own + sizes.exchanged * flow
+    exchanged: float = own + sizes.exchanged * flow
+    return exchanged
 
 
 @compiled
@@ -132,7 +135,8 @@ def _overlap(stretches: Stretches, first: int, k: int, begin: int, stop: int) ->
     if high <= low:
         return 0.0
     times = stretches.start_s
-    return (times[high] - times[low]) / (times[other_stop] - times[other_begin])
+    share: float = (times[high] - times[low]) / (times[other_stop] - times[other_begin])
+    return share
 
 
 @compiled

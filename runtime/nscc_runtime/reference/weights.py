@@ -115,6 +115,10 @@ class Backward:
             total += weight.T[:, None] * weight.T
         return total
 
+    def variance(self, at: Literal["reads", "resets", "words"]) -> Weights:
+        """Return the variance (lanes, buckets) of exposures if each error has variance 1."""
+        return np.asarray(np.einsum("bbl->lb", self.covariance(at)))
+
     @cached_property
     def error_sum(self) -> Weights:
         """Sum (lanes, buckets) of the weights of all words: the effect of an error 1 in each."""
