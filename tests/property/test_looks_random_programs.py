@@ -12,7 +12,6 @@ import pytest
 from looks_oracle import FULL_WELL_E, Interpreter
 from looks_programs import looking_frames, random_program
 from marks import slow
-from nscc_runtime.looking.looking_program import LookingProgram
 
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected

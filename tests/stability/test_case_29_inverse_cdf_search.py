@@ -7,7 +7,6 @@ import math
 import numpy as np
 import pytest
 from drawn_counts import BOTH, by_reference
-from nscc_runtime.noise.binomial_law import binomial
 
 from nscc_runtime.noise import key
 from nscc_runtime.noise.poisson_law import poisson_exact

@@ -85,8 +85,7 @@ def _light_of_slot(sizes: Laying, light: LightMatrix, n: int, place: int) -> flo
     for k in range(light.row_start[n], light.row_start[n + 1]):
         at = light.frame_index[k] * sizes.pixels + place
         total += float(light.frames[at]) * light.weight[k]
-    rounded: float = np.float32(total)
-    return rounded
+    return float(np.float32(total))
 
 
 @compiled
@@ -112,7 +111,8 @@ def _charge_between(
 ) -> float:  # fmt: skip
     """Return the mean charge of pixel i in the slots `begin` to `stop` - 1, after crosstalk."""
     seconds = stretches.start_s[stop] - stretches.start_s[begin]
-    own = _light_between(sizes, light, sites, i, begin, stop) + sites.dark_e_per_s[i] * seconds
+    own: float = _light_between(sizes, light, sites, i, begin, stop)
+    own += sites.dark_e_per_s[i] * seconds
     if sizes.exchanged == 0.0:
         return own
     flow = 0.0

@@ -83,7 +83,7 @@ def measured_again(
     request = PlanRequest(plan.requested_effects, plan.tolerance_input, figures=figures)
     dropped = frozenset(plan.names("dropped"))
     if scene.needs_reference(request.requested) or not (dropped or figures):
-        return replace(_unmeasured(work, request, absent), reused=True)
+        return _unmeasured(work, request, absent)
     measuring = _Measuring(scene, request, count)
     dropped -= request.forced_off
     together, _ = measuring.drop_together(dropped)
