@@ -18,7 +18,6 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.text import Text
-from nscc_runtime.planning.plan_parts import Choice, Decision
 from PIL import Image as PillowImage
 
 import nscc
@@ -37,7 +36,7 @@ from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precisio
 from nscc_runtime.pictures.sheet import LOOKS, MARKERS, Look, contrast, look, looking
 from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
-from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.plan import Choice, Decision, Plan
 from nscc_runtime.scenes import load_scene
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.simulate import Request, simulate
@@ -109,7 +108,8 @@ def plan(tolerance_e: float, predicted_e: float, effects: int = 4) -> Plan:
         decision("lag", "absent", None, 0.0), decision("decay", "kept", None, 123.0),
         *(decision(f"effect_{i}", "dropped", 0.1 * i, 0.1) for i in range(4, effects)),
     )  # fmt: skip
-    return Plan(tolerance_e, predicted_e, 9.0, "none", (), 1.0, (), decisions)
+    text = f"{tolerance_e:g}e"
+    return Plan(text, tolerance_e, predicted_e, 9.0, 99.0, False, (), 1.0, 2.0, 3.0, 4.0, decisions)
 
 
 def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[Study]:
