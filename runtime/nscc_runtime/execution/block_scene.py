@@ -212,7 +212,7 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     def add_light(begin: int, end: int) -> None:
         light_means(
             sizes=Laying(begin=begin, end=end, **sizes), light=scene.light.matrix, order=order,
-            reached=np.empty(TOGETHER, np.int64), **shared,
+            reached=np.empty(TOGETHER, np.int64), added=np.empty(2 * TOGETHER), **shared,
         )  # fmt: skip
 
     def add_dark(begin: int, end: int) -> None:

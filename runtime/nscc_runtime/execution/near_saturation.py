@@ -88,7 +88,7 @@ def _search(
     charge is then computed."""
     limits: _Limits = program.recent.of((_Limits, effects.on), lambda: _limits(program, effects))
     factor, current = light_factor(effects, device), dark_e_per_s(effects, device)
-    exchanged = exchanged_fraction(effects, program.sensor)
+    exchanged = exchanged_fraction(effects, program)
     total_e = light.sum_e * factor.reshape(light.shape)
     gained_e: Values = np.zeros(light.shape)
     if exchanged:

@@ -18,7 +18,7 @@ from nscc_runtime.noise.keys import bits, unit
 from nscc_runtime.sizes_loop import LightMatrix
 
 NEIGHBOURS = 4
-TOGETHER = 16
+TOGETHER = 128
 """Number of sites whose light is added up together."""
 _FIRST_LANE = np.uint64(0)
 
@@ -81,11 +81,14 @@ class Laying:
     rate_cap: float
 
 
-@compiled
-def _light_of_slot(sizes: Laying, light: LightMatrix, sites: Sites, n: int, site: int) -> float:
-    """Return the mean light of slot n at a site, in electrons."""
+@inlined
+def _light_of_slot(
+    sizes: Laying, light: LightMatrix, sites: Sites, start: int, stop: int, site: int
+) -> float:
+    """Return the mean light of a slot at a site, in electrons; the slot has the entries `start` to
+    `stop` - 1 of the light."""
     total, place = 0.0, sites.place[site]
-    for k in range(light.row_start[n], light.row_start[n + 1]):
+    for k in range(start, stop):
         at = light.frame_index[k] * sizes.pixels + place
         total += float(light.frames[at]) * light.weight[k]
     # Rounded like `Light.slot`. Light below 0 is none; NaN stays NaN.
@@ -95,26 +98,28 @@ def _light_of_slot(sizes: Laying, light: LightMatrix, sites: Sites, n: int, site
     return capped
 
 
-@compiled
-def _exchanged(sizes: Laying, light: LightMatrix, sites: Sites, n: int, i: int, own: float) -> float:
-    """Return the light of slot n that pixel i collects after crosstalk; `own`: before."""
+@inlined
+def _exchanged(
+    sizes: Laying, light: LightMatrix, sites: Sites, start: int, stop: int, i: int, own: float
+) -> float:
+    """Return the light of a slot that pixel i collects after crosstalk; `own`: before."""
     flow = 0.0
     for side in range(NEIGHBOURS if sizes.exchanged > 0.0 else 0):
         other = sites.beside[NEIGHBOURS * i + side]
         if other >= 0:
-            flow += _light_of_slot(sizes, light, sites, n, other) - own
+            flow += _light_of_slot(sizes, light, sites, start, stop, other) - own
     return own + sizes.exchanged * flow
 
 
 @inlined
 def _store(
-    sizes: Laying, means: StretchMeans, e: int, i: int, slots: int, own: float, total: float
+    sizes: Laying, means: StretchMeans, e: int, i: int, own: float, total: float
 ) -> None:
-    """Add `slots` slots to the light of stretch e of site i."""
+    """Set the light of stretch e of site i, before crosstalk (`own`) and after."""
     if sizes.counts_light:
-        means.lit[e * sizes.sites + i] += own * slots
+        means.lit[e * sizes.sites + i] = own
     if i < sizes.own:
-        means.charge[e * sizes.own + i] += total * slots
+        means.charge[e * sizes.own + i] = total
 
 
 @loop
@@ -125,78 +130,71 @@ def light_means(
     sites: Sites,
     order: Annotated[Ints, "sites"],
     reached: Written[Ints],
+    added: Written[Floats],
     means: StretchMeans,
 ) -> None:
     """Compute the light of sites and pixels in their stretches; `means` is 0 before. `pace` is set
     to the light of the first slot of each stretch, then of the last slot.
 
     Sites are taken some at a time, in the `order` of their places: neighbours share cache lines of
-    every frame. `reached`, the stretch of each of them, is working memory."""
+    every frame. The stretch of each of them (`reached`), and the light in it (`added`), are working
+    memory."""
     for first in range(sizes.begin, sizes.end, TOGETHER):
         count = min(TOGETHER, sizes.end - first)
         for j in range(count):
             reached[j] = -1
         for n in range(1 if sizes.even else sizes.slots):
+            k, end = light.row_start[n], light.row_start[n + 1]
             for j in range(count):
-                i = order[first + j]
-                own = _light_of_slot(sizes, light, sites, n, i)
-                total = _exchanged(sizes, light, sites, n, i, own) if i < sizes.own else own
+                i, total_at = order[first + j], TOGETHER + j
+                own = total = _light_of_slot(sizes, light, sites, k, end, i)
+                if i < sizes.own:
+                    total = _exchanged(sizes, light, sites, k, end, i, own)
                 start, is_slow = stretches.start[sites.lane[i]], sizes.slow_words and i < sizes.own
                 if sizes.even:
                     last = stretches.start[sites.lane[i] + 1] - start - 1
                     for e in range(last):
-                        begin, stop = stretches.boundary[start + e], stretches.boundary[start + e + 1]
-                        _store(sizes, means, e, i, stop - begin, own, total)
+                        begin = stretches.boundary[start + e]
+                        slots = stretches.boundary[start + e + 1] - begin
+                        _store(sizes, means, e, i, own * slots, total * slots)
                     for e in range(last + 1 if is_slow else 0):
                         means.pace[e * sizes.own + i] = total
                     continue
-                begins = stretches.boundary[start + reached[j] + 1] == n
-                reached[j] += 1 if begins else 0
-                _store(sizes, means, reached[j], i, 1, own, total)
-                if is_slow and begins:
-                    means.pace[reached[j] * sizes.own + i] = total
-                if is_slow and n + 1 == sizes.slots:
-                    means.pace[(reached[j] + 1) * sizes.own + i] = total
-
-
-@inlined
-def _share(stretches: Stretches, first: int, e: int, other_first: int, k: int) -> float:
-    """Return the part of the time of stretch k of another lane that lies in stretch e of a lane.
-    `first`, `other_first`: where the boundaries of the lanes start."""
-    begin, stop = stretches.boundary[first + e], stretches.boundary[first + e + 1]
-    other_begin, other_stop = stretches.boundary[other_first + k], stretches.boundary[other_first + k + 1]
-    low = begin if begin > other_begin else other_begin
-    high = stop if stop < other_stop else other_stop
-    if high <= low:
-        return 0.0
-    times = stretches.start_s
-    share: float = (times[high] - times[low]) / (times[other_stop] - times[other_begin])
-    return share
+                if stretches.boundary[start + reached[j] + 1] == n:
+                    if n > 0:
+                        _store(sizes, means, reached[j], i, added[j], added[total_at])
+                    reached[j] += 1
+                    added[j], added[total_at] = 0.0, 0.0
+                    if is_slow:
+                        means.pace[reached[j] * sizes.own + i] = total
+                added[j] += own
+                added[total_at] += total
+                if n + 1 == sizes.slots:
+                    _store(sizes, means, reached[j], i, added[j], added[total_at])
+                    if is_slow:
+                        means.pace[(reached[j] + 1) * sizes.own + i] = total
 
 
 @compiled
 def _add_missing(
-    sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans, i: int
+    sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans, i: int, other: int
 ) -> None:
-    """Set the variance of the counts of pixel i's neighbours, in its stretches, that the counts of
-    the neighbours' own stretches do not determine."""
-    first = stretches.start[sites.lane[i]]
-    count = stretches.start[sites.lane[i] + 1] - first - 1
-    for side in range(NEIGHBOURS):
-        other = sites.beside[NEIGHBOURS * i + side]
-        other_first = stretches.start[sites.lane[other]] if other >= 0 else 0
-        other_count = stretches.start[sites.lane[other] + 1] - other_first - 1 if other >= 0 else 0
-        e, k = 0, 0
-        while e < count and k < other_count:
-            share = _share(stretches, first, e, other_first, k)
-            mean = means.lit[k * sizes.sites + other] if sizes.counts_light else 0.0
-            if sizes.counts_dark:
-                mean += means.dark[k * sizes.sites + other]
-            means.missing_e2[e * sizes.own + i] += share * (1.0 - share) * mean
-            if stretches.boundary[other_first + k + 1] <= stretches.boundary[first + e + 1]:
-                k += 1
-            else:
-                e += 1
+    """Add to the variance in the stretches of pixel i what the counts of a neighbour's own
+    stretches do not determine of its counts."""
+    boundary, times, at_s = stretches.boundary, stretches.start_s, 0.0
+    first, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
+    e, end, first_of_other = first, stretches.start[sites.lane[i] + 1] - 1, k
+    while e < end:
+        high = min(boundary[e + 1], boundary[k + 1])
+        share = (times[high] - at_s) / (times[boundary[k + 1]] - times[boundary[k]])
+        if share < 1.0:
+            at = (k - first_of_other) * sizes.sites + other
+            mean = means.lit[at] if sizes.counts_light else 0.0
+            mean += means.dark[at] if sizes.counts_dark else 0.0
+            means.missing_e2[(e - first) * sizes.own + i] += share * (1.0 - share) * mean
+        at_s = times[high]
+        k += boundary[k + 1] == high
+        e += boundary[e + 1] == high
 
 
 @loop
@@ -236,8 +234,11 @@ def charge_means(sizes: Laying, stretches: Stretches, sites: Sites, means: Stret
                 # Without charge, the fraction of the time.
                 part = slot_e / charge if charge > 0.0 else slot_s / seconds
                 means.pace[at] = part / (1e6 * slot_s)
-        if sizes.exchanged > 0.0 and (sizes.counts_light or sizes.counts_dark):
-            _add_missing(sizes, stretches, sites, means, i)
+        counts = sizes.exchanged > 0.0 and (sizes.counts_light or sizes.counts_dark)
+        for side in range(NEIGHBOURS if counts else 0):
+            other = sites.beside[NEIGHBOURS * i + side]
+            if other >= 0:
+                _add_missing(sizes, stretches, sites, means, i, other)
 
 
 @record
@@ -254,6 +255,30 @@ class Exchanging:
     """First half of the random key of the part of neighbours' counts that is not known."""
 
 
+@compiled
+def _receive(
+    exchanging: Exchanging, stretches: Stretches, sites: Sites, away: Floats, i: int, other: int,
+    charge: Floats,
+) -> None:  # fmt: skip
+    """Exchange counts between pixel i and a neighbour, whose counts are spread evenly over the time
+    of its own stretches."""
+    boundary, times, at_s, c = stretches.boundary, stretches.start_s, 0.0, exchanging.exchanged
+    first, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
+    e, end, first_of_other = first, stretches.start[sites.lane[i] + 1] - 1, k
+    for own in range(end - first):
+        charge[own * exchanging.pixels + i] -= c * away[own * exchanging.sites + i]
+    per_s = c * away[other] / (times[boundary[k + 1]] - times[boundary[k]])
+    while e < end:
+        high = min(boundary[e + 1], boundary[k + 1])
+        charge[(e - first) * exchanging.pixels + i] += per_s * (times[high] - at_s)
+        at_s = times[high]
+        e += boundary[e + 1] == high
+        if boundary[k + 1] == high and e < end:
+            k += 1
+            received = away[(k - first_of_other) * exchanging.sites + other]
+            per_s = c * received / (times[boundary[k + 1]] - times[boundary[k]])
+
+
 @loop
 def exchange_counts(
     exchanging: Exchanging,
@@ -266,11 +291,10 @@ def exchange_counts(
 ) -> None:
     """Set the charge of the stretches of pixels from the deviations `away` of the counts of sites
     from their means."""
-    pixels, c, boundary = exchanging.pixels, exchanging.exchanged, stretches.boundary
+    pixels, c = exchanging.pixels, exchanging.exchanged
     for i in range(exchanging.begin, exchanging.end):
         first = stretches.start[sites.lane[i]]
-        count = stretches.start[sites.lane[i] + 1] - first - 1
-        for e in range(count):
+        for e in range(stretches.start[sites.lane[i] + 1] - first - 1):
             flow = 0.0
             if c > 0.0 and missing_e2[e * pixels + i] > 0.0:
                 key = bits(exchanging.missing, exchanging.frame, np.uint64(e))
@@ -279,17 +303,5 @@ def exchange_counts(
             charge[e * pixels + i] = mean_e[e * pixels + i] + away[e * exchanging.sites + i] + flow
         for side in range(NEIGHBOURS if c > 0.0 else 0):
             other = sites.beside[NEIGHBOURS * i + side]
-            if other < 0:
-                continue
-            for e in range(count):
-                charge[e * pixels + i] -= c * away[e * exchanging.sites + i]
-            other_first = stretches.start[sites.lane[other]]
-            other_count = stretches.start[sites.lane[other] + 1] - other_first - 1
-            e, k = 0, 0
-            while e < count and k < other_count:
-                share = _share(stretches, first, e, other_first, k)
-                charge[e * pixels + i] += c * share * away[k * exchanging.sites + other]
-                if boundary[other_first + k + 1] <= boundary[first + e + 1]:
-                    k += 1
-                else:
-                    e += 1
+            if other >= 0:
+                _receive(exchanging, stretches, sites, away, i, other, charge)
