@@ -45,13 +45,15 @@ from nscc_runtime.execution.layout import (
     WordKeys,
 )
 from nscc_runtime.execution.stretch_loop import (
+    TOGETHER,
     Exchanging,
     Laying,
     Sites,
     StretchMeans,
     charge_means,
-    count_means,
+    dark_means,
     exchange_counts,
+    light_means,
 )
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP
@@ -200,23 +202,29 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
         missing_e2=zeros(is_counted, rows, pixels),
     )  # fmt: skip
     sizes: dict[str, Any] = {
-        "sites": count, "own": pixels, "pixels": program.lane.size,
+        "sites": count, "slots": scene.light.slots, "own": pixels, "pixels": program.lane.size,
         "even": scene.light.even, "counts_light": bool(lit), "counts_dark": bool(dark),
         "slow_words": slow, "exchanged": exchanged, "rate_cap": RATE_CAP,
     }  # fmt: skip
-    shared: dict[str, Any] = {
-        "light": scene.light.matrix, "stretches": program.stretches, "sites": sites, "means": means,
-    }  # fmt: skip
-    slot_us = np.array(scene.container.slot_us, np.float64)
+    shared: dict[str, Any] = {"stretches": program.stretches, "sites": sites, "means": means}
+    order = np.arange(count) if scene.light.even else np.argsort(sites.place)
 
-    def count_sites(begin: int, end: int) -> None:
-        count_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
+    def add_light(begin: int, end: int) -> None:
+        light_means(
+            sizes=Laying(begin=begin, end=end, **sizes), light=scene.light.matrix, order=order,
+            reached=np.empty(TOGETHER, np.int64), added=np.empty(2 * TOGETHER), **shared,
+        )  # fmt: skip
 
-    def charge_pixels(begin: int, end: int) -> None:
-        charge_means(sizes=Laying(begin=begin, end=end, **sizes), slot_us=slot_us, **shared)
+    def add_dark(begin: int, end: int) -> None:
+        dark_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
 
-    in_parts(count_sites, count, threads, _FEWEST)
-    in_parts(charge_pixels, pixels, threads, _FEWEST)
+    def complete(begin: int, end: int) -> None:
+        charge_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
+
+    in_parts(add_light, count, threads, _FEWEST)
+    if dark:
+        in_parts(add_dark, count, threads, _FEWEST)
+    in_parts(complete, pixels, threads, _FEWEST)
     counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
     counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
     device = Device(sensor=scene.sensor, device_seed=scene.device_seed, places=sites.place[:pixels])

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import (
+    Counted,
     CountedDark,
     CountedLight,
     Echo,
@@ -107,40 +108,96 @@ def scene_moments(
     -------
     Moments
     """
-    sensor, device = program.sensor, program.device(device_seed)
-    model, exchanged = program.model(effects), exchanged_fraction(effects, sensor)
-    buckets = len(program.container.buckets)
-    rates = leak_rates(effects, sensor)
-    lit = effects.find_part(CountedLight) is not None
-    weights = program.slot_weights(model, rates, lit)
-    products = len(weights.slots) - buckets * len(rates)
+    chip, exchanged = _on_chip(program, effects, device_seed), exchanged_fraction(effects, program)
+    lit, products = effects.find_part(CountedLight) is not None, 0
+    weights = program.slot_weights(program.model(effects), chip.leak_rates, lit)
+    if lit:
+        products = len(weights.slots) - len(chip.fixed_e) * len(chip.leak_rates)
     source = (effects.find_part(Moving) and light.motion) or light
-    factor = light_factor(effects, device)
-    scales = factor, factor.astype(np.float32)
     sums = light_sums(
-        source, program.lanes, scales, weights, products if exchanged else len(weights.slots),
-        exchanged, threads,
+        source, program.lanes, (chip.factor, chip.factor_32), weights,
+        products if exchanged else len(weights.slots), exchanged, threads,
     )  # fmt: skip
-    mean_e = _at_each_leakage(sums[products:], _rate_weights(effects, device, rates))
-    mean_e += _fixed_e(program, effects, device, rates)
-    covariance_e2 = _count_covariances(program, effects, device, sums[:products])
-    beside = np.zeros(1, np.float32)
-    if exchanged and len(covariance_e2):
-        beside, unknown_s = _neighbour_weights(program, model)
-        rate_e_per_s = dark_e_per_s(effects, device)
-        if lit:
-            rate_e_per_s = rate_e_per_s + factor * source.sum_e.reshape(-1) / program.slot_s.sum()
-        unknown_e2 = _at_neighbours(unknown_s, rate_e_per_s, program.lane.shape).sum(axis=0)
-        covariance_e2[_diagonal(buckets)] += exchanged**2 * unknown_e2
-    counts, own_weights = _independent_counts(program, model, np.minimum(covariance_e2, RATE_CAP))
-    errors = _word_errors(program, effects)
-    return Moments(mean_e, counts, own_weights, beside, exchanged, errors)
+    mean_e = _at_each_leakage(sums[products:], chip.rate_weights) + chip.fixed_e
+    covariance_e2 = chip.dark_e2
+    if lit:
+        covariance_e2 = sums[:products] + (chip.dark_e2 if len(chip.dark_e2) else 0.0)
+    if lit and exchanged:
+        light_e = np.minimum(chip.factor * source.sum_e.reshape(-1), RATE_CAP)
+        unknown_e2 = _from_neighbours(chip.unknown, light_e, program.lane.shape)
+        covariance_e2[_diagonal(len(mean_e))] += exchanged**2 * unknown_e2
+    covariance_e2 = np.minimum(covariance_e2, RATE_CAP)
+    counts, own_weights = _independent_counts(covariance_e2, chip.electron_weights)
+    if chip.own_weights is not None:
+        own_weights = chip.own_weights
+    return Moments(mean_e, counts, own_weights, chip.neighbour_weights, exchanged, chip.error_e)
 
 
-def exchanged_fraction(effects: Selection, sensor: Sensor) -> float:
+@dataclass(frozen=True, eq=False)
+class _ChipMoments:
+    """What the moments of all scenes share on a chip under some effects.
+
+    `leak_rates`: the leakage rates of sums. `rate_weights` (rates, pixels): weights that
+    interpolate sums at each pixel's rate. `factor` (pixels,), `factor_32`: factor on the light.
+    `fixed_e` (buckets, pixels): dark charge and fixed errors of words in exposures. `dark_e2`
+    (pairs, pixels): covariances of dark counts, with those of neighbours; no pairs without.
+    `electron_weights` (buckets, pixels), `own_weights`: see `_independent_counts`; `own_weights` is
+    None if it depends on the light. `unknown` (4, buckets, pixels): parts of neighbours' light in
+    a frame whose counts do not follow from their draws. `neighbour_weights`, `error_e`: see
+    `Moments`."""
+
+    leak_rates: tuple[float, ...]
+    rate_weights: Values
+    factor: Values
+    factor_32: NDArray[np.float32]
+    fixed_e: Values
+    dark_e2: Values
+    electron_weights: Values
+    own_weights: NDArray[np.float32] | None
+    unknown: Values
+    neighbour_weights: NDArray[np.float32]
+    error_e: Values
+
+
+def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _ChipMoments:
+    """Return the shared moments of a chip; cached."""
+
+    def make() -> _ChipMoments:
+        device, model = program.device(device_seed), program.model(effects)
+        rates = leak_rates(effects, program.sensor)
+        rate_weights = _rate_weights(effects, device, rates)
+        factor, lanes = light_factor(effects, device), program.lanes
+        exchanged = exchanged_fraction(effects, program)
+        dark_e2 = _dark_covariances(program, effects, device)
+        beside, unknown = np.zeros(1, np.float32), np.zeros((4, 0, 0))
+        if exchanged and effects.names(Counted):
+            beside, unknown = _neighbour_weights(program, model)
+            dark_e = dark_e_per_s(effects, device) * program.slot_s.sum()
+            unknown_e2 = _from_neighbours(unknown, dark_e, program.lane.shape)
+            if len(dark_e2):
+                dark_e2[_diagonal(len(unknown_e2))] += exchanged**2 * unknown_e2
+        electron_weights = _electron_weights(program, model)[:, lanes]
+        buckets = len(electron_weights)
+        own_weights = None
+        if not effects.names(Counted):
+            own_weights = np.zeros((0, buckets, lanes.size), np.float32)
+        elif not program.buckets_overlap(model):
+            own_weights = np.zeros((buckets, buckets, lanes.size), np.float32)
+            own_weights[range(buckets), range(buckets)] = electron_weights
+        fixed_e = _fixed_e(program, effects, device, rates, rate_weights)
+        return _ChipMoments(
+            rates, rate_weights, factor, factor.astype(np.float32), fixed_e, dark_e2,
+            electron_weights, own_weights, unknown, beside, _word_errors(program, effects),
+        )  # fmt: skip
+
+    chip: _ChipMoments = program.recent.of((_ChipMoments, effects.on, device_seed), make)
+    return chip
+
+
+def exchanged_fraction(effects: Selection, program: AnalysedProgram) -> float:
     """Return the fraction of a pixel's charge that moves to each neighbour; 0 without crosstalk."""
     exchange = effects.find_part(Exchange)
-    return 0.0 if exchange is None else exchange.fraction(sensor)
+    return 0.0 if exchange is None else exchange.fraction(program.sensor)
 
 
 def light_factor(effects: Selection, device: Device) -> Values:
@@ -196,51 +253,42 @@ def _at_each_leakage(sums: Values, rate_weights: Values) -> Values:
 
 
 def _fixed_e(
-    program: AnalysedProgram, effects: Selection, device: Device, rates: tuple[float, ...]
-) -> Values:
+    program: AnalysedProgram, effects: Selection, device: Device, rates: tuple[float, ...],
+    rate_weights: Values,
+) -> Values:  # fmt: skip
     """Return the part of mean exposures (buckets, pixels) that does not depend on the light: dark
-    charge and fixed errors of words; cached."""
-
-    def make() -> Values:
-        model, lanes = program.model(effects), program.lanes
-        weights = [program.weights(replace(model, leak_per_s=rate)) for rate in rates]
-        rate_weights = _rate_weights(effects, device, rates)
-        total = np.zeros((len(program.container.buckets), lanes.size))
-        gain = effects.find_part(WordGain)
-        if gain is not None:
-            by_rate = np.stack([of_rate.error_sum.T[:, lanes] for of_rate in weights], axis=1)
-            errors = _at_each_leakage(by_rate.reshape(-1, lanes.size), rate_weights)
-            total += errors * device.fixed(gain.error_e)
-        if effects.find_part(CountedDark) is not None:
-            exchange, current = effects.find_part(Exchange), dark_e_per_s(effects, device)
-            if exchange is not None:
-                by_row = current.reshape(program.lane.shape)
-                fraction = exchange.fraction(program.sensor)
-                current = exchange.smeared(by_row, fraction).reshape(-1)
-            open_s = np.einsum("n,nlb->bl", program.slot_s, program.weights(model).slots)
-            total += current * open_s[:, lanes]
-        return total
-
-    return program.recent.of((_fixed_e, effects.on, device.device_seed), make)
+    charge and fixed errors of words."""
+    model, lanes = program.model(effects), program.lanes
+    weights = [program.weights(replace(model, leak_per_s=rate)) for rate in rates]
+    total = np.zeros((len(program.container.buckets), lanes.size))
+    gain = effects.find_part(WordGain)
+    if gain is not None:
+        by_rate = np.stack([of_rate.error_sum.T[:, lanes] for of_rate in weights], axis=1)
+        errors = _at_each_leakage(by_rate.reshape(-1, lanes.size), rate_weights)
+        total += errors * device.fixed(gain.error_e)
+    if effects.find_part(CountedDark) is not None:
+        exchange, current = effects.find_part(Exchange), dark_e_per_s(effects, device)
+        if exchange is not None:
+            by_row = current.reshape(program.lane.shape)
+            fraction = exchange.fraction(program.sensor)
+            current = exchange.smeared(by_row, fraction).reshape(-1)
+        open_s = np.einsum("n,nlb->bl", program.slot_s, program.weights(model).slots)
+        total += current * open_s[:, lanes]
+    return total
 
 
-def _count_covariances(
-    program: AnalysedProgram, effects: Selection, device: Device, lit_e2: Values
-) -> Values:
-    """Return the covariances (pairs of buckets, pixels) of counted charge; no pairs without.
-
-    `lit_e2`: those of photons, which may be missing."""
+def _dark_covariances(program: AnalysedProgram, effects: Selection, device: Device) -> Values:
+    """Return the covariances (pairs of buckets, pixels) of dark counts; no pairs without."""
     if effects.find_part(CountedDark) is None:
-        return lit_e2
-    weights, lanes = program.weights(program.model(effects)).slots, program.lanes
+        return np.zeros((0, program.lane.size))
+    weights = program.weights(program.model(effects)).slots
     square_s = np.stack(
         [
             np.einsum("n,nl,nl->l", program.slot_s, weights[:, :, a], weights[:, :, b])
             for b in range(weights.shape[2]) for a in range(b + 1)
         ]
     )  # fmt: skip
-    dark_e2 = square_s[:, lanes] * dark_e_per_s(effects, device)
-    return dark_e2 + lit_e2 if len(lit_e2) else dark_e2
+    return np.asarray(square_s[:, program.lanes] * dark_e_per_s(effects, device))
 
 
 def _diagonal(buckets: int) -> list[int]:
@@ -258,22 +306,33 @@ def _at_neighbours(weights: Values, values: Values, shape: tuple[int, int]) -> V
     return products.reshape(weights.shape)
 
 
+def _from_neighbours(weights: Values, values: Values, shape: tuple[int, int]) -> Values:
+    """Return the sum (buckets, pixels) of the `values` (pixels,) of neighbours times `weights` (4,
+    buckets, pixels)."""
+    total, by_row = np.zeros((weights.shape[1], *shape)), values.reshape(shape)
+    for of_side, (to, source) in zip(weights, NEIGHBOURS, strict=True):
+        at = (slice(None), *to)
+        total[at] += of_side.reshape(total.shape)[at] * by_row[source]
+    return total.reshape(len(total), -1)
+
+
 def _independent_counts(
-    program: AnalysedProgram, model: WeightModel, covariance_e2: Values
+    covariance_e2: Values, electron_weights: Values
 ) -> tuple[Values, NDArray[np.float32]]:
     """Return the means of independent counts (draws, pixels), and their weights in the exposures
-    (draws, buckets, pixels), which have these covariances.
+    (draws, buckets, pixels), which have these covariances (pairs, pixels).
 
-    A count of draw b weighs as much as an electron weighs in bucket b, averaged over its open
-    time, so exposures of dim light are multiples of it."""
-    lanes, buckets = program.lanes, len(program.container.buckets)
+    `electron_weights` (buckets, pixels): a count of draw b weighs as much as an electron weighs in
+    bucket b, averaged over its open time, so exposures of dim light are multiples of it."""
+    buckets, pixels = electron_weights.shape
     if not len(covariance_e2):
-        return np.zeros((0, lanes.size)), np.zeros((0, buckets, lanes.size), np.float32)
+        return np.zeros((0, pixels)), np.zeros((0, buckets, pixels), np.float32)
+    if buckets == 1:
+        return covariance_e2 / electron_weights**2, electron_weights[None].astype(np.float32)
     lower, variance_e2 = lower_triangular(symmetric(covariance_e2, buckets))
-    weight_e = _electron_weights(program, model)[:, lanes]
-    counts = variance_e2 / weight_e**2
-    own_weights = lower.swapaxes(0, 1) * weight_e[:, None]
-    return np.ascontiguousarray(counts), np.ascontiguousarray(own_weights, np.float32)
+    own_weights = lower.swapaxes(0, 1) * electron_weights[:, None]
+    counts = np.ascontiguousarray(variance_e2 / electron_weights**2)
+    return counts, np.ascontiguousarray(own_weights, np.float32)
 
 
 def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Values:
@@ -289,8 +348,8 @@ def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Values:
 def _neighbour_weights(
     program: AnalysedProgram, model: WeightModel
 ) -> tuple[NDArray[np.float32], Values]:
-    """Return the weights (draws, 4, buckets, pixels) of neighbours' counts, and the time (4,
-    buckets, pixels) in seconds whose counts do not follow from them; cached.
+    """Return the weights (draws, 4, buckets, pixels) of neighbours' counts, and the parts of the
+    frame (4, buckets, pixels) whose counts do not follow from them; cached.
 
     The counts of a neighbour in the slots that a pixel sees are estimated from its own draws, as if
     its light were steady."""
@@ -312,7 +371,7 @@ def _neighbour_weights(
         counts_s = (variance_s / weight_e**2)[:, program.lanes]
         for draw_weights, draw_s in zip(beside, counts_s, strict=True):
             unknown_s -= _at_neighbours(draw_weights**2, draw_s, program.lane.shape)
-        return beside, np.maximum(unknown_s, 0.0)
+        return beside, np.maximum(unknown_s / program.slot_s.sum(), 0.0)
 
     return program.recent.of((_neighbour_weights, model), make)
 

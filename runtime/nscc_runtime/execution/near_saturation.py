@@ -17,7 +17,7 @@ from nscc_runtime.execution.moments import dark_e_per_s, exchanged_fraction, lig
 from nscc_runtime.execution.overlap import NEIGHBOURS
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.register_reach import reach_of
-from nscc_runtime.execution.sum_loop import SlotWeights
+from nscc_runtime.execution.sum_loop import SlotWeights, light_at, light_sums
 from nscc_runtime.light import Light
 
 Values = NDArray[np.float64]
@@ -88,7 +88,7 @@ def _search(
     charge is then computed."""
     limits: _Limits = program.recent.of((_Limits, effects.on), lambda: _limits(program, effects))
     factor, current = light_factor(effects, device), dark_e_per_s(effects, device)
-    exchanged = exchanged_fraction(effects, program.sensor)
+    exchanged = exchanged_fraction(effects, program)
     total_e = light.sum_e * factor.reshape(light.shape)
     gained_e: Values = np.zeros(light.shape)
     if exchanged:
@@ -106,7 +106,10 @@ def _search(
     if not len(places):
         return NO_PIXELS
     lanes = lanes[places]
-    seen_e = _seen_e(limits.weights, light, lanes, places) * factor[places]
+    seen_e = light_sums(
+        light_at(light, places), lanes, (factor[places], np.empty(0, np.float32)), limits.weights,
+        len(limits.weights.slots), 0.0,
+    )  # fmt: skip
     row, col = np.divmod(places, light.shape[1])
     below, right = row + 1 < light.shape[0], col + 1 < light.shape[1]
     neighbour_count = (row > 0).astype(np.int64) + below + (col > 0) + right
@@ -119,16 +122,6 @@ def _search(
     is_near = np.any(most_e >= saturation_e, axis=0)
     spilt = ~np.any(own_e >= saturation_e, axis=0)
     return NearSaturation(places[is_near], most_e[0, is_near], own_e[0, is_near], spilt[is_near])
-
-
-def _seen_e(weights: SlotWeights, light: Light, lanes: NDArray[np.int32], places: Places) -> Values:
-    """Return the light (kinds, places) on PIX at a read and in registers, in electrons."""
-    frames = light.ended.reshape(len(light.ended), -1)
-    of_frames = weights.of_frames(light).weights
-    seen_e = np.zeros((len(of_frames), len(places)))
-    for frame, weight in zip(frames, of_frames.swapaxes(0, 1), strict=True):
-        seen_e += weight.take(lanes, axis=1) * frame.take(places)
-    return seen_e
 
 
 def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:

@@ -89,6 +89,10 @@ class AnalysedProgram:
     def _backward(self, model: WeightModel) -> Backward:
         return backward(self.container, self.decayed if model.decay else self.fresh, model)
 
+    def buckets_overlap(self, model: WeightModel) -> bool:
+        """Return whether the charge of some slot reaches two buckets."""
+        return bool(((self.weights(model).slots != 0.0).sum(axis=2) > 1).any())
+
     @cached_property
     def opened(self) -> NDArray[np.bool_]:
         """The shutters (N, lanes, buckets)."""

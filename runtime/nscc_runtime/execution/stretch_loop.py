@@ -12,12 +12,14 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from nscc_runtime.loop import Floats, Ints, Ints32, Written, compiled, loop, record
+from nscc_runtime.loop import Floats, Ints, Ints32, Written, compiled, inlined, loop, record
 from nscc_runtime.noise.gaussian import normal_fast
 from nscc_runtime.noise.keys import bits, unit
 from nscc_runtime.sizes_loop import LightMatrix
 
 NEIGHBOURS = 4
+TOGETHER = 128
+"""Number of sites whose light is added up together."""
 _FIRST_LANE = np.uint64(0)
 
 
@@ -65,6 +67,7 @@ class Laying:
     begin: int
     end: int
     sites: int
+    slots: int
     own: int
     """Number of pixels that run through their words: the first sites. `pixels`: on the chip."""
     pixels: int
@@ -78,142 +81,164 @@ class Laying:
     rate_cap: float
 
 
-@compiled
-def _light_of_slot(sizes: Laying, light: LightMatrix, n: int, place: int) -> float:
-    """Return the light of slot n at a place, rounded to float32 like `Light.slot`."""
-    total = 0.0
-    for k in range(light.row_start[n], light.row_start[n + 1]):
+@inlined
+def _light_of_slot(
+    sizes: Laying, light: LightMatrix, sites: Sites, start: int, stop: int, site: int
+) -> float:
+    """Return the mean light of a slot at a site, in electrons; the slot has the entries `start` to
+    `stop` - 1 of the light."""
+    total, place = 0.0, sites.place[site]
+    for k in range(start, stop):
         at = light.frame_index[k] * sizes.pixels + place
         total += float(light.frames[at]) * light.weight[k]
-    return float(np.float32(total))
+    # Rounded like `Light.slot`. Light below 0 is none; NaN stays NaN.
+    rate = float(np.float32(total)) * sites.factor[site]
+    rate = 0.0 if rate < 0.0 else rate
+    capped: float = sizes.rate_cap if rate > sizes.rate_cap else rate
+    return capped
 
 
-@compiled
-def _light_between(
-    sizes: Laying, light: LightMatrix, sites: Sites, site: int, begin: int, stop: int
+@inlined
+def _exchanged(
+    sizes: Laying, light: LightMatrix, sites: Sites, start: int, stop: int, i: int, own: float
 ) -> float:
-    """Return the mean light of the slots `begin` to `stop` - 1 at a site, in electrons."""
-    total, place, factor = 0.0, sites.place[site], sites.factor[site]
-    count = 1 if sizes.even and stop > begin else stop - begin
-    for n in range(begin, begin + count):
-        rate = _light_of_slot(sizes, light, n, place) * factor
-        # Light below 0 is none; NaN stays NaN.
-        rate = 0.0 if rate < 0.0 else rate
-        total += sizes.rate_cap if rate > sizes.rate_cap else rate
-    summed: float = total * (stop - begin) if sizes.even else total
-    return summed
-
-
-@compiled
-def _charge_between(
-    sizes: Laying, light: LightMatrix, stretches: Stretches, sites: Sites, i: int, begin: int,
-    stop: int,
-) -> float:  # fmt: skip
-    """Return the mean charge of pixel i in the slots `begin` to `stop` - 1, after crosstalk."""
-    seconds = stretches.start_s[stop] - stretches.start_s[begin]
-    own: float = _light_between(sizes, light, sites, i, begin, stop)
-    own += sites.dark_e_per_s[i] * seconds
-    if sizes.exchanged == 0.0:
-        return own
+    """Return the light of a slot that pixel i collects after crosstalk; `own`: before."""
     flow = 0.0
-    for side in range(NEIGHBOURS):
+    for side in range(NEIGHBOURS if sizes.exchanged > 0.0 else 0):
         other = sites.beside[NEIGHBOURS * i + side]
         if other >= 0:
-            lit = _light_between(sizes, light, sites, other, begin, stop)
-            flow += lit + sites.dark_e_per_s[other] * seconds - own
-    exchanged: float = own + sizes.exchanged * flow
-    return exchanged
+            flow += _light_of_slot(sizes, light, sites, start, stop, other) - own
+    return own + sizes.exchanged * flow
 
 
-@compiled
-def _overlap(stretches: Stretches, first: int, k: int, begin: int, stop: int) -> float:
-    """Return the part of the time of a lane's stretch k that lies in the slots `begin` to `stop` -
-    1. `first`: where the lane's boundaries start."""
-    other_begin, other_stop = stretches.boundary[first + k], stretches.boundary[first + k + 1]
-    low = begin if begin > other_begin else other_begin
-    high = stop if stop < other_stop else other_stop
-    if high <= low:
-        return 0.0
-    times = stretches.start_s
-    share: float = (times[high] - times[low]) / (times[other_stop] - times[other_begin])
-    return share
-
-
-@compiled
-def _missing_e2(
-    sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans, i: int, begin: int,
-    stop: int,
-) -> float:  # fmt: skip
-    """Return the variance of the counts of pixel i's neighbours in the slots `begin` to `stop` - 1
-    that the counts of the neighbours' own stretches do not determine."""
-    missing_e2 = 0.0
-    for side in range(NEIGHBOURS):
-        other = sites.beside[NEIGHBOURS * i + side]
-        if other < 0:
-            continue
-        first = stretches.start[sites.lane[other]]
-        for k in range(stretches.start[sites.lane[other] + 1] - first - 1):
-            share = _overlap(stretches, first, k, begin, stop)
-            if 0.0 < share < 1.0:
-                mean = 0.0
-                if sizes.counts_light:
-                    mean += means.lit[k * sizes.sites + other]
-                if sizes.counts_dark:
-                    mean += means.dark[k * sizes.sites + other]
-                missing_e2 += share * (1.0 - share) * mean
-    return missing_e2
+@inlined
+def _store(
+    sizes: Laying, means: StretchMeans, e: int, i: int, own: float, total: float
+) -> None:
+    """Set the light of stretch e of site i, before crosstalk (`own`) and after."""
+    if sizes.counts_light:
+        means.lit[e * sizes.sites + i] = own
+    if i < sizes.own:
+        means.charge[e * sizes.own + i] = total
 
 
 @loop
-def count_means(
-    sizes: Laying, light: LightMatrix, stretches: Stretches, sites: Sites, means: StretchMeans
+def light_means(
+    sizes: Laying,
+    light: LightMatrix,
+    stretches: Stretches,
+    sites: Sites,
+    order: Annotated[Ints, "sites"],
+    reached: Written[Ints],
+    added: Written[Floats],
+    means: StretchMeans,
 ) -> None:
-    """Compute the means of the counted charge of sites in their stretches; they are 0 before."""
+    """Compute the light of sites and pixels in their stretches; `means` is 0 before. `pace` is set
+    to the light of the first slot of each stretch, then of the last slot.
+
+    Sites are taken some at a time, in the `order` of their places: neighbours share cache lines of
+    every frame. The stretch of each of them (`reached`), and the light in it (`added`), are working
+    memory."""
+    for first in range(sizes.begin, sizes.end, TOGETHER):
+        count = min(TOGETHER, sizes.end - first)
+        for j in range(count):
+            reached[j] = -1
+        for n in range(1 if sizes.even else sizes.slots):
+            k, end = light.row_start[n], light.row_start[n + 1]
+            for j in range(count):
+                i, total_at = order[first + j], TOGETHER + j
+                own = total = _light_of_slot(sizes, light, sites, k, end, i)
+                if i < sizes.own:
+                    total = _exchanged(sizes, light, sites, k, end, i, own)
+                start, is_slow = stretches.start[sites.lane[i]], sizes.slow_words and i < sizes.own
+                if sizes.even:
+                    last = stretches.start[sites.lane[i] + 1] - start - 1
+                    for e in range(last):
+                        begin = stretches.boundary[start + e]
+                        slots = stretches.boundary[start + e + 1] - begin
+                        _store(sizes, means, e, i, own * slots, total * slots)
+                    for e in range(last + 1 if is_slow else 0):
+                        means.pace[e * sizes.own + i] = total
+                    continue
+                if stretches.boundary[start + reached[j] + 1] == n:
+                    if n > 0:
+                        _store(sizes, means, reached[j], i, added[j], added[total_at])
+                    reached[j] += 1
+                    added[j], added[total_at] = 0.0, 0.0
+                    if is_slow:
+                        means.pace[reached[j] * sizes.own + i] = total
+                added[j] += own
+                added[total_at] += total
+                if n + 1 == sizes.slots:
+                    _store(sizes, means, reached[j], i, added[j], added[total_at])
+                    if is_slow:
+                        means.pace[(reached[j] + 1) * sizes.own + i] = total
+
+
+@compiled
+def _add_missing(
+    sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans, i: int, other: int
+) -> None:
+    """Add to the variance in the stretches of pixel i what the counts of a neighbour's own
+    stretches do not determine of its counts."""
+    boundary, times, at_s = stretches.boundary, stretches.start_s, 0.0
+    first, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
+    e, end, first_of_other = first, stretches.start[sites.lane[i] + 1] - 1, k
+    while e < end:
+        high = min(boundary[e + 1], boundary[k + 1])
+        share = (times[high] - at_s) / (times[boundary[k + 1]] - times[boundary[k]])
+        if share < 1.0:
+            at = (k - first_of_other) * sizes.sites + other
+            mean = means.lit[at] if sizes.counts_light else 0.0
+            mean += means.dark[at] if sizes.counts_dark else 0.0
+            means.missing_e2[(e - first) * sizes.own + i] += share * (1.0 - share) * mean
+        at_s = times[high]
+        k += boundary[k + 1] == high
+        e += boundary[e + 1] == high
+
+
+@loop
+def dark_means(sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans) -> None:
+    """Compute the means of the counted dark charge of sites in their stretches."""
     for i in range(sizes.begin, sizes.end):
         first = stretches.start[sites.lane[i]]
         for e in range(stretches.start[sites.lane[i] + 1] - first - 1):
             begin, stop = stretches.boundary[first + e], stretches.boundary[first + e + 1]
-            if sizes.counts_light:
-                lit_e = _light_between(sizes, light, sites, i, begin, stop)
-                means.lit[e * sizes.sites + i] = lit_e
-            if sizes.counts_dark:
-                seconds = stretches.start_s[stop] - stretches.start_s[begin]
-                means.dark[e * sizes.sites + i] = sites.dark_e_per_s[i] * seconds
+            seconds = stretches.start_s[stop] - stretches.start_s[begin]
+            means.dark[e * sizes.sites + i] = sites.dark_e_per_s[i] * seconds
 
 
 @loop
-def charge_means(
-    sizes: Laying,
-    light: LightMatrix,
-    stretches: Stretches,
-    slot_us: Annotated[Floats, "slots"],
-    sites: Sites,
-    means: StretchMeans,
-) -> None:
-    """Compute the other means, for pixels; the means of counted charge are known. All are 0
-    before."""
-    pixels = sizes.own
+def charge_means(sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans) -> None:
+    """Complete the means of pixels, from light: add dark charge to `charge`, convert `pace`, and
+    compute `missing_e2`."""
+    times = stretches.start_s
     for i in range(sizes.begin, sizes.end):
+        flow = 0.0
+        for side in range(NEIGHBOURS if sizes.exchanged > 0.0 else 0):
+            other = sites.beside[NEIGHBOURS * i + side]
+            flow += sites.dark_e_per_s[other] - sites.dark_e_per_s[i] if other >= 0 else 0.0
+        dark_e_per_s = sites.dark_e_per_s[i] + sizes.exchanged * flow
         first = stretches.start[sites.lane[i]]
         last = stretches.start[sites.lane[i] + 1] - first - 1
         for e in range(last):
             begin, stop = stretches.boundary[first + e], stretches.boundary[first + e + 1]
-            charge = _charge_between(sizes, light, stretches, sites, i, begin, stop)
-            means.charge[e * pixels + i] = charge
-            if sizes.exchanged > 0.0 and (sizes.counts_light or sizes.counts_dark):
-                missing_e2 = _missing_e2(sizes, stretches, sites, means, i, begin, stop)
-                means.missing_e2[e * pixels + i] = missing_e2
-            for side in range(2 if sizes.slow_words else 0):
-                # The first slot, and the last slot of the frame.
+            seconds = times[stop] - times[begin]
+            charge = means.charge[e * sizes.own + i] + dark_e_per_s * seconds
+            means.charge[e * sizes.own + i] = charge
+            for side in range(1 + (e + 1 == last) if sizes.slow_words else 0):
+                at = (e + side) * sizes.own + i
                 n = begin if side == 0 else stop - 1
-                if side == 1 and e + 1 < last:
-                    continue
-                slot_e = _charge_between(sizes, light, stretches, sites, i, n, n + 1)
-                us = slot_us[n]
-                if charge <= 0.0:
-                    # Without charge, the fraction of the time.
-                    charge, slot_e = stretches.start_s[stop] - stretches.start_s[begin], us * 1e-6
-                means.pace[(e + side) * pixels + i] = slot_e / (charge * us)
+                slot_s = times[n + 1] - times[n]
+                slot_e = means.pace[at] + dark_e_per_s * slot_s
+                # Without charge, the fraction of the time.
+                part = slot_e / charge if charge > 0.0 else slot_s / seconds
+                means.pace[at] = part / (1e6 * slot_s)
+        counts = sizes.exchanged > 0.0 and (sizes.counts_light or sizes.counts_dark)
+        for side in range(NEIGHBOURS if counts else 0):
+            other = sites.beside[NEIGHBOURS * i + side]
+            if other >= 0:
+                _add_missing(sizes, stretches, sites, means, i, other)
 
 
 @record
@@ -230,6 +255,30 @@ class Exchanging:
     """First half of the random key of the part of neighbours' counts that is not known."""
 
 
+@compiled
+def _receive(
+    exchanging: Exchanging, stretches: Stretches, sites: Sites, away: Floats, i: int, other: int,
+    charge: Floats,
+) -> None:  # fmt: skip
+    """Exchange counts between pixel i and a neighbour, whose counts are spread evenly over the time
+    of its own stretches."""
+    boundary, times, at_s, c = stretches.boundary, stretches.start_s, 0.0, exchanging.exchanged
+    first, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
+    e, end, first_of_other = first, stretches.start[sites.lane[i] + 1] - 1, k
+    for own in range(end - first):
+        charge[own * exchanging.pixels + i] -= c * away[own * exchanging.sites + i]
+    per_s = c * away[other] / (times[boundary[k + 1]] - times[boundary[k]])
+    while e < end:
+        high = min(boundary[e + 1], boundary[k + 1])
+        charge[(e - first) * exchanging.pixels + i] += per_s * (times[high] - at_s)
+        at_s = times[high]
+        e += boundary[e + 1] == high
+        if boundary[k + 1] == high and e < end:
+            k += 1
+            received = away[(k - first_of_other) * exchanging.sites + other]
+            per_s = c * received / (times[boundary[k + 1]] - times[boundary[k]])
+
+
 @loop
 def exchange_counts(
     exchanging: Exchanging,
@@ -242,28 +291,17 @@ def exchange_counts(
 ) -> None:
     """Set the charge of the stretches of pixels from the deviations `away` of the counts of sites
     from their means."""
-    pixels, count, c = exchanging.pixels, exchanging.sites, exchanging.exchanged
+    pixels, c = exchanging.pixels, exchanging.exchanged
     for i in range(exchanging.begin, exchanging.end):
         first = stretches.start[sites.lane[i]]
         for e in range(stretches.start[sites.lane[i] + 1] - first - 1):
-            own = away[e * count + i]
-            if c == 0.0:
-                charge[e * pixels + i] = mean_e[e * pixels + i] + own
-                continue
-            begin, stop = stretches.boundary[first + e], stretches.boundary[first + e + 1]
             flow = 0.0
-            for side in range(NEIGHBOURS):
-                other = sites.beside[NEIGHBOURS * i + side]
-                if other < 0:
-                    continue
-                flow -= own
-                other_first = stretches.start[sites.lane[other]]
-                other_count = stretches.start[sites.lane[other] + 1] - other_first - 1
-                for k in range(other_count):
-                    share = _overlap(stretches, other_first, k, begin, stop)
-                    flow += share * away[k * count + other]
-            if missing_e2[e * pixels + i] > 0.0:
+            if c > 0.0 and missing_e2[e * pixels + i] > 0.0:
                 key = bits(exchanging.missing, exchanging.frame, np.uint64(e))
                 z = float(normal_fast(unit(bits(key, sites.place[i], _FIRST_LANE))))
-                flow += math.sqrt(missing_e2[e * pixels + i]) * z
-            charge[e * pixels + i] = mean_e[e * pixels + i] + own + c * flow
+                flow = c * math.sqrt(missing_e2[e * pixels + i]) * z
+            charge[e * pixels + i] = mean_e[e * pixels + i] + away[e * exchanging.sites + i] + flow
+        for side in range(NEIGHBOURS if c > 0.0 else 0):
+            other = sites.beside[NEIGHBOURS * i + side]
+            if other >= 0:
+                _receive(exchanging, stretches, sites, away, i, other, charge)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Annotated, Any
 
@@ -318,3 +318,9 @@ def light_sums(
 
         in_parts(run, shape[0], threads)
     return out.reshape(count, -1)
+
+
+def light_at(light: Light, places: NDArray[np.int64]) -> Light:
+    """Return the light of the pixels at `places` as a scene with one row."""
+    frames = light.frames.reshape(len(light.frames), -1).take(places, axis=1)
+    return replace(light, frames=frames[:, None], motion=None)
