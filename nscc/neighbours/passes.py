@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import ceil, log2
+from typing import Any
 
 from nscc.cache.results import Results
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
@@ -23,7 +24,9 @@ from nscc.prove.meaning import reaches
 from nscc.syntax.parse import declared_at
 from nscc.words.container import Container
 from nscc.words.encoding import encode
-from nscc.words.pictures import Condition, PictureCost, Pictures, Sum, TailLaunch
+from nscc.words.pictures import (
+    Condition, Node, Picture, PictureCost, Pictures, Sum, TailLaunch, with_operands,
+)  # fmt: skip
 
 _LEVEL_OF_ALTERNATIVES = 2
 
@@ -77,6 +80,11 @@ def lowered(
 ) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
     do not fit. From level 2 on, the shortest of several alternatives is returned."""
+    pictures = replace(
+        pictures,
+        items=tuple(Picture(item.name, _without_zeros(item.node)) for item in pictures.items),
+        states=tuple(replace(s, next=_without_zeros(s.next)) for s in pictures.states),
+    )
     ways = [pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())]
     best: Lowering | None = None
     refused: PictureRefused | None = None
@@ -94,6 +102,13 @@ def lowered(
         assert refused is not None
         raise refused
     return best
+
+
+def _without_zeros(node: Node) -> Any:
+    """Return an expression without terms that are multiplied by 0."""
+    if isinstance(node, Sum):
+        node = Sum(tuple(term for term in node.terms if term[0]))
+    return with_operands(node, _without_zeros)
 
 
 def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> Lowering:
