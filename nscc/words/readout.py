@@ -47,10 +47,9 @@ def converted_buckets(container: Container) -> dict[str, str]:
     """Return the buckets that the converter reads, by register.
 
     Exposures that only images use are not converted, and other values may be in their registers."""
-    pictures = container.pictures
-    if pictures is None:
-        return {readout.register: readout.bucket for readout in container.readouts}
-    return {pictures.registers[name]: name for name in container.buckets_read}
+    registers = {readout.bucket: readout.register for readout in container.readouts}
+    registers |= container.pictures.registers
+    return {registers[name]: name for name in container.buckets_read}
 
 
 def spreading(target: Target, register: str, copy: str) -> tuple[Op, Op, Op]:
