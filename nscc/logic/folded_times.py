@@ -38,8 +38,11 @@ def folded_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding
     rises[(rises < 0) & (falls >= 0)] = 0  # open from the start of the frame
     if np.any(rises >= falls, where=rises >= 0):
         raise GaveUp("some shutter does not rise before it falls")
-    if len(np.unique(boundaries, axis=1).T) in [len(np.unique(times)) for times in boundaries]:
+    counts = [len(np.unique(times)) for times in boundaries]
+    if len(np.unique(boundaries, axis=1).T) in counts:
         raise GaveUp("one time of each shutter follows from the other")
+    if sum((count - 1).bit_length() for count in counts) < machine.registers:
+        raise GaveUp("each time has planes of its own")
     _, points = np.unique(np.append(boundaries, -1), return_inverse=True)
     pairs = [*zip(*(points[:-1].reshape(2, -1)[::-1] - 1).tolist(), strict=True)]
     bits = (machine.registers - 1) // 2

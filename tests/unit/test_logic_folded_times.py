@@ -29,7 +29,7 @@ def words(table, target):
 
 
 @pytest.mark.parametrize("never", [False, True])
-@pytest.mark.parametrize(("slots", "most"), [(64, 560), (65, 590), (66, 670), (72, 1210)])
+@pytest.mark.parametrize(("slots", "most"), [(65, 590), (66, 670), (72, 1210)])
 def test_all_bumps_of_more_slots_than_rows(slots, most, never):
     assert words(bumps(slots, never=never), SCAMP) <= most + 60 * never
 
@@ -43,11 +43,11 @@ def test_bumps_of_limited_length_fold_in_longer_frames(slots, longest):
 def test_every_number_of_slots_that_has_a_cell_for_each_bump(registers):
     side = 1 << (registers - 1) // 2
     target = chip(registers, masked=False, or_sources=3, where_sources=2)
-    for slots in range(2, 2 * side):
+    for slots in range(side + 1, 2 * side):
         table = bumps(slots)
-        if len(table) <= side * side and slots > 2:
+        if len(table) <= side * side:
             words(table, target)
-        elif len(table) > side * side:
+        else:
             with pytest.raises(GaveUp, match="no cell is left"):
                 words(table, target)
 
@@ -58,6 +58,7 @@ def test_every_number_of_slots_that_has_a_cell_for_each_bump(registers):
         np.arange(8) < np.arange(1, 9)[:, None],  # only falls
         np.eye(9, dtype=bool)[:, :8],  # the fall follows from the rise
         np.array([[1, 0, 1, 0], [0, 1, 0, 0], [0, 0, 1, 1]], dtype=bool),  # opens twice
+        bumps(16),  # both times have planes
     ],
 )
 def test_other_shutters_are_refused(table):
