@@ -18,10 +18,10 @@ from nscc.words.legality import refuse_planes
 from nscc_cli.completion import PASS, PRODUCTS
 from nscc_cli.options import OUT, PATH, build_options
 from nscc_cli.programs import compile_program
-from nscc_cli.support import CommonCommand, say, say_done
+from nscc_cli.support import common_command, say, say_done
 
 
-@click.command("build", cls=CommonCommand)
+@common_command("build")
 @click.argument("file", type=PATH)
 @click.option("-o", "out", type=OUT, metavar="OUT.icw",
               help="The container (default: FILE with .icw; with --emit, none).")  # fmt: skip

@@ -19,12 +19,12 @@ from nscc.words.encoding import word_text
 from nscc.words.file import read_container, to_bytes
 from nscc_cli.options import OUT, PATH, build_options
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, OutPath, refuse_ignored, say
+from nscc_cli.support import OutPath, common_command, refuse_ignored, say
 
 _LARGEST_TEXT = 1 << 30
 
 
-@click.command(name="asm", cls=CommonCommand)
+@common_command("asm")
 @click.argument("file", metavar="FILE|-")
 @click.option("-o", "output", type=OutPath(str), metavar="OUT",
               help="Where to write (default: FILE with .icw).")  # fmt: skip
@@ -69,7 +69,7 @@ def read_text(file: str) -> Source:
     raise Rejected(Diagnostic("NS0717", message, helps=helps), status=2)
 
 
-@click.command(name="disasm", cls=CommonCommand)
+@common_command("disasm")
 @click.argument("file", metavar="FILE.icw")
 @click.option("-o", "output", type=OutPath(str), metavar="OUT",
               help="Where to write (default: standard output).")  # fmt: skip
@@ -82,7 +82,7 @@ def disasm(file: str, output: str | None) -> None:
         write_whole(Path(output), text.encode("utf-8"))
 
 
-@click.command(name="diff", cls=CommonCommand)
+@common_command("diff")
 @click.argument("first", metavar="A.icw")
 @click.argument("second", metavar="B.icw")
 def diff(first: str, second: str) -> None:
@@ -91,7 +91,7 @@ def diff(first: str, second: str) -> None:
     click.echo("\n".join(lines) if lines else "identical")
 
 
-@click.command("prove", cls=CommonCommand)
+@common_command("prove")
 @click.argument("file", type=PATH)
 @build_options
 def prove(file: Path, **options: Any) -> None:
@@ -120,7 +120,7 @@ def prove(file: Path, **options: Any) -> None:
     )
 
 
-@click.command("shutters", cls=CommonCommand)
+@common_command("shutters")
 @click.argument("file", type=PATH)
 @click.option("-o", "out", required=True, metavar="S.npz|S.mat|S.npy", type=OUT,
               help="The file to write.")  # fmt: skip
@@ -144,7 +144,7 @@ def shutters(file: Path, out: Path, **options: Any) -> None:
     click.echo(f"wrote {out.as_posix()}", err=True)
 
 
-@click.command("export-mask", cls=CommonCommand)
+@common_command("export-mask")
 @click.argument("program", metavar="PROGRAM", type=PATH)
 @click.option("-o", "out", required=True, metavar="MASK.npy|npz|mat", type=OUT, help="The mask.")
 @click.option("--bucket", metavar="NAME", help="Write the shutters of this bucket only.")

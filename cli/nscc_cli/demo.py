@@ -11,12 +11,12 @@ import click
 from nscc.requirements import line_for
 from nscc_cli.completion import RUN
 from nscc_cli.options import OUT, SCENE, declared, section, tone_option
-from nscc_cli.support import CommonCommand, progress, say, say_done
+from nscc_cli.support import common_command, progress, say, say_done
 from nscc_runtime.scenes import Scene
 from nscc_runtime.simulate import Listener, Request
 
 
-@click.command("demo", cls=CommonCommand)
+@common_command("demo")
 @click.argument("scene", metavar="[PHOTO|CLIP]", required=False)
 @click.option("-o", "out", type=OUT, metavar="DIR",
               help="The folder for the pictures (default: NAME_demo, or demo).")  # fmt: skip

@@ -14,8 +14,8 @@ from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import LEVEL, OUT
 from nscc_cli.runtime_options import fit_option, placing_options
 from nscc_cli.support import (
-    CommonCommand,
     NumberRange,
+    common_command,
     progress,
     refuse_ignored,
     say,
@@ -37,7 +37,7 @@ _CLIP_PARTS = 16
 """The number of time intervals of a frame in which motion is measured."""
 
 
-@click.command("design", cls=CommonCommand)
+@common_command("design")
 @shared.section(shared.SCENE, click.option(
     "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
     help="A scene as in nscc run; for several scenes the errors are averaged in decibels.",

@@ -16,7 +16,7 @@ from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH, given
 from nscc_cli.programs import load_program
 from nscc_cli.runtime_options import link_options, placing_options
-from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_done
+from nscc_cli.support import NumberRange, Subcommands, progress, say, say_done
 from nscc_runtime.simulate import Request
 
 _LONGEST_S = 1e6
@@ -29,7 +29,7 @@ def command() -> None:
     PORT is a serial device such as /dev/ttyACM0, or the port that `nscc device serve` prints."""
 
 
-@command.command("serve", cls=CommonCommand)
+@command.command("serve")
 @shared.section(shared.SCENE, click.option(
     "--scene", type=SCENE, help="The scene of the stand-in: a file, a folder or builtin:NAME."
 ))  # fmt: skip
@@ -84,7 +84,7 @@ def _report(error: Exception) -> None:
         support.show([Diagnostic("NS0768", message)])
 
 
-@command.command("info", cls=CommonCommand)
+@command.command("info")
 @click.argument("port")
 @click.option("--json", "as_json", is_flag=True, help="Print it as JSON.")
 @link_options
@@ -102,7 +102,7 @@ def info(port: str, as_json: bool, **options: Any) -> None:
     )
 
 
-@command.command("upload", cls=CommonCommand)
+@command.command("upload")
 @click.argument("port")
 @shared.program_argument
 @shared.pixels_option
@@ -121,7 +121,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
     say_done(f"{port} holds '{program.name}': {sent.words} words, {len(sent.stream)} bytes")
 
 
-@command.command("capture", cls=CommonCommand)
+@command.command("capture")
 @click.argument("port")
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
 @click.option("-o", "out", type=OUT, help="A frame file: one frame.")
@@ -180,7 +180,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
             say_done(f"wrote {path}")
 
 
-@command.command("calibrate", cls=CommonCommand)
+@command.command("calibrate")
 @click.argument("port")
 @click.option("-o", "out", type=OUT, required=True, help="The target file.")
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml",

@@ -20,7 +20,7 @@ from nscc_cli.options import (
     slots_axis_option,
 )
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, NumberRange, say, say_done
+from nscc_cli.support import NumberRange, common_command, say, say_done
 
 if TYPE_CHECKING:
     from nscc_training.array_files import Axis
@@ -37,7 +37,7 @@ def _beside_program(out: Path, arrays: str) -> Path:
     return path
 
 
-@click.command("import-mask", cls=CommonCommand)
+@common_command("import-mask")
 @click.argument("mask", metavar="MASK.npy|npz|mat", type=PATH)
 @_PROGRAM
 @click.option("--slot-us", type=NumberRange(1e-3, 1e9), default=125.0, show_default=True,
@@ -72,7 +72,7 @@ def import_mask(
     ]))  # fmt: skip
 
 
-@click.command("import-network", cls=CommonCommand)
+@common_command("import-network")
 @click.argument("model", metavar="MODEL.pt|onnx", type=PATH)
 @_PROGRAM
 @click.option("--frame-us", type=NumberRange(1e-3, 1e9), default=33_000.0, show_default=True,
@@ -113,7 +113,7 @@ def _place(
     return int(row), int(col)
 
 
-@click.command("import-frame", cls=CommonCommand)
+@common_command("import-frame")
 @click.argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)
 @click.argument("files", metavar="FILE..|NAME=FILE..", nargs=-1, required=True)
 @click.option("-o", "out", required=True, metavar="FRAME.npz", type=OUT, help="The frame file.")

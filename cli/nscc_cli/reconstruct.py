@@ -12,14 +12,14 @@ from nscc.files import refuse_same, write_together
 from nscc.requirements import line_for
 from nscc_cli.completion import RUN, RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, slots_axis_option, tone_option, trust_code_option
-from nscc_cli.support import CommonCommand, say, say_done
+from nscc_cli.support import common_command, say, say_done
 
 if TYPE_CHECKING:
     from nscc_training.array_files import Axis
     from nscc_training.reconstruct_any import Method, Reconstruction
 
 
-@click.command("reconstruct", cls=CommonCommand)
+@common_command("reconstruct")
 @click.argument("run", type=RUN_OR_ANY, metavar="[any|RUN]")
 @click.argument("frame", metavar="FRAME.npz", type=PATH, required=False)
 @click.option("-o", "out", required=True, metavar="OUT", type=OUT,
@@ -181,7 +181,7 @@ def _of_measurement(
     return reconstruct_measurement(measurement, model, method)
 
 
-@click.command("classify", cls=CommonCommand)
+@common_command("classify")
 @click.argument("run", type=RUN, metavar="RUN")
 @click.argument("frame", metavar="FRAME.npz", type=PATH)
 @click.option("--json", "as_json", is_flag=True, help="Print the likelihoods as JSON.")

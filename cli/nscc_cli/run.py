@@ -25,7 +25,7 @@ from nscc_cli.options import OUT, PATH, given
 from nscc_cli.programs import load_program
 from nscc_cli.runtime_options import fit_option, link_options, placing_options
 from nscc_cli.support import (
-    CommonCommand,
+    common_command,
     given_options,
     progress,
     refuse_ignored,
@@ -55,7 +55,7 @@ def _refuse_tolerance_max(
         )
 
 
-@click.command(name="run", cls=CommonCommand)
+@common_command("run")
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
 @shared.section(
     shared.SCENE,

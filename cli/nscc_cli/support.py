@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable, Iterator, Sequence, Sized
+from collections.abc import Callable, Iterable, Iterator, Sequence, Sized
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -218,6 +218,11 @@ class CommonCommand(click.Command):
             return super().invoke(ctx)
 
 
+def common_command(name: str) -> Callable[[Callable[..., Any]], CommonCommand]:
+    """Return a decorator that makes a function the command `name`."""
+    return click.command(name, cls=CommonCommand)
+
+
 def _paths(value: Any) -> Iterator[Path]:
     """Yield the paths that a parameter's value contains."""
     if isinstance(value, str | Path):
@@ -252,6 +257,7 @@ class Subcommands(CommonCommand, click.Group):
     """A command with subcommands; other names go to the subcommand `of` if it `accepts` them, else
     they are rejected (NS0781)."""
 
+    command_class = CommonCommand
     unknown = "command '{group} {name}'"
     """The description of an unknown name in the error message."""
 

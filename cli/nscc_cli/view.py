@@ -12,12 +12,12 @@ from nscc.files import write_whole
 from nscc.words.legality import refuse_planes
 from nscc_cli.options import OUT, PATH, build_options, tone_option
 from nscc_cli.programs import compile_program, load_program
-from nscc_cli.support import CommonCommand, say, say_done
+from nscc_cli.support import common_command, say, say_done
 
 _PROGRAMS = (".nsl", ".icw")
 
 
-@click.command(name="view", cls=CommonCommand)
+@common_command("view")
 @click.argument("program", metavar="FILE|RUN", type=PATH)
 @click.option("-o", "out", type=OUT,
               help="The picture (default: the program's name with .png, in this "

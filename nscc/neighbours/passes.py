@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import ceil, log2
+from typing import Any
 
 from nscc.cache.results import Results
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
@@ -23,9 +24,21 @@ from nscc.prove.meaning import reaches
 from nscc.syntax.parse import declared_at
 from nscc.words.container import Container
 from nscc.words.encoding import encode
-from nscc.words.pictures import Condition, PictureCost, Pictures, Sum, TailLaunch
+from nscc.words.pictures import (
+    Condition,
+    Node,
+    Picture,
+    PictureCost,
+    Pictures,
+    Sum,
+    TailLaunch,
+    with_operands,
+)  # fmt: skip
 
 _LEVEL_OF_ALTERNATIVES = 2
+_LEVEL_OF_CHANGES, _STEPS_OF_CHANGES = 1, 4000
+"""Highest optimisation level at which an error message tries changes of a program, and the steps of
+the searches for all of them."""
 
 
 def with_pictures(
@@ -77,11 +90,23 @@ def lowered(
 ) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
     do not fit. From level 2 on, the shortest of several alternatives is returned."""
+    forms = WordForms.choices(container.target)
+    searches = [Synthesis(STEPS_OF_LEVEL[level], form, results) for form in forms]
+    return _shortest(container, pictures, level, searches)
+
+
+def _shortest(
+    container: Container, pictures: Pictures, level: int, searches: Sequence[Synthesis]
+) -> Lowering:
+    pictures = replace(
+        pictures,
+        items=tuple(Picture(item.name, _without_zeros(item.node)) for item in pictures.items),
+        states=tuple(replace(s, next=_without_zeros(s.next)) for s in pictures.states),
+    )
     ways = [pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())]
     best: Lowering | None = None
     refused: PictureRefused | None = None
-    for forms in WordForms.choices(container.target):
-        synthesis = Synthesis(STEPS_OF_LEVEL[level], forms, results)
+    for synthesis in searches:
         for way in ways:
             try:
                 lowering = _lowered(container, way, synthesis)
@@ -94,6 +119,13 @@ def lowered(
         assert refused is not None
         raise refused
     return best
+
+
+def _without_zeros(node: Node) -> Any:
+    """Return an expression without terms that are multiplied by 0."""
+    if isinstance(node, Sum):
+        node = Sum(tuple(term for term in node.terms if term[0]))
+    return with_operands(node, _without_zeros)
 
 
 def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> Lowering:
@@ -228,13 +260,17 @@ def _beyond_range(
         f"registers of {target.name} hold {target.register_min_e:g} to {target.register_max_e:g} e"
     ]
     least = max(1, ceil(log2(over) - 1e-9))
+    level = min(level, _LEVEL_OF_CHANGES)
+    searches = [Synthesis(STEPS_OF_LEVEL[level], form) for form in WordForms.choices(target)]
+    for search in searches:
+        search.budget = _STEPS_OF_CHANGES
     other = refused
     for halvings in range(least, least + _MORE_HALVINGS):
         smaller = _with_item_divided(pictures, refused.name, 2**halvings)
         try:
-            lowered(container, smaller, level)
+            _shortest(container, smaller, level, searches)
         except PictureRefused as refused_smaller:
-            other = refused_smaller
+            other = other if refused_smaller.kind == "steps" else refused_smaller
             continue
         helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: this compiles")
         break
@@ -243,7 +279,7 @@ def _beyond_range(
     while share >= 1:
         limits = dict.fromkeys(pictures.limits_e, share / 100 * target.full_well_e)
         try:
-            lowered(container, replace(pictures, limits_e=limits), level)
+            _shortest(container, replace(pictures, limits_e=limits), level, searches)
         except PictureRefused:
             share //= 2
             continue

@@ -34,7 +34,7 @@ from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.words.container import Container
 from nscc.words.legality import target_fault
-from nscc.words.readout import converter_of, preparation_of
+from nscc.words.readout import converted_buckets, converter_of, preparation_of
 
 
 class Replay(ReplayPixels):
@@ -127,11 +127,11 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
 
     Random values suffice, because the words are linear."""
     preparation = preparation_of(container)
-    buckets = {readout.register: readout.bucket for readout in container.readouts}
+    buckets = converted_buckets(container)
     for word in preparation.words:
         fault = target_fault(word, container.target)
         if fault is not None:
-            return next(iter(buckets.values())), f"the target does not support `{word}`: {fault}"
+            return container.buckets[0], f"the target does not support `{word}`: {fault}"
     replay = Replay(replace(container, encoding=container.encoding[:1]), ())
     replay.start_frame()
     before = {name: float(replay.analog[name][0, 0]) for name in buckets}

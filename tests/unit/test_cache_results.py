@@ -59,7 +59,7 @@ def searches(monkeypatch: pytest.MonkeyPatch) -> list[int]:
         made.append(level)
         yield from solutions(problem, machine, level, faults)
 
-    monkeypatch.setattr("nscc.lower.gates.solutions", counted)
+    monkeypatch.setattr("nscc.lower.gate_search.solutions", counted)
     return made
 
 
@@ -316,7 +316,7 @@ def test_every_solution_can_be_kept(name: str, lowering: str, tmp_path: Path) ->
         yield from solutions(problem, machine, level, faults)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("nscc.lower.gates.solutions", overhear)
+        patch.setattr("nscc.lower.gate_search.solutions", overhear)
         built(TEXTS[name], lowering=lowering, cache=False)
     problem, machine = asked[0]
     results = Results(Store(tmp_path))

@@ -156,6 +156,39 @@ def test_a_chip_whose_exposures_are_in_news_is_refused() -> None:
     assert [diagnostic.code for diagnostic in caught.value.diagnostics] == ["NS0538"]
 
 
+@pytest.mark.parametrize(
+    "condition",
+    ["5% < exposure", "3% < exposure < 5%", "(5%) < exposure", "exposure > (5%)", "-5% < exposure",
+     "900e < exposure and 3lsb < exposure", "h xor 5% >= exposure"],
+)  # fmt: skip
+def test_levels_in_next_are_those_in_a_plane(condition: str) -> None:
+    kept = "state h : bit = 0 kept "
+    plane = program(ONE + kept + f"plane p = {condition} read p, h").pictures.items[0].node
+    (state,) = program(ONE + kept + f"next h = {condition} read h").pictures.states
+    assert state.next == plane
+
+
+def test_a_remainder_in_next_stays_one() -> None:
+    text = (
+        "nsl 3 frame 4 slots of 1ms sense full when exposure > 30% at n in [2, 4] "
+        "state s : 0..4 = 0 next s = {} when full open when n < 2 read s"
+    )
+    expected = program(text.format("2")).machine.values.tolist()
+    for remainder in ("5% 3", "5 %3", "(5% 3)", "7 -(5% 10)"):
+        assert program(text.format(remainder)).machine.values.tolist() == expected
+
+
+def test_changes_of_a_program_are_tried_for_a_limited_number_of_steps(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    kernel = "kernel s = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] image i = s(exposure) read i"
+    monkeypatch.setattr("nscc.neighbours.passes._STEPS_OF_CHANGES", 0)
+    with pytest.raises(Rejected) as caught:
+        program(ONE + kernel)
+    (found,) = caught.value.diagnostics
+    assert found.helps == ("use smaller factors, or fewer and smaller convolution kernels",)
+
+
 def test_too_large_values_have_ways_out_that_compile() -> None:
     kernel = "kernel s = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] image i = s(exposure) read i"
     with pytest.raises(Rejected) as caught:

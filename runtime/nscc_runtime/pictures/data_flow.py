@@ -96,6 +96,8 @@ def _layers(graph: DiGraph) -> list[list[Node]]:
     for node in neighbours:
         if not isinstance(node, str):
             layers[node[2]].append(node)
+    for node in {*graph} - neighbours.keys():
+        neighbours[node] = [node]  # a constant that nothing reads keeps its place
     for sweep in range(_SWEEPS):
         for layer in layers if sweep % 2 == 0 else reversed(layers):
             at = {node: (i + 0.5) / len(row) for row in layers for i, node in enumerate(row)}

@@ -234,7 +234,8 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
     axes.spines[:].set_visible(False)
     for boundary in machine.looks:
         axes.axvline(edges[boundary], color=look().ink, linewidth=0.6, linestyle=":", alpha=0.5)
-    flips = np.array(courses.flips[:: -(-len(courses.flips) // _MOST_FLIPS)]).reshape(-1, 2)
+    every = max(1, -(-len(courses.flips) // _MOST_FLIPS))
+    flips = np.array(courses.flips[::every], np.float64).reshape(-1, 2)
     axes.plot(edges[flips[:, 0].astype(int)], flips[:, 1], ".", color=look().ink, clip_on=False)
     light, slot = np.nonzero(courses.resets[:, 1:])
     axes.plot(edges[slot + 1], courses.wells[light], "|", color=look().series[1], markersize=2)

@@ -9,12 +9,13 @@ from typing import Any
 from nscc.limits.families import families
 from nscc.limits.survey import limit_of
 from nscc.pipeline import KINDS, Compiled, Options
-from nscc.toml.kinds import Integer, TextKind
+from nscc.toml.kinds import TextKind
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import (
     axis,
     compiled_of,
+    declared_axes,
     program_fault,
     program_files,
     program_keys,
@@ -78,7 +79,7 @@ def _limit_keys() -> tuple[Key, ...]:
         axis("slot",
              TextKind(pattern=r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)", phrase="a time: 10us"),
              "the length of its slots", "1ms"),
-        axis("level", Integer(0, 3), "as -O", 1),
+        *declared_axes(Options, level=1),
         *target_keys(),
     )  # fmt: skip
 

@@ -7,11 +7,13 @@ from pathlib import Path
 
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.files import write_whole
+from nscc.pipeline import Options
 from nscc.toml.kinds import Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import (
     axis,
+    declared_axes,
     light_files,
     program_files,
     scene_keys,
@@ -33,7 +35,7 @@ def _keys() -> tuple[Key, ...]:
         axis("slots", Integer(2, 4096), "slots of a frame", 256),
         axis("slot_us", Number(0.01, 1e6), "length of a slot in microseconds", 125.0),
         axis("target", TextKind(), "the chip, by name or file", DEFAULT_NAME),
-        axis("level", Integer(0, 3), "as -O", 2),
+        *declared_axes(Options, "level"),
         *sensor_keys(),
     )  # fmt: skip
 
