@@ -33,6 +33,7 @@ from nscc_training.array_files import (
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.baselines.hdr import merge_neighbours
 from nscc_training.measured import Measured
+from nscc_training.problems import listed
 
 _OVEREXPOSED = 0.25
 """Fraction of saturated pixels above which a warning is given."""
@@ -244,8 +245,11 @@ def read_measurement(
         NS0845 for arrays that are missing, do not fit each other, are ambiguous, or hold other
         values.
     """
-    if mask_path is None and (path.suffix.lower() == ".npy" or "mask" not in array_names(path)):
-        raise refused(path, "the array `mask` is missing", "name the file of the mask: --mask MASK")
+    names = [] if path.suffix.lower() == ".npy" else array_names(path)
+    if mask_path is None and "mask" not in names:
+        held = f"it holds {listed(sorted(names)) or 'no array'}; " if names else ""
+        note = f"{held}--mask MASK names the file of the mask"
+        raise refused(path, "the array `mask` is missing", note)
     mask, values = read_mask(mask_path or path), real_array(path, "meas")
     if values.ndim not in (2, 3) or 0 in values.shape:
         raise refused(path, f"`meas` has the shape {values.shape}")
