@@ -155,8 +155,10 @@ def unknown_statement(tokens: Tokens, token: int, others: Iterable[str] = ()) ->
         label=Label(span, "a statement must begin here, or the previous one continue"),
         notes=("statements begin with " + ", ".join(words),),
         helps=(f"`{word}` is a word of version {later}: begin the file with `nsl {later}`",)
-        * (later is not None)
-        or (elsewhere,) * (elsewhere is not None),
+        if later
+        else (elsewhere,)
+        if elsewhere
+        else (),
         fixes=(Fix(did_you_mean(spelling), span, spelling, sure=False),) if spelling else (),
     )
 
