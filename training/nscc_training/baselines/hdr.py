@@ -47,7 +47,7 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
     reach = 2
     while missing.any() and reach <= 2 * max(light.shape):
         # Sums are needed around the missing pixels only.
-        part = tuple(_from_first_to_last(missing.any(axis=axis), reach) for axis in (1, 0))
+        part = tuple(_from_first_to_last(np.any(missing, axis=axis), reach) for axis in (1, 0))
         own, own_weighted = precision[part], weighted[part]
         total = tent_sums(own, reach) + (_OWN - 1) * own
         value = tent_sums(own_weighted, reach) + (_OWN - 1) * own_weighted
