@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from itertools import pairwise
+from operator import eq, ge, gt, le, lt, ne
 from typing import Any, NamedTuple, assert_never
 
 import numpy as np
@@ -318,11 +319,6 @@ def _digit(node: tree.Index, index: Value, book: NDArray[np.bool_], slot: Value)
     return Value(book[row, n], faults)
 
 
-_COMPARE: dict[str, Callable[[Data, Data], Data]] = {
-    "<": lambda a, b: a < b,
-    "<=": lambda a, b: a <= b,
-    ">": lambda a, b: a > b,
-    ">=": lambda a, b: a >= b,
-    "==": lambda a, b: a == b,
-    "!=": lambda a, b: a != b,
-}
+_COMPARE: Mapping[str, Callable[[Data, Data], Data]] = {
+    "<": lt, "<=": le, ">": gt, ">=": ge, "==": eq, "!=": ne,
+}  # fmt: skip
