@@ -105,7 +105,9 @@ class PlaneMaker:
         if gap is not None:
             y, x = gap.place
             notes = (f"at {pixel_text(x, y)}, and at {counted(gap.number, 'pixel')} in all",)
-            self.problems.error(*gap.fault, notes=notes, data={"x": x, "y": y, "pixels": gap.number})
+            self.problems.error(
+                *gap.fault, notes=notes, data={"x": x, "y": y, "pixels": gap.number}
+            )
             return None
         return values
 
