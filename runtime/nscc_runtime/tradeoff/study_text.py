@@ -86,7 +86,6 @@ def _remark(point: Point, measured_plan: MeasuredPlan | None, beaten: bool) -> s
 
 def _budget_text(plan: Plan) -> str:
     rows = [_BUDGET_HEAD, *(_decision(decision) for decision in plan.decisions)]
-    rows += [(name, "", "", "", "", _ms(cost_ms), work) for name, work, cost_ms in plan.costs]
     head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
     words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
     return "\n".join([head, columns(rows, (0, 1, 6), "  "), *words, plan.time_summary])
