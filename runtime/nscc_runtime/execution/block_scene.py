@@ -170,7 +170,9 @@ def lay_out(
     source = (effects.find_part(Moving) and light.motion) or light
     lane = program.lane.reshape(-1)[places]
     # Pixels of a code are neighbours in the arrays, so that they run in the same blocks.
-    order = np.argsort(lane, kind="stable")
+    # 16-bit numbers are sorted by radix, ten times as fast as others.
+    few = lane.astype(np.uint16) if program.lane.max() < 1 << 16 else lane
+    order = np.argsort(few, kind="stable")
     bytes_ = 8 * 5 * (program.most_stretches + 1) * max(len(places), 1)
     parts = np.array_split(order, max(1, -(-bytes_ // _MOST_BYTES)))
     scene = BlockScene(
