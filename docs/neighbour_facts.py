@@ -145,10 +145,10 @@ def emulated(container: Container, scene: str) -> list[Frame]:
     """Return a frame of the emulator, without effects."""
     from nscc_runtime.effects import selected
     from nscc_runtime.neighbours.pictured_program import PicturedProgram
-    from nscc_runtime.scenes import Scene
+    from nscc_runtime.scenes import Scene, scene_light
     from nscc_runtime.sensor import default_sensor
 
-    light = Scene(scene).light(container.slot_us, container.target)
+    light = scene_light(Scene(scene), container.slot_us, container.target)
     program = PicturedProgram(container, default_sensor(container.target), selected("none"))
     return list(program.frames(light, 0, 0, 1))
 

@@ -14,15 +14,17 @@ import argparse
 import shlex
 import warnings
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import Any, NoReturn, get_args
+from typing import Any, NoReturn
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.lower.exposure_plan import LOWERINGS
-from nscc.pipeline import LEVELS, Options
-from nscc.program.program import Codes
+from nscc.pipeline import Options
 from nscc.shutter_program import ShutterProgram, compiled
 from nscc.source import Source
+from nscc.toml.kinds import Flag, Kind
+from nscc.toml.schema import keys_of
+from nscc.toml.toml_text import spelled_value
 
 
 class CellRejected(Rejected):
@@ -45,15 +47,22 @@ class _Line(argparse.ArgumentParser):
 
 
 def _line() -> _Line:
-    """Return the parser of a cell's first line, with the options of `nscc build`."""
+    """Return the parser of a cell's first line, with the options of `nscc build` that take a
+    value."""
     parser = _Line("%%nsl", add_help=False, allow_abbrev=False)
     parser.add_argument("name", nargs="?", metavar="NAME")
-    parser.add_argument("-O", dest="level", type=int, choices=LEVELS)
-    parser.add_argument("--codes", choices=get_args(Codes))
-    parser.add_argument("--lowering", choices=("auto", *LOWERINGS))
-    parser.add_argument("--target")
-    parser.add_argument("--max-words-per-slot", type=int)
+    for key in keys_of(Options):
+        if not isinstance(key.kind, Flag):
+            parser.add_argument(key.option, dest=key.attribute, type=partial(_read, key.kind))
     return parser
+
+
+def _read(kind: Kind, text: str) -> Any:
+    """Return the value of an option."""
+    try:
+        return kind.read(spelled_value(text))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not {kind.allowed}") from None
 
 
 def load_ipython_extension(shell: Any) -> None:

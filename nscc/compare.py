@@ -11,10 +11,9 @@ from nscc.chips.target import Target
 from nscc.columns import columns
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.emit.sending_report import rate_text
 from nscc.lower.resources import time_text
-from nscc.pipeline import Compiled, Options
-from nscc.program.problems import counted
+from nscc.pipeline import KINDS, Compiled, Options
+from nscc.stream.report import rate_text
 from nscc.words.container import Container
 
 NoiseOf = Callable[[Container], tuple[float, float] | None]
@@ -63,20 +62,11 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
     container = compiled.container
     assert container is not None
     noise = noise_of(container) if noise_of is not None else None
-    if compiled.sending is not None:
-        way = compiled.sending
-        frame_us = way.frame_us + target.readout_us  # all taps at once
-        return OnChip(
-            target, compiled, None, way.shortest_slot_us, frame_us, way.bits_a_frame,
-            way.bits_per_us, "nothing", noise,
-        )  # fmt: skip
-    lowered = compiled.lowered
-    assert lowered is not None
-    planes = counted(len(container.code_registers), "plane of code", "planes of code")
-    stored = f"{counted(container.words_stored, 'word')}, {planes}"
-    frame_us = lowered.frame_us + target.readout_us * len(container.readouts)
+    kind, layout = KINDS.of(container), compiled.layout
     return OnChip(
-        target, compiled, None, lowered.shortest_slot_us, frame_us, 0, 0.0, stored, noise
+        target, compiled, None, layout.shortest_slot_us,
+        layout.frame_us + kind.readout_us(container), layout.bits_a_frame, layout.bits_per_us,
+        kind.kept_text(container), noise,
     )  # fmt: skip
 
 

@@ -16,11 +16,10 @@ from nscc.compiler import compile_file
 from nscc.diagnostics.arguments import path_of, shown, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
-from nscc.pipeline import Options
+from nscc.pipeline import KINDS, Options
 from nscc.program.analyse import ranges_of
 from nscc.program.pixel_codes import codes_from
 from nscc.source import Source
-from nscc.stream.passes import with_planes
 from nscc.syntax.parse import read_source
 from nscc.words.container import Container
 from nscc.words.file import read_container
@@ -70,12 +69,12 @@ def with_pixels(
             mode=container.notes.get("codes", ""),
             ranges=partial(ranges_of, source, target, program.parent),
         )
-        return _laid(replace(container, pixel_codes=codes))
+        return KINDS.of(container).with_planes(replace(container, pixel_codes=codes))
     if container.pixel_codes is not None:
         return container
     if not fields:
         everywhere = np.zeros((target.rows, target.cols), np.int32)
-        return _laid(replace(container, pixel_codes=everywhere))
+        return KINDS.of(container).with_planes(replace(container, pixel_codes=everywhere))
     arrays = ", ".join(f"{name}=..." for name in fields)
     raise rejected(
         "NS0741",
@@ -87,11 +86,6 @@ def with_pixels(
             f"{arrays}), integers ({target.rows}, {target.cols})",
         ),
     )
-
-
-def _laid(container: Container) -> Container:
-    """Add the bit planes of the pixel codes, for a chip without logic."""
-    return with_planes(container) if container.target.streamed else container
 
 
 def program_text(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:

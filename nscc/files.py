@@ -78,6 +78,20 @@ def write_whole(path: Path, data: Product) -> None:
 
 
 def write_together(products: Mapping[Path, Product]) -> None:
+    """Write the products of a command; see `store_files`."""
+    store_files(products)
+    _written.extend(path for path in products if path.is_file())
+
+
+_written: list[Path] = []
+
+
+def wrote_files() -> bool:
+    """Return whether this process wrote a product to a file."""
+    return bool(_written)
+
+
+def store_files(products: Mapping[Path, Product]) -> None:
     """Write several files; none is replaced before all data is on the disk.
 
     Raises Rejected (status 2) and leaves no partial file: NS0784 if a file cannot be written,

@@ -11,7 +11,8 @@ from io import StringIO
 from pathlib import Path
 from typing import NamedTuple
 
-from nscc.cache.store import MOST_BYTES, Store, cache_folder
+from nscc.cache.folder import cache_folder, refusal
+from nscc.cache.store import MOST_BYTES, Store
 from nscc.chips.load import load_target, target_names
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.requirements import extras, install_line, installed_version, module_of
@@ -87,11 +88,9 @@ def _targets() -> Finding:
 def _cache() -> Finding:
     folder = cache_folder()
     if folder is None:
-        return Finding(ABSENT, "cache of search results: off (NSCC_CACHE=off, or no home folder)")
+        return Finding(ABSENT, f"cache of search results: {refusal() or 'off (NSCC_CACHE=off)'}")
     store = Store(folder)
     place = f"cache of search results: {folder}"
-    if not store.writable():
-        return Finding(ABSENT, f"{place} is not writable, so nscc runs without a cache")
     usage = (
         f"{store.entries()} results, {store.bytes_used() / 1e6:.1f} of {MOST_BYTES / 1e6:.0f} MB"
     )

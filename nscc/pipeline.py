@@ -4,55 +4,80 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, replace
+from math import inf
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, get_args
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nscc import checks
 from nscc.cache.results import Results, results_of_user
 from nscc.chips.load import load_target
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.kinds import KindTable
+from nscc.lazy import LazyFunctions
 from nscc.lower import fit
-from nscc.lower.exposure_plan import LoweringOption, Planned, frame_time, plan_exposures
-from nscc.lower.gates import Gated, find_gates
-from nscc.lower.lowered import Choice, Lowered, assemble, lay_out
+from nscc.lower.exposure_plan import LOWERINGS, LoweringOption
+from nscc.lower.lowered import Lowered
+from nscc.operations import Op
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
-from nscc.prove.proof import Proof, prove, prove_stream, unproved_error
+from nscc.prove.proof import Proof, unproved_error
 from nscc.record import Record
 from nscc.source import Source
-from nscc.syntax.parse import parse
+from nscc.syntax.parse import declared_at, parse
 from nscc.syntax.tree import File
+from nscc.toml.kinds import Flag, Instance, Integer, TextKind
+from nscc.toml.schema import key
 from nscc.words.container import Container
 from nscc.words.legality import decoded
 
 if TYPE_CHECKING:
-    from nscc.stream.passes import Sending
+    from networkx import DiGraph
 
 LEVELS = (0, 1, 2, 3)
 """Optimisation levels; a higher level allows more steps in the search for gates."""
 
 
-class Options(Record):
+@dataclass(frozen=True)
+class Options:
     """Options of the compiler.
 
-    `level` is one of LEVELS. `target` (a `Target`, or a name or file as for `--target`) replaces
-    the program's own. `price_all` computes the costs of all lowerings, for the report. If
-    `unproved_is_error` is false and only a longer search can decide whether the program fits, this
-    is a note instead of an error. Without `cache`, search results are neither read nor stored.
-    `max_words_per_slot` limits the digital and analog words at every boundary."""
+    `price_all` computes the costs of all lowerings, for the report. If `unproved_is_error` is false
+    and only a longer search can decide whether the program fits, this is a note instead of an
+    error."""
 
-    level: int = 2
-    codes: Codes = "fixed"
-    lowering: LoweringOption = "auto"
-    target: Target | str | None = None
+    level: int = key(
+        Integer(0, 3), "Effort of the search for fewer words", 2,
+        option="-O", default_text="2; check: 1",
+    )  # fmt: skip
+    codes: Codes = key(
+        TextKind(get_args(Codes)), "Compile for the codes in use, or for every legal one", "fixed"
+    )
+    lowering: LoweringOption = key(
+        TextKind(("auto", *LOWERINGS)), "How the exposure is computed", "auto",
+        default_text="auto, the cheapest",
+    )  # fmt: skip
+    target: Target | str | None = key(
+        Instance((Target, str, os.PathLike), "a chip's name, its file or a Target"),
+        "The chip, instead of the chip in the program", None, notation="NAME|FILE.toml",
+    )  # fmt: skip
+    cache: bool = key(
+        Flag(),
+        "Store search results of -O2 and -O3 and reuse them (default), or search again",
+        True, option="--cache/--no-cache",
+    )  # fmt: skip
+    max_words_per_slot: int | None = key(
+        Integer(1, inf),
+        "Reject programs that execute more words than this in any slot", None, notation="W",
+    )  # fmt: skip
     price_all: bool = False
     unproved_is_error: bool = True
-    cache: bool = True
-    max_words_per_slot: int | None = None
 
 
 class Job(Record):
@@ -98,74 +123,11 @@ def make_program(parsed: Parsed, job: Job) -> tuple[Program, Found]:
     return program, program.messages
 
 
-def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
-    """Make an exposure plan for each lowering that supports the program.
-
-    Errors: NS0412 for more shutters than a pixel's registers can distinguish, NS0413 for more
-    buckets than analog registers, NS0414 for a lowering that does not support the program."""
-    fault = fit.capacity_fault(program)
-    if fault is not None:
-        return Planned(program, frame_time(program), (), (), {}), [fault]
-    planned = plan_exposures(program, job.options.lowering)
-    return planned, [] if planned.plans else [fit.plan_fault(program, planned.misfits)]
-
-
-def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
-    """Find gates and encodings for the plans, with their costs; the best comes first.
-
-    Plans that cannot be better than one that fits are not tried, unless all costs are requested.
-    Errors: NS0502 if no gates are found, which does not prove that none exist; NS0905 if a
-    generator of another package returns invalid gates. Warning: NS0504 if a generator fails."""
-    options, results = job.options, job.results
-    search = partial(
-        find_gates,
-        planned,
-        options.level,
-        price_all=options.price_all,
-        results=results,
-        most_words=options.max_words_per_slot,
-    )
-    gated = search()
-    if results is not None and results.read and not gated.fits:
-        # The result that nothing fits is never taken from the cache.
-        results.distrust()
-        gated = search()
-    messages = list({fault.generator: fault.diagnostic() for fault in gated.faults}.values())
-    if not gated.decodings:
-        messages.append(fit.gates_fault(gated.program, gated.misfits, level=options.level))
-    return gated, messages
-
-
-def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
-    """Assign kernels and launches to the frame's boundaries; the best lowering comes first.
-
-    Errors: a program that exceeds the store (NS0501), the slots' time (NS0601), the retention time
-    of registers (NS0602) or the user's limit (NS0603)."""
-    most_words = job.options.max_words_per_slot
-    layouts = (
-        lay_out(gated.program, decoding, gated.time, most_words) for decoding in gated.decodings
-    )
-    failed = tuple(dict.fromkeys(fault.generator for fault in gated.faults))
-    choice = Choice(tuple(layouts), gated.misfits, failed)
-    return choice, fit.faults(choice, level=job.options.level)
-
-
-def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
-    """Convert the best lowering to a container of instruction words.
+def assemble_words(layout: Any, job: Job) -> tuple[Container, Found]:
+    """Convert the layout of a program's words, or bit planes, to a container.
 
     Errors: NS0535, NS0540 and NS0541 for images and planes that exceed the chip's resources."""
-    container, program = assemble(choice.best, job.options.level), choice.best.program
-    if program.pictures is None:
-        return container, []
-    from nscc.neighbours.passes import with_pictures
-
-    return with_pictures(container, program, job.options.level, job.results)
-
-
-def lay_out_looking(layouts: Sequence[Lowered], job: Job) -> tuple[Choice, Found]:
-    """Choose the best words; errors are as for `lay_out_words`."""
-    choice = Choice(tuple(layouts[:1]), {})
-    return choice, fit.faults(choice, level=job.options.level)
+    return KINDS.of(layout.program).assemble(layout, job)
 
 
 def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
@@ -173,19 +135,16 @@ def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
 
     A failed proof is a bug of the compiler, not an error of the program. Errors: those of
     `unproved_error`."""
-    if container.target.streamed:
-        return prove_stream(container), []
+    kind = KINDS.of(container)
     try:
         kernels = decoded(container)
     except Rejected as rejected:
         raise checks.Inconsistent("words that the target does not have") from rejected
-    proof = prove(container, kernels)
+    proof = kind.prove(container, kernels)
     failure = proof.failure
     if failure is None or failure.unproved is None:
         return proof, []
-    from nscc.neighbours.passes import place_of
-
-    span = place_of(job.source, failure.unproved)
+    span = declared_at(job.source, failure.unproved)
     return proof, [unproved_error(failure, job.source, span)]
 
 
@@ -193,124 +152,144 @@ class Pass(Record):
     """A compiler pass.
 
     `run` takes the previous value and the job, and returns the new value and its diagnostics.
-    `verify` raises checks.Inconsistent if the new value violates its invariants."""
+    `verify` raises checks.Inconsistent if the new value violates its invariants. `text` returns the
+    value as text."""
 
     name: str
     run: Callable[[Any, Job], tuple[Any, Found]]
     verify: Callable[[Any], None]
+    text: Callable[[Any], str]
 
 
+_TEXTS = LazyFunctions("nscc.emit.listing")
 _READING = (
-    Pass("parse", parse_text, lambda parsed: checks.check_tree(parsed.source, parsed.tree)),
-    Pass("program", make_program, checks.check_program),
+    Pass("parse", parse_text, lambda p: checks.check_tree(p.source, p.tree), _TEXTS.parsed_text),
+    Pass("program", make_program, checks.check_program, _TEXTS.program_text),
 )
-PASSES = (
-    *_READING,
-    Pass("plan", make_plans, checks.check_plans),
-    Pass("gates", choose_gates, checks.check_gates),
-    Pass("schedule", lay_out_words, checks.check_schedule),
-    Pass("words", make_container, checks.check_words),
-    Pass("prove", prove_words, checks.check_proof),
+_WRITING = (
+    Pass("words", assemble_words, checks.check_words, lambda c: KINDS.of(c).words_text(c)),
+    Pass("prove", prove_words, checks.check_proof, _TEXTS.proof_text),
 )
-"""The passes in order. `nscc build --print-after PASS` prints the value after a pass."""
+PASSES = ("parse", "program", "plan", "gates", "schedule", "words", "prove")
+"""The names of the passes, in order. `nscc build --print-after PASS` prints the value after one."""
 
 
-def _looks() -> Any:
-    """Import the passes for programs with senses on first use."""
-    from nscc.looks import passes
+class ProgramKind(Protocol):
+    """What the compiler does for a kind of program: plan, lower, prove and describe it."""
 
-    return passes
+    passes: ClassVar[tuple[Pass, ...]]
+    """The passes from the program to the layout of its words. The last one is `schedule`."""
+    subject: str
+    """What a container has, in messages: words, or planes."""
+    shutters_known: bool
+    """Whether the shutters are known before the exposure."""
+    has_simpler_programs: bool
+    """Whether programs with simpler rules are suggested for one that does not fit."""
+
+    def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
+        """Return the container of a layout, and the errors of what does not fit behind it."""
+
+    def prove(self, container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
+        """Return the proof that decoded words, or planes, do what the container says."""
+
+    def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
+        """Return the distinct shutters (shutters, buckets, N) that the words open; see
+        `container_proof.replayed`."""
+
+    def refuse_unknown_shutters(self, name: str) -> None:
+        """Raise Rejected (NS0444, status 1) if the shutters depend on the light."""
+
+    def with_planes(self, container: Container) -> Container:
+        """Return a container with what follows from its pixel codes."""
+
+    def product(self, product: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
+        """Return one of `emit.products.SUFFIXES` that not every kind has, by its file name."""
+
+    def gates_text(self, lowered: Any) -> str:
+        """Return the gates of a lowering as text."""
+
+    def network(self, lowered: Any) -> DiGraph:
+        """Return the gates of a lowering as a network."""
+
+    def words_text(self, container: Container) -> str:
+        """Return the words, or a description of the planes, for `--print-after words`."""
+
+    def report(self, compiled: Compiled) -> dict[str, Any]:
+        """Return the build report as JSON values."""
+
+    def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
+        """Return the rows of a summary after class and codes; only some for an unknown layout."""
+
+    def cost_text(self, compiled: Compiled) -> str:
+        """Return the cost of words, or of bit planes, in two lines."""
+
+    def size_text(self, container: Container) -> str:
+        """Return what a frame executes, or is sent, in a few words."""
+
+    def stored_row(self, container: Container) -> tuple[str, str]:
+        """Return the row of a table about what is stored, or sent."""
+
+    def kept_text(self, container: Container) -> str:
+        """Return what the chip keeps between frames."""
+
+    def readout_us(self, container: Container) -> float:
+        """Return the time to read out all buckets."""
+
+    def frame_text(self, compiled: Compiled) -> str:
+        """Return the cost of a frame in sentences; the shortest slot follows."""
+
+    def slot_text(self, compiled: Compiled, slot: int) -> str:
+        """Return the cost of a slot as the rest of a sentence."""
 
 
-LOOKING_PASSES = (
-    *_READING,
-    Pass(
-        "plan", lambda program, job: _looks().plan_of(program, job.options.lowering),
-        checks.check_looking_plan,
-    ),
-    Pass(
-        "gates",
-        lambda plan, job: _looks().lowered_of(
-            plan, job.options.level, job.options.max_words_per_slot
-        ),
-        checks.check_looking_gates,
-    ),
-    Pass("schedule", lay_out_looking, checks.check_schedule),
-    Pass(
-        "words", lambda choice, job: (_looks().container_of(choice.best, job.options.level), []),
-        checks.check_words,
-    ),
-    Pass("prove", prove_words, checks.check_proof),
-)  # fmt: skip
-"""The passes for programs whose shutters depend on the light: the gates implement a state
-machine."""
-
-
-def _stream() -> Any:
-    """Import the passes for chips without logic on first use."""
-    from nscc.stream import passes
-
-    return passes
-
-
-STREAM_PASSES = (
-    *_READING,
-    Pass(
-        "plan",
-        lambda program, job: _stream().plan_of(
-            program, job.options.lowering, job.options.max_words_per_slot
-        ),
-        checks.check_route,
-    ),
-    Pass("schedule", lambda sending, _job: _stream().timed(sending), checks.check_loadings),
-    Pass("words", lambda sending, _job: (_stream().container_of(sending), []), checks.check_words),
-    Pass("prove", prove_words, checks.check_proof),
+KINDS: KindTable[ProgramKind] = KindTable(
+    fixed="nscc.fixed.kind:FixedShutters",
+    images="nscc.neighbours.kind:Images",
+    looks="nscc.looks.kind:Looks",
+    stream="nscc.stream.kind:BitPlanes",
 )
-"""The passes for chips without logic, which need no gates."""
+"""The kinds of programs that the compiler knows."""
 
 
 def _passes(values: Mapping[str, Any]) -> Iterator[Pass]:
     """Yield the passes for a program, whose kind is known after the first two passes."""
-    read = len(_READING)
-    yield from PASSES[:read]
-    program: Program = values["program"]
-    chip = STREAM_PASSES if program.target.streamed else PASSES
-    yield from (chip if program.machine is None else LOOKING_PASSES)[read:]
+    yield from _READING
+    yield from KINDS.of(values["program"]).passes
+    yield from _WRITING
 
 
-Observer = Callable[[str, Any], None]
-"""A function called with (pass name, value) after each pass, before the value is verified."""
+Observer = Callable[[Pass, Any], None]
+"""A function called with (pass, value) after each pass, before the value is verified."""
 
 
 class Compiled(Record):
     """A successfully compiled program: its proved words and its diagnostics.
 
-    `choice`, `container` and `proof` are None only if `unproved_is_error` is false and it is
-    unknown whether the program fits. For a chip without logic, `sending` replaces `choice`."""
+    `layout` is the value of the pass `schedule`: a `Choice`, or a `Sending` for a chip without
+    logic. `layout`, `container` and `proof` are None only if `unproved_is_error` is false and it is
+    unknown whether the program fits."""
 
     tree: File
     program: Program
-    choice: Choice | None
+    layout: Any
     container: Container | None
     proof: Proof | None
     diagnostics: tuple[Diagnostic, ...]
-    sending: Sending | None = None
 
     @property
     def lowered(self) -> Lowered | None:
         """The chosen lowering; None for a chip without logic, or if it is unknown whether the
         program fits."""
-        return None if self.choice is None else self.choice.best
+        return getattr(self.layout, "best", None)
 
     @property
     def shortest_slot_us(self) -> float:
         """The shortest slot in microseconds that fits its words, or the loading of its bit plane.
 
         Raises ValueError if it is unknown whether the program fits."""
-        plan = self.lowered or self.sending
-        if plan is None:
+        if self.layout is None:
             raise ValueError("nothing was laid out")
-        return plan.shortest_slot_us
+        return float(self.layout.shortest_slot_us)
 
     def __repr__(self) -> str:
         words = "no words" if self.container is None else f"{self.container!r}"
@@ -333,7 +312,7 @@ def run_passes(
     Raises Rejected with all errors, or Unfit if the program only does not fit its target."""
     if options.level not in LEVELS:
         raise ValueError(f"level {options.level} is not one of {LEVELS}")
-    see = see or (lambda _name, _value: None)
+    see = see or (lambda _pass, _value: None)
     results = results_of_user() if options.cache else None
     job = Job(source, options, base, results)
     try:
@@ -346,15 +325,14 @@ def run_passes(
     return _run(source, job, see)
 
 
-def all_lowerings(program: Program, options: Options) -> Choice:
-    """Return all lowerings of a program that compiled with these options, with their words."""
-    priced = replace(options, price_all=True)
+def with_all_lowerings(compiled: Compiled, options: Options) -> Compiled:
+    """Return the program, compiled with these options, with the words of all lowerings."""
     results = results_of_user() if options.cache else None
-    job = Job(program.source, priced, Path(), results)
-    value: Any = program
-    for step in (make_plans, choose_gates, lay_out_words):
-        value, _ = step(value, job)
-    return cast(Choice, value)
+    job = Job(compiled.program.source, replace(options, price_all=True), Path(), results)
+    value: Any = compiled.program
+    for compiler_pass in KINDS.of(compiled.program).passes:
+        value, _ = compiler_pass.run(value, job)
+    return replace(compiled, layout=value)
 
 
 def _run(source: Source, job: Job, see: Observer) -> Compiled:
@@ -365,7 +343,7 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
     for compiler_pass in _passes(values):
         value, diagnostics = compiler_pass.run(value, job)
         values[compiler_pass.name] = value
-        see(compiler_pass.name, value)
+        see(compiler_pass, value)
         errors = [d for d in diagnostics if d.severity is Severity.ERROR]
         unproved = all(map(fit.only_search_can_tell, errors))
         if errors and (job.options.unproved_is_error or not unproved):
@@ -384,7 +362,6 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
 
 def _compiled(values: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
     names = ("schedule", "words", "prove")
-    laid_out, container, proved = (values[name] if fits else None for name in names)
+    layout, container, proof = (values[name] if fits else None for name in names)
     tree, program = values["parse"].tree, values["program"]
-    choice, sending = (None, laid_out) if program.target.streamed else (laid_out, None)
-    return Compiled(tree, program, choice, container, proved, tuple(messages), sending)
+    return Compiled(tree, program, layout, container, proof, tuple(messages))

@@ -16,36 +16,32 @@ import os
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.compiler import compile_source
+from nscc.container_proof import replayed
 from nscc.containers import program_text, with_pixels
 from nscc.diagnostics.arguments import (
-    flag,
-    one_of,
     path_of,
-    require_whole_number,
-    shown,
     warn,
     wrong_argument,
 )
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_together
-from nscc.lower.exposure_plan import LOWERINGS, LoweringOption
-from nscc.pipeline import LEVELS, Compiled, Options, all_lowerings
+from nscc.lower.exposure_plan import LoweringOption
+from nscc.pipeline import KINDS, Compiled, Options, with_all_lowerings
 from nscc.program.problems import counted
 from nscc.program.program import Codes
-from nscc.prove.shutters import replayed
 from nscc.source import Source
+from nscc.toml.arguments import argument, checked
+from nscc.toml.kinds import Flag
 from nscc.words.container import Container
 from nscc.words.file import read_container, to_bytes
-
-_DEFAULTS = Options()
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -144,7 +140,7 @@ class ShutterProgram:
         """
         table = self.container.table
         at_code = self._replayed[table.shutter_of_code].transpose(1, 0, 2)
-        if not flag("shutters", "pixels", pixels):
+        if not argument("shutters", "pixels", Flag(), pixels):
             return at_code.copy()
         at_pixel = table.shutter_of_code[self.code_at_pixels]
         laid = self._replayed.transpose(1, 2, 0)
@@ -170,12 +166,8 @@ class ShutterProgram:
         Rejected
             NS0743 for a loaded program, which has no report.
         """
-        from nscc.emit.products import report_of
-
         compiled, options = self._as_compiled("report")
-        if compiled.sending is None:
-            compiled = replace(compiled, choice=all_lowerings(compiled.program, options))
-        return report_of(compiled)
+        return KINDS.of(compiled.program).report(with_all_lowerings(compiled, options))
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the program to a file, completely or not at all.
@@ -242,16 +234,11 @@ class ShutterProgram:
     def __repr__(self) -> str:
         name = self.container.notes.get("class", "")
         kind = f"class {name}, " if len(name) == 1 else f"{name}, " if name else ""
+        size = KINDS.of(self.container).size_text(self.container)
         return (
             f"<nscc program {self.name!r}: {kind}{counted(len(self.container.table.codes), 'code')}"
-            f", {counted(self.slots, 'slot')}, {self._a_frame} a frame, for {self.target.name}>"
+            f", {counted(self.slots, 'slot')}, {size} a frame, for {self.target.name}>"
         )
-
-    @property
-    def _a_frame(self) -> str:
-        if self.target.streamed:
-            return counted(self.slots, "bit plane")
-        return counted(self.words_per_frame, "word")
 
     def _repr_html_(self) -> str:
         from nscc.emit.notebook import program_card
@@ -260,14 +247,6 @@ class ShutterProgram:
 
     @cached_property
     def _replayed(self) -> NDArray[np.bool_]:
-        if self.container.machine is not None:
-            raise rejected(
-                "NS0442",
-                f"the shutters of '{self.name}' depend on the light: they are unknown "
-                "before the exposure",
-                helps=("a captured frame contains the open time of each pixel: `open_slots`",),
-                status=1,
-            )
         return replayed(self.container, f"'{self.name}'")
 
     @cached_property
@@ -306,12 +285,12 @@ class ShutterProgram:
 def compile(
     source: str | os.PathLike[str],
     *,
-    target: Target | str | os.PathLike[str] | None = _DEFAULTS.target,
-    level: int = _DEFAULTS.level,
-    codes: Codes = _DEFAULTS.codes,
-    lowering: LoweringOption = _DEFAULTS.lowering,
-    max_words_per_slot: int | None = _DEFAULTS.max_words_per_slot,
-    cache: bool = _DEFAULTS.cache,
+    target: Target | str | os.PathLike[str] | None = Options.target,
+    level: int = Options.level,
+    codes: Codes = Options.codes,
+    lowering: LoweringOption = Options.lowering,
+    max_words_per_slot: int | None = Options.max_words_per_slot,
+    cache: bool = Options.cache,
     folder: str | os.PathLike[str] | None = None,
 ) -> ShutterProgram:
     """Compile a program and prove its words.
@@ -345,20 +324,7 @@ def compile(
     Rejected
         With all errors and their places. Warnings are Python warnings.
     """
-    one_of("nscc.compile", "level", level, LEVELS)
-    one_of("nscc.compile", "codes", codes, get_args(Codes))
-    one_of("nscc.compile", "lowering", lowering, ("auto", *LOWERINGS))
-    if not (target is None or isinstance(target, Target | str | os.PathLike)):
-        raise wrong_argument(
-            f"nscc.compile: target is a chip's name, its file or a Target, not {shown(target)}"
-        )
-    chip = target if target is None or isinstance(target, Target) else os.fspath(target)
-    if max_words_per_slot is not None:
-        require_whole_number("nscc.compile", "max_words_per_slot", max_words_per_slot, least=1)
-    options = Options(
-        level=int(level), codes=codes, lowering=lowering, target=chip,
-        cache=flag("nscc.compile", "cache", cache), max_words_per_slot=max_words_per_slot,
-    )  # fmt: skip
+    options = Options(**checked("nscc.compile", Options, locals()))
     return compiled(*program_text(source, folder), options)
 
 

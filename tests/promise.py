@@ -12,11 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from nscc.words.container import Container
-from nscc_runtime import plan
-from nscc_runtime.effects import Selection, everything
+from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.execution.block_scene import expose_pixels, lay_out
 from nscc_runtime.light import Light
+from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.plan_request import PlanRequest
+from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.sensor import Sensor
 
 POOLED = 65536
@@ -35,13 +37,16 @@ class Outcome:
 
     @property
     def kept(self) -> bool:
-        """Whether the error is within 1.1 times the tolerance."""
+        """Whether the error is within 1.1 times the tolerance; nothing may be dropped without
+        measuring."""
+        if self.plan.tolerance_e is None:
+            return self.err == 0.0
         return self.err <= 1.1 * self.plan.tolerance_e
 
     @property
     def counts(self) -> bool:
         """Whether the error is large enough for its prediction to be judged."""
-        return self.err >= max(0.05, 0.1 * self.plan.tolerance_e)
+        return self.plan.measured and self.err >= max(0.05, 0.1 * self.plan.tolerance_e)
 
     @property
     def foreseen(self) -> bool:
@@ -95,13 +100,12 @@ def full_frames(
 
 def outcome(
     container: Container, light: Light, sensor: Sensor, tolerance: float | str, full: np.ndarray,
-    device_seed: int = 5, effects: str = "auto",
+    device_seed: int = 5, effects: str = "auto", figures: bool = True,
 ) -> Outcome:  # fmt: skip
-    """Plan, and measure the plan's error beside the frames `full`."""
-    made = plan(
-        container, light, sensor=sensor, effects=effects, tolerance=tolerance,
-        device_seed=device_seed,
-    )  # fmt: skip
+    """Plan, with the figures of the table or as quickly as for frames of a run, and measure the
+    plan's error beside the frames `full`."""
+    scene = planning_of(container, sensor, light, device_seed, threads=1)
+    made = make_plan(scene, PlanRequest(selected(effects), tolerance, figures=figures))
     return Outcome(made, error_of(made, full, container, light, sensor, device_seed))
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shlex
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -13,16 +12,16 @@ import click
 from nscc.containers import SUFFIX
 from nscc.diagnostics.rejection import rejected
 from nscc.emit.products import SUFFIXES, emitted
-from nscc.emit.summary import cost_text
 from nscc.files import refuse_inputs, write_together
+from nscc.pipeline import KINDS, PASSES, Observer, Pass
 from nscc.words.legality import refuse_planes
 from nscc_cli.completion import PASS, PRODUCTS
 from nscc_cli.options import OUT, PATH, build_options
 from nscc_cli.programs import compile_program
-from nscc_cli.support import CommonCommand, say, say_done
+from nscc_cli.support import common_command, say, say_done
 
 
-@click.command("build", cls=CommonCommand)
+@common_command("build")
 @click.argument("file", type=PATH)
 @click.option("-o", "out", type=OUT, metavar="OUT.icw",
               help="The container (default: FILE with .icw; with --emit, none).")  # fmt: skip
@@ -44,7 +43,7 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
         price_all="report" in places_by_kind,  # only the report lists the other lowerings
         see=_printer(after),
     )
-    if after == "gates" and compiled.sending is not None:
+    if after == "gates":
         refused_option = "--print-after gates does not apply to this program"
         refuse_planes(compiled.program.target, refused_option, "its other passes can be printed")
     say(compiled.diagnostics)
@@ -67,7 +66,7 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
     write_together(products)
     if products:
         click.echo("wrote " + ", ".join(path.as_posix() for path in products), err=True)
-        say_done(cost_text(compiled))
+        say_done(KINDS.of(compiled.program).cost_text(compiled))
 
 
 def _check_container_name(out: Path) -> None:
@@ -106,25 +105,20 @@ def _kinds(text: str) -> dict[str, bool]:
     return places_by_kind
 
 
-def _printer(after: str | None) -> Callable[[str, Any], None] | None:
+def _printer(after: str | None) -> Observer | None:
     """Return an observer of passes that prints the result of the pass named `after`."""
     if after is None:
         return None
-    from nscc.pipeline import PASSES
-
-    names = [pass_.name for pass_ in PASSES]
-    if after not in names:
+    if after not in PASSES:
         raise rejected(
             "NS0506",
             f"unknown compiler pass '{after}'",
-            notes=("passes in their order: " + ", ".join(names),),
+            notes=("passes in their order: " + ", ".join(PASSES),),
         )
 
-    def see(name: str, value: Any) -> None:
-        if name == after:
-            from nscc.emit.listing import text_after
-
-            _print(text_after(name, value).encode())
+    def see(compiler_pass: Pass, value: Any) -> None:
+        if compiler_pass.name == after:
+            _print(compiler_pass.text(value).encode())
 
     return see
 

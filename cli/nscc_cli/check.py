@@ -16,13 +16,13 @@ from nscc.emit.summary import summary
 from nscc.program.problems import counted
 from nscc_cli.options import PATH, build_options
 from nscc_cli.programs import compile_program
-from nscc_cli.support import CommonCommand, say, say_done, session, show
+from nscc_cli.support import common_command, say, say_done, session, show
 
 _MOST_ROUNDS = 20
 """Most passes of automatic fixes over a file; each pass fixes at least one error."""
 
 
-@click.command("check", cls=CommonCommand)
+@common_command("check")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...", type=PATH)
 @click.option("--fix", is_flag=True,
               help="First apply all safe fixes to the files; names are not guessed.")  # fmt: skip

@@ -1,4 +1,5 @@
-"""`nscc asm`, `disasm`, `diff`, `prove` and `shutters`: commands for compiled programs."""
+"""`nscc asm`, `disasm`, `diff`, `prove`, `shutters`, `export-mask`: commands for compiled
+programs."""
 
 from __future__ import annotations
 
@@ -18,12 +19,12 @@ from nscc.words.encoding import word_text
 from nscc.words.file import read_container, to_bytes
 from nscc_cli.options import OUT, PATH, build_options
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, OutPath, refuse_ignored, say
+from nscc_cli.support import OutPath, common_command, refuse_ignored, say
 
 _LARGEST_TEXT = 1 << 30
 
 
-@click.command(name="asm", cls=CommonCommand)
+@common_command("asm")
 @click.argument("file", metavar="FILE|-")
 @click.option("-o", "output", type=OutPath(str), metavar="OUT",
               help="Where to write (default: FILE with .icw).")  # fmt: skip
@@ -68,7 +69,7 @@ def read_text(file: str) -> Source:
     raise Rejected(Diagnostic("NS0717", message, helps=helps), status=2)
 
 
-@click.command(name="disasm", cls=CommonCommand)
+@common_command("disasm")
 @click.argument("file", metavar="FILE.icw")
 @click.option("-o", "output", type=OutPath(str), metavar="OUT",
               help="Where to write (default: standard output).")  # fmt: skip
@@ -81,7 +82,7 @@ def disasm(file: str, output: str | None) -> None:
         write_whole(Path(output), text.encode("utf-8"))
 
 
-@click.command(name="diff", cls=CommonCommand)
+@common_command("diff")
 @click.argument("first", metavar="A.icw")
 @click.argument("second", metavar="B.icw")
 def diff(first: str, second: str) -> None:
@@ -90,7 +91,7 @@ def diff(first: str, second: str) -> None:
     click.echo("\n".join(lines) if lines else "identical")
 
 
-@click.command("prove", cls=CommonCommand)
+@common_command("prove")
 @click.argument("file", type=PATH)
 @build_options
 def prove(file: Path, **options: Any) -> None:
@@ -101,8 +102,8 @@ def prove(file: Path, **options: Any) -> None:
     The proof checks that every code opens the shutter in the decode table, and that each bucket
     contains exactly the light of its open slots. For a chip that receives
     bit planes, it follows the light of every pixel through the planes."""
+    from nscc.container_proof import prove_container
     from nscc.program.problems import counted
-    from nscc.prove.shutters import prove_container
 
     if file.suffix.lower() == ".nsl":
         container, messages = load_program(file, options)
@@ -119,7 +120,7 @@ def prove(file: Path, **options: Any) -> None:
     )
 
 
-@click.command("shutters", cls=CommonCommand)
+@common_command("shutters")
 @click.argument("file", type=PATH)
 @click.option("-o", "out", required=True, metavar="S.npz|S.mat|S.npy", type=OUT,
               help="The file to write.")  # fmt: skip
@@ -134,10 +135,37 @@ def shutters(file: Path, out: Path, **options: Any) -> None:
     from nscc_runtime.formats.content import shutter_content
 
     check_ending(out, endings("arrays"), "shutters")
-    from nscc.prove.shutters import shutters_of_pixels
+    from nscc.container_proof import shutters_of_pixels
 
     container, messages = load_program(file, options)
     say(messages)
     arrays = shutters_of_pixels(container, f"'{file.as_posix()}'")
     write_whole(out, file_of(out, shutter_content(arrays), "shutters"))
+    click.echo(f"wrote {out.as_posix()}", err=True)
+
+
+@common_command("export-mask")
+@click.argument("program", metavar="PROGRAM", type=PATH)
+@click.option("-o", "out", required=True, metavar="MASK.npy|npz|mat", type=OUT, help="The mask.")
+@click.option("--bucket", metavar="NAME", help="Write the shutters of this bucket only.")
+@build_options
+def export_mask(program: Path, out: Path, bucket: str | None, **options: Any) -> None:
+    """Write the mask of PROGRAM (.nsl or .icw): what each of its pixels does in each slot.
+
+    The array `mask` is uint8 (rows, cols, slots) of 0 and 1, or (buckets, rows, cols, slots) for
+    several buckets without --bucket. `nscc import-mask` reads the mask of one bucket."""
+    from nscc_runtime.formats import check_ending, file_of
+    from nscc_runtime.formats.content import mask_content
+
+    check_ending(out, (".npy", ".npz", ".mat"), "a mask")
+    from nscc.container_proof import shutters_of_pixels
+
+    container, messages = load_program(program, options)
+    if bucket is not None and bucket not in container.buckets:
+        names = ", ".join(container.buckets)
+        raise click.BadParameter(f"'{bucket}' is not one of {names}", param_hint="--bucket")
+    say(messages)
+    arrays = shutters_of_pixels(container, f"'{program.as_posix()}'")
+    index = None if bucket is None else container.buckets.index(bucket)
+    write_whole(out, file_of(out, mask_content(arrays, index), "a mask"))
     click.echo(f"wrote {out.as_posix()}", err=True)

@@ -10,16 +10,17 @@ import click
 
 from nscc.requirements import line_for
 from nscc_cli.completion import RUN
-from nscc_cli.options import OUT, SEED, color_option, fit_option, tone_option
-from nscc_cli.support import CommonCommand, progress, say, say_done
+from nscc_cli.options import OUT, SCENE, declared, section, tone_option
+from nscc_cli.support import common_command, progress, say, say_done
+from nscc_runtime.scenes import Scene
+from nscc_runtime.simulate import Listener, Request
 
 
-@click.command("demo", cls=CommonCommand)
+@common_command("demo")
 @click.argument("scene", metavar="[PHOTO|CLIP]", required=False)
 @click.option("-o", "out", type=OUT, metavar="DIR",
               help="The folder for the pictures (default: NAME_demo, or demo).")  # fmt: skip
-@fit_option("scale")
-@color_option
+@section(SCENE, declared(Scene, fit="scale"), declared(Scene, "color"))
 @click.option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P "
               "(default: as the run was trained).")  # fmt: skip
 @click.option("--fps", type=float, help="Frame rate of the clip (default: each slot shows the next "
@@ -30,7 +31,7 @@ from nscc_cli.support import CommonCommand, progress, say, say_done
               help="Readouts of one exposure of a clip, 1 to 4 (default: 4).")  # fmt: skip
 @click.option("--run", type=RUN, metavar="RUN",
               help="A run of nscc train, whose shutters and decoder are shown.")  # fmt: skip
-@click.option("--seed", type=SEED, default=0, show_default=True, help="Seed of the frame's noise.")
+@declared(Request, "seed", show=True)
 def command(
     scene: str | None, out: Path | None, fit: str, color: bool, exposure: str | None,
     fps: float | None, tone: str | None, merge: bool, readouts: int | None, run: Path | None,
@@ -48,8 +49,6 @@ def command(
             f"'{scene}' is a program, and the demo exposes a photo or a clip with shutters of its "
             f"own: `nscc run {shlex.quote(scene)} --scene PHOTO` exposes with your program"
         )
-    from nscc_runtime.scenes import Scene
-    from nscc_runtime.simulate import Listener
     from nscc_training.demo import BUILTIN, Settings, demo, readouts_text
 
     if run is not None and (merge or readouts):

@@ -12,9 +12,10 @@ from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import LEVEL, OUT
+from nscc_cli.runtime_options import fit_option, placing_options
 from nscc_cli.support import (
-    CommonCommand,
     NumberRange,
+    common_command,
     progress,
     refuse_ignored,
     say,
@@ -36,7 +37,7 @@ _CLIP_PARTS = 16
 """The number of time intervals of a frame in which motion is measured."""
 
 
-@click.command("design", cls=CommonCommand)
+@common_command("design")
 @shared.section(shared.SCENE, click.option(
     "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
     help="A scene as in nscc run; for several scenes the errors are averaged in decibels.",
@@ -63,8 +64,8 @@ _CLIP_PARTS = 16
 @shared.chip_option
 @click.option("-O", "level", type=LEVEL, default=2, show_default=True,
               help="Effort of the search for fewer words.")  # fmt: skip
-@shared.scene_options
-@shared.fit_option("crop")
+@placing_options
+@fit_option
 @shared.sensor_options
 @shared.section(shared.OUTPUT, click.option(
     "-o", "out", type=OUT,
@@ -85,8 +86,8 @@ def command(
     several lengths and patterns by the information that a frame contains about moving light. The
     program is compiled and proved before it is written."""
     from nscc.chips.load import load_target
-    from nscc.emit.summary import cost_text
     from nscc.files import refuse_inputs, write_together
+    from nscc.pipeline import KINDS
     from nscc_training.design import Frame, design_looks, design_pattern, design_tile
 
     tile = criterion == _SVE_RISK
@@ -140,7 +141,7 @@ def command(
     click.echo(f"wrote {path.as_posix()}")
     for label, text in design.lines:
         click.echo(f"  {label:<9} {text}")
-    say_done(cost_text(design.compiled))
+    say_done(KINDS.of(design.compiled.program).cost_text(design.compiled))
 
 
 def _scene_lights(
@@ -172,8 +173,12 @@ def _laid(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any], warns: bool = True
 ) -> Iterator[PlacedLight]:
     """Yield each scene, placed on the chip's array and divided into the slots of the frame."""
+    from nscc_runtime.scenes import laid_lights
+
     slot_us = [options["slot_us"]] * options["slots"]
     for name in scenes or (None,):
         scene = scene_of({**options, "scene": name}, "--scene is missing: a design needs a scene")
-        [laid] = scene.laid(slot_us, target, lambda diagnostic: say([diagnostic] * warns), progress)
+        [laid] = laid_lights(
+            scene, slot_us, target, lambda diagnostic: say([diagnostic] * warns), progress
+        )
         yield laid

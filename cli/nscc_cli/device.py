@@ -13,9 +13,11 @@ from nscc_cli import options as shared
 from nscc_cli import support
 from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import OUT, PATH, SEED
+from nscc_cli.options import OUT, PATH, given
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_done
+from nscc_cli.runtime_options import link_options, placing_options
+from nscc_cli.support import NumberRange, Subcommands, progress, say, say_done
+from nscc_runtime.simulate import Request
 
 _LONGEST_S = 1e6
 
@@ -27,7 +29,7 @@ def command() -> None:
     PORT is a serial device such as /dev/ttyACM0, or the port that `nscc device serve` prints."""
 
 
-@command.command("serve", cls=CommonCommand)
+@command.command("serve")
 @shared.section(shared.SCENE, click.option(
     "--scene", type=SCENE, help="The scene of the stand-in: a file, a folder or builtin:NAME."
 ))  # fmt: skip
@@ -40,10 +42,9 @@ def command() -> None:
               show_default=True,
               help="The machine that runs the firmware: this one, or a Cortex-M4 (or "
                    "Cortex-M0) emulated by QEMU.")  # fmt: skip
-@shared.scene_options
+@placing_options
 @shared.sensor_options
-@click.option("--device-seed", type=SEED, default=0, show_default=True,
-              help="Seed of the fixed patterns of the chip.")  # fmt: skip
+@shared.declared(Request, "device_seed", show=True)
 @click.option("--once", is_flag=True, help="End when the first host has closed the port.")
 @click.option("--for", "seconds", type=NumberRange(0, _LONGEST_S), help="End after S seconds.")
 def serve(**options: Any) -> None:
@@ -83,17 +84,17 @@ def _report(error: Exception) -> None:
         support.show([Diagnostic("NS0768", message)])
 
 
-@command.command("info", cls=CommonCommand)
+@command.command("info")
 @click.argument("port")
 @click.option("--json", "as_json", is_flag=True, help="Print it as JSON.")
-@shared.link_options
-def info(port: str, as_json: bool, baud: int, patience: float) -> None:
+@link_options
+def info(port: str, as_json: bool, **options: Any) -> None:
     """Print the description of the loader at PORT, its memory, and the program it holds."""
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
+    from nscc_runtime.device.link import LinkSettings, SerialLink
     from nscc_runtime.device.messages import info_json, info_text
 
-    with SerialLink(port, baud=baud, patience_s=patience) as link:
+    with SerialLink(port, **given(LinkSettings, options)) as link:
         device_info = DeviceChip(link).info()
         status = link.run(link.host.status)
     click.echo(
@@ -101,26 +102,26 @@ def info(port: str, as_json: bool, baud: int, patience: float) -> None:
     )
 
 
-@command.command("upload", cls=CommonCommand)
+@command.command("upload")
 @click.argument("port")
 @shared.program_argument
 @shared.pixels_option
-@shared.link_options
+@link_options
 @shared.build_options
 def upload(port: str, program: Path, **options: Any) -> None:
     """Send a program to the device at PORT; parts that the device already holds are not sent
     again."""
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
+    from nscc_runtime.device.link import LinkSettings, SerialLink
 
     container, messages = load_program(program, options)
     say(list(messages))
-    with SerialLink(port, baud=options["baud"], patience_s=options["patience"]) as link:
+    with SerialLink(port, **given(LinkSettings, options)) as link:
         sent = DeviceChip(link, progress=progress).upload(container)
     say_done(f"{port} holds '{program.name}': {sent.words} words, {len(sent.stream)} bytes")
 
 
-@command.command("capture", cls=CommonCommand)
+@command.command("capture")
 @click.argument("port")
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
 @click.option("-o", "out", type=OUT, help="A frame file: one frame.")
@@ -134,14 +135,14 @@ def upload(port: str, program: Path, **options: Any) -> None:
 )
 @shared.pixels_option
 @shared.sensor_options
-@shared.link_options
+@link_options
 def capture(port: str, program: Path | None, **options: Any) -> None:
     """Expose frames with FILE, or with the program that the device at PORT already holds.
 
     `meta` in each frame file contains the time of exposure and the program's SHA-256."""
     from nscc_runtime.device.captured_frames import capture_to, numbered_paths, target_of
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
+    from nscc_runtime.device.link import LinkSettings, SerialLink
     from nscc_runtime.frame_file import check_adc
 
     if (options["out"] is None) == (options["folder"] is None):
@@ -164,7 +165,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
             "--pixels needs a program, but none is named",
             helps=("name the program: `nscc device capture PORT FILE --pixels CODES.npz`",),
         )
-    with SerialLink(port, baud=options["baud"], patience_s=options["patience"]) as link:
+    with SerialLink(port, **given(LinkSettings, options)) as link:
         chip = DeviceChip(link, progress=progress)
         target = container.target if container else target_of(chip, options["target"])
         sensor = sensor_of(target, options)
@@ -179,12 +180,12 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
             say_done(f"wrote {path}")
 
 
-@command.command("calibrate", cls=CommonCommand)
+@command.command("calibrate")
 @click.argument("port")
 @click.option("-o", "out", type=OUT, required=True, help="The target file.")
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml",
               help="The chip, if it is not a built-in target.")  # fmt: skip
-@shared.link_options
+@link_options
 def calibrate(port: str, out: Path, **options: Any) -> None:
     """Measure the duration of launches, words, waits and readouts on the device at PORT.
 
@@ -194,10 +195,10 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
     from nscc.files import write_whole
     from nscc_runtime.device.captured_frames import target_of
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
+    from nscc_runtime.device.link import LinkSettings, SerialLink
     from nscc_runtime.device.measured_times import measured
 
-    with SerialLink(port, baud=options["baud"], patience_s=options["patience"]) as link:
+    with SerialLink(port, **given(LinkSettings, options)) as link:
         target = target_of(DeviceChip(link), options["target"])
         times = measured(link, target)
     write_whole(out, target_toml(times.of(target)).encode())

@@ -14,7 +14,7 @@ from nscc.columns import columns
 from nscc_cli.completion import EFFECT, SETTING, TARGET
 from nscc_cli.frames import sensor_of
 from nscc_cli.options import PATH
-from nscc_cli.support import CommonCommand
+from nscc_cli.support import common_command
 
 if TYPE_CHECKING:
     from nscc_runtime.sensor import Sensor
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _WIDTH = 98
 
 
-@click.command(name="effects", cls=CommonCommand)
+@common_command("effects")
 @click.argument("name", required=False, type=EFFECT, metavar="[EFFECT]")
 @click.option("--json", "as_json", is_flag=True, help="Print every effect for programs.")
 @click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")

@@ -13,12 +13,12 @@ from nscc.files import write_back
 from nscc.syntax.format import format_source
 from nscc.syntax.parse import MOST_BYTES, read_source, source_of
 from nscc_cli.options import PATH
-from nscc_cli.support import CommonCommand, say_done
+from nscc_cli.support import common_command, say_done
 
 _STANDARD_INPUT = Path("-")
 
 
-@click.command("fmt", cls=CommonCommand)
+@common_command("fmt")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...|-", type=PATH)
 @click.option(
     "--check", is_flag=True, help="Write nothing; exit with status 1 if a file would change."

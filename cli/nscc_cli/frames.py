@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected, unknown_name
 from nscc.files import Product, refuse_inputs, refuse_same, write_together
+from nscc_cli.options import given
 from nscc_cli.support import progress, refuse_ignored
 
 if TYPE_CHECKING:
@@ -36,10 +37,7 @@ def scene_of(
             missing,
             helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
         )
-    named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
-    optional_names = ("fit", "color", "first", "single", "white", "skip", "bracket", "times")
-    optional_values = {name: options[name] for name in optional_names if name in options}
-    return Scene(*(options[name] for name in named), **optional_values)
+    return Scene(**given(Scene, options))
 
 
 def refuse_swapped(program: Path, scene: str | None) -> None:
@@ -129,7 +127,7 @@ def write_frame(
 ) -> list[Path]:  # fmt: skip
     """Write the frame file and the requested picture, plan and timings, and return the paths.
     `response` computes the sensor response for the picture."""
-    from nscc.prove.shutters import replayed
+    from nscc.container_proof import replayed
     from nscc_runtime.formats import file_of
     from nscc_runtime.formats.content import frame_content
     from nscc_runtime.frame_file import FrameFile
@@ -165,7 +163,7 @@ def _picture(
 
     if content.colour and content.light is not None:
         return png_of(content_sheet, content, title)
-    if container.pictures is not None:
+    if container.pictures.outputs:
         return png_of(image_plane_sheet, frame.first, container.buckets_read, title)
     return png_of(frame_sheet, readouts(container, frame.first, response()), title)
 

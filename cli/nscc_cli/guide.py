@@ -11,17 +11,17 @@ import click
 from nscc.diagnostics.explain import index, page
 from nscc_cli.completion import EXAMPLE, MESSAGE
 from nscc_cli.options import OUT
-from nscc_cli.support import CommonCommand, say_done
+from nscc_cli.support import common_command, say_done
 
 
-@click.command("explain", cls=CommonCommand)
+@common_command("explain")
 @click.argument("code", required=False, type=MESSAGE)
 def explain(code: str | None) -> None:
     """Explain CODE (NS0412, 412, or its name); without one, list all codes."""
     click.echo(index() if code is None else page(code), nl=False)
 
 
-@click.command("examples", cls=CommonCommand)
+@common_command("examples")
 @click.argument("names", type=EXAMPLE, metavar="[NAME..]", nargs=-1)
 @click.option("-o", "folder", type=OUT, metavar="DIR", default=Path(),
               help="The folder for the copies (default: this folder).")  # fmt: skip
@@ -42,7 +42,7 @@ def examples(names: tuple[str, ...], folder: Path) -> None:
     say_done("\n`nscc examples NAME` copies one, `nscc check` and `nscc run` take it from there")
 
 
-@click.command("new", cls=CommonCommand)
+@common_command("new")
 @click.argument("name", type=OUT, metavar="NAME")
 def new(name: Path) -> None:
     """Write NAME.nsl, a program that runs and has a comment on every statement."""
@@ -57,7 +57,7 @@ def new(name: Path) -> None:
     say_done(f"wrote {path.as_posix()}: `{command_text}` describes it")
 
 
-@click.command("doctor", cls=CommonCommand)
+@common_command("doctor")
 def doctor() -> int:
     """Report versions, extras, the cache, compiled loops and serial ports.
 

@@ -4,7 +4,7 @@ trained with torch, and frame files of what a chip's own host saved."""
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -17,9 +17,13 @@ from nscc_cli.options import (
     chip_option,
     pixels_option,
     sensor_options,
+    slots_axis_option,
 )
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, NumberRange, say, say_done
+from nscc_cli.support import NumberRange, common_command, say, say_done
+
+if TYPE_CHECKING:
+    from nscc_training.array_files import Axis
 
 _PROGRAM = click.option("-o", "out", required=True, metavar="P.nsl", type=OUT, help="The program.")
 
@@ -33,22 +37,28 @@ def _beside_program(out: Path, arrays: str) -> Path:
     return path
 
 
-@click.command("import-mask", cls=CommonCommand)
+@common_command("import-mask")
 @click.argument("mask", metavar="MASK.npy|npz|mat", type=PATH)
 @_PROGRAM
 @click.option("--slot-us", type=NumberRange(1e-3, 1e9), default=125.0, show_default=True,
               help="Length of a slot in microseconds.")  # fmt: skip
+@slots_axis_option
 @chip_option
-def import_mask(mask: Path, out: Path, slot_us: float, target: str) -> None:
+def import_mask(
+    mask: Path, out: Path, slot_us: float, slots_axis: Axis | None, target: str
+) -> None:
     """Write a program with the shutters of MASK, and a file with its codes.
 
     MASK contains `mask` (rows, cols, slots) or (slots, rows, cols) of 0 and 1: the whole array, or
-    a tile that repeats over the array. Of the shutter classes that represent the mask, the class
-    with the fewest words is chosen; the reasons against the other classes are printed."""
+    a tile that repeats over the array. A tile is (rows, cols, slots) if rows and cols are equal and
+    slots differ; any other needs --slots-axis. Of the shutter classes that represent the mask, the
+    class with the fewest words is chosen; the reasons against the other classes are printed."""
     from nscc_training import imported_masks
 
     codes = _beside_program(out, "codes")
-    imported = imported_masks.import_mask(mask, codes.name, slot_us=slot_us, target=target)
+    imported = imported_masks.import_mask(
+        mask, codes.name, slot_us=slot_us, target=target, slots_axis=slots_axis
+    )
     products = {out: imported.text.encode()}
     if imported.codes:
         products[codes] = imported.codes
@@ -62,7 +72,7 @@ def import_mask(mask: Path, out: Path, slot_us: float, target: str) -> None:
     ]))  # fmt: skip
 
 
-@click.command("import-network", cls=CommonCommand)
+@common_command("import-network")
 @click.argument("model", metavar="MODEL.pt|onnx", type=PATH)
 @_PROGRAM
 @click.option("--frame-us", type=NumberRange(1e-3, 1e9), default=33_000.0, show_default=True,
@@ -103,7 +113,7 @@ def _place(
     return int(row), int(col)
 
 
-@click.command("import-frame", cls=CommonCommand)
+@common_command("import-frame")
 @click.argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)
 @click.argument("files", metavar="FILE..|NAME=FILE..", nargs=-1, required=True)
 @click.option("-o", "out", required=True, metavar="FRAME.npz", type=OUT, help="The frame file.")

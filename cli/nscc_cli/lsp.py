@@ -7,10 +7,10 @@ import sys
 
 import click
 
-from nscc_cli.support import CommonCommand, say_done
+from nscc_cli.support import common_command, say_done
 
 
-@click.command("lsp", cls=CommonCommand)
+@common_command("lsp")
 @click.option("--stdio", is_flag=True,
               help="Use standard input and output, the only supported transport.")  # fmt: skip
 def command(stdio: bool) -> None:

@@ -16,6 +16,7 @@ from io import TextIOWrapper
 from typing import TYPE_CHECKING
 
 from nscc import __version__
+from nscc_cli.streams import open_streams, output_failure
 
 if TYPE_CHECKING:
     from types import FrameType
@@ -34,6 +35,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         # Imported objects are permanent: searching them for garbage takes a tenth of `check`. The
         # group turns the collector on again when the command's module is imported.
         gc.disable()
+        open_streams()
         _write_names_in_utf8()
     arguments = list(sys.argv[1:] if argv is None else argv)
     if arguments == ["--version"]:
@@ -104,7 +106,8 @@ def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
     import click
 
     from nscc.diagnostics.diagnostic import Rejected
-    from nscc_cli.support import Session, show, show_gathered
+    from nscc.files import wrote_files
+    from nscc_cli.support import Session, say_refused_cache, show, show_gathered
 
     session = Session(arguments=arguments)
     _preset_format(arguments, session)
@@ -118,6 +121,9 @@ def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
             raise
         finally:
             sys.stdout.flush()
+        failure = output_failure()
+        if failure is not None and not wrote_files():
+            raise failure  # the product itself went to standard output
     except Rejected as rejected:
         diagnostics, status = rejected.diagnostics, rejected.status
     except click.ClickException as error:
@@ -134,6 +140,7 @@ def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
         diagnostic, status = explain_exception(error, arguments)
         diagnostics = (diagnostic,)
     show(diagnostics, session)
+    say_refused_cache(session)
     show_gathered(session)
     return status
 

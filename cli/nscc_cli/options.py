@@ -2,27 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import MISSING
+from math import isinf
 from pathlib import Path
 from typing import Any, TypeVar
 
 import click
 from click import Choice, Context, IntRange, Parameter, argument, option
 
+from nscc.pipeline import Options
+from nscc.toml.arguments import declared as keys_by_name
+from nscc.toml.kinds import LEAST, FilePath, Flag, Kind, Number, TextKind
+from nscc.toml.schema import Key
+from nscc_cli.completion import EFFECTS as EFFECT_NAMES
+from nscc_cli.completion import SCENE as SCENE_NAME
 from nscc_cli.completion import SETTING, TARGET
-from nscc_cli.support import NumberRange, OutPath
+from nscc_cli.support import NumberRange, OutPath, WholeNumber
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 PATH = click.Path(path_type=Path)
 OUT = OutPath()
 LEVEL = IntRange(0, 3)
-SEED = IntRange(0, 2**63 - 1)
+
 COUNT = IntRange(1, 1000)
 """A number of scenes or of repeated measurements."""
-
-DEFAULT_BAUD = 3_000_000
-DEFAULT_PATIENCE_S = 10.0
 
 
 def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
@@ -83,52 +88,71 @@ pixels_option = section(COMPILE, option(
     "--pixels", type=PATH, help="The pixels' codes (.npz), or a mask (.npy .npz .mat)."
 ))  # fmt: skip
 
-build_options = section(
-    COMPILE,
-    option("-O", "level", type=LEVEL,
-           help="Effort of the search for fewer words (default: 2; check: 1)."),
-    option("--codes", type=Choice(["fixed", "open"]),
-           help="Compile for the codes in use, or for every legal one (default: fixed)."),
-    option("--lowering", type=Choice(["auto", "accumulate", "latch", "edges"]),
-           help="How the exposure is computed (default: auto, the cheapest)."),
-    option("--target", type=TARGET, metavar="NAME|FILE.toml",
-           help="The chip, instead of the chip in the program."),
-    option("--cache/--no-cache", default=True,
-           help="Store search results of -O2 and -O3 and reuse them (default), or search again."),
-    option("--max-words-per-slot", metavar="W", type=IntRange(min=1),
-           help="Reject programs that execute more words than this in any slot."),
-)  # fmt: skip
+
+def declared(
+    settings: type, *names: str, show: bool = False, **defaults: Any
+) -> Callable[[Command], Command]:
+    """Return the options that fields of a dataclass declare, as one decorator.
+
+    `names` are the fields, by default all fields with a declaration. An option that is not given is
+    None, so that the dataclass has its default, or False; with `show`, or a value in `defaults`, it
+    has a default of its own, which `--help` shows."""
+    keys = keys_by_name(settings)
+    chosen = [keys[name] for name in (*names, *defaults) or keys]
+    if show:
+        defaults = {key.attribute: key.default for key in chosen} | defaults
+    return together(*(_option(key, defaults) for key in chosen))
+
+
+def given(settings: type, options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return those of a command's options that fields of a dataclass declare and that have a value,
+    by the names of the fields."""
+    named = ((key.attribute, options.get(key.name)) for key in keys_by_name(settings).values())
+    return {name: value for name, value in named if value is not None}
+
+
+_COMPLETED = {"target": TARGET, "effects": EFFECT_NAMES, "name": SCENE_NAME}
+"""The click types of options with names that a shell completes."""
+
+
+def _option(key: Key, defaults: Mapping[str, Any]) -> Callable[..., Any]:
+    """Return the click option of a key."""
+    kind, name = key.kind, key.attribute
+    help_text = key.meaning
+    if isinstance(kind, Flag):
+        default = key.default if "/" in key.option else None
+        about: dict[str, Any] = {"is_flag": True, "default": default}
+    else:
+        about = {"type": _COMPLETED.get(name) or _click_type(kind), "metavar": key.notation or None}
+        if name in defaults:
+            about |= {"default": defaults[name], "show_default": True}
+        elif default_text := _default_text(key):
+            help_text += f" (default: {default_text})"
+    return option(key.option, key.name, help=f"{help_text}.", **about)
+
+
+def _default_text(key: Key) -> str:
+    if key.default_text is not None:
+        return key.default_text
+    return "" if key.default in (None, MISSING) else str(key.default)
+
+
+def _click_type(kind: Kind) -> click.ParamType[Any] | None:
+    """Return the click type that accepts the values of a kind; None for any text."""
+    if isinstance(kind, Number):
+        low, high = (None if isinf(limit) else limit for limit in (kind.low, kind.high))
+        if kind.is_whole:
+            return WholeNumber(low, high)  # type: ignore[arg-type]  # whole numbers
+        if low is high is None:
+            return click.FLOAT
+        return NumberRange(0 if low == LEAST else low, high, min_open=low == LEAST)
+    if isinstance(kind, FilePath):
+        return PATH
+    return Choice(kind.choices) if isinstance(kind, TextKind) and kind.choices else None
+
+
+build_options = section(COMPILE, declared(Options))
 """Options that control the compiler; `nscc_cli.programs` reads them."""
-
-link_options = section(
-    DEVICE,
-    option("--baud", type=IntRange(1200, 12_000_000), default=DEFAULT_BAUD, show_default=True,
-           help="Speed of the device's port."),
-    option("--patience", type=NumberRange(0.1, 3600), default=DEFAULT_PATIENCE_S,
-           show_default=True,
-              help="Seconds without an answer after which a device counts as lost."),
-)  # fmt: skip
-"""Options of commands that open a serial port."""
-
-scene_options = section(
-    SCENE,
-    option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P (99)."),
-    option("--transfer", type=Choice(["linear", "srgb", "pq", "hlg"]), help="The scene's curve."),
-    option("--white", type=float, metavar="W",
-           help="The sample value of white, such as 4095 (default: the largest value of the "
-               "type)."),
-    option("--skip", is_flag=True, help="Leave out missing frames of a folder."),
-    option("--bracket", is_flag=True,
-           help="Merge photos with several exposures, a folder or 'DIR/*.jpg', to one still."),
-    option("--times", metavar="S,S..",
-              help="With --bracket: the exposure times in seconds (default: from EXIF data)."),
-    option("--fps", type=float, help="The frame rate of the clip, in the time of the slots."),
-    option("--crop", metavar="R,C", help="Top left corner of the array in the scene."),
-    option("--frames-are", type=Choice(["integrals", "samples"]), default="integrals",
-           help="Whether a clip's frames contain the light of their whole time, or of one "
-               "instant."),
-)  # fmt: skip
-"""Options that place a scene on the array."""
 
 
 def _tone(_context: Context, _option: Parameter, name: str | None) -> str | None:
@@ -146,40 +170,12 @@ tone_option = section(OUTPUT, option(
 ))  # fmt: skip
 
 
-def fit_option(default: str) -> Callable[..., Any]:
-    """Return the option `--fit`: how to place pictures of another size than the array."""
-    return section(SCENE, option(
-        "--fit", type=Choice(["crop", "scale", "tiles"]), default=default, show_default=True,
-        help="For a picture of another size than the array: expose its middle, all of it "
-             "scaled, or all of it in parts.",
-    ))  # fmt: skip
-
-
-first_option = section(SCENE, option(
-    "--first", type=IntRange(min=0), default=0, metavar="K", show_default=True,
-    help="The first frame of the clip, counted from 0.",
-))  # fmt: skip
-still_option = section(SCENE, option(
-    "--still", "single", is_flag=True, help="Use this frame of a clip as a still."
-))  # fmt: skip
-color_option = section(SCENE, option(
-    "--color", is_flag=True, help="Expose red, green and blue, one after the other."
-))  # fmt: skip
-
 sensor_options = section(
     EFFECTS,
     option("--sensor", type=PATH, help="The sensor parameters (nscc effects --toml)."),
     option("--sensor-set", type=SETTING, multiple=True, metavar="K=V",
            help="Change one of the sensor parameters."),
 )  # fmt: skip
-
-measured_options = together(
-    option("--seed", type=SEED, default=0, show_default=True, help="Seed of the frames' noise."),
-    option("--device-seed", type=SEED, default=0, show_default=True,
-           help="Seed of fixed patterns."),
-    pixels_option, scene_options, sensor_options, build_options,
-)  # fmt: skip
-"""Options of tradeoffs that measure frames of a program."""
 
 csv_options = section(
     OUTPUT,
@@ -203,6 +199,11 @@ def repeats_option(default: int) -> Callable[..., Any]:
 chip_option = option(
     "--target", type=TARGET, default="scamp5", show_default=True, metavar="NAME|FILE.toml",
     help="The chip.",
+)  # fmt: skip
+
+slots_axis_option = option(
+    "--slots-axis", type=click.Choice(("first", "last")),
+    help="The axis of a mask that counts slots, for a mask whose sizes do not tell it.",
 )  # fmt: skip
 
 trust_code_option = option(

@@ -8,21 +8,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected
+from nscc.pipeline import Options
+from nscc.toml.arguments import declared
+from nscc_cli.options import given
 from nscc_cli.support import waiting
 
 if TYPE_CHECKING:
     from nscc.diagnostics.diagnostic import Diagnostic
-    from nscc.pipeline import Compiled, Options
+    from nscc.pipeline import Compiled
     from nscc.words.container import Container
-
-_SPELLED = {
-    "level": "-O",
-    "codes": "--codes",
-    "lowering": "--lowering",
-    "target": "--target",
-    "max_words_per_slot": "--max-words-per-slot",
-}
-"""The build options that change a product, with their command-line names."""
 
 
 def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) -> Compiled:
@@ -40,9 +34,7 @@ def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) ->
 
 def compile_options(options: Mapping[str, Any], **overrides: Any) -> Options:
     """Return the compiler's options in those of a command; others keep their defaults."""
-    from nscc.pipeline import Options
-
-    return Options(**_values_of(options, *_SPELLED, "cache"), **overrides)
+    return Options(**given(Options, options), **overrides)
 
 
 def load_program(
@@ -56,7 +48,9 @@ def load_program(
     options are given for a compiled program."""
     from nscc.containers import is_compiled, load_container, with_pixels
 
-    names = ", ".join(_SPELLED[name] for name in _values_of(options, *_SPELLED))
+    chosen = compile_options(options)
+    keys = declared(Options)
+    names = ", ".join(keys[name].option for name in given(Options, options) if name != "cache")
     if names and is_compiled(path):
         raise rejected(
             "NS0743",
@@ -64,7 +58,6 @@ def load_program(
             notes=("these options control the compiler",),
             helps=(f"give the .nsl file instead, or leave {names} out",),
         )
-    chosen = compile_options(options)
     with _compiling(path, chosen):
         container, messages = load_container(path, chosen)
     if "pixels" in options:
@@ -96,7 +89,3 @@ def _is_mask(path: Path) -> bool:
 
 def _compiling(path: Path, options: Options) -> AbstractContextManager[None]:
     return waiting(f"compiling {path.name} at -O{options.level}")
-
-
-def _values_of(options: Mapping[str, Any], *names: str) -> dict[str, Any]:
-    return {name: options[name] for name in names if options.get(name) is not None}

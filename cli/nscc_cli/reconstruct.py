@@ -11,14 +11,15 @@ import click
 from nscc.files import refuse_same, write_together
 from nscc.requirements import line_for
 from nscc_cli.completion import RUN, RUN_OR_ANY
-from nscc_cli.options import OUT, PATH, tone_option, trust_code_option
-from nscc_cli.support import CommonCommand, say, say_done
+from nscc_cli.options import OUT, PATH, slots_axis_option, tone_option, trust_code_option
+from nscc_cli.support import common_command, say, say_done
 
 if TYPE_CHECKING:
+    from nscc_training.array_files import Axis
     from nscc_training.reconstruct_any import Method, Reconstruction
 
 
-@click.command("reconstruct", cls=CommonCommand)
+@common_command("reconstruct")
 @click.argument("run", type=RUN_OR_ANY, metavar="[any|RUN]")
 @click.argument("frame", metavar="FRAME.npz", type=PATH, required=False)
 @click.option("-o", "out", required=True, metavar="OUT", type=OUT,
@@ -41,6 +42,7 @@ if TYPE_CHECKING:
 @click.option("--mask", type=PATH, metavar="MASK",
               help="With any and an own measurement: the file of its mask, if FRAME "
                    "does not contain `mask`.")  # fmt: skip
+@slots_axis_option
 @click.option("--noise", metavar="SD[,GAIN]",
               help="With any and an own measurement: the standard deviation of its "
                    "readout, and the amount that one photon adds, in the unit of "
@@ -52,7 +54,8 @@ if TYPE_CHECKING:
 def command(
     run: str, frame: Path | None, out: Path, png: Path | None, tone: str | None,
     dark: Path | None, kind: Literal["image", "video"] | None, method: Method | None,
-    program: Path | None, mask: Path | None, noise: str | None, force: bool, trust_code: bool,
+    program: Path | None, mask: Path | None, slots_axis: Axis | None, noise: str | None,
+    force: bool, trust_code: bool,
 ) -> None:  # fmt: skip
     """Reconstruct a picture or a clip from FRAME, a file that `nscc run` wrote.
 
@@ -84,8 +87,8 @@ def command(
         )
     if (method, kind) in (("merge", "video"), ("gap-tv", "image")):
         raise click.UsageError("--method merge makes pictures, gap-tv clips: leave --as out")
-    if run != "any" and (mask or noise):
-        raise click.UsageError("--mask and --noise are for `nscc reconstruct any`")
+    if run != "any" and (mask or noise or slots_axis):
+        raise click.UsageError("--mask, --slots-axis and --noise are for `nscc reconstruct any`")
     if run == "any" and frame is not None and force:
         raise click.UsageError("--force applies to runs: `any` accepts every frame")
     from nscc_runtime.formats import FORMATS, Content, check_ending, endings, file_of
@@ -111,7 +114,7 @@ def command(
         from nscc_training.reconstruct_any import reconstruct_any
 
         reconstruction = _of_measurement(
-            frame, mask, noise, method, kind, program, dark
+            frame, mask, slots_axis, noise, method, kind, program, dark
         ) or reconstruct_any(frame, program, kind, dark, method)
         say(reconstruction.messages)
         _say_method(reconstruction, method)
@@ -150,8 +153,9 @@ def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
 
 
 def _of_measurement(
-    path: Path, mask: Path | None, noise: str | None, method: Method | None, *of_frames: object
-) -> Reconstruction | None:
+    path: Path, mask: Path | None, slots_axis: Axis | None, noise: str | None,
+    method: Method | None, *of_frames: object,
+) -> Reconstruction | None:  # fmt: skip
     """Return the clip of a measurement file without options `of_frames`, else None."""
     from nscc_training.reconstruct_any import (
         NoiseModel,
@@ -161,9 +165,10 @@ def _of_measurement(
     )
 
     if not is_measurement(path, mask):
-        if noise is not None:
+        if noise is not None or slots_axis is not None:
             raise click.UsageError(
-                "--noise applies to own measurements: a frame file contains its noise model"
+                "--noise and --slots-axis apply to own measurements: a frame file contains its "
+                "noise model and its shutters"
             )
         return None
     if any(of_frames):
@@ -171,12 +176,12 @@ def _of_measurement(
     if method == "merge":
         raise click.UsageError("--method merge makes pictures, but own measurements are clips")
     model = NoiseModel.parse(noise or "0")
-    measurement = read_measurement(path, mask)
+    measurement = read_measurement(path, mask, slots_axis)
     say_done(f"measurement: {measurement.axes}\nnoise model: {model}")
     return reconstruct_measurement(measurement, model, method)
 
 
-@click.command("classify", cls=CommonCommand)
+@common_command("classify")
 @click.argument("run", type=RUN, metavar="RUN")
 @click.argument("frame", metavar="FRAME.npz", type=PATH)
 @click.option("--json", "as_json", is_flag=True, help="Print the likelihoods as JSON.")

@@ -10,7 +10,7 @@ import click
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc_cli import options as shared
-from nscc_cli.completion import EFFECTS, KEPT, RUN, SCENE
+from nscc_cli.completion import KEPT, RUN
 from nscc_cli.frames import (
     frame_path,
     parse_keep,
@@ -21,24 +21,27 @@ from nscc_cli.frames import (
     summary,
     write_frame,
 )
-from nscc_cli.options import OUT, PATH, SEED
+from nscc_cli.options import OUT, PATH, given
 from nscc_cli.programs import load_program
+from nscc_cli.runtime_options import fit_option, link_options, placing_options
 from nscc_cli.support import (
-    CommonCommand,
+    common_command,
     given_options,
     progress,
     refuse_ignored,
     say,
     say_done,
 )
+from nscc_runtime.scenes import Scene
+from nscc_runtime.simulate import Request
 
 if TYPE_CHECKING:
     from nscc_training.run_files import RunCapture
 
 _SIMULATION = (
-    "effects", "tolerance", "plan", "audit", "fidelity", "seed", "device_seed", "repeat",
+    "effects", "tolerance", "fidelity", "audit", "plan", "seed", "device_seed",
 )  # fmt: skip
-"""Options of the simulation; `nscc_runtime` has the defaults of missing options."""
+"""Options of the emulator, which have no meaning for a device."""
 
 
 def _refuse_tolerance_max(
@@ -52,43 +55,31 @@ def _refuse_tolerance_max(
         )
 
 
-@click.command(name="run", cls=CommonCommand)
+@common_command("run")
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
 @shared.section(
     shared.SCENE,
-    click.option("--scene", type=SCENE,
-                 help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
-                 "builtin:flat:E, builtin:dark."),
+    shared.declared(Scene, "name"),
     click.option("--like", type=RUN, metavar="RUN",
                  help="Expose as the run was trained: with its exposure and sensor, and without "
                       "a FILE its program."),
 )  # fmt: skip
-@shared.scene_options
-@shared.fit_option("crop")
-@shared.color_option
-@shared.first_option
-@shared.still_option
+@placing_options
+@fit_option
+@shared.section(
+    shared.SCENE,
+    shared.declared(Scene, "color"),
+    shared.declared(Scene, "first", show=True),
+    shared.declared(Scene, "single"),
+)
 @shared.section(
     shared.EFFECTS,
-    click.option("--effects", type=EFFECTS,
-                 help="Sensor effects: auto, all, none (the default), or names; +NAME turns one "
-                      "on, -NAME off."),
-    click.option("--tolerance", metavar="5e|0.1lsb|1%",
-                 help="Largest RMS error of a plan; %: of the mean signal. Default: 0.15noise, "
-                      "a fraction of the frame's own noise."),
-    click.option("--tolerance-max", hidden=True, expose_value=False,
-                 callback=_refuse_tolerance_max),
-    click.option("--fidelity", type=click.Choice(["planned", "reference"]),
-                 help="reference: simulate effects slot by slot, exactly (slow). planned "
-                      "(default): within a tolerance."),
-    click.option("--audit", is_flag=True,
-                 help="Compare with the reference; exit with status 1 if the error exceeds the "
-                     "tolerance."),
-    click.option("--plan", type=PATH, help="Use this plan; if it does not exist, write it."),
-    click.option("--seed", type=SEED, help="Seed of a frame's noise (default: 0)."),
-    click.option("--device-seed", type=SEED, help="Seed of fixed patterns (default: 0)."),
-    click.option("--repeat", type=click.IntRange(1, 10_000), help="Expose K frames."),
-)  # fmt: skip
+    shared.declared(Request, *_SIMULATION),
+    shared.declared(Request, "repeat"),
+    click.option(
+        "--tolerance-max", hidden=True, expose_value=False, callback=_refuse_tolerance_max
+    ),
+)
 @shared.sensor_options
 @shared.pixels_option
 @shared.build_options
@@ -99,7 +90,7 @@ def _refuse_tolerance_max(
                  help="Where to run: the emulator, a device at a serial port, or a chip "
                       "that a host module of its vendor drives."),
 )  # fmt: skip
-@shared.link_options
+@link_options
 @shared.section(
     shared.OUTPUT,
     click.option("-o", "out", type=OUT,
@@ -136,26 +127,28 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
 def _run_on_emulator(
     program: Path, options: dict[str, Any], keep: tuple[str, ...], of_run: RunCapture | None
 ) -> None:
-    from nscc.prove.shutters import refuse_looking
+    from nscc.pipeline import KINDS
     from nscc.words.readout import converter_of
     from nscc_runtime.frame_file import meta
     from nscc_runtime.pieces import simulate_scene
-    from nscc_runtime.simulate import Listener, Request
+    from nscc_runtime.scenes import laid_lights
+    from nscc_runtime.simulate import Listener
 
-    simulation_options = {name: options[name] for name in _SIMULATION if options[name] is not None}
-    request, out = Request.of(**simulation_options, mark="--"), frame_path(program, options)
+    request, out = Request.of(**given(Request, options), mark="--"), frame_path(program, options)
     listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     timings = listener.timings
     with timings.measure("compile_s"):
         container, messages = load_program(program, options)
     if "shutter" in keep:
-        refuse_looking(container)
+        KINDS.of(container).refuse_unknown_shutters("this program")
     if of_run is not None:
         of_run.check(container, program)
     sensor = sensor_of(converter_of(container), options)
     with timings.measure("scene_s"):
         scene, messages_so_far = scene_of(options), list(messages)
-        laid = scene.laid(container.slot_us, container.target, messages_so_far.append, progress)
+        laid = laid_lights(
+            scene, container.slot_us, container.target, messages_so_far.append, progress
+        )
         say(messages_so_far)
     exposed = simulate_scene(container, laid, sensor, request, listener)
     simulated, frame, container = exposed.simulated, exposed.simulated.frame, exposed.container
@@ -184,8 +177,7 @@ def _run_on_emulator(
         raise simulated.broken
 
 
-_MEANINGLESS = ("effects", "seed", "device_seed", "fidelity", "tolerance", "audit", "plan",
-                "like", "fit", "color", "first", "single")  # fmt: skip
+_MEANINGLESS = (*_SIMULATION, "like", "fit", "color", "first", "still")
 HOST = "host:"
 """Start of a place that names a host module of a vendor instead of a port."""
 _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
@@ -196,9 +188,10 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     from nscc.words.readout import converter_of
     from nscc_runtime.device.captured_frames import exposed
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
+    from nscc_runtime.device.link import LinkSettings, SerialLink
     from nscc_runtime.frame_file import check_adc
     from nscc_runtime.response import response_of
+    from nscc_runtime.scenes import scene_light
     from nscc_runtime.timings import Timings
 
     place, scene = options["place"], options["scene"]
@@ -220,8 +213,8 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
         )
         with timings.measure("scene_s"):
             named = scene_of(options)
-            light = named.light(
-                container.slot_us, container.target, messages_so_far.append, progress
+            light = scene_light(
+                named, container.slot_us, container.target, messages_so_far.append, progress
             )
     say(messages_so_far)
     out = frame_path(program, options)
@@ -235,7 +228,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     else:
         with (
             timings.measure("expose_s"),
-            SerialLink(place, baud=options["baud"], patience_s=options["patience"]) as link,
+            SerialLink(place, **given(LinkSettings, options)) as link,
         ):
             chip = DeviceChip(link, sensor, progress)
             frame, meta = exposed(chip, container, light, options["repeat"], progress)

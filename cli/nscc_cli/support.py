@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable, Iterator, Sequence, Sized
+from collections.abc import Callable, Iterable, Iterator, Sequence, Sized
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -14,10 +14,12 @@ from typing import Any, Literal, TypeVar
 
 import click
 
+from nscc.cache.folder import refusal
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.files import inputs_kept, reads
+from nscc.toml.kinds import LARGEST_INTEGER
 
 Item = TypeVar("Item")
 MessageFormat = Literal["human", "short", "json", "github", "sarif"]
@@ -50,6 +52,17 @@ class NumberRange(click.FloatRange):
         converted = float(super().convert(value, param, ctx))
         if converted != converted:
             self.fail(f"{value!r} is not a number.", param, ctx)
+        return converted
+
+
+class WholeNumber(click.IntRange):
+    """A whole number of 64 bits within limits."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        """Return the number; raise BadParameter if it is too large for 64 bits."""
+        converted = int(super().convert(value, param, ctx))
+        if converted > LARGEST_INTEGER:
+            self.fail(f"{value!r} is too large.", param, ctx)
         return converted
 
 
@@ -112,6 +125,13 @@ def say_done(text: str) -> None:
     """Print what was done to standard error, except with the message formats `json` and `sarif`."""
     if session().message_format not in ("json", "sarif"):
         click.echo(text, err=True)
+
+
+def say_refused_cache(of: Session) -> None:
+    """Print once, at the end of a command, why it used no cache."""
+    if of.message_format == "human" and refusal():
+        hint = "NSCC_CACHE_DIR names another folder, NSCC_CACHE=off none"
+        click.echo(f"{refusal()} ({hint})", err=True)
 
 
 def say_compiling(loop: Any, part_name: str) -> None:
@@ -198,6 +218,11 @@ class CommonCommand(click.Command):
             return super().invoke(ctx)
 
 
+def common_command(name: str) -> Callable[[Callable[..., Any]], CommonCommand]:
+    """Return a decorator that makes a function the command `name`."""
+    return click.command(name, cls=CommonCommand)
+
+
 def _paths(value: Any) -> Iterator[Path]:
     """Yield the paths that a parameter's value contains."""
     if isinstance(value, str | Path):
@@ -232,6 +257,7 @@ class Subcommands(CommonCommand, click.Group):
     """A command with subcommands; other names go to the subcommand `of` if it `accepts` them, else
     they are rejected (NS0781)."""
 
+    command_class = CommonCommand
     unknown = "command '{group} {name}'"
     """The description of an unknown name in the error message."""
 

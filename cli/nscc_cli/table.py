@@ -22,6 +22,7 @@ GROUPS = {
         "build": "Compile a program to a container of words.",
         "view": "Draw a program's shutters and its map of codes.",
         "shutters": "Write the shutter of every pixel.",
+        "export-mask": "Write the mask of a program for other tools.",
         "prove": "Prove that a container opens the shutters of its program.",
         "asm": "Assemble text into a container or words.",
         "disasm": "Write a container's words as assembly text.",
@@ -54,7 +55,7 @@ COMMANDS = {name: line for group in GROUPS.values() for name, line in group.item
 A command is the function `command` in the module of its name. Commands in `MODULES` are functions
 with their own name (with `_` for `-`) in the module that it names."""
 MODULES = {
-    **dict.fromkeys(("asm", "disasm", "diff", "prove", "shutters"), "containers"),
+    **dict.fromkeys(("asm", "disasm", "diff", "export-mask", "prove", "shutters"), "containers"),
     **dict.fromkeys(("explain", "examples", "new", "doctor"), "guide"),
     **dict.fromkeys(("import-frame", "import-mask", "import-network"), "imports"),
     "classify": "reconstruct",

@@ -15,7 +15,7 @@ from nscc.columns import columns
 from nscc.toml.schema import Key
 from nscc_cli.completion import TARGET
 from nscc_cli.options import LEVEL
-from nscc_cli.support import CommonCommand, progress
+from nscc_cli.support import common_command, progress
 
 DEFAULT_SLOTS = ("1ms", "10us")
 """Slot lengths for which limits are computed: one that fits any words, and one that does not."""
@@ -35,7 +35,7 @@ def _checked_times(
     return tuple(dict.fromkeys(values))
 
 
-@click.command(name="targets", cls=CommonCommand)
+@common_command("targets")
 @click.argument("name", required=False, type=TARGET, metavar="[NAME|FILE.toml|FILE.nsl]")
 @click.option("--toml", is_flag=True, help="Print a complete file that --target accepts.")
 @click.option("--limits", is_flag=True, help="Compile every class at growing sizes: what fits, "

@@ -25,6 +25,7 @@ from nscc_cli.completion import SCENE
 from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of
 from nscc_cli.options import COUNT, PATH, some_option, tradeoff_options
 from nscc_cli.programs import compile_options
+from nscc_cli.runtime_options import measured_options
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_compiling
 from nscc_cli.tradeoff_emulator import command as emulator
 from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
@@ -42,7 +43,7 @@ _LEVELS = [str(level) for level in LEVELS]
 @some_option("--stages", STAGES, "NAME,..", "Stages to measure.")
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O to compare.", default="0,1,2")
 @shared.repeats_option(3)
-@shared.measured_options
+@measured_options
 @shared.trust_code_option
 @shared.tradeoff_options
 def joint(program: Path, **options: Any) -> int:

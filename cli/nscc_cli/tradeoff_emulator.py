@@ -15,6 +15,7 @@ from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH
 from nscc_cli.programs import compile_options, load_program
+from nscc_cli.runtime_options import measured_options
 from nscc_cli.support import CommonCommand, progress, say
 from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
               help="Number of frames for measuring errors; more if they have few "
                    "pixels.")  # fmt: skip
 @shared.repeats_option(5)
-@shared.measured_options
+@measured_options
 @shared.section(shared.OUTPUT, click.option(
     "-o", "out", type=OUT, metavar="OUT",
     help="Write OUT.csv, OUT.png, OUT_calibration.png and OUT_budget.png.",
@@ -91,7 +92,7 @@ def _refuse(container: Container) -> None:
     from nscc_runtime.planless import refuse_planless
 
     refuse_planless(container, "nscc tradeoff emulator")
-    if container.machine is not None:
+    if container.machine.stages:
         raise rejected(
             "NS0828",
             "nscc tradeoff emulator uses sums over slots, which are undefined for pixels "
@@ -123,6 +124,7 @@ def _scenes(
     container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
 ) -> list[NamedLight]:
     """Return the light of each scene, with the shortest unique name."""
+    from nscc_runtime.scenes import scene_light
     from nscc_runtime.tradeoff.study import SCENES, NamedLight
 
     specs = list(dict.fromkeys(options["scenes"] or SCENES))
@@ -134,7 +136,9 @@ def _scenes(
     for name, spec in zip(names, specs, strict=True):
         scene_messages: list[Diagnostic] = []
         scene = scene_of({**options, "scene": spec})
-        light = scene.light(container.slot_us, container.target, scene_messages.append, progress)
+        light = scene_light(
+            scene, container.slot_us, container.target, scene_messages.append, progress
+        )
         say(scene_messages)
         scenes.append(NamedLight(name, light))
     return scenes

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from nscc_cli.options import OUT, PATH
-from nscc_cli.support import CommonCommand, OutPath, progress, say_done
+from nscc_cli.support import OutPath, common_command, progress, say_done
 
 
 def _print_schema(context: click.Context, _option: click.Parameter, value: bool) -> None:
@@ -19,7 +19,7 @@ def _print_schema(context: click.Context, _option: click.Parameter, value: bool)
         context.exit()
 
 
-@click.command("train", cls=CommonCommand)
+@common_command("train")
 @click.argument("config", metavar="CONFIG.toml|FOLDER", type=PATH)
 @click.option("--out", required=True, metavar="RUN", type=OUT,
               help="The run folder.")  # fmt: skip

@@ -12,12 +12,12 @@ from nscc.files import write_whole
 from nscc.words.legality import refuse_planes
 from nscc_cli.options import OUT, PATH, build_options, tone_option
 from nscc_cli.programs import compile_program, load_program
-from nscc_cli.support import CommonCommand, say, say_done
+from nscc_cli.support import common_command, say, say_done
 
 _PROGRAMS = (".nsl", ".icw")
 
 
-@click.command(name="view", cls=CommonCommand)
+@common_command("view")
 @click.argument("program", metavar="FILE|RUN", type=PATH)
 @click.option("-o", "out", type=OUT,
               help="The picture (default: the program's name with .png, in this "
@@ -53,7 +53,7 @@ def _shutters(program: Path, options: dict[str, Any]) -> bytes:
     say(messages)
     from nscc_runtime.pictures.sheet import png_of
 
-    if container.machine is not None:
+    if container.machine.stages:
         from nscc_runtime.pictures.looking_chart import course_sheet
 
         return png_of(course_sheet, container, program.name)
@@ -78,8 +78,8 @@ def _gates(program: Path, options: dict[str, Any]) -> bytes:
         "without --gates it draws shutters",
     )
     assert compiled.lowered is not None  # programs that do not fit are rejected
-    from nscc.emit.network import network_of
+    from nscc.pipeline import KINDS
     from nscc_runtime.pictures.gate_sheet import gate_sheet
     from nscc_runtime.pictures.sheet import png_of
 
-    return png_of(gate_sheet, network_of(compiled.lowered), program.name)
+    return png_of(gate_sheet, KINDS.of(compiled.program).network(compiled.lowered), program.name)

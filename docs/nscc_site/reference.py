@@ -44,9 +44,17 @@ def _commands() -> str:
         command = group.get_command(click.Context(group), name)
         assert command is not None  # it is in the table
         parts += [f"## nscc {name}\n", _command(command, f"nscc {name}")]
-        for part, inner in command.commands.items() if isinstance(command, click.Group) else ():
+        for part, inner in _subcommands(command):
             parts += [f"### nscc {name} {part}\n", _command(inner, f"nscc {name} {part}")]
     return "\n".join(parts)
+
+
+def _subcommands(command: click.Command) -> list[tuple[str, click.Command]]:
+    """Return the listed subcommands of a command by name."""
+    if not isinstance(command, click.Group):
+        return []
+    listed = command.list_commands(click.Context(command))
+    return [(name, command.commands[name]) for name in listed]
 
 
 def _command(command: click.Command, path: str) -> str:

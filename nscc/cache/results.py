@@ -9,7 +9,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from nscc.cache.digest import digest, version_digest
-from nscc.cache.store import Store, cache_folder
+from nscc.cache.folder import cache_folder
+from nscc.cache.store import Store
 from nscc.codec import from_json, to_json
 from nscc.logic.generate import solution_fault
 from nscc.logic.problem import Machine, Problem, Solution

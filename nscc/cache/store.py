@@ -10,11 +10,12 @@ import os
 import re
 import stat
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 
+from nscc.cache.folder import foreign
 from nscc.record import Record
 
 MOST_BYTES = 64_000_000
@@ -26,25 +27,9 @@ _LARGEST = MOST_BYTES // 4
 _FORMAT = b"nscc-cache-1"
 _ENTRY = re.compile(r"[0-9a-f]{64}")
 _PART = re.compile(r"\.[0-9a-f]{64}\.[0-9]+\.part")
+_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL
 _PART_AGE_S = 600.0
 """Age in seconds above which a partial file belongs to a process that died."""
-
-
-def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
-    """Return the cache folder; None if `NSCC_CACHE=off` or there is no home folder.
-
-    The folder is `NSCC_CACHE_DIR`, else `XDG_CACHE_HOME`/nscc if that is an absolute path, else
-    ~/.cache/nscc."""
-    variables = os.environ if environment is None else environment
-    if variables.get("NSCC_CACHE", "").lower() == "off":
-        return None
-    if variables.get("NSCC_CACHE_DIR"):
-        return Path(variables["NSCC_CACHE_DIR"])
-    shared = variables.get("XDG_CACHE_HOME", "")
-    if os.path.isabs(shared):
-        return Path(shared) / "nscc"
-    home = os.path.expanduser("~") if "HOME" not in variables else variables["HOME"]
-    return Path(home) / ".cache" / "nscc" if os.path.isabs(home) else None
 
 
 class Store(Record):
@@ -62,7 +47,8 @@ class Store(Record):
             # Opening a pipe in the entry's place must not block.
             with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as file:
                 status = os.fstat(file.fileno())
-                if not stat.S_ISREG(status.st_mode) or status.st_size > _LARGEST:
+                is_entry = stat.S_ISREG(status.st_mode) and not foreign(status)
+                if not is_entry or status.st_size > _LARGEST:
                     return None
                 head, _, data = file.read().partition(b"\n")
         except OSError:
@@ -82,7 +68,7 @@ class Store(Record):
         temporary = self.folder / f".{key}.{os.getpid()}.part"
         try:
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            with open(temporary, "xb") as file:
+            with os.fdopen(os.open(temporary, _NEW, 0o600), "wb") as file:
                 file.write(entry)
             os.replace(temporary, self.folder / key)
         except FileExistsError:
@@ -98,12 +84,6 @@ class Store(Record):
     def bytes_used(self) -> int:
         """Return the total size of all entries in bytes."""
         return sum(status.st_size for _, status in self._files(_ENTRY))
-
-    def writable(self) -> bool:
-        """Return whether the folder, or its first existing parent, is writable."""
-        folder = self.folder.absolute()
-        existing = next(p for p in (folder, *folder.parents) if os.path.exists(p))
-        return os.path.isdir(existing) and os.access(existing, os.W_OK | os.X_OK)
 
     def _make_room(self) -> None:
         now = time.time()

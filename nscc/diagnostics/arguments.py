@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.render import render
-from nscc.diagnostics.suggest import meant
 
 
 class WrongArgument(Rejected, TypeError, ValueError):
@@ -30,28 +29,6 @@ def wrong_argument(
     )
 
 
-def one_of(call: str, name: str, value: object, allowed: Collection[Any]) -> None:
-    """Raise WrongArgument unless the argument `name` of `call` is one of `allowed`."""
-    plain = isinstance(value, str | int | np.integer | None) and not isinstance(value, bool)
-    if plain and value in allowed:
-        return
-    names = [choice for choice in allowed if isinstance(choice, str)]
-    raise wrong_argument(
-        f"{call}: {name} is one of {', '.join(map(repr, allowed))}, not {shown(value)}",
-        helps=meant(value, names) if isinstance(value, str) else (),
-    )
-
-
-def require_whole_number(
-    call: str, name: str, value: object, least: int = 0, most: int = 2**63 - 1
-) -> None:
-    """Raise WrongArgument unless the argument `name` of `call` is an integer in `least`..`most`."""
-    is_number = isinstance(value, int | np.integer) and not isinstance(value, bool)
-    if not is_number or not least <= int(value) <= most:  # type: ignore[call-overload]
-        limits = f"from {least}" + ("" if most == 2**63 - 1 else f" to {most}")
-        raise wrong_argument(f"{call}: {name} is a whole number {limits}, not {shown(value)}")
-
-
 def require_type(call: str, name: str, value: object, kind: type, made_by: str) -> None:
     """Raise WrongArgument unless the argument `name` of `call` is an object of a class;
     `made_by` tells how to make one."""
@@ -60,13 +37,6 @@ def require_type(call: str, name: str, value: object, kind: type, made_by: str) 
             f"{call} takes {name} of type {kind.__name__}, not {shown(value)}",
             helps=(f"{made_by} makes one",),
         )
-
-
-def flag(call: str, name: str, value: object) -> bool:
-    """Return an argument as bool; raise WrongArgument for anything but True and False."""
-    if isinstance(value, bool | np.bool_):
-        return bool(value)
-    raise wrong_argument(f"{call}: {name} is True or False, not {shown(value)}")
 
 
 def as_array(call: str, name: str, value: object, dtype: type | None = None) -> NDArray[Any]:

@@ -12,9 +12,8 @@ import numpy as np
 from nscc.diagnostics.explain import page
 from nscc.editing.document import Document
 from nscc.editing.mentions import Mention, declaration, mention_at
-from nscc.lower.lowered import Lowered
 from nscc.lower.resources import time_text
-from nscc.pipeline import Compiled
+from nscc.pipeline import KINDS, Compiled
 from nscc.program.names import LOOKS, PREDEFINED
 from nscc.program.problems import clipped, counted
 from nscc.record import Record
@@ -22,7 +21,7 @@ from nscc.source import Span
 from nscc.syntax import tree
 from nscc.syntax.words import FORMS
 from nscc.words.counts import counts_by_name
-from nscc.words.pictures import Weights
+from nscc.words.pictures import NO_PICTURES, Weights
 
 _MOST_VALUES = 12
 
@@ -67,7 +66,9 @@ def _bucket(document: Document, mention: Mention) -> str | None:
     compiled = document.checked.compiled
     names = [] if compiled is None else [bucket.name for bucket in compiled.program.buckets]
     text = "one of the exposures of a frame"
-    if compiled is None or compiled.program.machine is not None or mention.name not in names:
+    if compiled is None or mention.name not in names:
+        return text
+    if not KINDS.of(compiled.program).shutters_known:
         return text
     shutters = compiled.program.table.shutters[:, names.index(mention.name)]
     opened = shutters.sum(axis=1)
@@ -114,11 +115,10 @@ def _picture(document: Document, name: str) -> str | None:
         return None
     if any(isinstance(rule, tree.Bucket) and rule.name.text == name for rule in declared.rules):
         return "one of the frames that an exposure gives"
-    pictures = None if compiled is None or compiled.container is None else (
-        compiled.container.pictures
-    )  # fmt: skip
+    container = None if compiled is None else compiled.container
+    pictures = NO_PICTURES if container is None else container.pictures
     if name in declared.kernels:
-        weights = None if pictures is None else pictures.weights_by_name.get(name)
+        weights = pictures.weights_by_name.get(name)
         return "a kernel" if weights is None else f"a kernel\n\n{_grid(weights)}"
     kinds = {picture.name.text: picture for picture in declared.pictures}
     if name not in kinds:
@@ -127,11 +127,11 @@ def _picture(document: Document, name: str) -> str | None:
     description = (
         "a plane, a bit of every pixel" if is_plane else "an image, a value of every pixel"
     )
-    cost = next((c for c in pictures.costs if c.name == name), None) if pictures else None
+    cost = next((c for c in pictures.costs if c.name == name), None)
     if cost is None:
         return description
     description += f". {counted(cost.words, 'word')}"
-    if is_plane or pictures is None:
+    if is_plane:
         return description
     count = counts_by_name(pictures).get(name)
     if count is not None:
@@ -251,16 +251,11 @@ def hints(document: Document) -> Iterator[Hint]:
     for statement in document.parsed[0].statements:
         match statement:
             case tree.EqualSlots() | tree.ListedSlots():
-                compiled = document.checked.compiled
-                shortest_us = _shortest_slot_us(compiled)
-                if compiled is not None and shortest_us is not None:
-                    lowered = compiled.lowered
-                    cost = (
-                        counted(len(compiled.program.frame.slot_us), "plane")
-                        if lowered is None
-                        else counted(lowered.schedule.words_total, "word")
-                    )
-                    text = f"{cost} a frame, shortest slot {time_text(shortest_us)}"
+                compiled = _compiled(document)
+                if compiled is not None and compiled.container is not None:
+                    cost = KINDS.of(compiled.program).size_text(compiled.container)
+                    shortest = time_text(compiled.shortest_slot_us)
+                    text = f"{cost} a frame, shortest slot {shortest}"
                     yield Hint(statement.span.end, text)
             case tree.Let() if not isinstance(statement.value, tree.Int):
                 meaning = document.constants.get(statement.name.text)
@@ -270,51 +265,23 @@ def hints(document: Document) -> Iterator[Hint]:
 
 def frame_cost(document: Document) -> str | None:
     """Return the cost of a frame in sentences, with the distribution of words over slots."""
-    compiled = document.checked.compiled
-    shortest_us = _shortest_slot_us(compiled)
-    if compiled is None or shortest_us is None:
+    compiled = _compiled(document)
+    if compiled is None:
         return None
-    least = f"slots of {time_text(shortest_us)} and longer possible."
-    if compiled.lowered is not None:
-        return f"{_words_of_frame(compiled.lowered)} The words leave {least}"
-    target = compiled.program.target
-    planes = counted(len(compiled.program.frame.slot_us), "plane")
-    return f"{planes} of {target.rows} x {target.cols} bits a frame. Loading them leaves {least}"
+    cost = KINDS.of(compiled.program).frame_text(compiled)
+    return f"{cost} leave slots of {time_text(compiled.shortest_slot_us)} and longer possible."
 
 
 def slot_cost(document: Document, slot: int) -> str | None:
     """Return a sentence about the words that run before a slot, and their share of the slot."""
-    compiled = document.checked.compiled
-    if compiled is None or _shortest_slot_us(compiled) is None:
+    compiled = _compiled(document)
+    if compiled is None:
         return None
-    lowered, slot_us = compiled.lowered, compiled.program.frame.slot_us[slot]
-    head = f"Slot {slot}, {time_text(slot_us)}"
-    if lowered is None:
-        load_us = compiled.program.target.plane_load_us
-        return f"{head}: one bit plane, loaded in {_share(load_us, slot_us)}."
-    words, busy_us = lowered.words_per_boundary[slot], lowered.busy_us[slot]
-    if not words:
-        return f"{head}: costs no words."
-    took = _share(busy_us, slot_us) if busy_us else "no time of its light"
-    return f"{head}: {counted(words, 'word')} at its start, {took}."
+    cost = KINDS.of(compiled.program).slot_text(compiled, slot)
+    return f"Slot {slot}, {time_text(compiled.program.frame.slot_us[slot])}: {cost}"
 
 
-def _shortest_slot_us(compiled: Compiled | None) -> float | None:
-    result = None if compiled is None else compiled.lowered or compiled.sending
-    return None if result is None else result.shortest_slot_us
-
-
-def _share(us: float, slot_us: float) -> str:
-    return f"{time_text(us)} or {100 * us / slot_us:.2g} % of it"
-
-
-def _words_of_frame(lowered: Lowered) -> str:
-    schedule, slots = lowered.schedule, lowered.plan.slots
-    most = max(lowered.words_per_boundary)
-    boundary = lowered.words_per_boundary.index(most)
-    place = f"before slot {boundary}" if boundary < slots else "after the last slot"
-    return (
-        f"{counted(schedule.words_total, 'word')} a frame, {schedule.words_stored} stored of "
-        f"{lowered.program.target.store_words}: {schedule.words_total / slots:.3g} a slot, at most "
-        f"{most}, {place}."
-    )
+def _compiled(document: Document) -> Compiled | None:
+    """Return the compiled program; None if there is none, or it is unknown whether it fits."""
+    compiled = document.checked.compiled
+    return None if compiled is None or compiled.layout is None else compiled

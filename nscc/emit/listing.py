@@ -2,30 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from nscc.emit.sending_report import sending_text, sent_lines
-from nscc.looks.looking_plan import LookingPlan
-from nscc.looks.passes import LookingLowered
-from nscc.looks.solve import Item
 from nscc.lower.decoding import Decoding
-from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit
+from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, Planned
 from nscc.lower.gates import Gated
 from nscc.lower.lowered import Choice, Lowered
 from nscc.lower.schedule import allocate
 from nscc.program.problems import counted
 from nscc.program.program import Field, Program, SlotGrid
+from nscc.prove.proof import Proof
 from nscc.source import Source
-from nscc.stream.passes import Sending
 from nscc.syntax.tree import File, Node
-from nscc.words.disassembly import disassemble
 
 _MOST_SHUTTERS = 64
 _MOST_SLOTS = 256
 
 
-def print_program(program: Program) -> str:
+def program_text(program: Program) -> str:
     """Return fields, frame, class and decode table of `program` as text.
 
     Shutters are rows of 0 and 1, slot 0 first, with the number of their codes; long tables and rows
@@ -135,19 +130,6 @@ def plan_text(plan: ExposurePlan) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _moments_text(plan: LookingPlan) -> str:
-    """Return the comparisons of each boundary, and the numbers of shutters that close, reset PIX
-    and open there."""
-    lines = [f"{register:<5} {holder}" for register, holder in plan.registers.items()]
-    for moment in plan.moments:
-        changes = [("fall", v) for v in moment.falls] + [("reset", moment.resets)]
-        changes += [("rise", v) for v in moment.rises]
-        texts = [f"where above {comparison.level} steps" for comparison in moment.comparisons]
-        texts += [f"{kind} in {v.bit_count()} of {len(moment.before)}" for kind, v in changes if v]
-        lines.append(f"boundary {moment.boundary:>4} {'; '.join(texts)}")
-    return "\n".join(lines) + "\n"
-
-
 def gates_text(decoding: Decoding, program: Program) -> str:
     """Return the gates of every demand on virtual registers, and the chip registers of each."""
     solution = decoding.solution
@@ -157,26 +139,16 @@ def gates_text(decoding: Decoding, program: Program) -> str:
         lines.append(f"  p{i} in {places[f'p{i}']}: {holder}")
     lines += [f"  {v} in {r}: scratch or state" for v, r in places.items() if v[0] in "ts"]
     steps = [step for step in decoding.plan.steps if step.predicate is not None]
-    _segments(lines, "opening", solution.opening)
+    segment_lines(lines, "opening", solution.opening)
     for step, answer in zip(steps, solution.answers, strict=True):
-        _segments(lines, f"boundary {step.boundary} {step.role} of bucket {step.bucket}", answer)
-    _segments(lines, "closing", solution.closing)
+        title = f"boundary {step.boundary} {step.role} of bucket {step.bucket}"
+        segment_lines(lines, title, answer)
+    segment_lines(lines, "closing", solution.closing)
     return "\n".join(lines) + "\n"
 
 
-def looking_gates_text(lowered: LookingLowered) -> str:
-    """Return the words of every boundary on virtual registers, and the chip registers of each."""
-    solution, places = lowered.looking, lowered.schedule.allocation.places
-    assert solution is not None
-    lines = [f"encoding: {solution.encoding.name}"]
-    lines += [f"  p{i} in {places[f'p{i}']}: {text}" for i, text in enumerate(solution.holders)]
-    lines += [f"  {v} in {r}: scratch or state" for v, r in places.items() if v[0] in "ts"]
-    for boundary, items in solution.items.items():
-        _segments(lines, f"boundary {boundary}", (items,))
-    return "\n".join(lines) + "\n"
-
-
-def _segments(lines: list[str], title: str, segments: tuple[tuple[Item, ...], ...]) -> None:
+def segment_lines(lines: list[str], title: str, segments: Sequence[Sequence[object]]) -> None:
+    """Append a title and the words of each segment to `lines`; nothing without segments."""
     if segments:
         lines.append(title)
         lines += ["  " + "; ".join(map(str, segment)) for segment in segments]
@@ -216,34 +188,26 @@ def _misfits_text(misfits: Mapping[Lowering, Misfit]) -> str:
     return "".join(f"{name:<11}{misfit.reason}\n" for name, misfit in misfits.items())
 
 
-def text_after(name: str, value: Any) -> str:
-    """Return the output of pass `name` of `nscc.pipeline.PASSES` as text."""
-    match name:
-        case "parse":
-            return print_tree(value.tree, value.source)
-        case "program":
-            return print_program(value)
-        case "plan" | "schedule" if isinstance(value, Sending):
-            return sending_text(value)
-        case "plan" if isinstance(value, LookingPlan):
-            return _moments_text(value)
-        case "plan":
-            return "".join(map(plan_text, value.plans)) + _misfits_text(value.misfits)
-        case "gates" if isinstance(value, Gated):
-            texts = [
-                f"lowering {decoding.plan.lowering}\n{gates_text(decoding, value.program)}"
-                for decoding in value.decodings
-            ]
-            return "".join(texts) + _misfits_text(value.misfits)
-        case "gates":
-            return "".join(map(looking_gates_text, value))
-        case "schedule":
-            return choice_text(value)
-        case "words" if value.target.streamed:
-            return "".join(f"{line}\n" for line in sent_lines(value))
-        case "words":
-            return disassemble(value)
-        case "prove":
-            verdict = "holds" if value.holds else f"fails: {value.failure}"
-            return f"proof {verdict}: {value.codes} codes, {value.slots} slots\n"
-    raise KeyError(name)
+def parsed_text(parsed: Any) -> str:
+    """Return the output of the pass `parse` as text."""
+    return print_tree(parsed.tree, parsed.source)
+
+
+def plans_text(planned: Planned) -> str:
+    """Return all plans, and why other lowerings have none."""
+    return "".join(map(plan_text, planned.plans)) + _misfits_text(planned.misfits)
+
+
+def all_gates_text(gated: Gated) -> str:
+    """Return the gates of all lowerings, and why others have none."""
+    texts = [
+        f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program)}"
+        for decoding in gated.decodings
+    ]
+    return "".join(texts) + _misfits_text(gated.misfits)
+
+
+def proof_text(proof: Proof) -> str:
+    """Return the result of a proof as text."""
+    verdict = "holds" if proof.holds else f"fails: {proof.failure}"
+    return f"proof {verdict}: {proof.codes} codes, {proof.slots} slots\n"

@@ -11,7 +11,7 @@ from nscc import html
 from nscc.diagnostics.render import render
 from nscc.emit.summary import summary_rows
 from nscc.lower.resources import time_text
-from nscc.pipeline import Compiled
+from nscc.pipeline import KINDS, Compiled
 from nscc.words.container import Container
 from nscc.words.shutters import shutters_of
 
@@ -80,18 +80,14 @@ def _bars(
 
 def program_card(name: str, container: Container, compiled: Compiled | None) -> str:
     """Return a program's shutters, summary and messages; `compiled` is None for a loaded one."""
-    chart, target = html.Html(), container.target
-    if container.has_table and container.machine is None:
+    chart, kind = html.Html(), KINDS.of(container)
+    if container.has_table and kind.shutters_known:
         drawn = shutters_of(container)
         chart = shutter_chart(drawn.rows, drawn.labels, container.slot_us, container.buckets)
     if compiled is not None:
         rows: list[tuple[str, str]] = summary_rows(compiled)
     else:
-        stored = sum(len(kernel.words) for kernel in container.kernels)
-        size_row = ("words", f"{stored} stored, {container.words_per_frame} a frame")
-        if target.streamed:
-            size_row = ("planes", f"{container.slots} of {target.rows} x {target.cols} bits")
-        rows = [*sorted(container.notes.items()), size_row]
+        rows = [*sorted(container.notes.items()), kind.stored_row(container)]
     messages = () if compiled is None else compiled.diagnostics
     text = html.plain(render(messages, "human")) if messages else html.Html()
-    return html.card(name, f"for {target.name}", chart, html.table(rows), text)
+    return html.card(name, f"for {container.target.name}", chart, html.table(rows), text)

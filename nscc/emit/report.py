@@ -7,38 +7,12 @@ import json
 from collections import Counter
 from typing import Any
 
-from nscc.chips.target import Target
 from nscc.logic.bound import ASSUMES, level_bound
 from nscc.lower.lowered import Choice, Lowered
 from nscc.operations import Op, Phase, WordEffect
 from nscc.program.program import Program
 from nscc.prove.proof import Proof
 from nscc.words.cost import refresh_count
-from nscc.words.machine import LIGHT, StateMachine
-
-
-def looks_report(machine: StateMachine, target: Target) -> dict[str, Any]:
-    """Return the comparisons and states as JSON values, for `--emit report`."""
-    return {
-        "boundaries": list(machine.looks),
-        "comparisons": [
-            {
-                "boundary": comparison.boundary,
-                "signal": "light" if comparison.signal == LIGHT else comparison.signal,
-                "steps": comparison.level,
-                "level_e": comparison.level * target.electrons_per_step,
-            }
-            for comparison in machine.comparisons
-        ],
-        "states": [
-            {
-                "name": state.name, "low": state.low, "high": state.high, "start": state.start,
-                "kept": state.is_kept, "read": state.read,
-            }
-            for state in machine.states
-        ],
-        "nodes": len(machine.behaviour),
-    }  # fmt: skip
 
 
 def subject(program: Program) -> dict[str, Any]:
@@ -102,9 +76,7 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
             "slots": proof.slots,
             "frames": proof.frames,
             "holds": proof.holds,
-            **({"answers": proof.transitions} if program.machine else {}),
         },
-        **({"looks": looks_report(program.machine, program.target)} if program.machine else {}),
         "target": program.target.name,
         "source_sha256": hashlib.sha256(program.source.text.encode()).hexdigest(),
     }

@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from nscc.lower.fit import ledger
+from nscc.lower.lowered import Lowered
 from nscc.lower.resources import time_text
+from nscc.pipeline import KINDS, Compiled
 from nscc.program.problems import counted
-
-_MOST_SHOWN = 12
-
-if TYPE_CHECKING:
-    from nscc.chips.target import Target
-    from nscc.pipeline import Compiled
-    from nscc.program.program import Program
-    from nscc.words.machine import StateMachine
+from nscc.program.program import Program
 
 
 def summary(name: str, compiled: Compiled) -> str:
@@ -31,36 +24,27 @@ def summary(name: str, compiled: Compiled) -> str:
 
 def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
     """Return the summary as rows (label, text)."""
-    program, lowered, proof = compiled.program, compiled.lowered, compiled.proof
+    program = compiled.program
     table = program.table
-    rows = [
+    return [
         ("class", f"{program.class_name}: {program.class_reason}"),
         (
             "codes",
             f"{_codes_text(program)}, {counted(len(table.shutters), 'shutter')}, "
             f"{counted(len(program.frame.slot_us), 'slot')}",
         ),
+        *KINDS.of(program).rows(compiled),
     ]
-    if program.machine is not None:
-        names = tuple(bucket.name for bucket in program.buckets)
-        looks = _looks_lines(program.machine, names, program.target)
-        rows += [("looks" * (not k), text) for k, text in enumerate(looks)]
-    if compiled.sending is not None and proof is not None:
-        from nscc.emit.sending_report import stream_rows
 
-        return [*rows, *stream_rows(compiled.sending, proof)]
+
+def word_rows(compiled: Compiled) -> list[tuple[str, str]]:
+    """Return the rows about the words of a program; empty if it is unknown whether it fits."""
+    program, lowered, proof = compiled.program, compiled.lowered, compiled.proof
     if lowered is None or proof is None:
-        return rows
-    schedule = lowered.schedule
-    digital = ledger(schedule.allocation.holders)
-    shortest = min(program.frame.slot_us)
+        return []
+    digital = ledger(lowered.schedule.allocation.holders)
     stored, executed = _words(compiled)
-    if compiled.container is not None and compiled.container.pictures is not None:
-        from nscc.emit.picture_report import picture_rows
-
-        rows += picture_rows(compiled.container.pictures, program.target)
     return [
-        *rows,
         ("lowering", f"{lowered.plan.lowering}; encoding: {lowered.solution.encoding}"),
         ("digital", digital or "no register needed"),
         ("analog", ledger(lowered.plan.registers)),
@@ -70,41 +54,15 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
         ),
         (
             "time",
-            f"shortest slot {time_text(shortest)}, longest instructions "
+            f"shortest slot {time_text(min(program.frame.slot_us))}, longest instructions "
             f"{time_text(lowered.shortest_slot_us)}",
         ),
         (
             "proved",
             f"{counted(proof.codes, 'code')} x {counted(proof.slots, 'slot')}, "
-            f"{counted(proof.frames, 'frame')}"
-            + f", {counted(proof.transitions, 'answer')}"
-            * (program.machine is not None),
+            f"{counted(proof.frames, 'frame')}",
         ),
     ]
-
-
-def _looks_lines(machine: StateMachine, buckets: tuple[str, ...], target: Target) -> list[str]:
-    """Return the comparisons, one line for each signal and level, and the states."""
-    from nscc.words.machine import LIGHT
-
-    at: dict[tuple[int, int], list[int]] = {}
-    for comparison in machine.comparisons:
-        at.setdefault((comparison.signal, comparison.level), []).append(comparison.boundary)
-    lines = []
-    for (signal, level), boundaries in at.items():
-        electrons = level * target.electrons_per_step
-        signal_text = "light" if signal == LIGHT else f"exposure of {buckets[signal]}"
-        shown = ", ".join(map(str, boundaries[:_MOST_SHOWN]))
-        more_text = f" and {len(boundaries) - _MOST_SHOWN} more" * (len(boundaries) > _MOST_SHOWN)
-        lines.append(
-            f"{signal_text} above {electrons:.6g} e ({level} steps of IN, "
-            f"{100 * electrons / target.full_well_e:.4g} %) at {shown}{more_text}"
-        )
-    states = [
-        f"{state.name} {state.low}..{state.high}{', kept' * state.is_kept}{', read' * state.read}"
-        for state in machine.states
-    ]
-    return [*lines, *([f"states: {'; '.join(states)}"] if states else [])]
 
 
 def _codes_text(program: Program) -> str:
@@ -119,17 +77,8 @@ def _codes_text(program: Program) -> str:
     return f"{count} legal" + (f", {used} in use" if used < count else "")
 
 
-def cost_text(compiled: Compiled) -> str:
-    """Return the cost of words, or of bit planes, in two lines."""
-    if compiled.sending is not None:
-        from nscc.emit.sending_report import rate_text
-
-        sending = compiled.sending
-        return (
-            f"  planes {len(sending.loadings)} a frame, {sending.bits_a_frame} bits, "
-            f"{rate_text(sending.bits_per_us)} while one loads\n"
-            f"  time   shortest legal slot {time_text(sending.shortest_slot_us)}"
-        )
+def word_cost_text(compiled: Compiled) -> str:
+    """Return the cost of words in two lines."""
     lowered = compiled.lowered
     assert lowered is not None
     target, (stored, executed) = lowered.program.target, _words(compiled)
@@ -152,3 +101,31 @@ def _words(compiled: Compiled) -> tuple[int, int]:
     assert compiled.lowered is not None
     schedule = compiled.lowered.schedule
     return schedule.words_stored, schedule.words_total
+
+
+def word_frame_text(lowered: Lowered) -> str:
+    """Return the cost of a frame in sentences, with the distribution of words over slots."""
+    schedule, slots = lowered.schedule, lowered.plan.slots
+    most = max(lowered.words_per_boundary)
+    boundary = lowered.words_per_boundary.index(most)
+    place = f"before slot {boundary}" if boundary < slots else "after the last slot"
+    return (
+        f"{counted(schedule.words_total, 'word')} a frame, {schedule.words_stored} stored of "
+        f"{lowered.program.target.store_words}: {schedule.words_total / slots:.3g} a slot, at most "
+        f"{most}, {place}. The words"
+    )
+
+
+def word_slot_text(lowered: Lowered, slot: int) -> str:
+    """Return the words at the start of a slot, and their share of it, as the rest of a sentence."""
+    words, busy_us = lowered.words_per_boundary[slot], lowered.busy_us[slot]
+    if not words:
+        return "costs no words."
+    slot_us = lowered.program.frame.slot_us[slot]
+    took = share_text(busy_us, slot_us) if busy_us else "no time of its light"
+    return f"{counted(words, 'word')} at its start, {took}."
+
+
+def share_text(us: float, slot_us: float) -> str:
+    """Return a time, and its share of a slot."""
+    return f"{time_text(us)} or {100 * us / slot_us:.2g} % of it"

@@ -28,6 +28,7 @@ from nscc.limits.families import (
 )
 from nscc.limits.survey import largest
 from nscc.lower.lowered import Lowered
+from nscc.pipeline import KINDS
 from nscc.program.limits import largest_with
 from nscc.program.problems import counted
 from nscc.program.program import Codes, Program
@@ -77,7 +78,7 @@ def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOu
         if lowered is not None:
             in_use = counted(len(lowered.program.table.shutters), "shutter")
             yield _way_out("`--codes fixed`", f"only the {in_use} in use", lowered, level)
-    if program.machine is not None or program.pictures is not None:
+    if not KINDS.of(program).has_simpler_programs:
         return
     yield from _fewer_rows(program, attempt, most)
     if len(program.buckets) == 1:

@@ -1,28 +1,28 @@
 """Event encoding: each shutter's k-th rise or fall is a time, and a demand selects equal times.
 
-A time consists of a group and a place in it. The place is written in digits; each value of a digit
-has a plane, which is 0 if the digit has that value. The planes of the group's code are inverted as
-time advances, so that the planes that identify the current group are all 0. An equality test is
-then one NOR. The codes are chosen to need few inversions."""
+A time consists of a group and a place in it. The codes of all places have equally many ones, so the
+planes that are 0 in one of them are not all 0 in any other (E. Sperner, 1928). The planes of the
+group's code are inverted as time advances, so that the planes that identify the current group are
+all 0. An equality test is then one NOR. The codes are chosen to need few inversions."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from itertools import islice, product
-from math import prod
+from itertools import combinations, islice, product
+from math import comb
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.cube_tables import number_cubes
 from nscc.logic.cubes import Cube
-from nscc.logic.digits import Planes, binary_planes, digits_of, radices_of, turned_over
+from nscc.logic.digits import Planes, binary_planes, turned_over
 from nscc.logic.encodings import describe_demand, event_fields, event_name
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.script_walk import Script, walk
-from nscc.truth import columns, members, union, vector
+from nscc.truth import members, union, vector
 
 
 @dataclass(frozen=True)
@@ -40,29 +40,33 @@ class _Field:
 
 @dataclass(frozen=True)
 class _Form:
-    """A layout of a field: places in digits of `radices`, groups in `bits` binary digits.
+    """A layout of a field: groups in `bits` binary digits, the places of a group in `width` planes.
 
     `turns` is the number of inversions in a frame."""
 
-    radices: tuple[int, ...]
     bits: int
+    width: int
     turns: int
 
     @property
     def planes(self) -> int:
         """The number of planes."""
-        return sum(self.radices) + self.bits
+        return self.bits + self.width
 
     @property
     def size(self) -> int:
         """The number of places in a group."""
-        return prod(self.radices)
+        return comb(self.width, self.width // 2)
 
     @property
     def name(self) -> str:
-        """The radices as text, highest digit first."""
-        high = [str(1 << self.bits)] if self.bits else []
-        return " x ".join(high + [str(r) for r in self.radices]) or "1"
+        """The largest numbers of groups and of places as text."""
+        return f"{1 << self.bits} x {self.size}"
+
+    def place_codes(self) -> NDArray[np.int64]:
+        """Return the codes of the places, (size,), each with `width` // 2 ones."""
+        ones = combinations(range(self.width), self.width // 2)
+        return np.array([sum(1 << bit for bit in bits) for bits in ones], dtype=np.int64)
 
 
 # Limits: layouts tried (fewest inversions first), layouts considered, and kinds of events, which
@@ -73,8 +77,8 @@ _MOST_KINDS = 24
 
 
 def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Yield solutions with digits for every field; spare registers store the last demands
-    directly."""
+    """Yield solutions with groups and places for every field; spare registers store the last
+    demands directly."""
     if all(d.edge == "open" for d in problem.demands):
         raise GaveUp("the demands are levels")
     room = machine.registers - 1
@@ -155,10 +159,10 @@ def _forms(field: _Field, room: int) -> list[_Form]:
     """Return the layouts of a field, fewest planes first."""
     forms: list[_Form] = []
     for bits in range(min((field.count - 1).bit_length() + 1, room), -1, -1):
-        least = -(-field.count // (1 << bits))
-        inner = radices_of(room - bits, least) if least > 1 else ((),)
-        for radices in inner[:1]:
-            form = _Form(radices, bits, 0)
+        form = _Form(bits, 0, 0)
+        while form.size << bits < field.count:
+            form = replace(form, width=form.width + 1)
+        if form.planes <= room:
             turned = sum(len(run) for run in _turns(field, form, 0).values())
             forms.append(replace(form, turns=turned))
     return forms
@@ -207,12 +211,9 @@ def _script(
         codes = np.array(_groups(field, form)[0], dtype=np.int64)
         groups = codes[field.numbers // form.size]
         planes += binary_planes(f"{field.name}, group, bit", groups, form.bits)
-        for digit_name, digit, radix in digits_of(field.numbers, form.radices):
-            digit_planes = columns(digit[:, None] != np.arange(radix))
-            planes += [
-                (p, f"{field.name}, {digit_name} is not {m}") for m, p in enumerate(digit_planes)
-            ]
+        places = form.place_codes()[field.numbers % form.size]
+        planes += binary_planes(f"{field.name}, place, bit", places, form.width)
     planes += [(problem.demands[i].predicate, describe_demand(problem.demands[i])) for i in raw]
     closing = before.pop(-1, ())
-    name = "event times in digits " + " and ".join(form.name for form in chosen)
+    name = "event times in groups and places " + " and ".join(form.name for form in chosen)
     return Script(name, planes, before=before, closing=closing)

@@ -16,11 +16,11 @@ from nscc.plugins import Group, added, unusable
 from nscc.record import Record
 
 if TYPE_CHECKING:
-    from nscc.logic import bumps, cascade, encodings, events, nested_demands, windows
+    from nscc.logic import cascade, encodings, events, folded_times
 else:  # `check` calls few of them
-    bumps, cascade, encodings, events, nested_demands, windows = (
+    cascade, encodings, events, folded_times = (
         LazyFunctions(f"nscc.logic.{name}")
-        for name in ("bumps", "cascade", "encodings", "events", "nested_demands", "windows")
+        for name in ("cascade", "encodings", "events", "folded_times")
     )
 
 # Search steps of a generator at each level; a step is a cofactor of a truth vector of up to 512
@@ -92,14 +92,9 @@ def _emitted(kind: Kind, encode: Callable[[Problem, Machine, Budget], Encoding])
 GENERATORS: dict[str, Generator] = {
     "stored_predicates": _emitted("direct", encodings.stored_predicates),
     "one_hot": _emitted("direct", encodings.one_hot),
-    "digits": Generator("family", nested_demands.digits),
-    "counted": Generator("family", nested_demands.counted),
-    "windows": Generator("family", windows.windows),
-    "toggled_windows": Generator("family", windows.toggled_windows),
-    "paired_bumps": Generator("family", bumps.paired_bumps, from_level=1),
-    "halved_bumps": Generator("family", bumps.halved_bumps, from_level=1),
     "equalities": Generator("family", events.equalities),
     "gray_times": _emitted("equality", encodings.gray_times),
+    "folded_times": _emitted("equality", folded_times.folded_times),
     "gray_index": _emitted("equality", encodings.gray_index),
     "state_register": _generator_of("equality", encodings.state_register),
     "state_in_flag": _generator_of("equality", encodings.state_in_flag),

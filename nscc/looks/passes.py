@@ -51,7 +51,7 @@ _MOST_CLEARED = 4
 class LookingLowered(Lowered):
     """A lowering whose container has a state machine."""
 
-    looking: LookingSolution | None = None
+    looking: LookingSolution
 
 
 def lay_out_looks(
@@ -257,7 +257,6 @@ def plan_of(
     program: Program, lowering: LoweringOption
 ) -> tuple[LookingPlan | Misfit, Sequence[Diagnostic]]:
     """Return the plan and no errors, or a Misfit and the error NS0413 or NS0414."""
-    assert program.machine is not None
     plan = plan_looks(program, program.machine, lowering)
     if isinstance(plan, Misfit):
         name = "edges" if lowering == "auto" else lowering
@@ -300,10 +299,8 @@ def lowered_of(
 def container_of(lowered: Lowered, level: int) -> Container:
     """Return the container, with its state machine and the encodings of states."""
     assert isinstance(lowered, LookingLowered)
-    assert lowered.looking is not None
     looking, machine = lowered.looking, lowered.program.machine
     places = lowered.schedule.allocation.places
-    assert machine is not None
     planes = {}
     encoded_states = zip(machine.states, looking.encoding.states, looking.registers, strict=True)
     for state, how, names in encoded_states:

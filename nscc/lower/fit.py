@@ -115,7 +115,7 @@ def plan_fault(program: Program, misfits: Mapping[Lowering, Misfit]) -> Diagnost
     buckets = len(program.buckets)
     most = least.available - (least.required - buckets)
     helps = [f"keep at most {most} buckets"]
-    if len(misfits) == 1 and program.machine is None:
+    if len(misfits) == 1 and not program.machine.stages:
         helps.append("leave --lowering at auto: lowerings need different numbers of registers")
     return Diagnostic(
         "NS0413",
@@ -240,8 +240,7 @@ def _field_span(program: Program) -> Span:
 def looking_fault(program: Program, reasons: list[str], *, level: int) -> Diagnostic:
     """Return the error (NS0502) that no encoding of codes and states fits, which is not proved."""
     available = len(program.target.digital_registers)
-    machine = program.machine
-    states = "" if machine is None else ", ".join(state.name for state in machine.states)
+    states = ", ".join(state.name for state in program.machine.states)
     return Diagnostic(
         "NS0502",
         f"the search at -O{level} found no gates for the states of this program with "

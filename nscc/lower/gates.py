@@ -1,18 +1,15 @@
-"""Search for the gates of a program's plans, with their costs after layout."""
+"""The gates of a program's plans: the best of each, and the order of the plans."""
 
 from __future__ import annotations
 
 from nscc.cache.results import Results
-from nscc.logic.generate import GeneratorFault, note_fault, solutions
-from nscc.logic.problem import Machine, Solution
+from nscc.logic.generate import GeneratorFault
 from nscc.lower.decoding import Decoding, problem_of
 from nscc.lower.exposure_plan import LOWERINGS, ExposurePlan, Lowering, Misfit, Planned, Timeline
+from nscc.lower.gate_search import GateSearch
 from nscc.lower.lowered import Lowered, lay_out
 from nscc.program.program import Program
 from nscc.record import Record
-
-# Number of solutions to improve at each level, the best of each encoding.
-MOST_IMPROVED = {0: 1, 1: 1, 2: 6, 3: 16}
 
 
 class Gated(Record):
@@ -84,58 +81,22 @@ def lower(
     level. Known solutions come from `results`. `faults` is as in `nscc.logic.generate.solutions`.
     """
     program, target, time = planned.program, planned.program.target, planned.time
-    if most_words is not None and level >= 2:
-        # Improvement needs fitting solutions as input; a limit that only the final solution meets
-        # would exclude them.
-        free = lower(planned, plan, level, results, None, faults)
-        if isinstance(free, Misfit):
-            return free
-        unlimited = lay_out(program, free.decoding, time, most_words)
-        if not unlimited.overfull:
-            return unlimited
     problem, actions = problem_of(program, plan, time, planned.opens)
-    machine = Machine.of(target)
-
-    def priced(solution: Solution) -> Lowered:
-        return lay_out(program, Decoding(plan, problem, actions, solution), time, most_words)
-
-    def cheapest(level: int) -> Lowered | None:
-        key: str = ""
-        known: Solution | None = None
-        if results is not None:
-            key, known = results.find(problem, machine, level, plan, time, target, most_words)
-        by_encoding: dict[str, Lowered] = {}
-        for solution in solutions(problem, machine, level, faults) if known is None else (known,):
-            candidate = priced(solution)
-            rival = by_encoding.get(solution.encoding)
-            if rival is None or candidate.price < rival.price:
-                by_encoding[solution.encoding] = candidate
-        ranked = sorted(by_encoding.values(), key=lambda lowered: lowered.price)[
-            : MOST_IMPROVED[level]
-        ]
-        searched = known is None and bool(problem.demands)
-        if level >= 2 and searched and ranked:
-            from nscc.lower.refinery import Refinery  # `check` does not need it
-
-            refinery = Refinery(problem, machine, level, priced, target.store_words)
-            try:
-                ranked.insert(0, refinery.best(ranked))
-            except Exception as error:
-                note_fault(error, "improve", level, faults)
-        if level > 0 and searched and (level > 1 or not ranked or not ranked[0].fits):
-            # More steps change where generators stop, so the result is not always better.
-            below = cheapest(level - 1)
-            if below is not None:
-                ranked.append(below)
-        if not ranked:
-            return None
-        best = min(ranked, key=lambda lowered: lowered.price)
-        if results is not None and searched and not faults:
+    # Improvement needs fitting solutions as input; a limit that only the final solution meets would
+    # exclude them. So the search is first without the limit.
+    for limit in (None, most_words) if most_words is not None and level >= 2 else (most_words,):
+        search = GateSearch(program, plan, time, problem, actions, limit, faults)
+        key, known = "", None
+        if results is not None and problem.demands:
+            context = (plan, time, target, limit)
+            key, known = results.find(problem, search.machine, level, *context)
+        best = search.best(level) if known is None else search.priced(known)
+        if best is None:
+            count = len(target.digital_registers)
+            return Misfit(f"no generator found gates with {count} digital registers", searched=True)
+        if results is not None and known is None and not faults:
             results.keep(key, best.solution)
-        return best
-
-    cheapest_lowered = cheapest(level)
-    if cheapest_lowered is None:
-        registers = len(target.digital_registers)
-        return Misfit(f"no generator found gates with {registers} digital registers", searched=True)
-    return cheapest_lowered
+        lowered = lay_out(program, best.decoding, time, most_words)
+        if not lowered.overfull:
+            break
+    return lowered

@@ -30,7 +30,7 @@ class Lowered(Record):
     decoding: Decoding
     schedule: FrameSchedule
     time: Timeline
-    most_words: int | None = None
+    most_words: int | None
 
     def __repr__(self) -> str:
         return f"Lowered({self.plan.lowering}, {self.schedule.words_total} words a frame)"
@@ -179,9 +179,26 @@ class Choice(Record):
     misfits: dict[Lowering, Misfit]
     failed_generators: tuple[str, ...] = ()
 
+    bits_a_frame, bits_per_us = 0, 0.0
+    """What the chip receives for a frame: nothing, because the pixels decode their codes."""
+
     @property
     def best(self) -> Lowered:
         return self.lowerings[0]
+
+    @property
+    def program(self) -> Program:
+        return self.best.program
+
+    @property
+    def shortest_slot_us(self) -> float:
+        """The shortest slot length with which all words of the best lowering fit."""
+        return self.best.shortest_slot_us
+
+    @property
+    def frame_us(self) -> float:
+        """The time of a frame of the best lowering, in microseconds."""
+        return self.best.frame_us
 
 
 def lay_out(

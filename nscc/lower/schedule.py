@@ -187,9 +187,25 @@ def schedule(
 ) -> FrameSchedule:
     """Lay out the gates of a solution and the analog words of its plan over the boundaries. The
     digital registers `spared` are the last choice for code."""
-    plan = decoding.plan
     allocation = allocate(decoding.solution, target, spared)
-    boundaries = _segments(decoding, allocation)
+    for gates_apart, merged in ((False, True), (False, False), (True, False)):
+        result = _scheduled(decoding, time, target, allocation, gates_apart, merged)
+        if result.words_stored <= target.store_words:
+            break
+    return result
+
+
+def _scheduled(
+    decoding: Decoding,
+    time: Timeline,
+    target: Target,
+    allocation: Allocation,
+    gates_apart: bool,
+    merged: bool,
+) -> FrameSchedule:
+    """Lay out a solution with gates and analog words in separate kernels, or each boundary merged
+    into one kernel."""
+    boundaries = _segments(decoding, allocation, gates_apart)
     refreshed = refreshed_registers(boundaries, allocation, time)
     exposed = max(
         i for i, w in enumerate(boundaries[0][0]) if w.operation.effect is WordEffect.RESET_PIX
@@ -205,26 +221,24 @@ def schedule(
             boundaries[n].insert(0, refresh_words(to_refresh, allocation))
             apart.add(boundaries[n][0])
     if refreshed:
-        boundaries[plan.slots].append(refresh_words(refreshed, allocation))
+        boundaries[decoding.plan.slots].append(refresh_words(refreshed, allocation))
     # Refreshes inside the frame differ at each boundary. As separate kernels they are stored once,
     # and leave the other kernels of boundaries equal.
-    for form in (_merged(boundaries, apart), boundaries):
-        number: dict[Words, int] = {}
-        launches = tuple(
-            (n, number.setdefault(segment, len(number)))
-            for n, segments in enumerate(form)
-            for segment in segments
-            if segment
-        )
-        result = FrameSchedule(allocation, tuple(number), launches, setup_us, refreshed)
-        if result.words_stored <= target.store_words:
-            break
-    return result
+    number: dict[Words, int] = {}
+    launches = tuple(
+        (n, number.setdefault(segment, len(number)))
+        for n, segments in enumerate(_merged(boundaries, apart) if merged else boundaries)
+        for segment in segments
+        if segment
+    )
+    return FrameSchedule(allocation, tuple(number), launches, setup_us, refreshed)
 
 
-def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
-    """Return the segments of every boundary; the first segment of boundary 0 ends with the
-    setup."""
+def _segments(decoding: Decoding, allocation: Allocation, gates_apart: bool) -> list[list[Words]]:
+    """Return the segments of every boundary; the first segment of boundary 0 ends with the setup.
+
+    The last gates of a step and its analog words are one segment unless `gates_apart`: gates alone
+    are often equal in all slots."""
     plan, solution, slots = decoding.plan, decoding.solution, decoding.plan.slots
     boundaries: list[list[Words]] = [[] for _ in range(slots + 1)]
     answers = iter(solution.answers)
@@ -259,7 +273,7 @@ def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
             answer = next(answers)
             boundaries[step.boundary].extend(placed(segment) for segment in answer[:-1])
             gates = placed(answer[-1]) if answer else ()
-        boundaries[step.boundary].append((*gates, *analog))
+        boundaries[step.boundary] += [gates, analog] if gates_apart else [(*gates, *analog)]
     boundaries[slots].extend(placed(segment) for segment in solution.closing)
     return boundaries
 

@@ -12,7 +12,7 @@ from math import sqrt
 
 from nscc.neighbours.count_words import split
 from nscc.neighbours.held import Held, PictureRefused
-from nscc.neighbours.programs import Program, Taps, added, exact_taps, moved, noise_gain, values_of
+from nscc.neighbours.programs import UNIT, Program, Taps, added, exact_taps, moved, noise_gain
 from nscc.neighbours.registers import RegisterEmitter
 from nscc.neighbours.synthesis import Synthesis, gains
 from nscc.operations import op
@@ -125,8 +125,8 @@ class Lowering(RegisterEmitter):
             for candidate in self.synthesis.variants(added((sign, taps))):
                 # The largest result of a word, as a multiple of the registers' range.
                 over = 0.0
-                for kernel in values_of(candidate.program):
-                    ends = value.scaled(*gains(kernel))
+                for up, down in candidate.weights:
+                    ends = value.scaled(Fraction(up, UNIT), Fraction(down, UNIT))
                     low, high = ends if value.sign > 0 else (-ends[1], -ends[0])
                     target = self.target
                     over = max(over, high / target.register_max_e, low / target.register_min_e)

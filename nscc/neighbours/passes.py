@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import ceil, log2
+from typing import Any
 
 from nscc.cache.results import Results
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
@@ -20,14 +21,24 @@ from nscc.neighbours.table import WordForms
 from nscc.operations import Op
 from nscc.program.program import Program
 from nscc.prove.meaning import reaches
-from nscc.source import Source, Span
-from nscc.syntax.parse import parse
-from nscc.syntax.tree import Image, Next, Plane
+from nscc.syntax.parse import declared_at
 from nscc.words.container import Container
 from nscc.words.encoding import encode
-from nscc.words.pictures import Condition, PictureCost, Pictures, Sum, TailLaunch
+from nscc.words.pictures import (
+    Condition,
+    Node,
+    Picture,
+    PictureCost,
+    Pictures,
+    Sum,
+    TailLaunch,
+    with_operands,
+)  # fmt: skip
 
 _LEVEL_OF_ALTERNATIVES = 2
+_LEVEL_OF_CHANGES, _STEPS_OF_CHANGES = 1, 4000
+"""Highest optimisation level at which an error message tries changes of a program, and the steps of
+the searches for all of them."""
 
 
 def with_pictures(
@@ -39,7 +50,6 @@ def with_pictures(
     instruction store (NS0535), values beyond the range of the registers (NS0540), and images that
     read pixels too far away (NS0541)."""
     pictures = program.pictures
-    assert pictures is not None
     far = _too_far(pictures, program) or _fading(pictures, program)
     if far is not None:
         return container, [far]
@@ -80,11 +90,23 @@ def lowered(
 ) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
     do not fit. From level 2 on, the shortest of several alternatives is returned."""
+    forms = WordForms.choices(container.target)
+    searches = [Synthesis(STEPS_OF_LEVEL[level], form, results) for form in forms]
+    return _shortest(container, pictures, level, searches)
+
+
+def _shortest(
+    container: Container, pictures: Pictures, level: int, searches: Sequence[Synthesis]
+) -> Lowering:
+    pictures = replace(
+        pictures,
+        items=tuple(Picture(item.name, _without_zeros(item.node)) for item in pictures.items),
+        states=tuple(replace(s, next=_without_zeros(s.next)) for s in pictures.states),
+    )
     ways = [pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())]
     best: Lowering | None = None
     refused: PictureRefused | None = None
-    for forms in WordForms.choices(container.target):
-        synthesis = Synthesis(STEPS_OF_LEVEL[level], forms, results)
+    for synthesis in searches:
         for way in ways:
             try:
                 lowering = _lowered(container, way, synthesis)
@@ -97,6 +119,13 @@ def lowered(
         assert refused is not None
         raise refused
     return best
+
+
+def _without_zeros(node: Node) -> Any:
+    """Return an expression without terms that are multiplied by 0."""
+    if isinstance(node, Sum):
+        node = Sum(tuple(term for term in node.terms if term[0]))
+    return with_operands(node, _without_zeros)
 
 
 def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> Lowering:
@@ -148,16 +177,6 @@ def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
     return replace(pictures, items=tuple(items))
 
 
-def place_of(source: Source, name: str) -> Span:
-    """Return the span of the statement that declares an image or a plane, or of a state's step; of
-    the first statement if there is none."""
-    statements = parse(source)[0].statements
-    for statement in statements:
-        if isinstance(statement, Image | Plane | Next) and statement.name.text == name:
-            return statement.span
-    return statements[0].span
-
-
 def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
     target = program.target
     for name, reach in reaches(pictures).items():
@@ -171,7 +190,7 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
                     f"`{name}` depends on pixels {size} {unit} away, but at most {limit} are "
                     f"allowed, a quarter of the array of {target.name}",
                     source=program.source,
-                    label=Label(place_of(program.source, name), "depends on these pixels"),
+                    label=Label(declared_at(program.source, name), "depends on these pixels"),
                     helps=("use smaller convolution kernels, or apply fewer of them in sequence",),
                     data={"resource": "reach", "required": size, "available": limit},
                 )
@@ -203,7 +222,7 @@ def _refusal(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
     name, needed, available = refused.name, refused.needed, refused.available
-    label = Label(place_of(program.source, name), "computed here")
+    label = Label(declared_at(program.source, name), "computed here")
     if refused.kind == "range":
         return _beyond_range(refused, container, program, level)
     resource = {
@@ -235,20 +254,23 @@ def _beyond_range(
 ) -> Diagnostic:
     """Return NS0540, with changes that compile if they are found."""
     pictures, over = program.pictures, refused.needed
-    assert pictures is not None
     target = container.target
     helps = []
     notes = [
         f"registers of {target.name} hold {target.register_min_e:g} to {target.register_max_e:g} e"
     ]
     least = max(1, ceil(log2(over) - 1e-9))
+    level = min(level, _LEVEL_OF_CHANGES)
+    searches = [Synthesis(STEPS_OF_LEVEL[level], form) for form in WordForms.choices(target)]
+    for search in searches:
+        search.budget = _STEPS_OF_CHANGES
     other = refused
     for halvings in range(least, least + _MORE_HALVINGS):
         smaller = _with_item_divided(pictures, refused.name, 2**halvings)
         try:
-            lowered(container, smaller, level)
+            _shortest(container, smaller, level, searches)
         except PictureRefused as refused_smaller:
-            other = refused_smaller
+            other = other if refused_smaller.kind == "steps" else refused_smaller
             continue
         helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: this compiles")
         break
@@ -257,7 +279,7 @@ def _beyond_range(
     while share >= 1:
         limits = dict.fromkeys(pictures.limits_e, share / 100 * target.full_well_e)
         try:
-            lowered(container, replace(pictures, limits_e=limits), level)
+            _shortest(container, replace(pictures, limits_e=limits), level, searches)
         except PictureRefused:
             share //= 2
             continue
@@ -277,7 +299,7 @@ def _beyond_range(
         Severity.ERROR,
         source=program.source,
         label=Label(
-            place_of(program.source, refused.name),
+            declared_at(program.source, refused.name),
             f"too large for exposures up to {limit:.3g}% of a full well",
         ),
         notes=tuple(notes),

@@ -9,13 +9,14 @@ from collections.abc import Iterator
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property, lru_cache
-from math import gcd
+from math import gcd, inf
 
 from nscc.cache.digest import digest, package_digest
 from nscc.cache.results import Results
 from nscc.neighbours.addition import additions, halvings_of
 from nscc.neighbours.digit_planes import digit_plane_programs
 from nscc.neighbours.factors import Key, box_of, quotients, rows
+from nscc.neighbours.held import PictureRefused
 from nscc.neighbours.programs import (
     IDENTITY,
     UNIT,
@@ -60,7 +61,12 @@ class Ranged(Record):
     def peak(self) -> int:
         """The largest sum of the positive, or of the negated negative weights of any value, at
         least 1, in units of 1 / UNIT."""
-        return max((_peak(taps) for taps in values_of(self.program)), default=UNIT)
+        return max((UNIT, *(max(pair) for pair in self.weights)))
+
+    @cached_property
+    def weights(self) -> set[tuple[int, int]]:
+        """The sums of the positive, and of the negated negative weights of its values."""
+        return {_weights_by_sign(taps) for taps in values_of(self.program)}
 
 
 def _names(values: list[object]) -> tuple[str, ...]:
@@ -70,16 +76,22 @@ def _names(values: list[object]) -> tuple[str, ...]:
 class Synthesis:
     """Finds programs for kernels; decomposes at most `steps` kernels for each.
 
+    Requests and decompositions take from `budget`. Without it, requests are refused
+    (`PictureRefused` of kind "steps").
     Programs that an earlier compilation found come from `results`."""
 
     def __init__(self, steps: int, forms: WordForms, results: Results | None = None) -> None:
         self.most_steps, self.forms, self.results = steps, forms, results
-        self.steps = 0
+        self.steps: float = 0
+        self.budget = inf
         self._known: dict[Key, tuple[int, list[Ranged]]] = {}
         self._variants: dict[Key, list[Ranged]] = {}
 
     def variants(self, taps: Taps) -> list[Ranged]:
         """Return programs for a kernel, the shortest first; each is proved to compute it."""
+        self.budget -= 1
+        if self.budget < 0:
+            raise PictureRefused("steps", "", 1, 0)
         key = frozenset(taps.items())
         if key not in self._variants:
             # The kernel and its inverse share a search, which no other kernel affects.
@@ -114,8 +126,9 @@ class Synthesis:
         return proved
 
     def _proved(self, taps: Taps) -> list[Program]:
-        self.steps = self.most_steps
+        self.steps = allowed = min(self.most_steps, self.budget)
         candidates = [ranged.program for ranged in self._programs(dict(taps), _MOST_DEPTH)]
+        self.budget -= allowed - self.steps
         if not self.forms.news_keeps:
             candidates = list(filter(reads_news_once, candidates))
         if len(taps) <= _MOST_ADDED:

@@ -19,6 +19,7 @@ from nscc.program.table import Rules
 from nscc.source import Source, Span
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import EqualSlots, File, ListedSlots, TargetByName, TargetFromFile
+from nscc.words.pictures import NO_PICTURES
 
 SHORTEST_US = Fraction(1, 10**6)
 LONGEST_US = Fraction(10**12)
@@ -51,7 +52,7 @@ def analyse(
     rules = [check(r.rule, "boolean", scope, problems, "a rule") for r in declared.rules]
     if chosen is not None and chosen.streamed and declared.looking:
         _refuse_looking(declared, chosen, problems)
-    looking = pictures = None
+    looking, pictures = None, NO_PICTURES
     if declared.looking:
         from nscc.program.looking import make_looking
 

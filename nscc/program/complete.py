@@ -42,11 +42,11 @@ from nscc.program.table import (
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
+from nscc.words.machine import NO_LOOKS, StateMachine
+from nscc.words.pictures import NO_PICTURES, Pictures
 
 if TYPE_CHECKING:
     from nscc.program.looking import Looking
-    from nscc.words.machine import StateMachine
-    from nscc.words.pictures import Pictures
 
 
 @dataclass(eq=False, repr=False)
@@ -63,7 +63,7 @@ class Completion:
     planes: dict[str, Plane]
     codes: Codes
     looking: Looking | None = None
-    pictures: Pictures | None = None
+    pictures: Pictures = NO_PICTURES
 
     def __post_init__(self) -> None:
         has_pixels, fields = self.declared.has_pixels, self.rules.fields
@@ -149,7 +149,7 @@ class Completion:
         legal: int | None,
         at_pixel: NDArray[np.int32],
         recognised: Recognised,
-        machine: StateMachine | None = None,
+        machine: StateMachine = NO_LOOKS,
     ) -> Program:
         target_span = None
         match self.declared.target:

@@ -170,7 +170,9 @@ class PictureComparer(ABC):
 
 
 def picture_sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
-    """Return a sum with nested sums flattened, equal terms merged, and zero terms removed."""
+    """Return a sum with nested sums flattened, equal terms merged, and zero terms removed.
+
+    If all terms cancel, one stays, times 0: it tells whether the sum is a count."""
     flat: list[tuple[Fraction, p.Value]] = []
     for factor, value in terms:
         terms_of_value = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)
@@ -179,6 +181,7 @@ def picture_sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
     for factor, value in flat:
         merged[value] = merged.get(value, Fraction(0)) + factor
     nonzero = tuple((factor, value) for value, factor in merged.items() if factor)
+    nonzero = nonzero or tuple((Fraction(0), value) for value in merged)[:1]
     if len(nonzero) == 1 and nonzero[0][0] == 1:
         return nonzero[0][1]
     return p.Sum(nonzero)

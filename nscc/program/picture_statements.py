@@ -20,6 +20,7 @@ from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.counts import count_unit
 from nscc.words.pictures import (
+    NO_PICTURES,
     Bit,
     Condition,
     Inverse,
@@ -57,13 +58,13 @@ class PictureMaker:
         ]
         self.named = [bucket for bucket in self.buckets if bucket != "frame"]
 
-    def make(self) -> Pictures | None:
-        """Return the statements of version 3; None, or something unusable, after reporting errors.
+    def make(self) -> Pictures:
+        """Return the statements of version 3; something unusable after reporting errors.
 
         Reports errors in kernels (NS0530), expressions (NS0531 to NS0535), readouts and reports
         (NS0536) and assumptions (NS0537), and features that are not supported yet (NS0539)."""
         if not self._possible():
-            return None
+            return NO_PICTURES
         kernels = [self._kernel(kernel) for kernel in self.declared.kernels.values()]
         known = {kernel.name: kernel for kernel in kernels if kernel is not None}
         outside = self._outside()

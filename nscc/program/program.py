@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,11 +15,8 @@ from nscc.operations import STEERING
 from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.words.container import DecodeTable
-
-if TYPE_CHECKING:
-    from nscc.words.machine import StateMachine
-    from nscc.words.pictures import Pictures
-
+from nscc.words.machine import NO_LOOKS, StateMachine
+from nscc.words.pictures import NO_PICTURES, Pictures
 
 Codes = Literal["fixed", "open"]
 """Whether a program is compiled for the codes that the pixels use, or for every legal code."""
@@ -84,14 +81,14 @@ class Program(Record, eq=False):
     class_name: str
     class_reason: str
     messages: tuple[Diagnostic, ...]
-    machine: StateMachine | None = None
-    pictures: Pictures | None = None
+    machine: StateMachine = NO_LOOKS
+    pictures: Pictures = NO_PICTURES
 
     @property
     def spared_registers(self) -> tuple[str, ...]:
         """The digital registers that images and planes need beside the pixel codes: those that
         choose the neighbours of which bits are read."""
-        return (*STEERING,) if self.pictures is not None and self.pictures.steering else ()
+        return (*STEERING,) if self.pictures.steering else ()
 
     def __repr__(self) -> str:
         return f"Program({self.source.name!r}, class {self.class_name}, {self.table!r})"

@@ -135,6 +135,10 @@ class ReplayPixels:
 
     # Frames.
 
+    def prove_frame(self, light: Values) -> None:
+        """Run one frame in `light` (N,); raise ReplayError if it differs from the program."""
+        raise NotImplementedError
+
     def start_frame(self) -> None:
         """Start a frame, with unknown analog registers."""
         if self._frame:
@@ -159,7 +163,7 @@ class ReplayPixels:
     def end_frame(self) -> None:
         """End a frame, including its readout; images and planes may overwrite all but code
         registers."""
-        if self.container.pictures is not None:
+        if self.container.pictures.outputs:
             for name in self.bits.keys() - {*self.container.code_registers}:
                 self.write(name, UNKNOWN)
         self._boundary = self.container.slots

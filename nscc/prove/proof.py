@@ -13,7 +13,7 @@ proved last."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -34,7 +34,7 @@ from nscc.record import Record
 from nscc.source import Source, Span
 from nscc.words.container import Container
 from nscc.words.legality import target_fault
-from nscc.words.readout import converter_of, preparation_of
+from nscc.words.readout import converted_buckets, converter_of, preparation_of
 
 
 class Replay(ReplayPixels):
@@ -127,11 +127,11 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
 
     Random values suffice, because the words are linear."""
     preparation = preparation_of(container)
-    buckets = {readout.register: readout.bucket for readout in container.readouts}
+    buckets = converted_buckets(container)
     for word in preparation.words:
         fault = target_fault(word, container.target)
         if fault is not None:
-            return next(iter(buckets.values())), f"the target does not support `{word}`: {fault}"
+            return container.buckets[0], f"the target does not support `{word}`: {fault}"
     replay = Replay(replace(container, encoding=container.encoding[:1]), ())
     replay.start_frame()
     before = {name: float(replay.analog[name][0, 0]) for name in buckets}
@@ -197,21 +197,29 @@ class Proof(Record):
         return self.failure is None
 
 
-def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
-    """Prove that `kernels`, the decoded words of the container, match its decode table."""
+def readout_failure(container: Container) -> Failure | None:
+    """Return the error in the words before the readout, or None."""
+    fault = readout_fault(container)
+    return None if fault is None else Failure(fault[1], FRAMES, fault[0])
+
+
+def prove(
+    container: Container,
+    kernels: Sequence[Sequence[Op]],
+    replay_of: Callable[[Container, Sequence[Sequence[Op]]], ReplayPixels] = Replay,
+    after_frame: Callable[[Container], Failure | None] = readout_failure,
+) -> Proof:
+    """Prove that `kernels`, the decoded words of the container, match its decode table.
+
+    `replay_of` returns the pixels that run the words of two frames. `after_frame` returns the first
+    error of the words that follow."""
     codes, slots = len(container.table.codes), container.slots
     for operation in dict.fromkeys(word for kernel in kernels for word in kernel):
         fault = target_fault(operation, container.target)
         if fault is not None:
             reason = f"the target does not support the word `{operation}`: {fault}"
             return Proof(codes, slots, 0, Failure(reason, 0))
-    replay: Looks | Replay
-    if container.machine is None:
-        replay = Replay(container, kernels)
-    else:
-        from nscc.prove.looks_proof import Looks
-
-        replay = Looks(container, kernels)
+    replay = replay_of(container, kernels)
     noise = Noise(LIGHT_SEED)
     failure = None
     for frame in range(1, FRAMES + 1):
@@ -222,26 +230,7 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
                 wrong.reason, frame, wrong.bucket, wrong.shutter, tuple(replay.doubts)
             )
             break
-    return Proof(codes, slots, FRAMES, failure or _after_frame(container), replay.transitions)
-
-
-def _after_frame(container: Container) -> Failure | None:
-    """Return the error in the words between frame and readout, or None."""
-    fault = readout_fault(container)
-    if fault is not None:
-        return Failure(fault[1], FRAMES, fault[0])
-    if container.pictures is None:
-        return None
-    from nscc.prove.diagrams import AlwaysEqual, TooLarge
-    from nscc.prove.pictures_proof import pictures_fault
-
-    try:
-        picture_reason = pictures_fault(container)
-    except TooLarge as large:
-        return Failure("its proof is too large", FRAMES, unproved=large.name)
-    except AlwaysEqual as equal:
-        return Failure(ALWAYS_EQUAL, FRAMES, unproved=str(equal))
-    return Failure(picture_reason, FRAMES) if picture_reason else None
+    return Proof(codes, slots, FRAMES, failure or after_frame(container), replay.transitions)
 
 
 ALWAYS_EQUAL = "it compares values that are always equal"
@@ -280,48 +269,3 @@ def unproved_error(
         ),
         data={"resource": "nodes", "available": MOST_NODES},
     )
-
-
-def prove_stream(container: Container) -> Proof:
-    """Follow the light of every pixel through the planes, and compare it with the decode table.
-
-    Planes must be completely loaded before they act, one at a time. The proof does not use the code
-    that made the planes. Without pixel codes there are no planes, and only the times are proved."""
-    table, target = container.table, container.target
-    failure = _times(container)
-    sent, pixels = container.stream, container.pixel_codes
-    count = 0
-    if failure is None and sent is not None and pixels is not None:
-        count = pixels.size
-        at_pixel = table.shutter_of_code[pixels]
-        for slot in range(container.slots):
-            place = sent.place(slot, target.cols)
-            for bucket, name in enumerate(container.buckets):
-                misrouted = (place == bucket) != table.shutters[:, bucket, slot][at_pixel]
-                if misrouted.any():
-                    y, x = np.argwhere(misrouted)[0].tolist()
-                    message = (
-                        f"the light of pixel x = {x}, y = {y} goes to another destination in "
-                        f"slot {slot}"
-                    )
-                    failure = failure or Failure(message, 1, name, int(at_pixel[y, x]))
-    return Proof(len(table.codes), container.slots, 1, failure, pixels=count)
-
-
-def _times(container: Container) -> Failure | None:
-    """Return the failure if planes overlap or act too early, else None."""
-    from nscc.words.stream import schedule
-
-    free_us, load_us = -np.inf, container.target.plane_load_us
-    end_us = np.cumsum(container.slot_us)
-    slack = 1e-6 * load_us
-    for slot, loading in enumerate(schedule(container.target, container.slot_us)):
-        loads_in_time = loading.load_us + load_us <= loading.acts_us + slack
-        if (
-            not loads_in_time
-            or loading.load_us < free_us - slack
-            or loading.acts_us >= end_us[slot]
-        ):
-            return Failure(f"slot {slot} is too short to load its plane", 1)
-        free_us = loading.load_us + load_us
-    return None

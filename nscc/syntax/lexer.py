@@ -95,6 +95,7 @@ _PICTURES = ("image", "plane", "assume", "next")
 """The statements of version 3 whose operands may be levels."""
 _OF_TWO = re.compile(r"\[[^\[\]]*,")
 """The bracket after a plane, not that of a field."""
+_NOT_DIVIDED = re.compile(r"\s*[<>=!)]")
 
 
 def _of_picture(
@@ -104,8 +105,9 @@ def _of_picture(
     start, text = span_of(token).start, tokens.source.text
     if statement == "next" and tokens.version < 3:
         return None
-    before = [kind for kind in tokens.kinds[-2:] if kind != "-"][-1:]
-    if (statement != "next" or before == ["COMPARISON"]) and (amount := level.match(text, start)):
+    if (amount := level.match(text, start)) and (
+        statement != "next" or not amount.group().endswith("%") or _is_share(tokens, amount)
+    ):
         return Token("AMOUNT", amount.group(), start, end_pos=amount.end())
     if statement == "assume":
         return None
@@ -117,6 +119,14 @@ def _of_picture(
     if token == "[" and tokens.kinds[-1:] == ["NAME"] and is_place:
         return token.update(type="PLACE")
     return None
+
+
+def _is_share(tokens: Tokens, amount: re.Match[str]) -> bool:
+    """Return whether `5%` in a `next` is a level: compared, or at the end of brackets.
+
+    Otherwise it is a number and the sign of a remainder."""
+    before = [kind for kind in tokens.kinds[-2:] if kind != "-"][-1:]
+    return before == ["COMPARISON"] or _NOT_DIVIDED.match(amount.string, amount.end()) is not None
 
 
 def _awaits_level(tokens: Tokens, statement: str) -> bool:

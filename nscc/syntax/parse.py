@@ -23,7 +23,7 @@ from nscc.syntax.lexer import Tokens, lex, read
 from nscc.syntax.mistakes import misspelt_statement, mistake, unknown_statement
 from nscc.syntax.words import statement_words
 
-__all__ = ["MOST_BYTES", "MOST_ERRORS", "parse", "read_source"]
+__all__ = ["MOST_BYTES", "MOST_ERRORS", "declared_at", "parse", "read_source"]
 
 VERSIONS = (1, 2, 3)
 
@@ -80,6 +80,19 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
     if len(versions) > 1 and tokens.kinds[0] == "nsl":
         errors.add(lambda: _said_twice(source, versions))
     return tree.File(span, statements), errors.in_order()
+
+
+def declared_at(source: Source, name: str) -> Span:
+    """Return the span of the statement that declares an image or a plane, or of a state's step; of
+    the first statement if there is none."""
+    statements = parse(source)[0].statements
+    for statement in statements:
+        if (
+            isinstance(statement, tree.Image | tree.Plane | tree.Next)
+            and statement.name.text == name
+        ):
+            return statement.span
+    return statements[0].span
 
 
 class _Errors:

@@ -17,7 +17,8 @@ from typing import Any
 
 import lark
 
-from nscc.cache.store import Store, cache_folder
+from nscc.cache.folder import cache_folder
+from nscc.cache.store import Store
 
 START = "statement"
 END = "$END"

@@ -1,13 +1,16 @@
-"""Kinds of values in a TOML file.
+"""Kinds of values: of keys in TOML files, of arguments in Python, of options of the command line.
 
-A kind reads a value from a file, describes the allowed values, and converts a value for writing."""
+A kind reads a value, describes the allowed values, and converts a value for writing."""
 
 from __future__ import annotations
 
+import os
 import re
+import sys
 from dataclasses import dataclass
 from functools import partial
-from math import isfinite
+from math import inf
+from pathlib import Path
 from typing import Any, Protocol
 
 from nscc.record import Record
@@ -20,8 +23,16 @@ Quotients and squares of smaller values exceed the range of floats, and no time,
 in nscc is as small."""
 
 
+_LARGEST_FLOAT = sys.float_info.max
+LARGEST_INTEGER = 2**63 - 1
+"""The largest whole number of an option that has no limit of its own; messages leave it out."""
+
+
 class Kind(Protocol):
     """The values that a key may have."""
+
+    helps: tuple[str, ...] = ()
+    """What a message about an invalid argument recommends."""
 
     @property
     def allowed(self) -> str:
@@ -33,6 +44,15 @@ class Kind(Protocol):
     def plain(self, value: Any) -> Any:
         """Convert a Python value to the value that a file contains, the inverse of `read`."""
         return value
+
+    @property
+    def in_python(self) -> str:
+        """Return the end of the sentence "the argument is .."."""
+        return self.allowed
+
+    def argument(self, value: Any) -> Any:
+        """Convert an argument of a Python call; raise ValueError if it is not allowed."""
+        return self.read(value)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +70,7 @@ class Number(Kind):
     is_whole: bool = False
     unlimited: bool = False
     automatic: bool = False
+    helps: tuple[str, ...] = ()
 
     @property
     def _word(self) -> str:
@@ -66,25 +87,40 @@ class Number(Kind):
 
     @property
     def range(self) -> str:
-        """The range in words."""
+        """The range in words, without a limit that no value reaches."""
         lower = "above" if self.low_excluded else "from"
         upper = "below" if self.high_excluded else "to"
-        return f"{lower} {self.low:g} {upper} {self.high:g}"
+        limits = []
+        if self.low > -inf:
+            limits.append(f"{lower} {self.low:g}")
+        if self.high < (LARGEST_INTEGER if self.is_whole else inf):
+            limits.append(f"{upper} {self.high:g}")
+        return " ".join(limits)
 
     @property
     def allowed(self) -> str:
+        return (f'"{self._word}" or ' if self._word else "") + self.in_python
+
+    @property
+    def in_python(self) -> str:
         number = "a whole number" if self.is_whole else "a number"
+        if -self.low == self.high == inf:
+            return "a finite number"
         unit = f" ({self.unit})" if self.unit else ""
-        return (f'"{self._word}" or ' if self._word else "") + f"{number} {self.range}{unit}"
+        return f"{number} {self.range}{unit}"
 
     def read(self, value: Any) -> float | None:
-        if self._word and value == self._word:
+        return None if self._word and value == self._word else self.argument(value)
+
+    def argument(self, value: Any) -> float | None:
+        if self._word and value is None:
             return None
         if isinstance(value, bool) or not isinstance(value, int if self.is_whole else (int, float)):
             raise ValueError
         above = self.low < value if self.low_excluded else self.low <= value
         below = value < self.high if self.high_excluded else value <= self.high
-        if not (above and below and isfinite(value)):
+        largest = LARGEST_INTEGER if self.is_whole else _LARGEST_FLOAT
+        if not (above and below and -largest <= value <= largest):
             raise ValueError
         # Adding 0.0 turns -0.0 into 0.0: one value, one spelling.
         return value if self.is_whole else float(value) + 0.0
@@ -102,6 +138,10 @@ class Flag(Kind, Record):
     @property
     def allowed(self) -> str:
         return "true or false"
+
+    @property
+    def in_python(self) -> str:
+        return "True or False"
 
     def read(self, value: Any) -> bool:
         if not isinstance(value, bool):
@@ -124,6 +164,10 @@ class TextKind(Kind, Record):
         if self.choices:
             return "one of " + ", ".join(f'"{choice}"' for choice in self.choices)
         return self.phrase
+
+    @property
+    def in_python(self) -> str:
+        return f"one of {', '.join(map(repr, self.choices))}" if self.choices else self.phrase
 
     def read(self, value: Any) -> str | None:
         # Command-line bytes that are not UTF-8 arrive as surrogates.
@@ -194,6 +238,72 @@ class Axis(Kind, Record):
         values = [self.element.plain(item) for item in value]
         return values[0] if len(values) == 1 else values
 
+
+class Instance(Kind, Record):
+    """An object of one of `types`, which `phrase` describes; paths become text, as in options.
+
+    `helps` tell how to make one."""
+
+    types: tuple[type, ...]
+    phrase: str
+    helps: tuple[str, ...] = ()
+
+    @property
+    def allowed(self) -> str:
+        return self.phrase
+
+    def read(self, value: Any) -> Any:
+        if not isinstance(value, self.types) or isinstance(value, bool):
+            raise ValueError
+        return os.fspath(value) if isinstance(value, os.PathLike) else value
+
+
+class FilePath(Kind, Record):
+    """The path of a file or folder."""
+
+    phrase: str = "a path"
+
+    @property
+    def allowed(self) -> str:
+        return self.phrase
+
+    def read(self, value: Any) -> Any:
+        path = os.fspath(value) if isinstance(value, str | os.PathLike) else None
+        if not isinstance(path, str) or "\0" in path:
+            raise ValueError
+        return Path(path)
+
+
+class TextOrNumbers(Kind, Record):
+    """A text, `count` numbers (None: any number of them), or an object of one of `types`.
+
+    Numbers become text with commas between them."""
+
+    count: int | None
+    types: tuple[type, ...] = ()
+
+    @property
+    def allowed(self) -> str:
+        numbers = {None: "numbers", 1: "a number"}.get(self.count, f"{self.count} numbers")
+        return f"text or {numbers}"
+
+    def read(self, value: Any) -> Any:
+        if isinstance(value, (str, *self.types)):
+            return value
+        values = value if isinstance(value, tuple | list) else [value]
+        if len(values) != (self.count or len(values) or 1):
+            raise ValueError
+        return ",".join(f"{ANY_NUMBER.read(_plain(item)):.17g}" for item in values)
+
+
+def _plain(value: Any) -> Any:
+    """Return a number of numpy as one of Python."""
+    return value.item() if hasattr(value, "item") and not getattr(value, "shape", ()) else value
+
+
+ANY_NUMBER = Number(-inf, inf)
+SEED = Integer(0, LARGEST_INTEGER)
+"""A seed of random numbers."""
 
 NAME = TextKind(
     pattern=r"[A-Za-z][A-Za-z0-9_.+-]{0,63}",

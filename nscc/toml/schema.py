@@ -41,7 +41,14 @@ class Key:
     `meaning` is half a sentence. `source` is the origin of the default, empty if it is published. A
     file lists the key under `heading`, by default its section. `attribute` is the name in Python,
     by default the key's name. A `required` key must be in the file. A `later` key was added after
-    the first containers and is left out of containers if it has its default."""
+    the first containers and is left out of containers if it has its default.
+
+    A key may also be an option of the command line and an argument in Python. `option` is the
+    option's name, by default `--NAME`; `notation` shows how its value is written; `default_text`
+    describes the default in place of the value, and is empty if `meaning` describes it.
+
+    Each of `checks` takes all settings. It returns the reason why they contradict the value of this
+    key, or a false value."""
 
     section: str
     name: str
@@ -53,8 +60,13 @@ class Key:
     heading: str = ""
     attribute: str = ""
     later: bool = False
+    option: str = ""
+    notation: str = ""
+    default_text: str | None = None
+    checks: tuple[Callable[[Any], object], ...] = ()
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "option", self.option or "--" + self.name.replace("_", "-"))
         object.__setattr__(self, "heading", self.heading or self.section)
         object.__setattr__(self, "attribute", self.attribute or self.name)
 
@@ -77,18 +89,19 @@ class FileCodes:
 
 
 def key(kind: Kind, meaning: str, default: Any = MISSING, **about: Any) -> Any:
-    """Declare a dataclass field as a key of a file; `about` are further attributes of `Key`."""
+    """Declare a dataclass field as a key of a file or an option; `about` are further attributes of
+    `Key`."""
     return field(default=default, metadata={"kind": kind, "meaning": meaning, **about})
 
 
 def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
-    """Return the keys that the fields of a dataclass declare, in order.
+    """Return the keys that the fields of a dataclass declare, in order; other fields are internal.
 
     Keys without their own section are in `section`."""
     return tuple(
         Key(**{"section": section, "name": member.name, "attribute": member.name,
                "default": member.default, **member.metadata})
-        for member in fields(settings)
+        for member in fields(settings) if "kind" in member.metadata
     )  # fmt: skip
 
 

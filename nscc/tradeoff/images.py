@@ -23,11 +23,10 @@ def image_points(path: Path, level: int) -> list[Point]:
     pictures, target = container.pictures, container.target
     synthesis = Synthesis(STEPS_OF_LEVEL[level], WordForms.choices(target)[0])
     points: dict[Point, None] = {}
-    for item in pictures.items if pictures else ():
+    for item in pictures.items:
         for node in subexpressions(item.node):
             if not isinstance(node, Filtered):
                 continue
-            assert pictures is not None
             taps = exact_taps(pictures.weights_by_name[node.kernel].taps)
             for ranged in synthesis.variants(taps):
                 words = len(ranged.program)

@@ -40,7 +40,7 @@ def in_fewer(container: Container, join: int) -> tuple[str, NDArray[np.int32]]:
     its time. Raises NotJoined if the slots cannot be joined, pixels have no codes, or there are too
     many shutters for a codebook."""
     codes, slots = container.pixel_codes, container.slots
-    if container.machine is not None or codes is None:
+    if container.machine.stages or codes is None:
         raise NotJoined("programs with pixels that look keep their own slots")
     if slots % join:
         raise NotJoined(f"{slots} slots are not a multiple of {join}")

@@ -12,11 +12,10 @@ from typing import Any, Literal
 import numpy as np
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.emit.report import report
 from nscc.experiment_store import Rows
 from nscc.limits.families import bits_rule, book_rule, bump_rule, program_text, start_rule
 from nscc.lower.exposure_plan import Lowering
-from nscc.pipeline import LEVELS, Compiled, Options, run_passes
+from nscc.pipeline import KINDS, LEVELS, Compiled, Options, run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
@@ -140,10 +139,9 @@ def _timed(watch: Stopwatch, way: CompileVariant, count: Count) -> dict[str, Any
     if isinstance(compiled, Diagnostic):
         return {"refused": f"{compiled.message} ({compiled.code})"}
     # The bound is that of the logic, plus the analog words of the plan if all words count.
-    choice, proof = compiled.choice, compiled.proof
-    assert choice is not None
-    assert proof is not None
-    lowered, logic = choice.best, report(choice, proof)["logic"]
+    lowered = compiled.lowered
+    assert lowered is not None
+    logic = KINDS.of(compiled.program).report(compiled)["logic"]
     words, bound = logic["words"], logic["bound"]
     if count == "all":
         words = lowered.schedule.words_total

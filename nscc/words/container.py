@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.operations import Word
 from nscc.record import Record
+from nscc.words.machine import NO_LOOKS, StateMachine, StatePlanes
+from nscc.words.pictures import NO_PICTURES, Pictures
 
 if TYPE_CHECKING:
-    from nscc.words.machine import StateMachine, StatePlanes
-    from nscc.words.pictures import Pictures
     from nscc.words.stream import Stream
 
 
@@ -100,10 +100,10 @@ class Container:
     readouts: tuple[Readout, ...]
     source_lines: tuple[str, ...] = ()
     notes: Mapping[str, str] = field(default_factory=dict)
-    machine: StateMachine | None = None
+    machine: StateMachine = NO_LOOKS
     state_planes: Mapping[str, StatePlanes] = field(default_factory=dict)
     stream: Stream | None = None
-    pictures: Pictures | None = None
+    pictures: Pictures = NO_PICTURES
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields for copies and pickles, without cached analyses."""
@@ -122,34 +122,28 @@ class Container:
     @property
     def buckets_read(self) -> tuple[str, ...]:
         """The buckets that are read out with a frame, in order."""
-        if self.pictures is None:
+        if not self.pictures.outputs:
             return self.buckets
         return tuple(name for name in self.pictures.reads if name in self.buckets)
 
     @property
     def keeps_states(self) -> bool:
         """Whether states go on from frame to frame."""
-        if self.machine is not None:
-            return self.machine.keeps
-        return self.pictures is not None and bool(self.pictures.states)
+        return self.machine.keeps or bool(self.pictures.states)
 
     @property
     def words_stored(self) -> int:
         """The number of words in the chip's store."""
-        after = self.pictures.kernels if self.pictures else ()
-        return sum(len(kernel.words) for kernel in self.kernels) + sum(map(len, after))
+        after = sum(map(len, self.pictures.kernels))
+        return sum(len(kernel.words) for kernel in self.kernels) + after
 
     @property
     def words_per_frame(self) -> int:
         """The number of words that a frame executes."""
-        after = self.pictures.words if self.pictures else 0
-        return sum(len(self.kernels[launch.kernel].words) for launch in self.launches) + after
+        words = sum(len(self.kernels[launch.kernel].words) for launch in self.launches)
+        return words + self.pictures.words
 
     def __repr__(self) -> str:
-        if self.target.streamed:
-            planes = "no planes yet" if self.stream is None else f"{self.slots} planes"
-            codes = len(self.table.codes)
-            return f"Container({codes} codes, {self.slots} slots, {planes}, for {self.target.name})"
         return (
             f"Container({len(self.table.codes)} codes, {self.slots} slots, {self.words_stored} "
             f"words, {self.words_per_frame} a frame, for {self.target.name})"
@@ -177,7 +171,7 @@ def with_picture_words(container: Container) -> Container:
     that the chip converts: first buckets, then images. Its code registers include the registers of
     kept states, which a device loads with their start values before the first frame."""
     pictures = container.pictures
-    if pictures is None:
+    if not pictures.outputs:
         return container
     first = len(container.kernels)
     names = (*container.buckets_read, *pictures.images_read)
@@ -208,14 +202,11 @@ def with_picture_words(container: Container) -> Container:
 def state_registers(container: Container) -> tuple[str, ...]:
     """Return the digital registers of the states and planes that are read out, or reported,
     in order."""
-    if container.pictures is not None:
-        held = (container.pictures.registers[name] for name in container.pictures.outputs)
-        digital = container.target.digital_registers
-        return tuple(dict.fromkeys(register for register in held if register in digital))
-    machine = container.machine
-    read = [state.name for state in machine.states if state.read] if machine else []
+    pictures, digital = container.pictures, container.target.digital_registers
+    planes = (pictures.registers.get(name) for name in pictures.outputs)
+    read = (state.name for state in container.machine.states if state.read)
     registers = (r for name in read for r in container.state_planes[name].registers)
-    return tuple(dict.fromkeys(registers))
+    return tuple(dict.fromkeys((*(r for r in planes if r in digital), *registers)))
 
 
 def packed_shutters(

@@ -15,6 +15,8 @@ from nscc.words.file import to_bytes
 
 _LONGEST_SECTION = 4096
 _MOST_LINES = 200
+_OF_DATA = (".machine", ".pictures", ".pixels plane")
+"""Directives with lines of base64."""
 
 
 def differences(first: Container, second: Container) -> list[str]:
@@ -59,12 +61,22 @@ def _text_change(old: Sequence[str], new: Sequence[str]) -> Iterator[str]:
     if max(len(old), len(new)) > _LONGEST_SECTION:
         yield f"{len({*old} ^ {*new})} lines differ, too many to compare one by one"
         return
-    pair = [line.strip() for line in old], [line.strip() for line in new]
-    changed = list(unified_diff(*pair, lineterm="", n=0))[2:]
-    shown = [line for line in changed if line[1:3] != "| " or " " in line[3:]]
-    yield from (line if line.isprintable() else ascii(line)[1:-1] for line in shown)
-    if len(shown) < len(changed):
+    (old_text, old_data), (new_text, new_data) = _split(old), _split(new)
+    changed = list(unified_diff(old_text, new_text, lineterm="", n=0))[2:]
+    yield from (line if line.isprintable() else ascii(line)[1:-1] for line in changed)
+    if old_data != new_data:
         yield "the data in base64 differ"
+
+
+def _split(section: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return the lines of a section that are text, and those that are base64."""
+    lines: tuple[list[str], list[str]] = [], []
+    directive = ""
+    for line in section:
+        directive = line if line.startswith(".") else directive
+        is_data = line.startswith("|") and directive.startswith(_OF_DATA)
+        lines[is_data].append(line.strip())
+    return lines
 
 
 def _planes(first: Container, second: Container) -> Iterator[str]:

@@ -203,7 +203,7 @@ def _table(container: Container) -> Iterator[str]:
 def _machine(container: Container) -> Iterator[str]:
     """Yield the comparisons as comments, then the state machine and the levels of IN as data."""
     machine, step_e = container.machine, container.target.electrons_per_step
-    if machine is None:
+    if not machine.stages:
         return
     for comparison in machine.comparisons:
         signal = (
@@ -220,7 +220,7 @@ def _machine(container: Container) -> Iterator[str]:
 def _pictures(container: Container) -> Iterator[str]:
     """Yield the words of images and planes as comments, then all of them as data."""
     pictures, target = container.pictures, container.target
-    if pictures is None:
+    if not pictures.outputs:
         return
     yield "; images and planes: these words follow the last slot's"
     for launch in pictures.launches:

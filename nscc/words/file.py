@@ -34,8 +34,8 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.record import Record
 from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
-from nscc.words.machine import Length
-from nscc.words.pictures import Pictures
+from nscc.words.machine import NO_LOOKS, Length
+from nscc.words.pictures import NO_PICTURES, Pictures
 from nscc.words.soundness import faults
 from nscc.words.stored_arrays import StoredArray, layout_of, packed, unpacked
 from nscc.words.stored_machine import StoredMachine, stored_machine
@@ -136,10 +136,10 @@ def to_bytes(container: Container) -> bytes:
     length = _PREAMBLE.size + sum(map(len, sections)) + _DIGEST
     if target.streamed:
         version = 3
-    elif container.pictures is not None:
+    elif container.pictures.outputs:
         version = 4
     else:
-        version = 1 if container.machine is None else 2
+        version = 2 if container.machine.stages else 1
     body = b"".join([_PREAMBLE.pack(MAGIC, version, len(text), length), *sections])
     return body + sha256(body).digest()
 
@@ -162,8 +162,8 @@ def _header(container: Container) -> _Header:
             len(container.launches),
             container.pixel_codes is not None,
         ),
-        machine=None if machine is None else stored_machine(machine, container.state_planes),
-        pictures=container.pictures,
+        machine=stored_machine(machine, container.state_planes) if machine.stages else None,
+        pictures=container.pictures if container.pictures.outputs else None,
     )
 
 
@@ -300,8 +300,8 @@ def _assembled(data: bytes, start: int) -> Container:
         readouts=header.readouts,
         source_lines=header.source_lines,
         notes=header.notes,
-        machine=None if machine is None else machine.machine(arrays),
+        machine=NO_LOOKS if machine is None else machine.machine(arrays),
         state_planes={} if machine is None else machine.state_planes(),
         stream=stream,
-        pictures=header.pictures,
+        pictures=header.pictures or NO_PICTURES,
     )

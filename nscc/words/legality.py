@@ -33,7 +33,7 @@ def refuse_planes(target: Target, refusal: str, help_text: str) -> None:
 
 def refuse_pictures(container: Container, refusal: str, note: str, help_text: str) -> None:
     """Raise NS0542 (status 1) for a program with images or planes."""
-    if container.pictures is not None:
+    if container.pictures.outputs:
         raise rejected("NS0542", refusal, notes=(note,), helps=(help_text,), status=1)
 
 
@@ -50,8 +50,6 @@ def picture_words(container: Container) -> list[tuple[Op, int | None]]:
 
     The value is None if IN is not set. Raises Rejected as `decoded` does."""
     pictures = container.pictures
-    if pictures is None:
-        return []
     named = ((f"{number} of the images", words) for number, words in enumerate(pictures.kernels))
     kernels = _decoded(named, container.target, picture_fault)
     return [(op, launch.level) for launch in pictures.launches for op in kernels[launch.kernel]]

@@ -96,7 +96,7 @@ class StateMachine(Record, eq=False):
 
     @property
     def stages(self) -> int:
-        """The number of looks plus one."""
+        """The number of looks plus one; 0 for a program whose shutters depend on the code only."""
         return len(self.first) - 1
 
     def nodes(self, stage: int) -> slice:
@@ -131,6 +131,22 @@ class StateMachine(Record, eq=False):
         chosen = nodes[(self.values[: self.first[1]] == starts).all(axis=1)]
         order = np.argsort(self.behaviour[chosen], kind="stable")
         return np.asarray(chosen[order], np.int64)
+
+
+NO_LOOKS = StateMachine(
+    states=(),
+    comparisons=(),
+    looks=(),
+    first=np.zeros(1, np.int32),
+    behaviour=np.zeros(0, np.int32),
+    values=np.zeros((0, 0), np.int64),
+    opens=np.zeros((0, 0, 0), np.bool_),
+    resets=np.zeros((0, 0), np.bool_),
+    steps=np.zeros((0, 0), np.int32),
+    open_slots=np.zeros((0, 0), np.int32),
+    open_us=np.zeros((0, 0), np.float64),
+)
+"""The machine of a program whose shutters depend on the code only: it has no nodes."""
 
 
 class StatePlanes(Record, eq=False):

@@ -14,7 +14,7 @@ from nscc.words.stored_arrays import array_faults
 def faults(container: Container) -> Iterator[str]:
     """Yield the errors of a container's machine, each as part of a sentence."""
     machine = container.machine
-    if machine is None:
+    if not machine.stages:
         if any(launch.level is not None for launch in container.launches):
             yield "a launch sets IN, but no comparison uses it"
         return

@@ -221,7 +221,7 @@ class PictureCost(Record):
 
 @dataclass(frozen=True)
 class Pictures:
-    """The images and planes of a program, and after lowering their words.
+    """The images and planes of a program, and after lowering their words; empty without them.
 
     `items` are in evaluation order. `outside` is the bit outside the array, None if no neighbour's
     bit is read. `limits_e` are the largest assumed exposures in electrons, by bucket. `reads` are
@@ -283,6 +283,10 @@ class Pictures:
     def words(self) -> int:
         """The number of words executed after the last slot."""
         return sum(len(self.kernels[launch.kernel]) for launch in self.launches)
+
+
+NO_PICTURES = Pictures((), (), None, {}, (), ())
+"""The images and planes of a program without any."""
 
 
 def operands(node: Node) -> tuple[Node, ...]:

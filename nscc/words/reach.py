@@ -116,7 +116,6 @@ def beyond_reaches(
 
     `before` is the result for the previous frame, on whose states this frame depends."""
     pictures = container.pictures
-    assert pictures is not None
     words = (op for op, _ in picture_words(container))
     states = [state.name for state in pictures.states]
     kept = {pictures.registers[name]: before.get(name, Reach()) for name in states}
@@ -129,7 +128,6 @@ def reaches_of_frames(
     container: Container, first: dict[str, Reach] | None = None
 ) -> Iterator[dict[str, Reach]]:
     """Yield `beyond_reaches` frame by frame, without end; `first` is that of the first frame."""
-    assert container.pictures is not None
     reaches = beyond_reaches(container) if first is None else first
     while True:
         yield reaches
@@ -140,7 +138,6 @@ def reaches_of_frames(
 def film_reaches(container: Container) -> list[dict[str, Reach]] | None:
     """Return `beyond_reaches` of every frame of a film, up to the frame from which they stay the
     same. Return None if they grow with every further frame."""
-    assert container.pictures is not None
     film: list[dict[str, Reach]] = []
     # Growth from state to state passes each state once, unless it goes on for ever.
     for reaches in islice(reaches_of_frames(container), len(container.pictures.states) + 2):

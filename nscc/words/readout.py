@@ -36,12 +36,20 @@ def preparation_of(container: Container) -> Preparation:
     everywhere = op("all")
     if target.spread_level is None or copy is None:
         return Preparation((everywhere,), None)
-    buckets = {*container.buckets}
-    registers = [each.register for each in container.readouts if each.bucket in buckets]
+    registers = converted_buckets(container)
     if not registers:
         return Preparation((everywhere,), None)
     words = (word for register in registers for word in spreading(target, register, copy))
     return Preparation((everywhere, *words), target.spread_level)
+
+
+def converted_buckets(container: Container) -> dict[str, str]:
+    """Return the buckets that the converter reads, by register.
+
+    Exposures that only images use are not converted, and other values may be in their registers."""
+    registers = {readout.bucket: readout.register for readout in container.readouts}
+    registers |= container.pictures.registers
+    return {registers[name]: name for name in container.buckets_read}
 
 
 def spreading(target: Target, register: str, copy: str) -> tuple[Op, Op, Op]:
@@ -67,10 +75,8 @@ def converter_of(container: Container) -> Target:
 
 def _free(container: Container) -> str | None:
     """Return a register that is not read out, or None."""
-    pictures = container.pictures
-    if pictures is not None:
-        return free_register(container.target, pictures.registers.values())
-    return free_register(container.target, (readout.register for readout in container.readouts))
+    read = container.pictures.registers.values() or [each.register for each in container.readouts]
+    return free_register(container.target, read)
 
 
 def free_register(target: Target, read: Iterable[str]) -> str | None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from nscc.words import machine_soundness, stream
 from nscc.words.container import Container
-from nscc.words.pictures import subexpressions
+from nscc.words.pictures import NO_PICTURES, subexpressions
 from nscc.words.stored_arrays import array_fault, array_faults
 
 MOST_WORDS = 1 << 18
@@ -132,7 +132,7 @@ def _stream_faults(container: Container) -> Iterator[str]:
         return
     if container.kernels or container.launches or container.code_registers:
         yield f"it has words, but the pixels of {target.name} have no logic"
-    if container.machine is not None:
+    if container.machine.stages:
         yield f"its pixels look at the light, but those of {target.name} have no logic"
     if (sent is None) != (container.pixel_codes is None):
         yield "it has planes but no codes of the pixels, or codes but no planes"
@@ -143,7 +143,7 @@ def _stream_faults(container: Container) -> Iterator[str]:
 def _picture_faults(container: Container) -> Iterator[str]:
     """Yield the errors of a container's images and planes, each as part of a sentence."""
     pictures = container.pictures
-    if pictures is None:
+    if pictures == NO_PICTURES:
         return
     states = {state.name for state in pictures.states}
     known: set[str] = {*container.buckets, *states}

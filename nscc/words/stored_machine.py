@@ -97,7 +97,6 @@ def stored_machine(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> 
 
 def machine_data(container: Container) -> bytes:
     """Return the block of assembly text: the record, the machine's arrays, and the levels of IN."""
-    assert container.machine is not None
     levels = tuple(launch.level for launch in container.launches)
     record = replace(stored_machine(container.machine, container.state_planes), levels=levels)
     text = to_json(record).encode("ascii")

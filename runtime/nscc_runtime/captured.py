@@ -13,8 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc import html
-from nscc.diagnostics.arguments import one_of, path_of
+from nscc.diagnostics.arguments import path_of
 from nscc.files import write_together
+from nscc.toml.arguments import argument
+from nscc.toml.kinds import TextKind
 from nscc.words.container import Container
 from nscc_runtime.formats import check_ending, endings, file_of
 from nscc_runtime.formats.content import frame_content
@@ -109,7 +111,7 @@ class Capture(Frame):
         1. With `repeat`, each is a list."""
         pictures = self.container.pictures
         reports: dict[str, Any] = {}
-        for report in pictures.reports if pictures is not None else ():
+        for report in pictures.reports:
             key = f"report_{report.kind}_{report.plane}"
             values, counts = self.told[key], self.told.get(f"{key}_count")
             repeated = values.ndim > {"any": 0, "events": 2, "box": 1}[report.kind]
@@ -123,8 +125,7 @@ class Capture(Frame):
 
     @property
     def _pictures_read(self) -> tuple[str, ...]:
-        pictures = self.container.pictures
-        return () if pictures is None else pictures.reads
+        return self.container.pictures.reads
 
     def _told_arrays(self, prefix: str, names: Sequence[str]) -> dict[str, NDArray[Any]]:
         keys = {name: f"{prefix}{name}" for name in names}
@@ -190,8 +191,9 @@ class Capture(Frame):
         check_ending(out, endings(), "a frame")
         named = tuple(keep) if isinstance(keep, list | tuple | set) else (keep,)
         for name in named:
-            one_of("save", "keep", name, KEEP)
-        one_of("save", "tone", tone, (None, *TONES))
+            argument("save", "keep", TextKind(KEEP), name)
+        if tone is not None:
+            argument("save", "tone", TextKind(tuple(TONES)), tone)
         shutters = self.container.table.shutters
         file = FrameFile.of(self.container, self.light, self, self.meta, named, shutters)
         content = frame_content(

@@ -15,19 +15,16 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import cycle, islice
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 from nscc.diagnostics.arguments import (
-    flag,
-    one_of,
     path_of,
-    require_whole_number,
-    shown,
     warn,
     wrong_argument,
 )
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.files import write_whole
+from nscc.toml.arguments import checked
 from nscc.words.readout import converter_of
 from nscc_runtime.captured import Capture, capture_of
 from nscc_runtime.effects import Selection
@@ -44,21 +41,15 @@ from nscc_runtime.python_arguments import (
     ProgramLike,
     SensorLike,
     changes_of,
-    check_run,
     container_of,
-    effects_of,
     laid_of,
-    number,
-    plan_of,
     refuse_removed,
     sensor_of,
-    text_of,
-    tolerance_of,
 )
 from nscc_runtime.scenes.colour import Transfer
-from nscc_runtime.scenes.load import FramesAre
-from nscc_runtime.scenes.placement import FITS, Fit
-from nscc_runtime.scenes.scene import Scene
+from nscc_runtime.scenes.exposure import ExposureLevel
+from nscc_runtime.scenes.placement import Fit
+from nscc_runtime.scenes.scene import FramesAre, Scene
 from nscc_runtime.sensor.file import load_sensor
 from nscc_runtime.simulate import Fidelity, Listener, Request
 
@@ -125,26 +116,18 @@ def capture(
         NS0789 for arguments of wrong types, NS0730 to NS0740 for invalid light, NS0739 for options
         that exclude each other, NS0442 or NS0741 for programs without shutters or pixel data.
     """
+    given = locals()
     call = "nscc_runtime.capture"
     container = container_of(call, program)
     diagnostics: list[Diagnostic] = []
     scene = laid_of(call, light, container, diagnostics.append)
-    one_of(call, "fidelity", fidelity, get_args(Fidelity))
-    check_run(call, seed, device_seed, threads)
-    if repeat is not None:
-        require_whole_number(call, "repeat", repeat, least=1, most=10_000)
-    file = plan_of(call, plan)
-    request = Request.of(
-        effects=effects_of(call, effects), tolerance=tolerance_of(call, "tolerance", tolerance),
-        plan=file, fidelity=fidelity, audit=flag(call, "audit", audit), seed=int(seed),
-        device_seed=int(device_seed), repeat=repeat, threads=threads, turn=turn,
-    )  # fmt: skip
+    request = Request.of(**checked(call, Request, given), turn=turn)
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=diagnostics.append))
     warn(diagnostics)
     result = exposed.simulated
-    if result.plan_file is not None and isinstance(file, Path):
-        write_whole(file, result.plan_file.encode())
+    if result.plan_file is not None and isinstance(request.plan, Path):
+        write_whole(request.plan, result.plan_file.encode())
     return capture_of(exposed)
 
 
@@ -189,8 +172,7 @@ def captures(
             helps=("give lists of the same length, or a single scene or program",),
         )
 
-    if threads is not None:
-        require_whole_number("nscc_runtime.captures", "threads", threads, least=1)
+    checked("nscc_runtime.captures", Request, {"threads": threads})
     plans = KeptPlans()
     plans.expect(range(count))
 
@@ -229,7 +211,7 @@ def plan(
         As for `capture`.
     effects : str or Selection
         As for `capture`.
-    tolerance : str or float, optional
+    tolerance : str or float
         As for `capture`.
     device_seed : int
         Seed of the fixed pattern.
@@ -249,19 +231,18 @@ def plan(
     from nscc_runtime.planning.plan_request import PlanRequest
     from nscc_runtime.planning.planned_scene import planning_of
 
+    given = locals()
     call = "nscc_runtime.plan"
     container = container_of(call, program)
     diagnostics: list[Diagnostic] = []
     scene = laid_of(call, light, container, diagnostics.append)[0].light
     chip = sensor_of(call, sensor, converter_of(container))
-    require_whole_number(call, "device_seed", device_seed)
-    allowed = tolerance_of(call, "tolerance", tolerance)
-    request = Request.of(effects=effects_of(call, effects), tolerance=allowed)
+    request = Request.of(**checked(call, Request, given))
     check(container, scene)
     refuse_planless(container, call)
     warn(diagnostics)
     wanted = PlanRequest(request.effects, request.tolerance, figures=True)
-    return make_plan(planning_of(container, chip, scene, device_seed), wanted)
+    return make_plan(planning_of(container, chip, scene, request.device_seed), wanted)
 
 
 def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
@@ -295,7 +276,7 @@ def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
 def scene(
     name: str | Path,
     *,
-    exposure: str | float | None = Scene.exposure,
+    exposure: str | float | ExposureLevel | None = Scene.exposure,
     transfer: Transfer | None = Scene.transfer,
     fps: float | None = Scene.fps,
     crop: str | tuple[int, int] | None = Scene.crop,
@@ -303,6 +284,11 @@ def scene(
     fit: Fit = Scene.fit,
     color: bool = Scene.color,
     first: int = Scene.first,
+    single: bool = Scene.single,
+    white: float | None = Scene.white,
+    skip: bool = Scene.skip,
+    bracket: bool = Scene.bracket,
+    times: str | tuple[float, ...] | None = Scene.times,
 ) -> Scene:
     """Describe a scene for `capture`. The file is read when the scene is exposed.
 
@@ -311,7 +297,7 @@ def scene(
     name : str or Path
         A picture, clip or array file, a folder of pictures, or `builtin:hdr`, `builtin:motion`,
         `builtin:flat:E`, `builtin:dark`.
-    exposure : str or float, optional
+    exposure : str, float or ExposureLevel, optional
         Electrons over the frame at percentile 99 of the scene, or text such as "30000@70" for
         another percentile.
     transfer : {"linear", "srgb", "pq", "hlg"}, optional
@@ -327,7 +313,17 @@ def scene(
     color : bool
         Expose red, green and blue one after the other.
     first : int
-        First frame of a clip.
+        First frame of a clip, counted from 0.
+    single : bool
+        Expose one frame of a clip as a still.
+    white : float, optional
+        Sample value of white, by default the largest value of the type.
+    skip : bool
+        Leave out missing frames of a folder.
+    bracket : bool
+        Merge the photos of a folder or pattern, which differ in exposure, to one still.
+    times : str or tuple of float, optional
+        Exposure times of these photos in seconds such as "1/250,1/60", by default from EXIF data.
 
     Returns
     -------
@@ -338,28 +334,7 @@ def scene(
     Rejected
         NS0789 for arguments of wrong types.
     """
-    call = "nscc_runtime.scene"
-    if not isinstance(name, str | Path):
-        raise wrong_argument(
-            f"{call} takes the name of a scene, not {shown(name)}",
-            helps=("an array is already light: capture(program, array)",),
-        )
-    if transfer is not None:
-        one_of(call, "transfer", transfer, get_args(Transfer))
-    one_of(call, "frames_are", frames_are, get_args(FramesAre))
-    one_of(call, "fit", fit, FITS)
-    require_whole_number(call, "first", first)
-    return Scene(
-        str(name),
-        exposure=text_of(call, "exposure", exposure, 1),
-        transfer=transfer,
-        fps=fps if fps is None else number(call, "fps", fps),
-        crop=text_of(call, "crop", crop, 2),
-        frames_are=frames_are,
-        fit=fit,
-        color=flag(call, "color", color),
-        first=first,
-    )
+    return Scene(**checked("nscc_runtime.scene", Scene, locals()))
 
 
 def sensor_for(program: ProgramLike, file: str | Path | None = None, **values: float) -> Sensor:

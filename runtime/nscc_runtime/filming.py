@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from nscc.diagnostics.arguments import shown, warn, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.toml.arguments import checked
 from nscc.words.readout import converter_of
 from nscc_runtime.captured import Capture, capture_of
 from nscc_runtime.effects import Selection
@@ -14,9 +15,7 @@ from nscc_runtime.python_arguments import (
     LightLike,
     ProgramLike,
     SensorLike,
-    check_run,
     container_of,
-    effects_of,
     laid_of,
     sensor_of,
 )
@@ -64,14 +63,15 @@ def film(
     Rejected
         NS0789 for a program without images or planes, or for no lights; otherwise as `capture`.
     """
+    given = locals()
     call = "nscc_runtime.film"
     container = container_of(call, program)
-    if container.pictures is None:
+    if not container.pictures.outputs:
         raise wrong_argument(
             f"{call} takes a program with images or planes",
             helps=("nscc_runtime.captures(program, lights) captures other programs",),
         )
-    check_run(call, seed, device_seed, threads)
+    options = checked(call, Request, given)
     if isinstance(lights, str) or not isinstance(lights, Iterable):
         raise wrong_argument(
             f"{call} takes a list with the light of each frame, not {shown(lights)}"
@@ -86,10 +86,8 @@ def film(
                 f"{call}: light {number} takes several exposures",
                 helps=("use scenes in grey, and fit='crop' or fit='scale'",),
             )
-    request = Request.of(
-        effects=effects_of(call, effects), seed=int(seed), device_seed=int(device_seed),
-        repeat=len(scenes), threads=threads, next_lights=tuple(s[0].light for s in scenes[1:]),
-    )  # fmt: skip
+    next_lights = tuple(scene[0].light for scene in scenes[1:])
+    request = Request.of(**options, repeat=len(scenes), next_lights=next_lights)
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scenes[0], chip, request, Listener(warn=diagnostics.append))
     warn(diagnostics)

@@ -253,7 +253,11 @@ def meta(
         "exposure_scale_e": light.exposure_scale_e if light else None,
         "open_us": open_us(container) if container else None,
         **({"image_unit": unit} if container and (unit := image_unit(container)) else {}),
-        **({"frame_us": float(sum(container.slot_us))} if container and container.machine else {}),
+        **(
+            {"frame_us": float(sum(container.slot_us))}
+            if container and container.machine.stages
+            else {}
+        ),
         "invalid_pixels": frame.valid.size - int(np.count_nonzero(frame.valid)),
         "plan": origin.plan,
         "audit": origin.audit,
@@ -265,15 +269,13 @@ def image_unit(container: Container) -> dict[str, float]:
     from nscc.words.counts import counts_by_name
 
     pictures = container.pictures
-    if pictures is None:
-        return {}
     unit_e = pictures.count_steps * container.target.electrons_per_step
     return {name: unit_e for name in counts_by_name(pictures) if name in pictures.reads}
 
 
 def open_us(container: Container) -> list[float] | None:
     """Return the open time of each bucket in microseconds; None if pixels differ or look."""
-    if container.pixel_codes is None or container.machine is not None:
+    if container.pixel_codes is None or container.machine.stages:
         return None
     lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])
     times = container.table.shutters[lanes] @ np.array(container.slot_us, np.float64)

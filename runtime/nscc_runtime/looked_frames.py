@@ -35,7 +35,6 @@ def next_planes(
     """Return the registers (rows, cols) at the start of the next frame, by name. Kept states are
     taken from the `final_planes` of this frame, everything else from `loaded`."""
     machine = container.machine
-    assert machine is not None
     names = (state.name for state in machine.states if state.is_kept)
     kept_registers = {
         register for name in names for register in container.state_planes[name].registers

@@ -49,7 +49,6 @@ def looked_response(
 def _paths_by_outcome(container: Container, paths: Paths) -> dict[tuple[int, ...], list[int]]:
     """Return for each end of a frame (see `looked_response`) the segments of one path to it."""
     machine = container.machine
-    assert machine is not None
     bits = start_bits(container)
     nodes = int(machine.first[1])
     first = paths.begins({name: plane_bits != 0 for name, plane_bits in bits.items()}, (nodes,))
@@ -143,7 +142,6 @@ def told_by(
     These are `states_NAME` (rows, cols) of the states that are read, `open_slots` (buckets, rows,
     cols), and the light (see `light_of`)."""
     machine = container.machine
-    assert machine is not None
     assert container.pixel_codes is not None
     state_values = {
         state.name: container.state_planes[state.name].read(planes, frame.frame.shape[1:])
@@ -163,7 +161,6 @@ def open_us_of(container: Container, told_arrays: Mapping[str, NDArray[Any]]) ->
 
     It follows from the states in the arrays of `told_by`; -1 where no pixel can end in these
     states."""
-    assert container.machine is not None
     assert container.pixel_codes is not None
     behaviour = container.table.shutter_of_code[container.pixel_codes]
     prefix = "states_"

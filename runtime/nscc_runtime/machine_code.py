@@ -15,10 +15,12 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
+from nscc.cache.folder import cache_folder, is_own
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.files import write_whole
+from nscc.files import store_files
 
 _DIGEST_BYTES = 32
+_BESIDE = "__pycache__"
 _COMPILE_S: list[float] = []
 """Seconds that compiling each object file took in this process."""
 
@@ -30,17 +32,16 @@ def working_s() -> float:
 
 def folders(module: str) -> tuple[Path, ...]:
     """Return the folders for the machine code of a module's file, in order of preference."""
-    user = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
-    return Path(module).parent / "__pycache__", Path(user) / "nscc"
+    user = cache_folder()
+    return Path(module).parent / _BESIDE, *(() if user is None else (user,))
 
 
 def can_keep(places: Sequence[Path]) -> bool:
     """Return whether object files can be written to one of the folders."""
-    for place in places:
-        existing = next(path for path in (place, *place.parents) if path.exists())
-        if existing.is_dir() and os.access(existing, os.W_OK | os.X_OK):
-            return True
-    return False
+    return any(
+        place.name != _BESIDE or os.access(place if place.exists() else place.parent, os.W_OK)
+        for place in places
+    )
 
 
 def object_code(name: str, places: Sequence[Path], build: Callable[[], bytes]) -> bytes:
@@ -53,16 +54,23 @@ def object_code(name: str, places: Sequence[Path], build: Callable[[], bytes]) -
     _COMPILE_S.append(perf_counter() - begin)
     for place in places:
         try:
-            write_whole(place / name, hashlib.sha256(code).digest() + code)
-        except Rejected:
+            place.mkdir(0o755, parents=True, exist_ok=True)
+            store_files({place / name: hashlib.sha256(code).digest() + code})
+            (place / name).chmod(0o644)
+        except (OSError, Rejected):
             continue
         break
     return code
 
 
 def read_object_file(name: str, places: Sequence[Path]) -> bytes | None:
-    """Return the object file `name`; None if no folder has it intact."""
+    """Return the object file `name`; None if no folder has it intact.
+
+    A file in the cache must be this user's. The folder beside the module needs no check: whoever
+    can write there can also replace Python's own compiled modules."""
     for place in places:
+        if place.name != _BESIDE and not (is_own(place) and is_own(place / name)):
+            continue
         try:
             data = (place / name).read_bytes()
         except OSError:

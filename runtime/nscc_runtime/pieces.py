@@ -76,7 +76,7 @@ def simulate_scene(
     options that support one exposure only."""
     listener = listener or Listener()
     placement, exposed = scene[0].placement, container
-    if container.pictures is not None and not (len(scene) == 1 and placement.fits_one_array):
+    if container.pictures.outputs and not (len(scene) == 1 and placement.fits_one_array):
         placement = overlapping(container, placement)
         exposed = with_planes_for_reports(container)
     lights = [piece for laid in scene for piece in placement.pieces(laid.light)]
@@ -122,7 +122,7 @@ def _joined(
         joined(frames[k : k + piece_count], placement.joined)
         for k in range(0, len(pieces), piece_count)
     ]
-    if container.pictures is not None:
+    if container.pictures.outputs:
         frames = [with_reports(frame, container, placement) for frame in frames]
     worst = max(pieces, key=lambda piece: (piece.plan.predicted_e or 0.0) if piece.plan else 0.0)
     broken = next((piece.broken for piece in pieces if piece.broken), None)
@@ -140,7 +140,7 @@ def _for_all(
         return request
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.planned_scene import PlannedScene, planning_of
-    from nscc_runtime.planning.tolerance import is_noise, tolerance_of
+    from nscc_runtime.planning.tolerance import tolerance_of, unit_of
 
     class All:
         """A scene of all lights, for relative tolerances."""
@@ -156,7 +156,7 @@ def _for_all(
         def noise_e(self) -> float:
             return math.sqrt(sum(piece.noise_e() ** 2 for piece in self.pieces()) / len(lights))
 
-    if is_noise(request.tolerance) and not request.audit:
+    if unit_of(request.tolerance) == "noise" and not request.audit:
         return request
     return replace(request, tolerance=tolerance_of(request.tolerance, sensor, All()))
 
@@ -219,5 +219,4 @@ def with_reports(frame: Frame, container: Container, placement: Placement) -> Fr
 
 
 def _pictures(container: Container) -> Pictures:
-    assert container.pictures is not None
     return container.pictures

@@ -10,7 +10,7 @@ def reason_without_plan(container: Container) -> str:
     """Return the reason why frames of a program are simulated slot by slot; "" if plans apply."""
     if container.target.streamed:
         return "bit planes assign the light to buckets slot by slot"
-    if container.pictures is not None:
+    if container.pictures.outputs:
         return "images and planes depend on the neighbours of every pixel"
     return ""
 

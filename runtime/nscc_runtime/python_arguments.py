@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
 from functools import wraps
 from pathlib import Path
 from typing import Any, ParamSpec, Protocol, TypeVar
@@ -17,27 +16,27 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.arguments import (
     as_array,
-    path_of,
-    require_whole_number,
     shown,
     wrong_argument,
 )
 from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.toml.arguments import argument
+from nscc.toml.kinds import ANY_NUMBER, Instance
 from nscc.words.container import Container
 from nscc_runtime.caches import remembered
-from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
-from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.tolerance import Tolerance, ToleranceInput
 from nscc_runtime.scenes.errors import refuse_no_light
-from nscc_runtime.scenes.load import PlacedLight, light_of_array
+from nscc_runtime.scenes.load import PlacedLight, laid_lights, light_of_array
 from nscc_runtime.scenes.placement import Placement
 from nscc_runtime.scenes.scene import Scene
 from nscc_runtime.sensor.file import default_sensor, load_sensor
 
 P = ParamSpec("P")
 R = TypeVar("R")
+
+
+_FLOAT = Instance((float,), "a number")
 
 
 class HasWords(Protocol):
@@ -89,7 +88,7 @@ def laid_of(
     if isinstance(light, str | os.PathLike):
         light = Scene(str(os.fspath(light)))
     if isinstance(light, Scene):
-        return light.laid(slot_us, target, warn)
+        return laid_lights(light, slot_us, target, warn)
     if _container(light) is not None:
         raise wrong_argument(
             f"{call}: the light is {shown(light)}, which is a program",
@@ -128,16 +127,12 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
 
 def changes_of(call: str, values: Mapping[str, float]) -> dict[str, float]:
     """Return values by name as floats. Raises WrongArgument for other values."""
-    return {str(name): number(call, str(name), value) for name, value in values.items()}
-
-
-def number(call: str, name: str, value: object) -> float:
-    """Return an argument as float. Raises WrongArgument if it is not a number."""
-    real = isinstance(value, int | float | np.integer | np.floating)
-    if real and not isinstance(value, bool):
-        with suppress(OverflowError):
-            return float(value)  # type: ignore[arg-type]
-    raise wrong_argument(f"{call}: {name} is a number, not {shown(value)}")
+    changes = {}
+    for name, value in values.items():
+        # The sensor's own error names the range, also for NaN and infinity.
+        kind = _FLOAT if isinstance(value, float) else ANY_NUMBER
+        changes[str(name)] = float(argument(call, str(name), kind, value))
+    return changes
 
 
 def _container(value: object) -> Container | None:
@@ -156,48 +151,6 @@ def _array(call: str, light: object) -> NDArray[Any]:
         notes=("arrays are electrons per slot (N, rows, cols), or per second (rows, cols)",),
         helps=("nscc_runtime.scene('photo.exr', exposure='30000@70') loads your own scene",),
     )
-
-
-def text_of(call: str, name: str, value: object, count: int) -> str | None:
-    """Return `count` numbers as command-line text; texts and None are returned unchanged."""
-    if value is None or isinstance(value, str):
-        return value
-    items = value if isinstance(value, tuple | list) else [value]
-    if len(items) != count:
-        expected = "a number" if count == 1 else f"{count} numbers"
-        raise wrong_argument(f"{call}: {name} is text or {expected}, not {shown(value)}")
-    return ",".join(f"{number(call, name, item):.17g}" for item in items)
-
-
-def check_run(call: str, seed: object, device_seed: object, threads: object) -> None:
-    """Raise WrongArgument unless the seeds and the number of threads are whole numbers."""
-    require_whole_number(call, "seed", seed)
-    require_whole_number(call, "device_seed", device_seed)
-    if threads is not None:
-        require_whole_number(call, "threads", threads, least=1)
-
-
-def tolerance_of(call: str, name: str, tolerance: object) -> ToleranceInput | None:
-    if tolerance is None or isinstance(tolerance, str | Tolerance):
-        return tolerance
-    return number(call, name, tolerance)
-
-
-def effects_of(call: str, effects: object) -> str | Selection | None:
-    if effects is None or isinstance(effects, str | Selection):
-        return effects
-    raise wrong_argument(
-        f"{call}: effects is text, not {shown(effects)}",
-        helps=("for instance effects='auto', 'all', 'none' or 'shot,read'",),
-    )
-
-
-def plan_of(call: str, plan: object) -> Plan | Path | None:
-    if plan is None or isinstance(plan, Plan):
-        return plan
-    if isinstance(plan, str | os.PathLike):
-        return path_of(call, plan)
-    raise wrong_argument(f"{call}: plan must be a plan or a plan file, not {shown(plan)}")
 
 
 _REMOVED = {

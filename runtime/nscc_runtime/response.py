@@ -141,7 +141,7 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
     open_s = container.table.shutters @ container.slot_s
     by_pixel = open_s[lanes].transpose(2, 0, 1)
     plain = Response(by_pixel, np.ones(by_pixel.shape), np.zeros(by_pixel.shape), sensor)
-    if container.machine is not None:
+    if container.machine.stages:
         return replace(plain, open_s=np.full(by_pixel.shape, np.nan))
     try:
         response = shutter_response(container, sensor, effects)
@@ -180,7 +180,7 @@ def decode_arrays(
     `decode_variance_e2` float32 (shutters, buckets): an exposure is bias + gain * (sum of the light
     of open slots), with this variance plus the variance of photon counts. `plan`: the plan in a
     frame's meta; None for frames of a chip, which has every effect."""
-    if container.pixel_codes is None or container.machine is not None:
+    if container.pixel_codes is None or container.machine.stages:
         return {}
     kept_effects = everything()
     if plan is not None:
@@ -236,7 +236,7 @@ def expected_noise(
     collects while it is open. Returns None for a program without pixels, or whose shutters depend
     on more than codes."""
     sensor = sensor or default_sensor(converter_of(container))
-    arrays = decode_arrays(container, sensor, None) if container.machine is None else {}
+    arrays = decode_arrays(container, sensor, None)
     if not arrays:
         return None
     row = arrays["decode_row"]

@@ -103,7 +103,7 @@ def frame_lines(container: Container, frame: Frame) -> list[str]:
             text += f", electrons {values.min():.6g} to {values.max():.6g}"
             text += f", mean {values.mean():.6g}"
         lines.append(text + (f", {invalid} invalid" if invalid else ""))
-    if container.pictures is not None:
+    if container.pictures.outputs:
         lines += picture_lines(container.pictures, first)
     return lines
 

@@ -8,11 +8,14 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from hashlib import sha256
+from math import inf
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.toml.kinds import SEED, FilePath, Flag, Instance, Integer, TextKind
+from nscc.toml.schema import key
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime import frame_file, run_messages
@@ -23,7 +26,7 @@ from nscc_runtime.frame_series import gathered
 from nscc_runtime.kept_plans import Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import reason_without_plan, refuse_planless
-from nscc_runtime.planning.tolerance import DEFAULT, ToleranceInput, check_tolerance
+from nscc_runtime.planning.tolerance import DEFAULT, Tolerance, ToleranceInput, check_tolerance
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
@@ -35,6 +38,18 @@ if TYPE_CHECKING:  # a frame without effects starts without planning
     from nscc_runtime.planning.planned_scene import PlannedScene
 
 Fidelity = Literal["planned", "reference"]
+_NONE = type(None)
+
+
+class _PlanOrFile(FilePath):
+    """A plan, or the path of a plan file."""
+
+    phrase = "a plan or a plan file"
+
+    def read(self, value: Any) -> Any:
+        from nscc_runtime.planning.plan import Plan
+
+        return value if isinstance(value, Plan) else super().read(value)
 
 
 @dataclass(frozen=True)
@@ -49,15 +64,37 @@ class Request:
     reused if it covers this scene. `repeat`: number of frames, None for a single frame. Results do
     not depend on `threads` (None: all processors)."""
 
-    effects: Selection
+    effects: Selection = key(
+        Instance(
+            (str, Selection, _NONE), "text",
+            ("for instance effects='auto', 'all', 'none' or 'shot,read'",),
+        ),
+        "Sensor effects: auto, all, none (the default), or names; +NAME turns one on, -NAME off",
+    )  # fmt: skip
+    tolerance: ToleranceInput = key(
+        Instance((str, int, float, Tolerance, _NONE), "text or a number"),
+        "Largest RMS error of a plan; %: of the mean signal. Default: 0.15noise, a fraction of the "
+        "frame's own noise",
+        DEFAULT, notation="5e|0.1lsb|1%", default_text="",
+    )  # fmt: skip
+    fidelity: Fidelity = key(
+        TextKind(get_args(Fidelity)),
+        "reference: simulate effects slot by slot, exactly (slow). planned (default): within a "
+        "tolerance",
+        "planned", default_text="",
+    )  # fmt: skip
+    audit: bool = key(
+        Flag(),
+        "Compare with the reference; exit with status 1 if the error exceeds the tolerance", False,
+    )  # fmt: skip
+    plan: Plan | Path | None = key(
+        _PlanOrFile(), "Use this plan; if it does not exist, write it", None
+    )
+    seed: int = key(SEED, "Seed of a frame's noise", 0)
+    device_seed: int = key(SEED, "Seed of fixed patterns", 0)
+    repeat: int | None = key(Integer(1, 10_000), "Expose K frames", None)
+    threads: int | None = key(Integer(1, inf), "Number of threads", None)
     planned: bool = True
-    tolerance: ToleranceInput = DEFAULT
-    audit: bool = False
-    plan: Plan | Path | None = None
-    seed: int = 0
-    device_seed: int = 0
-    repeat: int | None = None
-    threads: int | None = None
     turn: Turn | None = None
     next_lights: tuple[Light, ...] = ()
     """Lights of all frames after the first, for images and planes; empty for equal lights."""
@@ -107,7 +144,7 @@ class Request:
         planned = not reference and (bool(planning_options) or not chosen.noiseless)
         if tolerance is not None:
             options["tolerance"] = tolerance
-        return cls(chosen, planned=planned, plan=plan, audit=audit, **options)
+        return cls(chosen, planned=planned, plan=plan, audit=audit, fidelity=fidelity, **options)
 
 
 @dataclass(frozen=True)
@@ -174,7 +211,7 @@ def _simulated(
         return _planned(container, light, sensor, request, listener)
     noiseless = request.effects.noiseless
     absent: Mapping[str, str] = {}
-    if container.pictures is not None and request.effects.auto:
+    if container.pictures.outputs and request.effects.auto:
         _say_once(listener, "images and planes: all effects are simulated, without a plan")
     elif container.target.streamed and not noiseless:
         from nscc_runtime.reference.stream import absent_effects
@@ -210,7 +247,7 @@ def _exposing(
     from nscc_runtime.noise.noise_loops import fill_normals
 
     noiseless, count, threads = request.effects.noiseless, request.repeat or 1, request.threads
-    if container.pictures is not None:
+    if container.pictures.outputs:
         from nscc_runtime.emulator.capture import check
         from nscc_runtime.neighbours.pictured_program import PicturedProgram
 
@@ -222,7 +259,7 @@ def _exposing(
             return partial(program.film, lights, request.seed, request.device_seed)
         return partial(program.frames, light, request.seed, request.device_seed, count)
     frames: Callable[..., Iterable[Frame]]
-    if container.machine is not None:
+    if container.machine.stages:
         from nscc_runtime import looked_frames
         from nscc_runtime.execution.block_loop import run_blocks
 

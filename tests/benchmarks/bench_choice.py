@@ -35,6 +35,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / part) for part in ("", "runtime", "tests")]
 
+from nscc_runtime.planning.scenes import planning_of  # noqa: E402
 from plan_cases import CASES as PROGRAMS  # noqa: E402
 from plan_cases import book_rows  # noqa: E402
 
@@ -51,7 +52,6 @@ from nscc_runtime.kept_plans import KeptPlans, Turn  # noqa: E402
 from nscc_runtime.light import Light  # noqa: E402
 from nscc_runtime.planning.make import PlanRequest, make_plan  # noqa: E402
 from nscc_runtime.planning.plan import Plan  # noqa: E402
-from nscc_runtime.planning.scenes import planning_of  # noqa: E402
 from nscc_runtime.planning.tolerance import DEFAULT, ToleranceInput  # noqa: E402
 from nscc_runtime.scenes import load_scene  # noqa: E402
 from nscc_runtime.scenes.exposure import parse_exposure  # noqa: E402
@@ -191,7 +191,7 @@ def any_program(rng: np.random.Generator) -> tuple[str, Container]:
             slot = f"{rng.choice([100, 250, 500, 1000])}us"
             shown = text.format(slots=slots, slot=slot, rows=book_rows(slots))
             name, container = f"{kind} {slots}", nscc.compile(shown, lowering=lowering).container
-        if container and container.machine is None and container.pixel_codes is not None:
+        if container and not container.machine.stages and container.pixel_codes is not None:
             return name, container
 
 

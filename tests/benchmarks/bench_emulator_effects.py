@@ -39,6 +39,7 @@ from time import perf_counter, process_time
 from typing import Any
 
 import numpy as np
+from nscc_runtime.planning.scenes import planning_of
 
 from nscc.compiler import compile_file
 from nscc.pipeline import Options
@@ -50,7 +51,6 @@ from nscc_runtime.execution.program import analysed
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import PlanRequest, make_plan
 from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.scenes import planning_of
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.scenes import light_of_array, load_scene
 from nscc_runtime.scenes.exposure import parse_exposure

@@ -1,12 +1,13 @@
-"""What each generator and each improver of gates adds: where it wins, and the words without it.
+"""The table that decides which generators and improvers of gates stay: the words without each.
 
-    python tests/benchmarks/bench_generators.py [--levels 2] [--slots 32] [--seconds 300]
-        [--without windows,wander] [--lowerings accumulate,edges]
+    python tests/benchmarks/bench_generators.py [--levels 1,2] [--random 150] [--seconds 3600]
+        [--without equalities,wander] [--lowering auto]
 
-The programs are the examples, tests/cases/pass and synthesis.toml up to so many slots, in each
-lowering. A line for each program: level, words a frame without refresh, and the generator that the
-solution comes from; then, for the winner (or for each name of --without), the words without it. The
-table at the end counts for each name the wins, and how often its absence costs words or saves some.
+The programs are the examples and tests/cases/pass (for the codes of their pixels and for all codes)
+and random programs. A line for each: level, words a frame without refresh, and the generator of the
+solution; then, for this generator (or for each name of --without), the words without it. The table
+at the end shows for each name the wins, and the largest growth of the words without it. A generator
+stays if that is above 3 % for some program with the default lowering.
 """
 
 from __future__ import annotations
@@ -16,52 +17,73 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
-from functools import partial
+from math import inf
 from pathlib import Path
+from random import Random
 from time import monotonic
-from typing import Any
+from typing import Any, get_args
 from unittest.mock import patch
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.logic.generate import GENERATORS, Generator
-from nscc.pipeline import Compiled, Options, run_passes
+from nscc.pipeline import Options, run_passes
+from nscc.program.program import Codes
+from nscc.source import Source
 from nscc.syntax.parse import read_source
-from nscc_training.sweep.grid import read_grid
-from nscc_training.sweep.point_programs import compiled_of
 
 ROOT = Path(__file__).parents[2]
 IMPROVERS: dict[str, tuple[str, Callable[..., Any]]] = {
-    "balance": ("nscc.lower.refinery.balance", lambda solution, *_: solution),
+    "balance": ("nscc.logic.improve.search.balance", lambda solution, *_: solution),
     "recolour": ("nscc.logic.improve.search.recoloured", lambda *_: None),
     "shrink": ("nscc.logic.improve.search.shrink", lambda *_: None),
     "wander": ("nscc.logic.improve.search.wander", lambda *_: 0),
 }
 """What each improver is replaced by to leave it out."""
 
-Program = tuple[str, Callable[[], Compiled]]
 
-
-def programs(level: int, lowerings: list[str], most_slots: int) -> Iterator[Program]:
-    """The names of all programs, and what compiles each."""
+def programs(random_count: int) -> Iterator[tuple[str, Source, Path, Codes]]:
+    """The name, the text, the folder and the codes of each program."""
     for folder in ("examples", "tests/cases/pass"):
         for path in sorted((ROOT / folder).glob("*.nsl")):
-            for lowering in lowerings:
-                options = Options(level=level, cache=False, lowering=lowering)  # type: ignore[arg-type]
-                yield f"{path.stem}, {lowering}", partial(of_file, path, options)
-    for point in read_grid(Path(__file__).with_name("synthesis.toml")).points:
-        values = {**point.values, "level": level}
-        if values["slots"] <= most_slots and values["lowering"] in lowerings:
-            store = values.get("chip.store_words") or 0
-            name = (
-                f"{point.grid_part} {values['slots']}, {values['lowering']}"
-                + f", {store}" * bool(store)
-            )
-            yield name, partial(compiled_of, values)
+            for codes in get_args(Codes):
+                yield f"{path.stem}, {codes}", read_source(path), path.parent, codes
+    for seed in range(random_count):
+        yield f"random {seed}", Source("random.nsl", random_program(seed)), ROOT, "open"
 
 
-def of_file(path: Path, options: Options) -> Compiled:
-    """The program of a file, compiled."""
-    return run_passes(read_source(path), path.parent, options)
+def random_program(seed: int) -> str:
+    """The text of a random program: a class of the paper, a codebook, or a composed rule."""
+    choose = Random(seed)
+    slots = choose.choice([6, 8, 12, 16, 20, 24, 32, 33, 40, 48, 64, 65, 80, 100, 128])
+    few = choose.choice([3, 4, 5, 8])
+    start, length = choose.randrange(2, min(slots, 24)), choose.choice([2, 3, 4, 5])
+    book_slots = min(slots, 32)
+    rows = (
+        "".join(choose.choice("01") for _ in range(book_slots))
+        for _ in range(choose.choice([4, 16, 30, 64]))
+    )
+    kinds = [
+        (slots, f"code stop : {seed % 2}..N", choose.choice(STOPS).format(few)),
+        (slots, f"code start : 0..N - {choose.choice([1, length])}",
+         f"start <= n < start + {length}"),
+        (book_slots, "code start : 0..N - 1 code stop : 1..N require start < stop",
+         "start <= n < stop"),
+        (slots, f"code phase : 0..{few - 1}", f"(n + phase) % {few} < {1 + seed % (few - 1)}"),
+        (book_slots, f"shutters book [{', '.join(rows)}] code id : row of book", "book[id]"),
+        (book_slots, f"code bits : bit[{few}]", f"bits[n * {few} / N]"),
+        (slots, f"code stop : 1..N code k : 0..{few - 1}",
+         f"n < stop {choose.choice(['and', 'or', 'xor'])} n % {few} != k"),
+        (slots, f"code a : 0..{start} code b : 0..{few}", choose.choice(TWO_FIELDS)),
+    ]  # fmt: skip
+    slots, codes, rule = kinds[seed % len(kinds)]
+    return f"nsl 1 frame {slots} slots of 1ms {codes} open when {rule}"
+
+
+STOPS = ("n < stop", "n >= stop", "n != stop", "n < stop and n % {} != 1")
+TWO_FIELDS = (
+    "n <= a and n != b", "n < a or n / 2 == b", "n % (b + 1) == 0 and n >= a",
+    "a <= n < a + b + 1", "n > a xor n % 3 == b", "a <= n and n % 2 == b % 2",
+)  # fmt: skip
 
 
 @contextmanager
@@ -90,48 +112,51 @@ def known(made: dict[str, str]) -> dict[str, Generator]:
     return {name: noting(name, generator) for name, generator in GENERATORS.items()}
 
 
-def price(compile_program: Callable[[], Compiled]) -> tuple[int, int, str] | None:
-    """Words without refresh, most at a boundary, and the encoding; None where nothing fits."""
+def price(source: Source, base: Path, options: Options) -> tuple[int, str] | None:
+    """Words without refresh, and the encoding; None if nothing fits or no gates are needed."""
     try:
-        lowered = compile_program().lowered
+        lowered = run_passes(source, base, options).lowered
     except Rejected:
         return None
     if lowered is None or not lowered.solution.segments():
         return None
-    return lowered.price[2], lowered.price[3], lowered.solution.encoding
+    return lowered.price[2], lowered.solution.encoding
 
 
 def main() -> None:
     """Measures and prints."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("--levels", default="2")
-    parser.add_argument("--slots", type=int, default=32)
-    parser.add_argument("--seconds", type=float, default=300)
+    parser.add_argument("--levels", default="1,2")
+    parser.add_argument("--random", type=int, default=150)
+    parser.add_argument("--seconds", type=float, default=3600)
     parser.add_argument("--without", default="")
-    parser.add_argument("--lowerings", default="accumulate,edges")
+    parser.add_argument("--lowering", default="auto")
     asked = parser.parse_args()
-    end, made = monotonic() + asked.seconds, dict[str, str]()
-    wins, costs, saves = Counter[str](), Counter[str](), Counter[str]()
+    end, made, total = monotonic() + asked.seconds, dict[str, str](), 0
+    wins, most = Counter[str](), dict[str, tuple[float, str]]()
     names = [name for name in asked.without.split(",") if name]
     with patch.dict(GENERATORS, known(made)):
         for level in map(int, asked.levels.split(",")):
-            for title, program in programs(level, asked.lowerings.split(","), asked.slots):
-                found = price(program) if monotonic() < end else None
-                if found is None:
+            for title, source, base, codes in programs(asked.random):
+                options = Options(level=level, codes=codes, lowering=asked.lowering, cache=False)
+                best = price(source, base, options) if monotonic() < end else None
+                if best is None:
                     continue
-                winner = made.get(found[2], "")  # states of programs that look have no generator
+                words, winner = best[0], made.get(best[1], "")
+                total += words
                 wins[winner] += 1
-                line = f"{title}, -O{level}: {found[0]} words, {winner or found[2]}"
+                line = f"{title}, -O{level}: {words} words, {winner or best[1]}"
                 for name in names or [winner] * bool(winner):
                     with without(name):
-                        other = price(program)
+                        other = price(source, base, options)
                     line += f"; without {name}: {other[0] if other else 'none'}"
-                    costs[name] += other is None or other[:2] > found[:2]
-                    saves[name] += other is not None and other[0] < found[0]
+                    growth = other[0] / words - 1 if other else inf
+                    most[name] = max(most.get(name, (0.0, "")), (growth, f"{title}, -O{level}"))
                 print(line, flush=True)
-    print(f"\n{'name':<26}{'wins':>6}{'costs':>7}{'saves':>7}")
+    print(f"\n{total} words in all\n{'name':<26}{'wins':>6}{'growth':>10}  program")
     for name in [*GENERATORS, *IMPROVERS]:
-        print(f"{name:<26}{wins[name]:>6}{costs[name]:>7}{saves[name]:>7}")
+        growth, program = most.get(name, (0.0, ""))
+        print(f"{name:<26}{wins[name]:>6}{growth:>10.1%}  {program}")
 
 
 if __name__ == "__main__":

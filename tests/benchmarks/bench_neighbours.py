@@ -92,7 +92,6 @@ def words_of(kernels: list[Rows], divisor: int, **keys: Any) -> int:
     lines += [f"plane p{number} = i{number} > 1%" for number in range(len(kernels))]
     lines.append(f"read {', '.join(f'p{number}' for number in range(len(kernels)))}")
     pictures = container_of("\n".join(lines) + "\n", **keys).pictures
-    assert pictures is not None
     return sum(cost.words for cost in pictures.costs if cost.name.startswith("i"))
 
 

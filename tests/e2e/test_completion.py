@@ -1,4 +1,4 @@
-"""The lines of README that make a shell complete `nscc`, and what is offered then."""
+"""The lines of docs/commands.md that make a shell complete `nscc`, and what is offered then."""
 
 from __future__ import annotations
 
@@ -31,17 +31,17 @@ def environment(tmp_path: Path) -> dict[str, str]:
     return {**os.environ, "PATH": path, "PYTHONPATH": os.pathsep.join(sys.path)}
 
 
-def said_in(readme: str, shell: str) -> str:
+def said_in(page: str, shell: str) -> str:
     """The line for a shell; zsh's is bash's with another word."""
-    (bash,) = re.findall(r'`(eval "\$\(_NSCC_COMPLETE=bash_source nscc\)")`', readme)
-    (fish,) = re.findall(r"`(_NSCC_COMPLETE=fish_source nscc \| source)`", readme)
-    assert "`zsh_source`" in readme
+    (bash,) = re.findall(r'`(eval "\$\(_NSCC_COMPLETE=bash_source nscc\)")`', page)
+    (fish,) = re.findall(r"`(_NSCC_COMPLETE=fish_source nscc \| source)`", page)
+    assert "`zsh_source`" in page
     return {"bash": bash, "zsh": bash.replace("bash_source", "zsh_source"), "fish": fish}[shell]
 
 
 @pytest.mark.parametrize("shell", SHELLS)
 def test_the_script_of_a_shell(shell: str, environment: dict[str, str], root: Path) -> None:
-    line = said_in((root / "README.md").read_text(), shell)
+    line = said_in((root / "docs/commands.md").read_text(), shell)
     variable = line[line.index("_NSCC") :].split()[0]
     found = subprocess.run(
         [environment["PATH"].partition(os.pathsep)[0] + "/nscc"], capture_output=True, text=True,
@@ -142,7 +142,7 @@ def test_fish_keeps_what_stands_behind_a_comma(
 
 
 def test_bash_itself_completes(environment: dict[str, str], root: Path) -> None:
-    line = said_in((root / "README.md").read_text(), "bash")
+    line = said_in((root / "docs/commands.md").read_text(), "bash")
     script = (
         f"{line}\nCOMP_WORDS=(nscc bui)\nCOMP_CWORD=1\n"
         "$(complete -p nscc | sed 's/.*-F \\([^ ]*\\).*/\\1/') nscc bui nscc\n"

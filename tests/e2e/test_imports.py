@@ -47,14 +47,15 @@ ROOMS = (
     ("toml",),
     ("chips",),
     ("logic", "words"),
-    ("cache", "prove"),
+    ("cache", "kinds", "prove"),
     ("syntax",),
     ("installation", "program"),
     ("lower",),
-    ("looks", "neighbours", "stream"),
     ("checks",),
     ("pipeline",),
-    ("emit", "limits"),
+    ("container_proof", "emit", "limits"),
+    ("fixed",),
+    ("looks", "neighbours", "stream"),
     ("tradeoff",),
     ("compiler",),
     ("compare", "containers", "editing"),
@@ -218,21 +219,14 @@ OF_SOME_PROGRAMS = (
     "nscc.logic.encodings",
     "nscc.logic.events",
     "nscc.looks.passes",
+    "nscc.looks.proof",
     "nscc.neighbours.passes",
-    "nscc.prove.looks_proof",
-    "nscc.prove.pictures_proof",
+    "nscc.neighbours.proof",
     "nscc.stream.passes",
-    "nscc.words.machine",
-    "nscc.words.pictures",
 )
 _GATES = ["nscc.logic.cover", "nscc.logic.encodings"]
-_LOOKS = ["nscc.looks.passes", "nscc.prove.looks_proof", "nscc.words.machine"]
-_IMAGES = [
-    "nscc.neighbours.passes",
-    "nscc.prove.pictures_proof",
-    "nscc.words.machine",  # levels of comparisons
-    "nscc.words.pictures",
-]
+_LOOKS = ["nscc.looks.passes", "nscc.looks.proof"]
+_IMAGES = ["nscc.neighbours.passes", "nscc.neighbours.proof"]
 
 
 @pytest.mark.parametrize(

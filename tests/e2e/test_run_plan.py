@@ -20,10 +20,11 @@ open when n < stop
 pixels stop = x % 5
 """
 META = {"tolerance_e", "predicted_e", "bound_e", "slot_loop", "slot_loop_reasons",
-        "sampled_fraction", "approximations", "effects"}  # fmt: skip
+        "sampled_fraction", "worst_e", "effects"}  # fmt: skip
 EFFECT = {"name", "kind", "decision", "forced", "reason", "predicted_rms_e", "predicted_bias_e",
           "predicted_if_dropped_e", "cost_ms_model"}  # fmt: skip
-AUDIT = {"measured_rms_e", "bias_e", "std_ratio", "samples", "mc_error_e", "holds"}
+AUDIT = {"measured_rms_e", "bias_e", "std_ratio", "samples", "mc_error_e", "holds",
+         "measured_max_e", "path_e", "path_mc_error_e2"}  # fmt: skip
 
 
 @pytest.fixture
@@ -64,7 +65,7 @@ def test_auto_makes_a_plan_and_says_it_all(folder: Path) -> None:
     for each in plan["effects"]:
         assert f"\n{each['name']} " in outcome.err
     assert "predicted error" in outcome.err
-    assert "words one by one" in outcome.err
+    assert "words run one by one" in outcome.err
     assert "wrote f.npz" in outcome.err
 
 
@@ -96,12 +97,10 @@ def test_a_frame_that_measuring_would_not_pay_for_has_all_effects(folder: Path) 
     arrays, meta = loaded(folder)
     assert arrays["exposure_e"].tobytes() == every.tobytes()
     plan = meta["plan"]
-    names = ("predicted_e", "bound_e", "predicted_p999_e", "predicted_max_e", "noise_ratio")
-    assert [plan[name] for name in names] == [None] * 5
+    assert [plan[name] for name in ("predicted_e", "bound_e", "worst_e")] == [None] * 3
     assert plan["tolerance"] == "0.15noise"
     assert plan["tolerance_e"] is plan["noise_e"] is None
     assert plan["sampled_fraction"] == 0.0
-    assert {each["error_e"] for each in plan["approximations"]} == {None}
     for each in plan["effects"]:
         if each["decision"] == "kept" and each["kind"] != "after":
             assert each["predicted_rms_e"] is each["predicted_if_dropped_e"] is None
@@ -177,18 +176,6 @@ def test_what_is_forced_off_is_warned_of(folder: Path) -> None:
     # Who names all effects one by one has made up their mind.
     assert run(folder, "--effects", "shot,read").codes == []
     assert run(folder, "--effects", "auto,-lag", "--tolerance", "50e").codes == []
-
-
-def test_all_effects_by_plan_are_near_the_reference(folder: Path) -> None:
-    assert run(folder, "--effects", "all").status == 0
-    planned, meta = loaded(folder)
-    kept = {each["name"] for each in meta["plan"]["effects"] if each["decision"] == "kept"}
-    assert kept >= {"shot", "prnu", "dark", "lag", "crosstalk", "read", "dead_time", "analog"}
-    assert run(folder, "--effects", "all", "--fidelity", "reference").status == 0
-    full, _ = loaded(folder)
-    err = np.sqrt(((planned["exposure_e"] - full["exposure_e"]) ** 2).mean())
-    assert err < 1.0
-    assert (planned["frame"] != full["frame"]).mean() < 0.01
 
 
 def test_a_plan_is_written_once_and_used_again(folder: Path) -> None:

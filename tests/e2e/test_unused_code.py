@@ -21,8 +21,11 @@ CALLED_BY_LIBRARIES = [
     "thread_type",  # PyAV
     "external_attr", "linkage",  # read by zipfile and llvmlite
 ]  # fmt: skip
-DECLARED_AS_TEXT = ["StillUNet", "ClipUNet", "Refined", "Divided", "Classifier"]
-"""Decoders, which a table names as MODULE:CLASS."""
+DECLARED_AS_TEXT = [
+    "StillUNet", "ClipUNet", "Refined", "Divided", "Classifier",  # decoders
+    "Images", "Looks", "BitPlanes",  # kinds of programs
+]  # fmt: skip
+"""Classes, which a table names as MODULE:CLASS."""
 
 KEPT = [
     "PixelShutters",  # public: the operator for DeepInverse

@@ -89,7 +89,6 @@ def check(text: str, container: Container, seed: int) -> None:
     )
     light = (share * FULL_WELL_E / container.slots).astype(np.float32)
     sensor = default_sensor(container.target)
-    assert container.machine is not None
     assert container.pixel_codes is not None
     kept_names = {state.name for state in container.machine.states if state.is_kept}
     scene, none, count = Light.of_clip(light), selected("none"), 2 if kept_names else 1

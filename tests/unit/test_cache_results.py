@@ -59,7 +59,7 @@ def searches(monkeypatch: pytest.MonkeyPatch) -> list[int]:
         made.append(level)
         yield from solutions(problem, machine, level, faults)
 
-    monkeypatch.setattr("nscc.lower.gates.solutions", counted)
+    monkeypatch.setattr("nscc.lower.gate_search.solutions", counted)
     return made
 
 
@@ -67,7 +67,7 @@ def built(text: str, **options: object) -> tuple[bytes, bytes]:
     """The container and the report of a program, every lowering priced."""
     given = Options(codes="open", price_all=True, **options)  # type: ignore[arg-type]
     compiled = compile_source(Source("p.nsl", f"nsl 1 {text}\n"), Path(), given)
-    values = report(compiled.choice, compiled.proof)
+    values = report(compiled.layout, compiled.proof)
     return to_bytes(compiled.container), report_bytes(values)
 
 
@@ -316,7 +316,7 @@ def test_every_solution_can_be_kept(name: str, lowering: str, tmp_path: Path) ->
         yield from solutions(problem, machine, level, faults)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("nscc.lower.gates.solutions", overhear)
+        patch.setattr("nscc.lower.gate_search.solutions", overhear)
         built(TEXTS[name], lowering=lowering, cache=False)
     problem, machine = asked[0]
     results = Results(Store(tmp_path))

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from nscc.cache.store import Store, cache_folder
+from nscc.cache.folder import cache_folder, refusal
+from nscc.cache.store import Store
 
 KEYS = [f"{i:064x}" for i in range(100)]
 
@@ -25,16 +26,57 @@ KEYS = [f"{i:064x}" for i in range(100)]
         ({"HOME": "/h", "NSCC_CACHE": "OFF"}, None),
         ({"HOME": "/h", "NSCC_CACHE": "on"}, "/h/.cache/nscc"),
         ({"HOME": ""}, None),
+        ({"HOME": "~"}, None),
+        ({"NSCC_CACHE_DIR": "here"}, None),
     ],
 )
-def test_where_it_is(environment: dict[str, str], folder: str | None) -> None:
-    assert cache_folder(environment) == (None if folder is None else Path(folder))
+def test_where_it_is(tmp_path: Path, environment: dict[str, str], folder: str | None) -> None:
+    below = {n: f"{tmp_path}{v}" if v.startswith("/") else v for n, v in environment.items()}
+    assert cache_folder(below) == (None if folder is None else Path(f"{tmp_path}{folder}"))
+
+
+def test_without_a_home_there_is_no_cache(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A user without an entry: Python leaves `~` as it is."""
+    monkeypatch.setattr(os.path, "expanduser", lambda path: path)
+    assert cache_folder({}) is None
+
+
+def test_a_folder_of_others_is_not_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    own = {"NSCC_CACHE_DIR": str(tmp_path / "c")}
+    (tmp_path / "c").mkdir(mode=0o700)
+    assert cache_folder(own) == tmp_path / "c"
+    for mode in (0o770, 0o702):
+        (tmp_path / "c").chmod(mode)
+        assert cache_folder(own) is None
+    (tmp_path / "c").chmod(0o700)
+    (tmp_path / "file").touch()
+    assert cache_folder({"NSCC_CACHE_DIR": str(tmp_path / "file" / "c")}) is None
+    monkeypatch.setattr(os, "geteuid", lambda: 12345)
+    assert cache_folder(own) is None
+    assert cache_folder({"NSCC_CACHE_DIR": str(tmp_path / "new")}) is None
+    assert "belongs to another user, so nscc runs without a cache" in refusal()
+    # In a folder where nobody can replace what belongs to another user, a new one is safe.
+    (tmp_path / "shared").mkdir()
+    (tmp_path / "shared").chmod(0o1777)
+    shared = {"NSCC_CACHE_DIR": str(tmp_path / "shared" / "c")}
+    assert cache_folder(shared) == tmp_path / "shared" / "c"
+
+
+def test_entries_of_others_are_not_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    store = Store(tmp_path)
+    store.write(KEYS[0], b"data")
+    (tmp_path / KEYS[0]).chmod(0o622)
+    assert store.read(KEYS[0]) is None
+    (tmp_path / KEYS[0]).chmod(0o600)
+    assert store.read(KEYS[0]) == b"data"
+    monkeypatch.setattr(os, "geteuid", lambda: 12345)
+    assert store.read(KEYS[0]) is None
 
 
 def test_what_is_written_is_read(tmp_path: Path) -> None:
     store = Store(tmp_path / "not" / "there")
     assert store.read(KEYS[0]) is None
-    assert (store.entries(), store.bytes_used(), store.writable()) == (0, 0, True)
+    assert (store.entries(), store.bytes_used()) == (0, 0)
     for data in (b"", b"one\n\0two", b"x" * 100_000):
         store.write(KEYS[0], data)
         assert store.read(KEYS[0]) == data
@@ -114,7 +156,7 @@ def test_where_nothing_can_be_written(place: str) -> None:
     assert store.read(KEYS[0]) is None
     assert store.entries() == 0
     if place.startswith("/dev"):
-        assert not store.writable()
+        assert cache_folder({"NSCC_CACHE_DIR": place}) is None
 
 
 def test_a_full_disk_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -49,7 +49,8 @@ def test_messages_stand_alone(shell: InteractiveShell, capsys: pytest.CaptureFix
 
 @pytest.mark.parametrize(
     ("line", "said"),
-    [("-O 9", "invalid choice"), ("--colour red", "unrecognized"),
+    [("-O 9", "is not a whole number from 0 to 3"), ("--max-words-per-slot 0", "number from 1"),
+     ("--colour red", "unrecognized"),
      ("7up", "not a valid variable name"), ("'a", "quotation")],
 )  # fmt: skip
 def test_a_wrong_line(

@@ -26,7 +26,6 @@ WELLS = np.geomspace(0.05, 60, 9)
 def check(text: str, container: Container) -> None:
     """Two frames of every behaviour at some lights."""
     interpreter, table, machine = Interpreter(text), container.table, container.machine
-    assert machine is not None
     for behaviour in range(int(machine.behaviour.max()) + 1):
         code = int(np.flatnonzero(table.shutter_of_code == behaviour)[0])
         fields = dict(zip(table.fields, table.codes[code].tolist(), strict=True))
@@ -75,6 +74,17 @@ def test_answers_turn_where_the_light_comes_to_the_level() -> None:
     found = courses(container, 0, wells).flips
     assert [n for n, _ in found] == [n for n, _ in expected]
     assert [at for _, at in found] == pytest.approx([at for _, at in expected], rel=0.01)
+
+
+def test_a_program_whose_answers_never_change_is_drawn() -> None:
+    """The pixel is closed when it is asked."""
+    text = (
+        "nsl 2 frame 4 slots of 1ms sense full when exposure > 30% at n == 2 "
+        "state s : bit = 0 next s = full open when n > 2 and not s read s"
+    )
+    container = nscc.compile(text + "\n", level=0).container
+    assert courses(container, 0, np.geomspace(0.1, 300, 50)).flips == ()
+    assert sheet.png_of(course_sheet, container, "p.nsl").startswith(b"\x89PNG")
 
 
 def test_view_draws_them(tmp_path: Path) -> None:

@@ -66,6 +66,18 @@ def test_edges_go_down_and_their_places_between_are_kept_free(container: Contain
     assert [[kernel.name for kernel in row] for row in flow.kernels] == [["blur", "line"]]
 
 
+@pytest.mark.parametrize(
+    "unused", ["plane t = true", "plane t = true plane u = not t", "image z = exposure - exposure"]
+)
+def test_constants_that_nothing_reads_are_drawn(unused: str) -> None:
+    text = f"nsl 3 frame 4 slots of 1ms open when true {unused} image y = -exposure read y"
+    made = run_passes(Source("p.nsl", text), Path(), Options(level=0, cache=False)).container
+    assert made is not None
+    flow = DataFlow(made, CHART_INCHES)
+    assert {name for layer in flow.layers for name in layer} >= {unused.split()[1], "y", "read"}
+    assert png_of(shutter_sheet, made, "p.nsl").startswith(b"\x89PNG")
+
+
 def test_a_program_is_drawn_the_same_each_time(container: Container) -> None:
     drawn = png_of(shutter_sheet, container, "p.nsl")
     assert drawn == png_of(shutter_sheet, container, "p.nsl")

@@ -20,7 +20,7 @@ from nscc_runtime.effects import everything, selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
 from nscc_runtime.response import response_of
-from nscc_runtime.scenes import Scene
+from nscc_runtime.scenes import Scene, laid_lights
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.baselines.hdr import merged
@@ -203,7 +203,7 @@ def test_a_search_tries_patterns_of_one_to_eight_levels() -> None:
 
 def test_a_searched_pattern_does_what_the_search_says() -> None:
     """The program itself, exposed under every effect and merged, beside frames put together."""
-    [laid] = Scene("builtin:hdr", exposure="30000@70").laid([125.0] * 64, TARGET)
+    [laid] = laid_lights(Scene("builtin:hdr", exposure="30000@70"), [125.0] * 64, TARGET)
     light_e = laid.light.total_e()
     made = design_pattern([light_e], Frame(slots=64, level=0))
     best, found = made.pattern, made.ranked

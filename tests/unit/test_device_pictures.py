@@ -51,6 +51,9 @@ PROGRAMS = {
     "a kernel": "open when true\n" + CROSS + "image i = k(exposure)\nread i",
     "edges": "open when true\nkernel s = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] / 8\n"
     "image i = abs(s(exposure))\nplane p = i > 6%\nread i, p",
+    "five images": "open when true\n"
+    + "".join(f"image y{n} = -exposure\n" for n in range(5))
+    + "plane p = exposure > 6%\nread y0, y1, y2, y3, y4, p",
     "a plane only": "open when true\noutside 0\n" + CROSS + "plane p = exposure > 20%\n"
     "plane core = all(p, k)\nread core",
     "reports": "open when true\n" + CROSS + "plane p = k(exposure) > 6%\n"

@@ -64,7 +64,7 @@ def test_ports_that_do_not_open(number: int, kind: str, monkeypatch: pytest.Monk
 
     monkeypatch.setattr(serial, "Serial", refuse)
     with pytest.raises(PortTrouble) as caught:
-        open_port("/dev/ttyACM0")
+        open_port("/dev/ttyACM0", 9600)
     assert caught.value.kind == kind
     code = code_of(port_trouble("/dev/ttyACM0", caught.value))
     assert code == ("NS0761" if kind == "busy" else "NS0760")
@@ -83,7 +83,7 @@ def test_a_speed_that_the_port_does_not_have(monkeypatch: pytest.MonkeyPatch) ->
 
 def test_a_port_that_goes_away_says_so() -> None:
     master, slave = os.openpty()
-    port = open_port(os.ttyname(slave))
+    port = open_port(os.ttyname(slave), 9600)
     os.write(master, b"there")
     assert port.read() == b"there"
     assert port.write(b"back") == 4
@@ -98,14 +98,6 @@ def test_a_port_that_goes_away_says_so() -> None:
     closed = Port(SimpleNamespace(fileno=lambda: -1, close=lambda: None))
     with pytest.raises(PortGone):
         closed.read()
-
-
-def test_the_options_have_the_links_defaults() -> None:
-    from nscc_cli import options
-    from nscc_runtime.device import link, port
-
-    assert options.DEFAULT_BAUD == port.DEFAULT_BAUD
-    assert options.DEFAULT_PATIENCE_S == link.PATIENCE_S
 
 
 def test_the_list_of_ports_is_sorted() -> None:

@@ -16,7 +16,7 @@ from nscc.compiler import compile_source
 from nscc.emit.network import dot_text, graphml_bytes, interference, network_of
 from nscc.emit.report import report
 from nscc.looks.passes import container_of
-from nscc.pipeline import Options
+from nscc.pipeline import KINDS, Options
 from nscc.source import Source
 
 BOOK = [f"{37 * k * k % 1023:010b}" for k in range(1, 25)]
@@ -107,7 +107,7 @@ def test_the_file_alone_computes_the_shutters(name, lowering, level):
     assert asked == expected(compiled.program, lowering)
     gates = [facts for _, facts in network.nodes(data=True) if facts["kind"] == "gate"]
     if not lowered.solution.state_in_flag:
-        logic = report(compiled.choice, compiled.proof)["logic"]
+        logic = report(compiled.layout, compiled.proof)["logic"]
         assert sum(facts["words"] for facts in gates) == logic["words"]
     for facts in gates:
         assert (facts["boundary"], facts["kernel"]) in lowered.schedule.launches
@@ -135,7 +135,8 @@ def test_the_file_alone_computes_what_pixels_do_that_look(name):
     text = f"nsl 2\n{LOOKING[name]}\n"
     source = Source("test.nsl", text)
     lowered = compile_source(source, Path(), Options(codes="open", cache=False)).lowered
-    network = nx.read_graphml(io.BytesIO(graphml_bytes(network_of(lowered))))
+    made = KINDS.of(lowered.program).network(lowered)
+    network = nx.read_graphml(io.BytesIO(graphml_bytes(made)))
     lanes, nodes = range(40), network.nodes
     draw = np.random.default_rng(3)
     signal = {(facts["boundary"], facts["signal"]): draw.random(len(lanes)) * 30_000

@@ -137,7 +137,7 @@ def test_scenes_are_named_and_loaded_for_each_program(
 def test_a_plan_is_made_without_a_frame_and_used_for_others(program: nscc.ShutterProgram) -> None:
     plan = nscc_runtime.plan(program, LIGHT, tolerance=3)
     assert nscc_runtime.capture(program, LIGHT, tolerance=3, audit=True).plan == plan
-    assert nscc_runtime.capture(program, 2 * LIGHT, plan=plan).plan is plan
+    assert nscc_runtime.capture(program, 2 * LIGHT, plan=plan).plan.kept == plan.kept
     found = nscc_runtime.audit(program, LIGHT, plan=plan)
     assert found.holds
     assert found.measured_rms_e <= 1.1 * 3
@@ -211,12 +211,18 @@ WRONG = {
         "keep is one of 'light'",
     ),
     "threads": (lambda p: nscc_runtime.capture(p, LIGHT, threads=0), "threads is a whole number"),
-    "a number": (lambda p: nscc_runtime.sensor_for(p, full_well_e="a"), "full_well_e is a number"),
+    "a number": (
+        lambda p: nscc_runtime.sensor_for(p, full_well_e="a"),
+        "full_well_e is a finite number",
+    ),
     "a chip": (lambda p: nscc_runtime.sensor_for(TARGET), "takes a compiled program first"),
-    "tolerance": (lambda p: nscc_runtime.plan(p, LIGHT, tolerance=[1]), "is a number, not a list"),
+    "tolerance": (
+        lambda p: nscc_runtime.plan(p, LIGHT, tolerance=[1]),
+        "text or a number, not a list",
+    ),
     "exposure": (lambda p: nscc_runtime.scene("x", exposure=[]), "exposure is text or a number"),
     "crop": (lambda p: nscc_runtime.scene("x", crop=5), "crop is text or 2 numbers, not 5"),
-    "fps": (lambda p: nscc_runtime.scene("x", fps="a"), "fps is a number, not the text 'a'"),
+    "fps": (lambda p: nscc_runtime.scene("x", fps="a"), "fps is a finite number, not the text 'a'"),
     "ragged": (
         lambda p: nscc_runtime.capture(p, [[1, 2], [3]]),
         "cannot convert the light to an ar",
@@ -226,7 +232,7 @@ WRONG = {
     "flag": (lambda p: nscc_runtime.capture(p, LIGHT, audit="no"), "True or False, not the text"),
     "color": (lambda p: nscc_runtime.scene("x", color=1), "color is True or False, not 1"),
     "sensor file": (lambda p: nscc_runtime.sensor_for(p, {}), "takes a path, not a dict"),
-    "huge": (lambda p: nscc_runtime.scene("x", fps=10**400), "fps is a number, not 1000"),
+    "huge": (lambda p: nscc_runtime.scene("x", fps=10**400), "fps is a finite number, not 1000"),
     "float64": (
         lambda p: nscc_runtime.Light.of_still(np.ones((2, 3)), np.ones(8)),
         r"frames are an array \(1, 2, 3\) of float64",

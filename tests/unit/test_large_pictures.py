@@ -13,9 +13,8 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.scenes import pages
+from nscc_runtime.scenes import Scene, laid_scene, pages
 from nscc_runtime.scenes.exposure import BUILTIN
-from nscc_runtime.scenes.load import laid_scene
 from nscc_runtime.scenes.picture_files import open_pages, read_picture
 from nscc_runtime.scenes.picture_light import reduced
 from nscc_runtime.scenes.placement import FITS
@@ -58,7 +57,9 @@ def write(path: Path, mode: str, **settings: Any) -> Path:
 
 
 def light(path: Path, fit: Any) -> np.ndarray:
-    laid = laid_scene(str(path), slot_us=(1000.0,), rows=16, cols=24, exposure=BUILTIN, fit=fit)
+    laid = laid_scene(
+        Scene(str(path), exposure=BUILTIN, fit=fit), slot_us=(1000.0,), rows=16, cols=24
+    )
     return np.asarray(laid.light.total_e())
 
 

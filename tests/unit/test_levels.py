@@ -17,7 +17,7 @@ from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.logic.generate import solutions
 from nscc.logic.problem import Machine, Problem
-from nscc.lower import gates
+from nscc.lower import gate_search
 from nscc.lower.lowered import lay_out
 from nscc.pipeline import LEVELS, Options
 from nscc.source import Source
@@ -44,7 +44,7 @@ def test_the_fewest_words_of_those_found_win(
             found.append(solution)
             yield solution
 
-    monkeypatch.setattr(gates, "solutions", watched)
+    monkeypatch.setattr(gate_search, "solutions", watched)
     options = Options(level=level, codes="open", lowering=lowering, cache=False)
     best = compile_source(Source("p.nsl", f"nsl 1 {TEXTS[name]}"), Path(), options).lowered
     assert best is not None
@@ -82,7 +82,7 @@ def test_the_levels_below_are_tried_too(monkeypatch: pytest.MonkeyPatch) -> None
     """Whatever more steps make of a search that ends elsewhere."""
     n = np.arange(9)
     program = program_from([(a <= n) & (n < b) for a in range(9) for b in range(a + 1, 10)])
-    real = gates.solutions
+    real = gate_search.solutions
     prices = []
     for level in (1, 2, 3):
         worse = 0 if level == 1 else level
@@ -91,7 +91,7 @@ def test_the_levels_below_are_tried_too(monkeypatch: pytest.MonkeyPatch) -> None
             found = real(problem, machine, 1)
             return iter(()) if asked == worse else found
 
-        monkeypatch.setattr(gates, "solutions", stunted)
+        monkeypatch.setattr(gate_search, "solutions", stunted)
         prices.append(lowered_as(program, "accumulate", level).price)
     assert prices == sorted(prices, reverse=True)
 

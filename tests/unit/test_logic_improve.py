@@ -17,7 +17,7 @@ from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
 from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
 from nscc.lower.exposure_plan import levels, plan_exposure, timeline
-from nscc.lower.refinery import Refinery, apart
+from nscc.lower.gate_search import GateSearch
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 
@@ -304,14 +304,6 @@ def test_work_moves_to_slots_that_have_time():
     assert balance(wrong, problem, MACHINE, Budget(3000), [0, 0, 0, 0]) is wrong
 
 
-def test_gates_and_analog_words_apart():
-    problem, solution = solved([A, A], ["t0 = NOT p0; t0 = NOT t0; FLAG = WHERE t0", ""])
-    parted = apart(solution)
-    assert parted.answers == ((*solution.answers[0], ()), ())
-    assert [s for s in parted.segments() if s] == [s for s in solution.segments() if s]
-    assert problem.demands
-
-
 def test_an_improvement_that_raises_is_left_out_and_named(monkeypatch):
     def broken(*_: object) -> None:
         raise IndexError("not expected")
@@ -319,10 +311,10 @@ def test_an_improvement_that_raises_is_left_out_and_named(monkeypatch):
     text = "nsl 1 frame 16 slots of 1ms code a : 0..15 open when a <= n and n < a + 4"
     options = Options(level=2, cache=False)
     improved = run_passes(Source("p.nsl", text), Path(), options)
-    monkeypatch.setattr(Refinery, "best", broken)
+    monkeypatch.setattr(GateSearch, "improved_best", broken)
     kept = run_passes(Source("p.nsl", text), Path(), options)
     assert "NS0504" not in [d.code for d in improved.diagnostics]
     (warning,) = (d for d in kept.diagnostics if d.code == "NS0504")
     assert "'improve'" in warning.message
-    assert kept.choice.failed_generators == ("improve",)
+    assert kept.layout.failed_generators == ("improve",)
     assert kept.lowered.schedule.words_total > improved.lowered.schedule.words_total

@@ -9,8 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from plan_cases import plan_of
 
 from nscc.chips.load import builtin_target
+from nscc.codec import from_plain
 from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Severity
 from nscc.pipeline import Options
@@ -19,16 +21,10 @@ from nscc.words.container import Container
 from nscc_runtime import captures
 from nscc_runtime.effects import everything
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import looking_program_of
-from nscc_runtime.planning.differences import Difference
-from nscc_runtime.planning.look_trial import LookTrial
-from nscc_runtime.planning.make import measured_again
-from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.plan_parts import MOST_OTHER_STATES
-from nscc_runtime.planning.planned_scene import Setting
-from nscc_runtime.planning.scenes import LookingPixels, planning_of
-from nscc_runtime.reference.capture import scene_of
-from nscc_runtime.reference.looks import LookingReference
+from nscc_runtime.planning.make import measured_again, served_plan
+from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
+from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.simulate import Listener, Request, Simulated, simulate
 
@@ -81,24 +77,24 @@ def test_the_promise_is_kept_and_foreseen(
     assert plan.predicted_e <= 0.9 * tolerance
     if report.measured_rms_e > 0.1 * tolerance:
         assert plan.predicted_e == pytest.approx(report.measured_rms_e, rel=0.25)
-    assert report.std_ratio == pytest.approx(1.0, abs=0.02)
+    assert report.path_e is None  # the loop exposes the frames
     dropped = {each.name for each in plan.decisions if each.decision == "dropped"}
     if full_wells < 1.0 or tolerance > 10.0:
         assert dropped
     else:
         assert dropped <= {"reset"}  # a quarter of an electron
-    assert plan.slot_loop == "all"
+    assert plan.slot_loop
 
 
 def test_comparators_are_kept_where_they_turn_pixels(program: Container) -> None:
     bright, dim = (run(program, light(wells), "auto", tolerance=5.0)[0] for wells in (2.0, 0.01))
-    for plan, choice in ((bright, "kept"), (dim, "dropped")):
+    for plan, choice in ((bright, "kept"), (dim, "absent")):
         found = {each.name: each for each in plan.decisions}
         assert found["comparator_noise"].decision == choice
     noise = next(each for each in bright.decisions if each.name == "comparator_noise")
     sensor, scene = default_sensor(program.target), scene_of(program, light(2.0))
     planes = [
-        LookingReference(program, sensor, effects).expose(scene, program.planes(), (0, 0), 0).planes
+        Reference.of(program, sensor, effects).execute(scene, program.planes(), (0, 0), 0).planes
         for effects in (everything(), everything().without("comparator_noise"))
     ]
     turned = np.logical_or.reduce([planes[0][name] != planes[1][name] for name in planes[0]]).mean()
@@ -125,32 +121,12 @@ def test_what_is_forced_off_breaks_the_promise_and_is_said(program: Container) -
 
 def test_a_plan_is_its_json_and_serves_other_scenes(program: Container) -> None:
     plan, _ = run(program, light(0.05), "auto", tolerance=40.0)
-    again = Plan.from_json(json.loads(json.dumps(plan.as_json())))
+    again: Plan = from_plain(Plan, json.loads(json.dumps(plan.as_json())))
     assert again == plan
     scene = planning_of(program, default_sensor(program.target), light(2.0))
     brighter = measured_again(scene, again)
     assert brighter.kept.on == plan.kept.on
     assert brighter.predicted_e > plan.predicted_e
-
-
-def trial_on(program: Container, scene: Light) -> LookTrial:
-    ways = looking_program_of(program, default_sensor(program.target))
-    return LookTrial(frozenset(), ways, scene)
-
-
-def without(trial: LookTrial, *names: str) -> Difference:
-    """What leaving effects out changes."""
-    return Difference(trial.together(Setting(frozenset(names))), trial.sample)
-
-
-def test_a_sample_stands_for_the_scene(program: Container) -> None:
-    trial = trial_on(program, light(2.0))
-    assert trial.sample.weight.sum() == pytest.approx(SIDE**2)
-    mean = trial.sample.mean(light(2.0).frames[0].reshape(-1)[trial.sample.places])
-    assert mean == pytest.approx(light(2.0).frames[0].mean(), rel=0.25)
-    nothing = without(trial)
-    assert not nothing.changes
-    assert nothing.other_states == 0.0
 
 
 @pytest.mark.parametrize(
@@ -185,20 +161,15 @@ def test_a_plan_serves_a_scene_only_where_few_pixels_end_in_other_states(
     program: Container,
 ) -> None:
     """A wall as bright as a level: what effects change there tips pixels over."""
-    plan, _ = run(program, light(0.5), "all,-shot,-prnu", tolerance=1e4)
+    plan = replace(plan_of("all,-shot,-prnu", tolerance_e=1e4))
     weight = light(1.0).weight
 
-    def wall(full_wells: float) -> Light:
+    def served(full_wells: float) -> tuple[bool, float]:
         still = np.full((SIDE, SIDE), full_wells * 30000.0 / weight.sum(), np.float32)
-        return Light.of_still(still, weight)
+        scene = planning_of(program, default_sensor(program.target), Light.of_still(still, weight))
+        measured = measured_again(scene, plan)
+        return served_plan(scene, plan) is not None, measured.other_states
 
-    def serves(full_wells: float) -> bool:
-        scene = LookingPixels(program, default_sensor(program.target), wall(full_wells))
-        return scene.serves(plan)
-
-    on_a_level = next(
-        each for each in np.geomspace(0.5, 4.0, 60)
-        if without(trial_on(program, wall(each)), "shot", "prnu").other_states > MOST_OTHER_STATES
-    )  # fmt: skip
-    assert serves(0.05)
-    assert not serves(on_a_level)
+    for full_wells in (0.05, *np.geomspace(0.5, 4.0, 12)):
+        serves, other_states = served(float(full_wells))
+        assert serves is (other_states <= 0.7 * MOST_OTHER_STATES)

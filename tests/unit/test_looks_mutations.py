@@ -18,8 +18,7 @@ from looks_programs import looking_frames
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import OPERATIONS, Op, Phase, WordEffect, op
-from nscc.pipeline import Options, run_passes
-from nscc.prove.proof import prove
+from nscc.pipeline import KINDS, Options, run_passes
 from nscc.source import Source
 from nscc.words.container import Container, Launch, StoredKernel
 from nscc.words.encoding import encode
@@ -156,7 +155,7 @@ def test_what_proves_does_the_same(name: str) -> None:
             kernels = decoded(other)
         except Rejected:
             continue
-        if not prove(other, kernels).holds:
+        if not KINDS.of(other).prove(other, kernels).holds:
             noticed += 1
         else:
             assert alike(container, other), [launch.level for launch in other.launches]
@@ -175,13 +174,12 @@ def test_every_single_word_that_compares_is_needed(name: str) -> None:
             kernels = list(container.kernels)
             kernels[number] = StoredKernel(kernels[number].name, tuple(words))
             other = replace(container, kernels=tuple(kernels))
-            assert not prove(other, decoded(other)).holds
+            assert not KINDS.of(other).prove(other, decoded(other)).holds
 
 
 def test_a_machine_that_is_another_is_noticed() -> None:
     container = built(PROGRAMS["float"])
     machine = container.machine
-    assert machine is not None
     kernels = decoded(container)
     opens = machine.opens.copy()
     opens[machine.nodes(2).stop - 1, 0, 2] ^= True
@@ -194,4 +192,4 @@ def test_a_machine_that_is_another_is_noticed() -> None:
         replace(machine, steps=steps),
         replace(machine, comparisons=comparisons),
     ):
-        assert not prove(replace(container, machine=other), kernels).holds
+        assert not KINDS.of(container).prove(replace(container, machine=other), kernels).holds

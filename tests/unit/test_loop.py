@@ -294,6 +294,25 @@ def test_an_object_file_that_cannot_be_written_leaves_nothing(
     assert machine_code.read_object_file("loops.o", [tmp_path]) is None
 
 
+def test_machine_code_of_other_users_is_not_executed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "cache"
+    assert machine_code.object_code("loops.o", [folder], lambda: b"code") == b"code"
+    assert machine_code.read_object_file("loops.o", [folder]) == b"code"
+    for place in (folder, folder / "loops.o"):
+        mode = place.stat().st_mode & 0o777
+        place.chmod(mode | 0o020)
+        assert machine_code.read_object_file("loops.o", [folder]) is None
+        place.chmod(mode)
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "geteuid", lambda: 12345)
+        assert machine_code.read_object_file("loops.o", [folder]) is None
+    (folder / "loops.o").chmod(0o666)
+    assert machine_code.object_code("loops.o", [folder], lambda: b"mine") == b"mine"
+    assert machine_code.read_object_file("loops.o", [folder]) == b"mine"
+
+
 def test_array_types_of_numpy_before_and_since_2_5() -> None:
     """`NDArray` was a generic array, and is an alias whose argument is the type of numbers."""
     number = TypeVar("number", bound=np.generic)

@@ -48,7 +48,7 @@ def built(text, lowering="auto", chip="scamp5", **changes):
     options = Options(1, codes="open", lowering=lowering, price_all=True, target=target)
     source = Source("test.nsl", f"nsl 1\n{text}\n")
     compiled = compile_source(source, Path(), options)
-    return compiled, report(compiled.choice, compiled.proof)
+    return compiled, report(compiled.layout, compiled.proof)
 
 
 def word_us(name, target):

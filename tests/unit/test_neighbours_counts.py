@@ -20,7 +20,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.editing.complete import complete
 from nscc.editing.document import Document
 from nscc.editing.hover import hover
-from nscc.emit.picture_report import picture_report
+from nscc.neighbours.report import picture_report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc.syntax.format import format_source
@@ -32,6 +32,7 @@ from nscc.words.file import to_bytes
 from nscc.words.pictures import Condition, Exceeds
 from nscc.words.pictures import Source as ImageSource
 from nscc_runtime.effects import selected
+from nscc_runtime.frame_file import image_unit
 from nscc_runtime.light import Light
 from nscc_runtime.neighbours.pictured_program import PicturedProgram
 from nscc_runtime.sensor import default_sensor
@@ -199,7 +200,6 @@ def test_counts_that_cancel_or_lie_in_one_place() -> None:
     light = np.random.default_rng(5).integers(0, 30000, (1, SIDE, SIDE)).astype(np.float32)
     bits = light[0] > 64 * 30000 / 127
     container = small(text)
-    assert container.pictures is not None
     assert all(abs(launch.level or 0) <= 126 for launch in container.pictures.launches)
     told, unit_e = frame_of(container, light), container.pictures.count_steps * 30000 / 127
     assert np.array_equal(told["plane_q"], bits)
@@ -287,6 +287,24 @@ def test_editors_know_states_of_planes(cell: Path) -> None:
     names = {offer.text for offer in complete(document, CELL.index("h xor"))[1]}
     assert {"wf", "x", "f", "h"} <= names
     assert format_source(Source("cell.nsl", CELL)).startswith("nsl 3")
+
+
+@pytest.mark.parametrize(
+    ("image", "times"),
+    [
+        ("agree(p, k) - agree(p, k)", 0), ("0 * agree(p, k)", 0), ("k(a - a)", 0),
+        ("abs(a - a)", 0), ("agree(p, k) - a + a", 1), ("(a - a) if p else a", 0.5),
+    ],
+)  # fmt: skip
+def test_counts_that_cancel_are_counts(image: str, times: float) -> None:
+    """They have the unit of counts, and are values of 0 among counts."""
+    text = HEAD + AROUND + f"plane p = exposure > 50% image a = agree(p, k) image o = {image} "
+    made = small(text + "read o, a")
+    assert image_unit(made).keys() == {"o", "a"}
+    light = np.random.default_rng(3).choice([0.0, 20_000.0], (1, SIDE, SIDE)).astype(np.float32)
+    frame = frame_of(made, light)
+    share = np.where(light[0] > 15_000, 0, 1) if times == 0.5 else times
+    np.testing.assert_allclose(frame["image_o"], share * frame["image_a"], atol=1e-6)
 
 
 def test_nodes_go_through_files() -> None:

@@ -13,7 +13,7 @@ import nscc
 import nscc_runtime
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.emit.picture_report import picture_report
+from nscc.neighbours.report import picture_report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc.words.assembly import assemble
@@ -182,7 +182,6 @@ def test_containers_and_assembly_text_are_the_same_program() -> None:
 def test_a_damaged_picture_is_refused() -> None:
     container = container_of(HEAD + CROSS + "image i = k(exposure) read i")
     pictures = container.pictures
-    assert pictures is not None
     for wrong in (
         replace(pictures, reads=("nothing",)),
         replace(pictures, weights=()),

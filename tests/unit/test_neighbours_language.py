@@ -156,6 +156,39 @@ def test_a_chip_whose_exposures_are_in_news_is_refused() -> None:
     assert [diagnostic.code for diagnostic in caught.value.diagnostics] == ["NS0538"]
 
 
+@pytest.mark.parametrize(
+    "condition",
+    ["5% < exposure", "3% < exposure < 5%", "(5%) < exposure", "exposure > (5%)", "-5% < exposure",
+     "900e < exposure and 3lsb < exposure", "h xor 5% >= exposure"],
+)  # fmt: skip
+def test_levels_in_next_are_those_in_a_plane(condition: str) -> None:
+    kept = "state h : bit = 0 kept "
+    plane = program(ONE + kept + f"plane p = {condition} read p, h").pictures.items[0].node
+    (state,) = program(ONE + kept + f"next h = {condition} read h").pictures.states
+    assert state.next == plane
+
+
+def test_a_remainder_in_next_stays_one() -> None:
+    text = (
+        "nsl 3 frame 4 slots of 1ms sense full when exposure > 30% at n in [2, 4] "
+        "state s : 0..4 = 0 next s = {} when full open when n < 2 read s"
+    )
+    expected = program(text.format("2")).machine.values.tolist()
+    for remainder in ("5% 3", "5 %3", "(5% 3)", "7 -(5% 10)"):
+        assert program(text.format(remainder)).machine.values.tolist() == expected
+
+
+def test_changes_of_a_program_are_tried_for_a_limited_number_of_steps(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    kernel = "kernel s = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] image i = s(exposure) read i"
+    monkeypatch.setattr("nscc.neighbours.passes._STEPS_OF_CHANGES", 0)
+    with pytest.raises(Rejected) as caught:
+        program(ONE + kernel)
+    (found,) = caught.value.diagnostics
+    assert found.helps == ("use smaller factors, or fewer and smaller convolution kernels",)
+
+
 def test_too_large_values_have_ways_out_that_compile() -> None:
     kernel = "kernel s = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] image i = s(exposure) read i"
     with pytest.raises(Rejected) as caught:
@@ -180,7 +213,6 @@ def test_too_large_values_have_ways_out_that_compile() -> None:
 )
 def test_counts_fill_the_registers_and_in(changed: dict[str, Any], steps_available: int) -> None:
     made = program(COUNT + "read c")
-    assert made.pictures is not None
     target: Target = replace(made.target, **changed)
     unit = count_unit(made.pictures, target)
     assert unit is not None
@@ -193,14 +225,12 @@ def test_a_kernel_from_a_file(tmp_path: Path) -> None:
     np.savez(tmp_path / "k.npz", k=np.array([[0, 1, 0], [1, -4, 1], [0, 1, 0]]))
     text = ONE + 'assume exposure <= 20% kernel k from "k.npz" image i = k(exposure) read i'
     made = run_passes(Source("p.nsl", text), tmp_path, Options(level=0, cache=False)).program
-    assert made.pictures is not None
     assert made.pictures.weights[0].rows == ((0, 1, 0), (1, -4, 1), (0, 1, 0))
 
 
 def test_comparisons_are_nodes() -> None:
     text = ONE + "outside 0 plane p = -4% < exposure < 40% plane q = p[-1, 2] read q"
     pictures = program(text).pictures
-    assert pictures is not None
     first, second = (item.node for item in pictures.items)
     assert isinstance(first, Joined)
     assert isinstance(first.first, Above)
@@ -215,7 +245,6 @@ def test_nodes_in_files_are_the_same() -> None:
         "image i = abs(k(a) - 3 * b / 4) / 4 if p else -(b / 2) read i"
     )
     pictures = program(text).pictures
-    assert pictures is not None
     for item in pictures.items:
         assert from_plain(Node, to_plain(item.node, Node)) == item.node
     with pytest.raises(InvalidRecord, match=r"`\[0\]\[0\]` is not a fraction"):
@@ -241,7 +270,6 @@ def test_next_reads_planes_as_images_do() -> None:
         "next h = h[-1, 2] xor any(p, k) and (exposure < 40% or agree(not h, k) > 0) read h"
     )
     pictures = program(text).pictures
-    assert pictures is not None
     (state,) = pictures.states
     assert (state.name, state.start) == ("h", True)
     assert isinstance(state.next, Joined)
@@ -251,7 +279,7 @@ def test_next_reads_planes_as_images_do() -> None:
         "sense a when light > 3% at n < 3 state s : bit = 1 "
         "next s = bits[(8 % 3)] and not a read s pixels bits = 5"
     )
-    assert program(looked).machine is not None
+    assert program(looked).machine.stages
     source = Source("p.nsl", text)
     assert format_source(Source("p.nsl", format_source(source))) == format_source(source)
 
@@ -260,5 +288,4 @@ def test_a_state_may_follow_the_neighbours_alone() -> None:
     """Without an image or plane statement, too."""
     kernel = "outside 0 kernel k = [[1, 1, 1]]"
     checked = program(f"{ONE} {kernel} state h : bit = 1 kept next h = not any(h, k) read h")
-    assert checked.pictures is not None
     assert [state.name for state in checked.pictures.states] == ["h"]

@@ -13,10 +13,10 @@ from nscc_command import invoke
 
 import nscc
 from nscc.chips.load import builtin_target
+from nscc.neighbours.proof import pictures_fault
 from nscc.operations import NEIGHBOURS, Op, op
 from nscc.pipeline import Options, run_passes
 from nscc.prove import diagrams
-from nscc.prove.pictures_proof import pictures_fault
 from nscc.source import Source
 from nscc.syntax.parse import read_source
 from nscc.words.container import Container, StoredKernel
@@ -65,7 +65,6 @@ def container_of(name: str) -> Container:
 def with_word(container: Container, kernel: int, index: int, word: Op | None) -> Container:
     """The container with another word, or without one, in the kernels of its images."""
     pictures = container.pictures
-    assert pictures is not None
     kernels = [list(words) for words in pictures.kernels]
     kernels[kernel][index : index + 1] = [] if word is None else [encode(word)]
     return replace(container, pictures=replace(pictures, kernels=tuple(map(tuple, kernels))))
@@ -103,7 +102,6 @@ def mutated(word: Op, rng: np.random.Generator, container: Container) -> Op | No
 def film_of(container: Container, seed: int) -> list[Frame]:
     """Frames one after the other: what a state does shows in later ones."""
     rng = np.random.default_rng(seed)
-    assert container.pictures is not None
     frames = 3 if container.pictures.states else 1
     lights = [
         rng.integers(0, 30000, (container.slots, SIDE, SIDE)) / container.slots
@@ -168,7 +166,6 @@ def test_a_proof_that_is_too_large_is_the_program_s_error(
 def test_no_changed_word_passes(name: str, part: int) -> None:
     container = container_of(name)
     pictures = container.pictures
-    assert pictures is not None
     rng = np.random.default_rng(44 + part)
     passed = 0
     for _ in range(MUTATIONS):
@@ -186,7 +183,6 @@ def test_no_changed_word_passes(name: str, part: int) -> None:
 def test_another_level_of_in_does_not_pass() -> None:
     container = container_of("edges")
     pictures = container.pictures
-    assert pictures is not None
     launches = tuple(
         replace(launch, level=None if launch.level is None else launch.level + 1)
         for launch in pictures.launches
@@ -199,7 +195,6 @@ def test_bits_beyond_the_array_are_proved() -> None:
     """`outside` is part of the meaning: the words for 0 do not prove for 1."""
     container = container_of("bright_spots")
     pictures = container.pictures
-    assert pictures is not None
     changed = replace(container, pictures=replace(pictures, outside=1))
     assert pictures_fault(changed) == "`core` differs from its expression in the program"
 
@@ -233,7 +228,6 @@ def test_a_state_stays_where_it_was() -> None:
     """A register that holds something else at the end, or that the exposure writes, is no state."""
     container = container_of("cell")
     pictures = container.pictures
-    assert pictures is not None
     moved = replace(pictures, registers={**pictures.registers, "h": "R11"})
     assert pictures_fault(replace(container, pictures=moved)) == (
         "`h` differs from its expression in the program"

@@ -23,8 +23,7 @@ from PIL import Image as PillowImage
 import nscc
 from nscc.chips.load import builtin_target
 from nscc.compiler import compile_file
-from nscc.emit.network import network_of
-from nscc.pipeline import Options
+from nscc.pipeline import KINDS, Options
 from nscc.tradeoff.points import Point
 from nscc.words.container import Container, DecodeTable
 from nscc_runtime.effects import selected
@@ -37,8 +36,7 @@ from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precisio
 from nscc_runtime.pictures.sheet import LOOKS, MARKERS, Look, contrast, look, looking
 from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
-from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.plan_parts import Choice, Decision
+from nscc_runtime.planning.plan import Choice, Decision, Plan
 from nscc_runtime.scenes import load_scene
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.simulate import Request, simulate
@@ -110,7 +108,8 @@ def plan(tolerance_e: float, predicted_e: float, effects: int = 4) -> Plan:
         decision("lag", "absent", None, 0.0), decision("decay", "kept", None, 123.0),
         *(decision(f"effect_{i}", "dropped", 0.1 * i, 0.1) for i in range(4, effects)),
     )  # fmt: skip
-    return Plan(tolerance_e, predicted_e, 9.0, "none", (), 1.0, (), decisions)
+    text = f"{tolerance_e:g}e"
+    return Plan(text, tolerance_e, predicted_e, 9.0, 99.0, False, (), 1.0, 2.0, 3.0, 4.0, decisions)
 
 
 def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[Study]:
@@ -160,7 +159,7 @@ def looking_program(name: str) -> Container:
 def gates(name: str) -> Figure:
     compiled = compile_file(example(name), Options(level=0))
     assert compiled.lowered is not None
-    return gate_sheet(network_of(compiled.lowered), f"{name}.nsl")
+    return gate_sheet(KINDS.of(compiled.program).network(compiled.lowered), f"{name}.nsl")
 
 
 def images_and_planes() -> Figure:
@@ -179,7 +178,6 @@ report events bright at most 2000
     light = load_scene("builtin:hdr", slot_us=program.container.slot_us, rows=24, cols=32)
     sensor = default_sensor(program.container.target)
     made = simulate(program.container, light, sensor, Request(selected("none")))
-    assert program.container.pictures is not None
     return image_plane_sheet(made.frame.first, program.container.buckets_read, "spots.nsl")
 
 
@@ -192,7 +190,7 @@ def readout(rows: int, cols: int, name: str = "frame") -> BucketReadout:
 
 
 TOLERANCES = (0.5, 1, 2, 5, 10, 20, 50)
-KINDS: dict[str, Callable[[], Figure]] = {
+CHARTS: dict[str, Callable[[], Figure]] = {
     "a point": diagram(1, 1, 1),
     "two lines": diagram(2, 2, 4),
     "many lines": diagram(3, 16, 4),
@@ -229,12 +227,12 @@ LONG = ("many lines", "studies")
 """Descriptions of these pictures are long, and show little that those of others do not."""
 
 
-@pytest.mark.parametrize("name", KINDS)
+@pytest.mark.parametrize("name", CHARTS)
 def test_pictures(name: str, update_cases: bool) -> None:
     """No text lies on another or leaves the picture; the same picture has the same bytes, and shows
     what was recorded."""
     with sheet.style():
-        figure = KINDS[name]()
+        figure = CHARTS[name]()
         figure.draw_without_rendering()
         boxes = [(t.get_text(), t.get_window_extent()) for t in written(figure)]
         whole = figure.get_tightbbox().transformed(figure.dpi_scale_trans)
@@ -249,7 +247,7 @@ def test_pictures(name: str, update_cases: bool) -> None:
         assert not a.padded(-1).overlaps(b.padded(-1)), f"{one!r} lies on {other!r}"
     first = sheet.png_of(lambda: figure)
     with matplotlib.rc_context({"lines.linewidth": 9, "axes.facecolor": "red", "font.size": 20}):
-        assert sheet.png_of(KINDS[name]) == first
+        assert sheet.png_of(CHARTS[name]) == first
     image = PillowImage.open(io.BytesIO(first))
     image.load()
     assert 300 < image.size[0] < 1800
@@ -390,7 +388,7 @@ def test_looks_differ_in_colours_only() -> None:
     sizes, grounds = [], []
     for chosen in LOOKS.values():
         with looking(chosen):
-            image = PillowImage.open(io.BytesIO(sheet.png_of(KINDS["two lines"]))).convert("RGB")
+            image = PillowImage.open(io.BytesIO(sheet.png_of(CHARTS["two lines"]))).convert("RGB")
         sizes.append(image.size)
         grounds.append("#{:02x}{:02x}{:02x}".format(*image.getpixel((1, 1))))  # type: ignore[misc]
     assert sizes[0] == sizes[1]

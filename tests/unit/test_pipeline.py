@@ -11,23 +11,25 @@ from nscc_command import invoke
 
 from nscc import pipeline
 from nscc.checks import Inconsistent
-from nscc.emit.listing import print_tree, text_after
+from nscc.emit.listing import print_tree
+from nscc.fixed.kind import FixedShutters
+from nscc.looks.kind import Looks
 from nscc.lower.exposure_plan import LOWERINGS
 from nscc.operations import Op, WordEffect
 from nscc.pipeline import PASSES, Options, run_passes
 from nscc.prove.proof import Failure
 from nscc.source import Source
+from nscc.stream.kind import BitPlanes
 from nscc.syntax.parse import parse, read_source
 
 ROOT = Path(__file__).parents[2]
-NAMES = [each.name for each in PASSES]
 TEXT = "nsl 1 frame 8 slots of 1ms code stop : 1..7 open when n < stop pixels stop = 1 + x % 7\n"
 
 LOOKS = (Path(__file__).parents[1] / "cases/pass/looks.nsl").read_text()
 
 
 def compiled(**options):
-    """TEXT through all passes: (name, value) after each, and what comes out."""
+    """TEXT through all passes: (pass, value) after each, and what comes out."""
     seen = []
     given = Options(level=0, cache=False, **options)
     made = run_passes(Source("p.nsl", TEXT), Path(), given, lambda *each: seen.append(each))
@@ -36,35 +38,34 @@ def compiled(**options):
 
 def test_every_value_is_seen_in_the_order_of_the_passes() -> None:
     seen, made = compiled()
-    assert [name for name, _ in seen] == NAMES
-    values = dict(seen)
+    assert tuple(each.name for each, _ in seen) == PASSES
+    values = {each.name: value for each, value in seen}
     assert values["program"] is made.program
-    assert values["schedule"] is made.choice
+    assert values["schedule"] is made.layout
     assert values["words"] is made.container
     assert values["prove"] is made.proof
 
 
 def test_a_pass_needs_nothing_but_the_value_before_it() -> None:
     seen, _ = compiled(price_all=True)
-    values = dict(seen)
+    values = {each.name: value for each, value in seen}
     options = Options(level=0, price_all=True)
     job = pipeline.Job(values["program"].source, options, Path(), None)
-    for before, each in pairwise(PASSES):
-        again, _ = each.run(values[before.name], job)
-        text = text_after(each.name, again)
-        assert text == text_after(each.name, values[each.name])
-        assert text.endswith("\n")
+    for (_, before), (each, value) in pairwise(seen):
+        again, _ = each.run(before, job)
+        assert each.text(again) == each.text(value)
+        assert each.text(again).endswith("\n")
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PASSES)
 def test_every_pass_can_be_printed(name: str, tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(TEXT)
     outcome = invoke(["build", "p.nsl", "-O", "0", "--print-after", name], tmp_path)
     assert outcome.status == 0
-    assert outcome.out == text_after(name, dict(compiled()[0])[name])
+    assert [outcome.out] == [each.text(value) for each, value in compiled()[0] if each.name == name]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PASSES)
 def test_every_pass_of_a_program_that_looks_can_be_printed(name: str, tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(LOOKS)
     outcome = invoke(["build", "p.nsl", "-O", "0", "--print-after", name], tmp_path)
@@ -87,9 +88,8 @@ def test_what_does_not_fit_is_printed_all_the_same(tmp_path: Path) -> None:
 
 
 def test_plans_and_gates_of_all_lowerings_are_shown() -> None:
-    values = dict(compiled(price_all=True)[0])
-    for name in ("plan", "gates"):
-        shown = text_after(name, values[name])
+    for each, value in compiled(price_all=True)[0][2:4]:
+        shown = each.text(value)
         assert [shown.count(f"lowering {lowering}") for lowering in LOWERINGS] == [1, 1, 1]
 
 
@@ -126,7 +126,7 @@ SPOILT = {
 }
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PASSES)
 def test_a_value_that_is_wrong_is_a_fault_of_the_compiler(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -137,7 +137,12 @@ def test_a_value_that_is_wrong_is_a_fault_of_the_compiler(
 
         return replace(each, run=run) if each.name == name else each
 
-    monkeypatch.setattr(pipeline, "PASSES", tuple(map(spoilt, PASSES)))
+    for owner, attribute in (
+        (pipeline, "_READING"),
+        (FixedShutters, "passes"),
+        (pipeline, "_WRITING"),
+    ):
+        monkeypatch.setattr(owner, attribute, tuple(map(spoilt, getattr(owner, attribute))))
     with pytest.raises(Inconsistent):
         compiled()
     (tmp_path / "p.nsl").write_text(TEXT)
@@ -173,24 +178,25 @@ def shorter_slots(sending):
 
 
 @pytest.mark.parametrize(
-    ("passes", "name", "spoil"),
+    ("kind", "name", "spoil"),
     [
-        ("LOOKING_PASSES", "plan", other_closings),
-        ("LOOKING_PASSES", "plan", lambda plan: replace(plan, moments=plan.moments[:-1])),
-        ("LOOKING_PASSES", "gates", dropped_comparisons),
+        (Looks, "plan", other_closings),
+        (Looks, "plan", lambda plan: replace(plan, moments=plan.moments[:-1])),
+        (Looks, "gates", dropped_comparisons),
         (
-            "STREAM_PASSES",
+            BitPlanes,
             "plan",
             lambda way: replace(way, route=replace(way.route, bits=~way.route.bits)),
         ),
-        ("STREAM_PASSES", "schedule", shorter_slots),
+        (BitPlanes, "schedule", shorter_slots),
     ],
 )
 def test_passes_of_other_chips_and_of_looks_are_verified(
-    passes: str, name: str, spoil, monkeypatch: pytest.MonkeyPatch
+    kind: type, name: str, spoil, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    stream = passes == "STREAM_PASSES"
-    path = ROOT / ("tests/cases/pass/dual_tap.nsl" if stream else "examples/auto_exposure.nsl")
+    path = ROOT / (
+        "tests/cases/pass/dual_tap.nsl" if kind is BitPlanes else "examples/auto_exposure.nsl"
+    )
     given = Options(level=0, cache=False)
 
     def spoilt(each):
@@ -201,7 +207,7 @@ def test_passes_of_other_chips_and_of_looks_are_verified(
         return replace(each, run=run) if each.name == name else each
 
     run_passes(read_source(path), path.parent, given)
-    monkeypatch.setattr(pipeline, passes, tuple(map(spoilt, getattr(pipeline, passes))))
+    monkeypatch.setattr(kind, "passes", tuple(map(spoilt, kind.passes)))
     with pytest.raises(Inconsistent):
         run_passes(read_source(path), path.parent, given)
 

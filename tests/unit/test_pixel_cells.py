@@ -163,7 +163,6 @@ def test_noise_of_training_is_that_of_the_emulator() -> None:
     exact, noisy = (
         film(program, [light], effects=effects, sensor=sensor) for effects in ("none", "analog")
     )
-    assert program.container.pictures is not None
     unit_e = program.container.pictures.count_steps * target.electrons_per_step
     counts, errors = (values.images["o"].ravel() / unit_e for values in (exact, noisy))
     spread = (errors - np.polyval(np.polyfit(counts, errors, 1), counts)).std()

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 from nscc_command import invoke
 from plan_cases import CASES, case
 from reference_programs import sensor_of
 
 from nscc_runtime.effects import everything
-from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.light import Light
 from nscc_runtime.planning import measure_prices
 from nscc_runtime.planning.measure_prices import Price
+from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.planning.prices import Work
 
 FOUND = [Price("sums", "a pixel", "ns", 137.5, 100.0)]
@@ -30,8 +32,8 @@ def test_the_command_shows_them(monkeypatch: pytest.MonkeyPatch, tmp_path: Path)
 @pytest.mark.slow
 def test_measuring_finds_prices_of_every_way() -> None:
     found = measure_prices.measure_prices()
-    ways = {"planning", "sums", "words", "reference"}
-    assert {e.name for e in found} > ways | {"shot", "dark", "read", "crosstalk"}
+    ways = {"planning", "trial", "sums", "words", "reference"}
+    assert {e.name for e in found} > ways | {"shot", "dark", "crosstalk"}
     here = {each.name: each.measured for each in found if each.name in ways}
     assert all(value > 0 for value in here.values())
     assert all(each.measured >= 0 and each.shipped for each in found if each.name not in ways)
@@ -41,11 +43,15 @@ def test_measuring_finds_prices_of_every_way() -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_what_words_leave_out_and_are_given_saves_time(name: str) -> None:
+def test_what_is_left_out_saves_time(name: str) -> None:
     container = case(name, rows=6, cols=9)
-    work, every = Work.of(AnalysedProgram.of(container, sensor_of(container))), everything()
-    assert 0 < work.boundaries <= work.words
-    alone = work.words_ns(every, "nothing")
-    assert work.words_ns(every, "sums") < work.words_ns(every, "all") < alone
-    for effect in ("shot", "crosstalk", "read"):
-        assert work.words_ns(every.without(effect), "nothing") < alone
+    light = Light.of_clip(np.full((8, 6, 9), 40000.0, np.float32))
+    work = Work.of(planning_of(container, sensor_of(container), light))
+    every = everything()
+    assert work.near == 54
+    for names in (["shot", "dark"], ["crosstalk"], ["read", "reset", "analog"]):
+        assert work.milliseconds(every.without(*names)) < work.milliseconds(every)
+    assert work.milliseconds(every, 20) < 20 * work.milliseconds(every)
+    saturating = "full_well", "register"
+    saved = work.milliseconds(every) - work.milliseconds(every.without(*saturating))
+    assert saved == pytest.approx(1e-6 * work.near * work.loop_ns(every))

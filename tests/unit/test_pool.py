@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-from threading import Lock, current_thread
+from threading import Lock
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from plan_cases import case, moving_light
-from promise import still
 from reference_programs import sensor_of
 
-from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import capture as emulator
 from nscc_runtime.emulator import expose
-from nscc_runtime.execution import frames as executed_frames
-from nscc_runtime.execution.summed import SummedScene
-from nscc_runtime.pool import THREADS, in_strips
+from nscc_runtime.pool import in_strips
 from nscc_runtime.reference.capture import Reference, scene_of
 
 ROWS, COLS = 12, 16
@@ -59,21 +53,3 @@ def test_threads_change_no_bit_of_the_emulator(monkeypatch: pytest.MonkeyPatch) 
     once = expose(program, light, device_seed=3, threads=1)
     again = expose(program, light, device_seed=3, threads=3)
     assert again.exposure_e.tobytes() == once.exposure_e.tobytes()
-
-
-def test_rates_are_made_before_the_threads_that_draw_them(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Made by one of these, they would wait for others of them that wait for rates."""
-    makers: list[str] = []
-
-    class Noted(SummedScene):
-        @cached_property
-        def rates(self) -> list[NDArray[np.float64]]:
-            makers.append(current_thread().name)
-            return super().rates
-
-    monkeypatch.setattr(executed_frames, "SummedScene", Noted)
-    program = case("b edges", 8, rows=64, cols=64)
-    light = np.ascontiguousarray(still(8, 64, 64, 3000.0), np.float32)
-    capture(program, light, tolerance="5e", threads=4)
-    assert makers
-    assert not any(name.startswith(THREADS) for name in makers)

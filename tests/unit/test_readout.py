@@ -33,8 +33,9 @@ from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.light import Light
-from nscc_runtime.planning.make import PlanRequest, make_plan
-from nscc_runtime.planning.scenes import planning_of
+from nscc_runtime.planning.make import make_plan
+from nscc_runtime.planning.plan_request import PlanRequest
+from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.reference import frames
 from nscc_runtime.sensor import default_sensor
 
@@ -66,7 +67,7 @@ def test_the_emulator(readout: str) -> None:
     assert frame.saturated.tolist() == [[[False, False, True]]]
     planning = planning_of(container, sensor, light)
     plan = make_plan(planning, PlanRequest(selected("none"), 5.0))
-    [planned] = planning.frames(plan, 0, 1)
+    [planned] = planning.frames(plan.kept, 0, 1)
     np.testing.assert_array_equal(planned.frame, frame.frame)
 
 

@@ -56,11 +56,11 @@ def test_mean_and_variance_are_those_of_the_reference(path: Path, count: int) ->
     slot_s = np.array(program.slot_us) * 1e-6
     rate = SHARES.get(path.stem, 0.25) * sensor.full_well_e / slot_s.sum()
     light = Light.of_still(np.full((ROWS, COLS), rate, np.float32), slot_s)
-    expose = frames if program.machine is None else looking_frames
+    expose = looking_frames if program.machine.stages else frames
     taken = [*expose(program, light, sensor, effects, seed=1, device_seed=2, count=count)]
     behaviour = program.table.shutter_of_code[program.pixel_codes]
     response: ShutterResponse
-    if program.machine is None:
+    if not program.machine.stages:
         response = shutter_response(program, sensor, effects)
         rows = np.broadcast_to(behaviour, (count, ROWS, COLS))
     else:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 import tifffile
 from PIL import Image
+from raw_files import write_dng
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.scenes import ExposureLevel, Scene, load_scene
@@ -122,3 +124,38 @@ def test_photos_of_16_bits(tmp_path: Path, grey: bool) -> None:
     made, _ = merged_bracket(bracket_files(str(tmp_path)), TIMES)
     assert made.shape == ((ROWS, COLS) if grey else (ROWS, COLS, 3))
     np.testing.assert_allclose(made.reshape(ROWS, COLS, -1)[..., 0], light(), rtol=2e-3)
+
+
+def test_exposure_times_of_raw_files(tmp_path: Path) -> None:
+    """The first directory is the mosaic; the times are in the EXIF directory behind it."""
+    pytest.importorskip("rawpy")
+    for number, time in enumerate((1 / 64, 1 / 16)):
+        mosaic = np.full((64, 80), round(0.6 * 4095 * 16 * time), np.uint16)
+        path = tmp_path / f"{number}.dng"
+        write_dng(path, mosaic, exif=(34664, "I", 1, 0))
+        data = bytearray(path.read_bytes())
+        at = data.index(struct.pack("<HHI", 34664, 4, 1))
+        data[at : at + 12] = struct.pack("<HHII", 34665, 4, 1, len(data))
+        entry = struct.pack("<HHIII", 0x829A, 5, 1, len(data) + 18, 0)
+        data += (
+            struct.pack("<H", 1) + entry[:12] + bytes(4) + struct.pack("<II", 1, round(1 / time))
+        )
+        path.write_bytes(data)
+    made, _ = merged_bracket(bracket_files(str(tmp_path)), None)
+    np.testing.assert_allclose(made[8:-8, 8:-8], 0.6 * 16, rtol=2e-3)
+
+
+@pytest.mark.parametrize(("tag", "name"), [(0x829D, "f-number"), (0x8827, "ISO speed")])
+def test_a_factor_that_only_some_photos_state_is_refused(
+    tmp_path: Path, tag: int, name: str
+) -> None:
+    for number in range(3):
+        exif = Image.Exif()
+        stated = exif.get_ifd(0x8769)
+        stated[0x829A] = 1 / 4**number
+        if number != 1:
+            stated[tag] = 8
+        picture = Image.fromarray(np.full((ROWS, COLS), 200 >> number, np.uint8))
+        picture.save(tmp_path / f"{number}.jpg", exif=exif)
+    with pytest.raises(Rejected, match=f"the {name} of '.*1.jpg' is missing"):
+        merged_bracket(bracket_files(str(tmp_path)), None)

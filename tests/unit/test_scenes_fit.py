@@ -18,7 +18,14 @@ from scipy.io import savemat
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime.light import Light
-from nscc_runtime.scenes import ExposureLevel, PlacedLight, Scene, laid_scene, load_scene
+from nscc_runtime.scenes import (
+    ExposureLevel,
+    PlacedLight,
+    Scene,
+    laid_lights,
+    laid_scene,
+    load_scene,
+)
 from nscc_runtime.scenes.colour import srgb_to_linear
 from nscc_runtime.scenes.placement import Placement
 
@@ -40,8 +47,9 @@ def light_of(path: Path) -> NDArray[np.float64]:
 
 def laid(path: Path, **more: Any) -> tuple[PlacedLight, list[Diagnostic]]:
     said: list[Diagnostic] = []
-    found = laid_scene(str(path), exposure=ExposureLevel(5000.0, 50.0), warn=said.append,
-                       **{**SIZE, **more})  # fmt: skip
+    options = {name: more.pop(name) for name in [*more] if name in vars(Scene)}
+    scene = Scene(str(path), exposure=ExposureLevel(5000.0, 50.0), **options)
+    found = laid_scene(scene, warn=said.append, **{**SIZE, **more})
     return found, said
 
 
@@ -177,7 +185,7 @@ def test_what_has_no_colours_is_exposed_once(tmp_path: Path) -> None:
     for name in (str(tmp_path / "grey.png"), "builtin:hdr"):
         said: list[Diagnostic] = []
         scene = Scene(name, exposure="5000", color=True)
-        assert len(scene.laid(SIZE["slot_us"], target, said.append)) == 1
+        assert len(laid_lights(scene, SIZE["slot_us"], target, said.append)) == 1
         assert [each.code for each in said] == ["NS0773"]
         assert "no colours" in said[0].message
 

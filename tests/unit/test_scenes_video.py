@@ -229,3 +229,109 @@ def test_a_video_without_a_frame_that_decodes_is_refused(tmp_path: Path) -> None
     path.write_bytes(data[:samples] + bytes(index - 4 - samples) + data[index - 4 :])
     with pytest.raises(Rejected, match="NS0732"):
         frames_of(path)
+
+
+@pytest.mark.parametrize("form", ["gray", "gray16le"])
+@pytest.mark.parametrize("stated", [None, "limited", "full"])
+def test_grey_without_a_stated_range_is_full(tmp_path: Path, form: str, stated: Any) -> None:
+    bits = 8 if form == "gray" else 16
+    values = np.linspace(0, 2**bits - 1, COLS).round().astype(np.uint8 if bits == 8 else "<u2")
+    path = tmp_path / "v.mkv"
+    with av.open(str(path), "w") as container:
+        stream = container.add_stream("ffv1", rate=25)
+        stream.width, stream.height, stream.pix_fmt = COLS, ROWS, form
+        number = {None: 0, "limited": 1, "full": 2}[stated]
+        stream.codec_context.color_range = number
+        frame = av.VideoFrame(COLS, ROWS, form)
+        frame.color_range = number
+        lines = np.zeros((ROWS, frame.planes[0].line_size // values.itemsize), values.dtype)
+        lines[:, :COLS] = values
+        frame.planes[0].update(lines.tobytes())
+        frame.pts = 0
+        container.mux(stream.encode(frame))
+        container.mux(stream.encode())
+    (found,) = frames_of(path)
+    fractions = values / (2**bits - 1)
+    if stated == "limited":
+        step = 2 ** (bits - 8)
+        fractions = np.clip((values.astype(float) - 16 * step) / (219 * step), 0, 1)
+    white = np.iinfo(found.dtype).max
+    np.testing.assert_allclose(found[0, :, 0] / white, fractions, atol=1.1 / white)
+
+
+def films(path: Path, values: tuple[int, ...], sizes: tuple[int, ...], default: int) -> None:
+    """A file of several films, of which number `default` is marked as usual."""
+    with av.open(str(path), "w") as container:
+        streams = []
+        for size in sizes:
+            stream = container.add_stream("ffv1", rate=25)
+            stream.width, stream.height, stream.pix_fmt = size, ROWS, "yuv420p"
+            streams.append(stream)
+        for number, stream in enumerate(streams):
+            marks = av.stream.Disposition
+            stream.disposition = marks.default if number == default else marks(0)
+        for stream, value, size in zip(streams, values, sizes, strict=True):
+            for _ in range(3):
+                picture = np.full((ROWS, size, 3), value, np.uint8)
+                frame = av.VideoFrame.from_ndarray(picture, format="rgb24")
+                container.mux(stream.encode(frame))
+            container.mux(stream.encode())
+
+
+@pytest.mark.parametrize("default", [0, 1])
+def test_of_two_films_the_marked_one_is_read(tmp_path: Path, default: int) -> None:
+    films(tmp_path / "v.mkv", (50, 150), (COLS, 2 * COLS), default)
+    found = frames_of(tmp_path / "v.mkv")
+    assert [frame.shape[1] for frame in found] == [(1 + default) * COLS] * 3
+    assert abs(int(found[0][0, 0, 0]) - (50, 150)[default]) <= 2
+
+
+def test_a_cover_is_not_the_film(tmp_path: Path) -> None:
+    """The first stream is a picture that is attached to the file."""
+    path = tmp_path / "v.mp4"
+    with av.open(str(path), "w") as container:
+        cover = container.add_stream("mjpeg", rate=25)
+        cover.width, cover.height, cover.pix_fmt = 16, 16, "yuvj420p"
+        film = container.add_stream("mpeg4", rate=25)
+        film.width, film.height, film.pix_fmt = COLS, ROWS, "yuv420p"
+        cover.disposition = av.stream.Disposition.attached_pic
+        small = av.VideoFrame.from_ndarray(np.zeros((16, 16, 3), np.uint8), format="rgb24")
+        container.mux(cover.encode(small))
+        container.mux(cover.encode())
+        for _ in range(3):
+            picture = np.full((ROWS, COLS, 3), 99, np.uint8)
+            container.mux(film.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")))
+        container.mux(film.encode())
+    with av.open(str(path)) as container:
+        assert {stream.width for stream in container.streams.video} == {16, COLS}
+    assert [frame.shape for frame in frames_of(path)] == [(ROWS, COLS, 3)] * 3
+
+
+def test_pixels_that_are_not_square_become_square(tmp_path: Path) -> None:
+    path = tmp_path / "v.mkv"
+    with av.open(str(path), "w") as container:
+        stream = container.add_stream("mpeg4", rate=25)
+        stream.width, stream.height, stream.pix_fmt = COLS, ROWS, "yuv420p"
+        stream.codec_context.sample_aspect_ratio = Fraction(3, 2)
+        picture = np.full((ROWS, COLS, 3), 99, np.uint8)
+        container.mux(stream.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")))
+        container.mux(stream.encode())
+    pages = open_pages(path)
+    assert pages.sizes == ((ROWS, COLS * 3 // 2),)
+    assert next(pages.read()).shape == (ROWS, COLS * 3 // 2, 3)
+    assert "3:2" in pages.notes[0][0]
+
+
+def test_interlaced_frames_are_noted(tmp_path: Path) -> None:
+    path = tmp_path / "v.mkv"
+    with av.open(str(path), "w") as container:
+        stream = container.add_stream("mpeg2video", rate=25)
+        stream.width, stream.height, stream.pix_fmt = COLS, ROWS, "yuv420p"
+        stream.codec_context.options = {"flags": "+ildct+ilme"}
+        for _ in range(3):
+            frame = av.VideoFrame.from_ndarray(
+                np.full((ROWS, COLS, 3), 99, np.uint8), format="rgb24"
+            )
+            container.mux(stream.encode(frame))
+        container.mux(stream.encode())
+    assert "interlaced" in open_pages(path).notes[0][0]

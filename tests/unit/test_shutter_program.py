@@ -143,8 +143,8 @@ def test_a_str_that_ends_in_nsl_is_a_path_and_any_other_a_program(tmp_path: Path
         (lambda: nscc.compile("x.icw"), r"use nscc.load\('x.icw'\)"),
         (lambda: nscc.load("x.nsl"), r"nscc.compile\('x.nsl'\) compiles it"),
         (lambda: nscc.load(np.ones(3)), r"takes a path, not an array \(3,\) of float64"),
-        (lambda: nscc.compile(TEXT, level=4), "level is one of 0, 1, 2, 3, not 4"),
-        (lambda: nscc.compile(TEXT, level=True), "level is one of 0, 1, 2, 3, not True"),
+        (lambda: nscc.compile(TEXT, level=4), "level is a whole number from 0 to 3, not 4"),
+        (lambda: nscc.compile(TEXT, level=True), "level is a whole number from 0 to 3, not True"),
         (lambda: nscc.compile(TEXT, codes="opn"), "did you mean `open`"),
         (lambda: nscc.compile(TEXT, lowering="edge"), "did you mean `edges`"),
         (lambda: nscc.compile(TEXT, target=5), "its file or a Target, not 5"),
@@ -191,7 +191,7 @@ def test_repr_is_a_line(made: str, tmp_path: Path) -> None:
     assert p.compiled is not None
     values = {
         "compiled": p.compiled, "container": p.container, "program": p.compiled.program,
-        "choice": p.compiled.choice, "table": p.container.table,
+        "choice": p.compiled.layout, "table": p.container.table,
         "loaded": nscc.load(p.save(tmp_path / "p.icw")),
     }  # fmt: skip
     for text in (repr(values[made]), repr(p)):

@@ -144,7 +144,7 @@ def test_every_example(path: Path) -> None:
     wells = np.random.default_rng(2).lognormal(-1.0, 1.0, (ROWS, COLS))
     rate = (wells * sensor.full_well_e / container.slot_s.sum()).astype(np.float32)
     light = Light.of_still(rate, container.slot_s)
-    simulator = by_words if container.machine is not None else by_sums
+    simulator = by_words if container.machine.stages else by_sums
     full, found = (
         np.array([*map(expose(container, light, sensor, every), range(2000))])
         for expose in (by_reference, simulator)

@@ -19,8 +19,8 @@ from nscc.chips.load import load_target, target_toml
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.emit.products import emitted
-from nscc.prove.proof import prove_stream
 from nscc.shutter_program import ShutterProgram
+from nscc.stream.proof import prove_planes
 from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc.words.readout import converter_of
@@ -86,18 +86,18 @@ def test_planes_send_light_where_the_text_says(text: str, chip: Target) -> None:
 
 def test_every_single_bit_is_proved() -> None:
     container, stream = sent(built(SPLIT))
-    assert prove_stream(container).holds
+    assert prove_planes(container).holds
     rng = np.random.default_rng(0)
     for _ in range(40):
         slot, y, x = (int(rng.integers(0, most)) for most in (8, 6, 11))
         planes = stream.planes.copy()
         planes[slot, y, x // 8] ^= 1 << x % 8
-        proof = prove_stream(replace(container, stream=replace(stream, planes=planes)))
+        proof = prove_planes(replace(container, stream=replace(stream, planes=planes)))
         assert proof.failure is not None
         assert f"x = {x}, y = {y}" in proof.failure.reason
         assert f"slot {slot}" in proof.failure.reason
     crossed = replace(stream, ones=stream.zeros, zeros=stream.ones)
-    assert not prove_stream(replace(container, stream=crossed)).holds
+    assert not prove_planes(replace(container, stream=crossed)).holds
 
 
 @pytest.mark.parametrize("pipelined", [True, False])
@@ -109,7 +109,7 @@ def test_planes_load_one_after_the_other_and_act_whole(pipelined: bool) -> None:
     )
     assert all(each.acts_us - each.load_us == 600.0 for each in loads)
     late = replace(sent(built(STOPS))[0], target=replace(chip, row_load_us=167.0))
-    assert not prove_stream(late).holds
+    assert not prove_planes(late).holds
 
 
 def test_a_slot_of_just_the_loading_time_fits_a_pipelined_chip_only() -> None:
@@ -172,7 +172,7 @@ def test_other_codes_make_other_planes() -> None:
     codes = np.arange(66).reshape(6, 11) % 9
     moved = program.with_pixels(stop=codes)
     container, stream = sent(moved)
-    assert prove_stream(container).holds
+    assert prove_planes(container).holds
     assert np.array_equal(followed(stream, moved.shape) == 0, np.arange(8)[:, None, None] < codes)
 
 

@@ -9,9 +9,9 @@ import pytest
 import torch
 from small_runs import trained
 
+from nscc.container_proof import shutters_of_pixels
 from nscc.diagnostics.arguments import WrongArgument
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.prove.shutters import shutters_of_pixels
 from nscc_runtime import capture
 from nscc_training import load_run
 from nscc_training.config import settings_of

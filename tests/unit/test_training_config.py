@@ -26,6 +26,21 @@ def test_what_is_printed_is_read_back() -> None:
     assert settings_of(tomllib.loads(config_toml(changed))) == changed
 
 
+def test_all_contradictions_are_named_together() -> None:
+    values = {"decoder": {"lessons": "denoise"}, "shutter": {"free": True},
+              "sensor": {"effects": "all", "noise": False}}  # fmt: skip
+    with pytest.raises(Rejected) as caught:
+        settings_of(values).check()
+    named = [d.message.removeprefix("invalid setting ") for d in caught.value.diagnostics]
+    assert {d.code for d in caught.value.diagnostics} == {"NS0815"}
+    assert [text.partition(":")[0] for text in named] == [
+        "shutter.learn", "decoder.lessons", "sensor.effects", "sensor.effects",
+    ]  # fmt: skip
+    settings_of(
+        {"decoder": {"lessons": "denoise", "name": "any"}, "shutter": {"learn": False}}
+    ).check()
+
+
 def test_changes_come_on_top(tmp_path: Path) -> None:
     path = tmp_path / "c.toml"
     path.write_text("[train]\nsteps = 7\nbatch = 3\n")

@@ -13,8 +13,8 @@ import pytest
 torch = pytest.importorskip("torch")
 
 from nscc.compiler import compile_file  # noqa: E402
+from nscc.container_proof import replayed  # noqa: E402
 from nscc.pipeline import Options  # noqa: E402
-from nscc.prove.shutters import replayed  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import load_config  # noqa: E402
 from nscc_training.loop.setup import make_setup  # noqa: E402

@@ -267,6 +267,25 @@ def test_diff_names_what_changed(tmp_path: Path) -> None:
     assert "+.pixels tile 1 1" in text
 
 
+def test_diff_shows_lines_of_text_and_only_tells_that_data_differ() -> None:
+    """A line of source without a space, a tile of one column, and a plane of codes."""
+    first = assembled(HAND)
+    first, second = (replace(first, source_lines=(line,)) for line in ("#a", "#bcd"))
+    assert differences(first, second)[-2:] == ["  -| #a", "  +| #bcd"]
+    codes = np.zeros((256, 256), np.int32)
+    tiled = [replace(first, pixel_codes=codes + code) for code in (0, 1)]
+    tiled = [replace(each, table=replace(each.table, codes=np.zeros((2, 0), np.int64),
+                                         shutter_of_code=np.zeros(2, np.int32)))
+             for each in tiled]  # fmt: skip
+    assert differences(*tiled)[-2:] == ["  -| 0", "  +| 1"]
+    codes[:] = np.arange(256) % 2
+    codes[7, 9] = 1 - codes[7, 9]
+    wide = replace(tiled[0], pixel_codes=codes)
+    assert differences(wide, replace(wide, pixel_codes=1 - codes))[-1] == (
+        "  the data in base64 differ"
+    )
+
+
 def test_unreadable_containers_are_refused(tmp_path: Path) -> None:
     for name, status in (("missing.icw", 2), (".", 2), ("/dev/zero", 1)):
         with pytest.raises(Rejected) as caught:

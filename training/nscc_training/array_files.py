@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -230,6 +230,27 @@ def read_mask(path: Path) -> Floats:
     if high == 0:
         raise refused(path, "`mask` is 0 everywhere: no pixel ever opens")
     return mask
+
+
+Axis = Literal["first", "last"]
+"""The axis of a mask that counts slots."""
+
+
+def ambiguous_axes(path: Path, shape: tuple[int, ...]) -> Rejected:
+    """Return the error (NS0845) for a mask whose axes can be read in two ways."""
+    first, middle, last = shape
+    return rejected(
+        "NS0845",
+        f"the mask in '{path}' is {first} x {middle} x {last}, which can be read in two ways",
+        notes=(f"slots last: {first} x {middle} pixels, {last} slots",
+               f"slots first: {first} slots, {middle} x {last} pixels"),
+        helps=("--slots-axis last or --slots-axis first selects one of them",),
+    )  # fmt: skip
+
+
+def is_square_tile(shape: tuple[int, ...]) -> bool:
+    """Return whether a mask is (rows, cols, slots) by its sizes: equal ones, and another one."""
+    return shape[0] == shape[1] != shape[2]
 
 
 def refused(path: Path, reason: str, note: str = "") -> Rejected:

@@ -46,7 +46,6 @@ class CellNoise:
 
         values = sensor_for(program).values
         pictures, target = program.container.pictures, program.container.target
-        assert pictures is not None
         unit_e = pictures.count_steps * target.electrons_per_step
         words = max(image["noise_gain"] for image in program.report["images"].values())
         word_e = values["analog_noise_lsb"] * values["electrons_per_lsb"]

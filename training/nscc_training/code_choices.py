@@ -15,6 +15,11 @@ SCATTERED = ("poisson-disc", "non-adjacent")
 (`nscc_training.encoders.encoder_classes`)."""
 RANKS = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])
 """Bayer matrix: the order of 4 x 4 places."""
+LOOKS = "looks"
+"""The class of pixels that close at the first look above a level.
+
+Its shutters are represented by fields (2 looks, rows, cols), boundaries followed by levels, because
+the open time depends on the light (`nscc_training.looking_model`)."""
 STARTS = ("random", "uniform", "quad", *ORDERED, *SCATTERED)
 
 SLOPED = ("straight-through", "sigmoid", "gumbel")

@@ -15,17 +15,19 @@ from numpy.typing import NDArray
 from torch import nn
 
 from nscc import html
-from nscc.diagnostics.arguments import as_array, flag, path_of, shown, warn, wrong_argument
+from nscc.diagnostics.arguments import as_array, path_of, shown, warn, wrong_argument
 from nscc.emit.notebook import shutter_chart
 from nscc.shutter_program import ShutterProgram, compile
+from nscc.toml.arguments import argument
+from nscc.toml.kinds import Flag
 from nscc_runtime import exposing
 from nscc_runtime.captured import Capture
 from nscc_runtime.frame_file import last_codes
 from nscc_runtime.python_arguments import LightLike
 from nscc_runtime.scenes.scene import Scene
 from nscc_training import run_folder
+from nscc_training.code_choices import LOOKS
 from nscc_training.encoders import Encoder
-from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.frame_reading import Dark, FrameRead, by_colour, mean_dark, read_dark, read_frame
 from nscc_training.loop.decoding import decoded_frame
 from nscc_training.measures import METRIC_NAMES, score_text
@@ -177,7 +179,7 @@ class Run:
             full = last_codes(codes, self.folder.setup.target) != 0
             return decoded_frame(self.folder.setup, codes, full)
         dark_frames = None if dark is None else self._dark(dark)
-        forced = flag("reconstruct", "force", force)
+        forced = argument("reconstruct", "force", Flag(), force)
         light, messages = reconstructed(self.folder, read, name, dark_frames, force=forced)
         warn(messages)
         return light
@@ -297,7 +299,7 @@ def load_run(path: str | os.PathLike[str], *, trust_code: bool = False) -> Run:
     Rejected
         NS0818 if the folder contains no finished run, NS0823 if the run needs `trust_code`.
     """
-    trusted = flag("load_run", "trust_code", trust_code)
+    trusted = argument("load_run", "trust_code", Flag(), trust_code)
     return Run(run_folder.load_run(path_of("load_run", path), trust_code=trusted))
 
 

@@ -15,7 +15,13 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.program.problems import counted
 from nscc.words.container import Container
-from nscc_training.array_files import Floats, read_mask
+from nscc_training.array_files import (
+    Axis,
+    Floats,
+    ambiguous_axes,
+    is_square_tile,
+    read_mask,
+)
 from nscc_training.code_choices import ShutterSpec, over_array
 from nscc_training.codes_files import codes_bytes
 from nscc_training.programs import CODES_FILE, MOST_LISTED, Chip, compiled, program, words_per_slot
@@ -45,8 +51,9 @@ class ImportedMask:
 
 
 def import_mask(
-    path: Path, codes_name: str, *, slot_us: float = 125.0, target: str = "scamp5"
-) -> ImportedMask:
+    path: Path, codes_name: str, *, slot_us: float = 125.0, target: str = "scamp5",
+    slots_axis: Axis | None = None,
+) -> ImportedMask:  # fmt: skip
     """Find the program of a mask.
 
     Parameters
@@ -60,16 +67,21 @@ def import_mask(
         The length of a slot in microseconds.
     target : str
         The chip, a name or a file.
+    slots_axis : {"first", "last"}, optional
+        The axis of slots; needed for a tile whose axes can be read in two ways.
 
     Raises
     ------
     Rejected
-        NS0845 for a file without a mask, NS0847 for a mask that no class represents.
+        NS0845 for a file without a mask, or with an ambiguous one, NS0847 for a mask that no class
+        represents.
     """
     chip = Chip(target, slot_us)
     table = load_target(target, Path())
     array = (table.rows, table.cols)
-    mask, axis_name = _slots_first(read_binary_mask(path), array)
+    stored = read_binary_mask(path)
+    axis_name = slots_axis or _slots_axis(path, stored.shape, array)
+    mask = _slots_first(stored, axis_name)
     axes = f"{counted(len(mask), 'slot')} (the {axis_name} axis of `mask`)"
     shutters, tile = _tile(mask, array, path)
     reasons: list[str] = []
@@ -132,7 +144,9 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
         NS0845 and NS0847 for the mask, and NS0847 for shutters that the program does not have.
     """
     target, table = container.target, container.table
-    mask, _ = _slots_first(read_binary_mask(path), (target.rows, target.cols), container.slots)
+    stored = read_binary_mask(path)
+    axis_name = _slots_axis(path, stored.shape, (target.rows, target.cols), container.slots)
+    mask = _slots_first(stored, axis_name)
     known = {row.tobytes(): code for code, row in reversed([*enumerate(
         np.packbits(table.shutters[table.shutter_of_code, 0], axis=-1))])}  # fmt: skip
     shutters, tile = _tile(mask, (target.rows, target.cols), path)
@@ -154,17 +168,27 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
     return {name: np.ascontiguousarray(codes[..., k]) for k, name in enumerate(table.fields)}
 
 
-def _slots_first(
-    mask: Floats, array: tuple[int, int], slots: int | None = None
-) -> tuple[Bits, str]:
-    """Return the mask as (slots, rows, cols), and whether time was its first or last axis.
+def _slots_axis(
+    path: Path, shape: tuple[int, ...], array: tuple[int, int], slots: int | None = None
+) -> Axis:
+    """Return the axis of slots of a mask of the array, or of a tile, for a program of `slots`.
 
-    Time is the axis that does not match the array; for a tile, the last axis, as in MATLAB."""
-    if slots is not None and (mask.shape[2] == slots) != (mask.shape[0] == slots):
-        last = mask.shape[2] == slots
-    else:
-        last = mask.shape[:2] == array or mask.shape[1:] != array
-    return (np.moveaxis(mask, 2, 0) if last else mask) > 0, "last" if last else "first"
+    The documented order has slots last. Raises Rejected (NS0845) for a tile that can be read in
+    two ways."""
+    if shape[:2] == array:
+        return "last"
+    if shape[1:] == array:
+        return "first"
+    if slots is not None:
+        return "first" if shape[0] == slots != shape[2] else "last"
+    if is_square_tile(shape) or shape[0] > array[0] or shape[1] > array[1]:
+        return "last"
+    raise ambiguous_axes(path, shape)
+
+
+def _slots_first(mask: Floats, axis: Axis) -> Bits:
+    """Return the mask as (slots, rows, cols)."""
+    return (np.moveaxis(mask, 2, 0) if axis == "last" else mask) > 0
 
 
 def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
@@ -174,12 +198,16 @@ def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray
         raise rejected(
             "NS0847",
             f"the mask in '{path}' is {rows} x {cols}, but the array is {array[0]} x {array[1]}",
-            helps=("crop the mask to the array, or use a larger --target",),
+            helps=(
+                "crop the mask to the array, use a larger --target, or name the axis of slots: "
+                "--slots-axis first",
+            ),
         )
     packed = np.packbits(mask, axis=0).reshape(-1, rows * cols).T
     _, first, place = np.unique(packed, axis=0, return_index=True, return_inverse=True)
     places = place.reshape(rows, cols)
-    down, across = _period(places), _period(places.T)
+    down = _period(places, is_whole=rows == array[0])
+    across = _period(places.T, is_whole=cols == array[1])
     tile = places[:down, :across]
     if tile.size > MOST_LISTED and tile.shape != array:
         # A file of codes has one code per pixel of the array.
@@ -187,10 +215,12 @@ def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray
     return np.ascontiguousarray(mask.reshape(slots, -1).T[first]), tile
 
 
-def _period(places: NDArray[np.int64]) -> int:
-    """Return the smallest period of the rows of `places`."""
+def _period(places: NDArray[np.int64], is_whole: bool) -> int:
+    """Return the smallest period of the rows of `places`. A tile is repeated as a whole, so its
+    period divides its size; the array ends anywhere within a period (`is_whole`)."""
     count = len(places)
-    return next((n for n in range(1, count) if np.array_equal(places[n:], places[:-n])), count)
+    periods = (n for n in range(1, count) if is_whole or count % n == 0)
+    return next((n for n in periods if np.array_equal(places[n:], places[:-n])), count)
 
 
 def _candidates(

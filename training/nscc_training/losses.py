@@ -10,6 +10,7 @@ from torch import Tensor
 from torch.nn import functional
 
 from nscc_training.curves import log_curve, mu_law, pu21, srgb
+from nscc_training.protocols import CLASS
 
 Loss = Callable[[Tensor, Tensor], Tensor]
 """A function of prediction and truth, of the same shape, that returns a scalar."""
@@ -18,8 +19,6 @@ LOG_FLOOR = 1e-3
 """Fraction of the data range above which the log loss measures relative errors."""
 LEAST_ERROR = 1e-7
 """Lower limit of mean squared errors: 70 dB."""
-CLASS = "class"
-"""The name of the loss of classifiers."""
 NITS = 1000.0
 """Luminance in cd/m2 of the data range for PU21, as in protocol hdr-v1."""
 

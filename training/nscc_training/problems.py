@@ -42,7 +42,7 @@ def unreadable(code: str, message: str, error: Exception, help_text: str) -> Rej
     return rejected(code, message, notes=notes, helps=(help_text,))
 
 
-def invalid_setting(key: str, reason: object) -> Exception:
+def invalid_setting(key: str, reason: object) -> Rejected:
     """Return the refusal (NS0815) of a value of a training configuration."""
     return rejected(
         "NS0815",

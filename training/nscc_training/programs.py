@@ -20,8 +20,9 @@ from nscc.pipeline import Compiled, Options
 from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse
+from nscc.toml.arguments import argument
+from nscc.toml.kinds import ANY_NUMBER
 from nscc.words.legality import refuse_pictures
-from nscc_runtime.python_arguments import number
 from nscc_training.code_choices import ShutterSpec, over_array
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import LookSchedule
@@ -63,7 +64,7 @@ class Chip:
 
     def __post_init__(self) -> None:
         require_type("Chip", "target", self.target, str, "str(path)")
-        number("Chip", "slot_us", self.slot_us)
+        argument("Chip", "slot_us", ANY_NUMBER, self.slot_us)
 
     @property
     def file(self) -> str | None:
@@ -169,7 +170,7 @@ def begun_with(
     if container.slots != spec.slots:
         raise ValueError(f"the program has {container.slots} slots, but the run has {spec.slots}")
     if spec.kind == "looks":
-        comparisons = () if container.machine is None else container.machine.comparisons
+        comparisons = container.machine.comparisons
         if len(comparisons) != spec.tile[1]:
             raise ValueError(
                 f"it looks {len(comparisons)} times, but the run looks {spec.tile[1]} times"
@@ -177,7 +178,7 @@ def begun_with(
         moments = np.array([[comparison.boundary for comparison in comparisons]])
         levels = np.array([[comparison.level for comparison in comparisons]])
         return {"at": moments, "level": levels}, None
-    if container.machine is not None:
+    if container.machine.stages:
         raise ValueError(f"its pixels look at the light, but those of class {spec.kind} do not")
     if container.pixel_codes is None:
         raise ValueError("the program has no pixels")
@@ -212,12 +213,9 @@ def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[
 
 def words_per_slot(compiled_program: Compiled) -> float:
     """Return the mean number of words per slot of all kinds; 0 for a chip without words."""
-    if compiled_program.sending is not None:
-        return 0.0
-    assert compiled_program.lowered is not None
-    return sum(compiled_program.lowered.words_per_boundary) / len(
-        compiled_program.program.frame.slot_us
-    )
+    container = compiled_program.container
+    assert container is not None
+    return container.words_per_frame / container.slots
 
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:

@@ -16,6 +16,8 @@ TRAINED = (
 )  # fmt: skip
 """The protocols whose scenes a run can learn from."""
 NAMES = (*TRAINED, "sci8")
+CLASS = "class"
+"""The loss of decoders that name classes."""
 PROCEDURAL = "procedural"
 """The name of scenes without files."""
 _PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)

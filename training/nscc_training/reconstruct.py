@@ -20,7 +20,7 @@ from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.machine_code import working_s
 from nscc_runtime.sensor import sensor_sha256
-from nscc_training.encoders.looks_encoder import LOOKS
+from nscc_training.code_choices import LOOKS
 from nscc_training.frame_reading import (
     Dark,
     FrameRead,

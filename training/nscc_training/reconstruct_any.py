@@ -19,7 +19,17 @@ from nscc.program.problems import counted
 from nscc_runtime.formats import Content
 from nscc_runtime.machine_code import working_s
 from nscc_training.any_code.frames import CodedFrame, read_coded_frames
-from nscc_training.array_files import MOST, Floats, array_names, read_mask, real_array, refused
+from nscc_training.array_files import (
+    MOST,
+    Axis,
+    Floats,
+    ambiguous_axes,
+    array_names,
+    is_square_tile,
+    read_mask,
+    real_array,
+    refused,
+)
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.baselines.hdr import merge_neighbours
 from nscc_training.measured import Measured
@@ -213,7 +223,9 @@ def is_measurement(path: Path, mask: Path | None) -> bool:
         return False
 
 
-def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
+def read_measurement(
+    path: Path, mask_path: Path | None = None, slots_axis: Axis | None = None
+) -> Measurement:
     """Read `meas` of a file and `mask` of the same or another file.
 
     Parameters
@@ -223,11 +235,14 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
         (K, rows, cols).
     mask_path : Path, optional
         The file of the mask, (rows, cols, slots) or (slots, rows, cols).
+    slots_axis : {"first", "last"}, optional
+        The axis of slots; needed if the measurement fits both.
 
     Raises
     ------
     Rejected
-        NS0845 for arrays that are missing, do not fit each other, or hold other values.
+        NS0845 for arrays that are missing, do not fit each other, are ambiguous, or hold other
+        values.
     """
     if mask_path is None and (path.suffix.lower() == ".npy" or "mask" not in array_names(path)):
         raise refused(path, "the array `mask` is missing", "name the file of the mask: --mask MASK")
@@ -236,20 +251,25 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
         raise refused(path, f"`meas` has the shape {values.shape}")
     if np.abs(values).max() > MOST * mask.max():
         raise refused(path, f"`meas` is more than {MOST:g} times the largest value of `mask`")
-    # If both axes are possible, time is the last one, as in MATLAB.
+    readings: list[Measurement] = []
     for axis, name in ((2, "last"), (0, "first")):
         size = tuple(np.delete(mask.shape, axis))
+        # If both axes count measurements, the last one does, as in MATLAB.
         fits = [
             at for at in (2, 0) if values.ndim == 3 and tuple(np.delete(values.shape, at)) == size
         ]
-        if values.shape == size or fits:
+        if slots_axis in (None, name) and (values.shape == size or fits):
             turned = values[None] if values.ndim == 2 else np.moveaxis(values, fits[0], 0)
             text = (f"{size[0]} x {size[1]} pixels, {counted(mask.shape[axis], 'slot')} (the "
                     f"{name} axis of `mask`), {counted(len(turned), 'measurement')}")  # fmt: skip
-            return Measurement(turned, np.moveaxis(mask, axis, 0), text)
-    raise refused(
-        path, f"`meas` is {values.shape}, but `mask` is {mask.shape}: rows and columns differ"
-    )
+            readings.append(Measurement(turned, np.moveaxis(mask, axis, 0), text))
+    if not readings:
+        raise refused(
+            path, f"`meas` is {values.shape}, but `mask` is {mask.shape}: rows and columns differ"
+        )
+    if len(readings) > 1 and not is_square_tile(mask.shape):
+        raise ambiguous_axes(mask_path or path, mask.shape)
+    return readings[0]
 
 
 def reconstruct_measurement(

@@ -56,17 +56,20 @@ def folders_of(text: str) -> list[Path]:
     ]  # fmt: skip
 
 
-def protocol_files(
-    folder: Path, endings: Collection[str], kind_text: str, expected: str, protocol: str
+def data_files(
+    folder: Path, endings: Collection[str], contents: str, kind_text: str, expected: str
 ) -> list[Path]:
-    """Return the files of `files_in`; raise Rejected (NS0811) if there are none."""
+    """Return the files of `files_in`; raise Rejected (NS0811) if there are none.
+
+    The message says that the folder has no `contents`, that files of this kind (`kind_text`) have
+    the endings, and that the user should name a folder of `expected`."""
     matching = files_in(folder, endings)
     if not matching:
         exists = any(map(Path.is_dir, folders_of(str(folder))))
         missing = () if exists else ("the folder does not exist",)
         raise rejected(
             "NS0811",
-            f"'{folder}' contains no data for protocol {protocol}",
+            f"'{folder}' contains no {contents}",
             notes=(*missing, f"{kind_text} {', '.join(endings)}"),
             helps=(f"name a folder of {expected}",),
         )

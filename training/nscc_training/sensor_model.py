@@ -5,7 +5,6 @@ Light is float32; sums and all steps up to the ADC are float64, whatever the net
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import inf
 from typing import Any, NamedTuple
 
 import torch
@@ -14,14 +13,13 @@ from torch import Tensor
 
 from nscc.chips.target import Target
 from nscc.diagnostics.arguments import (
-    flag,
     require_type,
-    require_whole_number,
     shown,
     wrong_argument,
 )
+from nscc.toml.arguments import argument
+from nscc.toml.kinds import ANY_NUMBER, Flag, Integer
 from nscc_runtime.effects import everything
-from nscc_runtime.python_arguments import number
 from nscc_runtime.sensor import Sensor
 from nscc_training.draws import normal
 from nscc_training.encoders.base import Encoder
@@ -72,11 +70,12 @@ class SensorModel:
 
     def __post_init__(self) -> None:
         """Raise WrongArgument for invalid values."""
-        require_whole_number("SensorModel", "adc_bits", self.adc_bits, 1, 32)
-        flag("SensorModel", "shot_noise", self.shot_noise)
+        argument("SensorModel", "adc_bits", Integer(1, 32), self.adc_bits)
+        argument("SensorModel", "shot_noise", Flag(), self.shot_noise)
         for name in _NUMBERS:
-            value, positive = number("SensorModel", name, getattr(self, name)), name in _POSITIVE
-            if not 0 <= value < inf or (positive and not value):
+            value, positive = getattr(self, name), name in _POSITIVE
+            argument("SensorModel", name, ANY_NUMBER, value)
+            if value < 0 or (positive and not value):
                 limit = "above 0" if positive else "not below 0"
                 raise wrong_argument(
                     f"SensorModel: {name} must be finite and {limit}, but is {value:g}"

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.toml.kinds import Flag, Integer, Number, Several, TextKind
 from nscc.toml.schema import FileCodes, Schema, key, keys_of
-from nscc_training.code_choices import RELAXATIONS, STARTS
+from nscc_training.code_choices import LOOKS, RELAXATIONS, STARTS
 from nscc_training.decoders.declared import DECODERS, SIZES
-from nscc_training.protocols import TRAINED
+from nscc_training.import_paths import is_import_path
+from nscc_training.made_scenes import DIRECTIONS
+from nscc_training.problems import invalid_setting
+from nscc_training.protocols import CLASS, PROCEDURAL, TRAINED, load_protocol
 
 _COUNT = Integer(1, 100_000)
 
@@ -22,7 +26,11 @@ class ShutterSettings:
         "the class of shutters; looks: pixels that close at the first look above a level",
         "b",
         name="class",
-    )
+        checks=(
+            lambda run: run.looks and not run.still
+            and "looks are learned from stills: set [data] protocol to hdr-v1",
+        ),
+    )  # fmt: skip
     slots: int = key(Integer(1, 65536), "slots in a frame", 256)
     slot_us: float = key(Number(1e-3, 1e9), "length of a slot in microseconds", 125.0)
     tile: tuple[int, ...] = key(
@@ -39,11 +47,23 @@ class ShutterSettings:
         f"{', '.join(STARTS)}, learned (as quad), a run, or a file: codes, .npz or .mat, or a "
         "program of the class, .nsl", "quad",
     )  # fmt: skip
-    learn: bool = key(Flag(), "false: the codes do not change", True)
+    learn: bool = key(
+        Flag(), "false: the codes do not change", True,
+        checks=(
+            lambda run: run.decoder.lessons and run.shutter.learn
+            and "lessons use codes of every kind, and the run's own codes do not learn: set it to "
+            "false",
+        ),
+    )  # fmt: skip
     relaxation: str = key(
         TextKind(RELAXATIONS),
         "how codes are learned: the gradient method for the quantisation, or a search",
         "straight-through",
+        checks=(
+            lambda run: run.classes and run.shutter.learn and run.shutter.relaxation == "tried"
+            and "trials need the loss of each pixel, and a class has one loss: use "
+            "straight-through or search",
+        ),
     )  # fmt: skip
     temperature: tuple[float, ...] = key(
         Several(Number(1e-6, 1e6), 2),
@@ -67,11 +87,21 @@ class ShutterSettings:
         3,
     )
     most_words: float = key(
-        Number(0, 1e6), "with `search`: the largest mean number of words per slot; 0: any", 0.0
-    )
+        Number(0, 1e6), "with `search`: the largest mean number of words per slot; 0: any", 0.0,
+        checks=(
+            lambda run: run.shutter.most_words and run.shutter.relaxation != "search"
+            and "only a search stays within a limit of words: use the relaxation `search`, or add "
+            "words to the loss with `words_weight`",
+        ),
+    )  # fmt: skip
     warm_up: float = key(
         Number(0, 1),
         "the first fraction of the steps, in which only the decoder learns", 0.0,
+        checks=(
+            lambda run: run.shutter.learn and run.shutter.warm_up + run.shutter.settle >= 1
+            and "with `shutter.settle` it takes all steps, so codes cannot learn: reduce it, or "
+            "set `shutter.learn` to false",
+        ),
     )  # fmt: skip
     settle: float = key(
         Number(0, 1),
@@ -81,6 +111,12 @@ class ShutterSettings:
     buckets: int = key(
         Integer(1, 2),
         "2: a second bucket collects the light that the code excludes (clips)", 1,
+        checks=(
+            lambda run: run.shutter.buckets > 1 and run.shutter.kind in ("a", LOOKS)
+            and f"class {run.shutter.kind} leaves no light for a second bucket",
+            lambda run: run.shutter.buckets > 1 and run.still
+            and "two buckets need clips: set [data] protocol to two-bucket-v1",
+        ),
     )  # fmt: skip
     require: str = key(
         TextKind(), "a condition that legal codes fulfil, as in a program (b, c, d)", ""
@@ -94,7 +130,11 @@ class ShutterSettings:
         "weight of words per slot in the loss; a search counts the words, other methods "
         "approximate them",
         0.0,
-    )
+        checks=(
+            lambda run: run.looks and run.shutter.words_weight
+            and "every look takes the same number of words, so words cannot be weighted",
+        ),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -133,6 +173,10 @@ class DecoderSettings:
         "the task that `any` learns from pictures in [data] train: noisy clips, clips with "
         "codes of every class, stills with stops; empty: captures with the run's own "
         "shutters", "",
+        checks=(
+            lambda run: run.decoder.lessons and run.decoder.name != "any"
+            and "they need the decoder `any`",
+        ),
     )  # fmt: skip
     films: float = key(
         Number(0, 1), "the fraction of lessons `codes` with linear light, as in video-v1", 0.0
@@ -169,6 +213,17 @@ class SensorSettings:
         TextKind(),
         "sensor effects as in --effects: all, auto, or names; empty: noise, full well and "
         "converter", "",
+        checks=(
+            lambda run: run.sensor.effects and run.looks
+            and "pixels that look are trained with noise alone",
+            lambda run: run.sensor.effects and run.shutter.buckets > 1
+            and "two buckets are trained with noise, full well and converter alone",
+            lambda run: run.sensor.effects and run.shutter.free
+            and "a code for every pixel has no tile that can be exposed at all levels: leave out "
+            "`free`",
+            lambda run: run.sensor.effects and not run.sensor.noise
+            and "effects include noise, but `sensor.noise` is false",
+        ),
     )  # fmt: skip
     slope: float = key(Number(0, 1), "gradient of saturated pixels", 0.1)
 
@@ -192,6 +247,15 @@ class DataSettings:
         Several(TextKind()),
         "with class-v1: the classes of clips, which are the names of their folders; empty: the "
         "eight directions of procedural scenes", (),
+        checks=(
+            lambda run: run.data.classes and not run.classes
+            and "classes need [data] protocol class-v1",
+            lambda run: run.classes and len(set(run.classes)) < max(2, len(run.classes))
+            and "name at least two classes, each once",
+            lambda run: run.unknown_classes
+            and f"procedural scenes have the classes {', '.join(DIRECTIONS)}, not "
+            f"{run.unknown_classes[0][:40]}",
+        ),
     )  # fmt: skip
     transfer: str = key(
         TextKind(("", "linear", "srgb")),
@@ -211,8 +275,12 @@ class DataSettings:
         _COUNT, "number of exposures in a validation, each with `together` patches", 8
     )
     augment: bool = key(
-        Flag(), "augment: rotate and mirror, change the contrast of stills, reverse clips", True
-    )
+        Flag(), "augment: rotate and mirror, change the contrast of stills, reverse clips", True,
+        checks=(
+            lambda run: run.classes and run.data.augment
+            and "rotated, mirrored and reversed clips may change their class: set it to false",
+        ),
+    )  # fmt: skip
     saturated: tuple[float, ...] = key(
         Several(Number(0.001, 0.9), 2),
         "range of the fraction of a still's pixels that saturate when always open", (0.3, 0.3),
@@ -233,6 +301,12 @@ class LossSettings:
         "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, psnr-display, "
         "class (cross-entropy, with the protocol class-v1), a custom loss as module:name, or a "
         "sum of losses joined by +", "mu-law",
+        checks=(
+            lambda run: CLASS in run.loss.name.split("+") and not run.classes
+            and "`class` needs [data] protocol class-v1",
+            lambda run: run.classes and run.loss.name != CLASS and not is_import_path(run.loss.name)
+            and "classes are learned with the loss `class`",
+        ),
     )  # fmt: skip
 
 
@@ -286,6 +360,35 @@ class RunSettings:
     data: DataSettings = field(default_factory=DataSettings)
     loss: LossSettings = field(default_factory=LossSettings)
     train: TrainSettings = field(default_factory=TrainSettings)
+
+    @property
+    def still(self) -> bool:
+        """Whether the run learns from stills instead of clips."""
+        return load_protocol(self.data.protocol).still
+
+    @property
+    def looks(self) -> bool:
+        """Whether pixels look at their light."""
+        return self.shutter.kind == LOOKS
+
+    @property
+    def classes(self) -> tuple[str, ...]:
+        """The classes that the decoder distinguishes; empty if it reconstructs light."""
+        classifies = load_protocol(self.data.protocol).classifies
+        return self.data.classes or DIRECTIONS if classifies else ()
+
+    @property
+    def unknown_classes(self) -> tuple[str, ...]:
+        """The classes that procedural scenes do not have."""
+        procedural = self.data.train == PROCEDURAL
+        return tuple(name for name in self.classes if procedural and name not in DIRECTIONS)
+
+    def check(self) -> None:
+        """Raise Rejected (NS0815) with all settings that contradict others."""
+        reasons = ((key.path, check(self)) for key in SCHEMA.keys for check in key.checks)
+        problems = [invalid_setting(path, reason) for path, reason in reasons if reason]
+        if problems:
+            raise Rejected([error.diagnostics[0] for error in problems], status=2)
 
 
 SCHEMA = Schema(

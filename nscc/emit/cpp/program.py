@@ -33,8 +33,8 @@ from nscc.emit.cpp.frame import (
 from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines, narrowed
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
+from nscc.pipeline import KINDS
 from nscc.program.program import Program
-from nscc.prove.proof import prove
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
 from nscc.words.assembly_text import number_text, ranges_text
@@ -59,7 +59,7 @@ def report_lines(container: Container, film: list[dict[str, Reach]]) -> Iterator
     `film`."""
     pictures, target = container.pictures, container.target
     yield "#ifdef __LPC43XX__"
-    for number, report in enumerate(pictures.reports if pictures else ()):
+    for number, report in enumerate(pictures.reports):
         rows = (f"{{{', '.join(map(str, reaches[report.plane]))}}}" for reaches in film)
         yield f"const uint16_t margin_{number}[][4] = {{{', '.join(rows)}}};"
     yield from template_lines("report", rows=target.rows, cols=target.cols)
@@ -218,7 +218,7 @@ def _header(
     yield from entry("readout", _readout_text(container))
     for text in _state_texts(container):
         yield from entry("state", text)
-    if container.pictures is not None:
+    if container.pictures.registers:
         held = ", ".join(f"{name} in {r}" for name, r in container.pictures.registers.items())
         yield from entry("images", f"{held}; codes of images are signed, 128 is 0")
     array = f"{target.rows} x {target.cols} pixels; the devkit's (0, 0) is the top right one"
@@ -255,7 +255,7 @@ def _time_text(container: Container, schedule: LaunchSchedule) -> str:
 
 def _readout_text(container: Container) -> str:
     target = container.target
-    if container.pictures is not None and not container.buckets_read:
+    if not container.buckets_read:
         return "images and planes"
     if preparation_of(container).level is not None:
         return (
@@ -275,7 +275,7 @@ _MOST_VALUES = 64
 def _state_texts(container: Container) -> Iterator[str]:
     """Yield descriptions of how a host reads the states from digital registers."""
     machine = container.machine
-    for state in machine.states if machine else ():
+    for state in machine.states:
         if state.read:
             planes = container.state_planes[state.name]
             text = f"{state.name} in {' '.join(planes.registers) or 'no register'}"
@@ -305,7 +305,7 @@ def _kernels(
             )
             raise Rejected(_no_cpp(program, devkit, reason, TOO_WIDE, "NS0521"))
         if narrow is not None:
-            proof = prove(exposure, narrow)
+            proof = KINDS.of(exposure).prove(exposure, narrow)
             if not proof.holds:
                 raise ValueError(
                     f"calls with few sources do not implement the program: {proof.failure}"
@@ -341,7 +341,7 @@ def _kernels(
 def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
     shown = [(readout.register, readout.bucket) for readout in container.readouts]
     pictures = container.pictures
-    names = {} if pictures is None else {r: name for name, r in pictures.registers.items()}
+    names = {register: name for name, register in pictures.registers.items()}
     shown += [(register, names.get(register, register)) for register in state_registers(container)]
     yield "int main() {"
     yield "    vs_init();"
@@ -371,7 +371,7 @@ def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
         gain = gains.get(register, 1.0)
         remark = "" if gain == 1 else f"  // times {number_text(gain)}"
         yield f"        scamp5_output_image({register}, display_{number});{remark}"
-    if pictures is not None and pictures.reports:
+    if pictures.reports:
         yield "#ifdef __LPC43XX__"
         for number, report in enumerate(pictures.reports):
             title = literal(f"{report.kind} {report.plane}")

@@ -62,7 +62,7 @@ class EmulatedChip:
         if self._light is None or self._light[0] != container.slot_us:
             self._light = (container.slot_us, self.scene(container.slot_us))
         light = self._light[1]
-        if container.pictures is None:
+        if not container.pictures.outputs:
             if looks(container):
                 from nscc_runtime.reference.capture import executed
 
@@ -98,7 +98,6 @@ class EmulatedChip:
         from nscc_runtime.effects import selected
         from nscc_runtime.neighbours.pictured_program import PicturedProgram
 
-        assert container.pictures is not None
         program = PicturedProgram(container, self._converting(container), selected("none"))
         exposure = program.exposing(light, self.device_seed)(0, 0)
         frame, kept_bits = program.next_frame(exposure, {}, None, (0, self.device_seed), 0)

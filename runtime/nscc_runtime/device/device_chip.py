@@ -153,7 +153,7 @@ class DeviceChip:
     def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
         host = self.link.host
         self._number += 1
-        if container is not None and container.pictures is not None and container.keeps_states:
+        if container is not None and container.pictures.outputs and container.keeps_states:
             self._reaches = beyond_reaches(container, self._reaches)
         request = FrameRequest(self._number, 0, program, target.rows * target.cols)
         program_lost = False
@@ -229,7 +229,7 @@ def frame_of_readouts(
     electrons before the converter, or None to compute them from the codes. `planes`: bits (rows,
     cols) by digital register. `reaches`, `summaries`: see `told_of_planes`."""
     saturated_by, exact = last_codes(codes, target), exposure_e is not None
-    plain = container is None or (container.machine is None and container.pictures is None)
+    plain = container is None or not (container.machine.stages or container.pictures.outputs)
     electrons = exposure_e
     if electrons is None:
         electrons = np.asarray(
@@ -243,7 +243,7 @@ def frame_of_readouts(
     frame = Frame(codes, electrons, np.isfinite(electrons), saturated_by)
     if container is None or plain:
         return frame
-    if container.pictures is None:
+    if not container.pictures.outputs:
         simulated = selected("none") if exact else everything()
         return replace(frame, told=told_by(container, planes, frame, sensor, simulated))
     from nscc_runtime.neighbours.pictured_program import image_sensor, told_of_planes

@@ -20,9 +20,9 @@ from select import select
 from struct import Struct
 from typing import TYPE_CHECKING, NamedTuple, Self
 
-from nscc.cache.store import cache_folder
+from nscc.cache.folder import cache_folder, is_own
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.files import write_together
+from nscc.files import store_files
 from nscc_runtime.device.board import in_background
 from nscc_runtime.device.recording import BoardJob, Recording
 from nscc_runtime.device.target_header import target_header
@@ -127,10 +127,12 @@ def _digest_of(place: Path) -> Path:
 
 
 def is_whole(place: Path) -> bool:
-    """Return whether a cached loader is intact and executable."""
+    """Return whether a cached loader is intact, executable and this user's."""
     try:
         digest = sha256(place.read_bytes()).hexdigest().encode()
-        return _digest_of(place).read_bytes() == digest and os.access(place, os.X_OK)
+        return (
+            is_own(place) and _digest_of(place).read_bytes() == digest and os.access(place, os.X_OK)
+        )
     except OSError:
         return False
 
@@ -141,7 +143,7 @@ def keep(place: Path, image: bytes) -> None:
     # loader a little later never makes it impossible to execute.
     with suppress(OSError):
         os.close(os.open(place, os.O_CREAT | os.O_WRONLY, 0o755))
-    write_together({_digest_of(place): sha256(image).hexdigest().encode(), place: image})
+    store_files({_digest_of(place): sha256(image).hexdigest().encode(), place: image})
     place.chmod(0o755)
 
 
@@ -151,8 +153,8 @@ def cached_folder() -> Path:
     if cache is not None:
         folder = cache / "firmware"
         with suppress(OSError):
-            folder.mkdir(parents=True, exist_ok=True)
-            if os.access(folder, os.W_OK):
+            folder.mkdir(0o755, parents=True, exist_ok=True)
+            if is_own(folder) and os.access(folder, os.W_OK):
                 return folder
     return passing_folder()
 

@@ -151,7 +151,7 @@ def readout_names(container: Container) -> tuple[tuple[str, ...], dict[str, str]
     Analog readouts are buckets, then images. Digital readouts are planes; of a program that reads
     states they are the registers of the states."""
     registers = state_registers(container)
-    if container.pictures is None:
+    if not container.pictures.outputs:
         return container.buckets_read, {register: register for register in registers}
     by_register = {container.pictures.registers[n]: n for n in container.pictures.outputs}
     names = {by_register[register]: register for register in registers}

@@ -5,17 +5,19 @@ from __future__ import annotations
 import select
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from dataclasses import dataclass
 from random import SystemRandom
 from time import monotonic
 from typing import Any, Self, TypeVar
 
+from nscc.toml.kinds import Integer, Number
+from nscc.toml.schema import key
 from nscc_runtime.device.device_errors import explained, port_lost, port_trouble
 from nscc_runtime.device.host import Host, Task
-from nscc_runtime.device.port import DEFAULT_BAUD, Port, PortGone, PortTrouble, open_port
+from nscc_runtime.device.port import Port, PortGone, PortTrouble, open_port
 
 Result = TypeVar("Result")
 
-PATIENCE_S = 10.0
 _FIRST_REOPEN_S = 0.02
 _LONGEST_REOPEN_S = 0.25
 _GOODBYE_S = 0.5
@@ -23,12 +25,27 @@ _LONGEST_SLEEP_S = 0.25
 _WINDOW_BITS = 16384 * 10
 
 
+@dataclass(frozen=True)
+class LinkSettings:
+    """How a serial port is used."""
+
+    baud: int = key(Integer(1200, 12_000_000), "Speed of the device's port", 3_000_000)
+    patience_s: float = key(
+        Number(0.1, 3600), "Seconds without an answer after which a device counts as lost", 10.0,
+        name="patience",
+    )  # fmt: skip
+
+
 class SerialLink:
     """An open port with its host. Methods raise Rejected (status 3) if the device fails. A lost
     port is reopened for at most `patience_s` seconds, and the task resumes."""
 
     def __init__(
-        self, path: str, *, baud: int = DEFAULT_BAUD, patience_s: float = PATIENCE_S
+        self,
+        path: str,
+        *,
+        baud: int = LinkSettings.baud,
+        patience_s: float = LinkSettings.patience_s,
     ) -> None:
         self.path, self.baud, self.patience_s = path, baud, patience_s
         source = SystemRandom()

@@ -197,7 +197,7 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
         report_bytes=sum(report_bytes(most) for most, _ in reported.values()),
         gains=any(gain != 1 for *_, gain in readouts),
         levels=sets_in,
-        pictures=container.pictures is not None,
+        pictures=bool(container.pictures.outputs),
         pixels=target.rows * target.cols,
     )
 
@@ -217,7 +217,7 @@ def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
 def _readouts(container: Container) -> list[tuple[int, bool, float]]:
     """Return for each register that a device converts: number, whether it is an image, gain."""
     registers, by_bucket = container.target.analog_registers, container.readouts
-    if container.pictures is None:
+    if not container.pictures.outputs:
         by_name = {readout.bucket: readout for readout in container.readouts}
         by_bucket = tuple(by_name[bucket] for bucket in container.buckets)
     return [
@@ -262,7 +262,7 @@ def device_reports(container: Container) -> dict[str, tuple[int, Reach]]:
     Planes that are read are sent anyway, and a margin that changes from frame to frame is known to
     the host only."""
     pictures, target = container.pictures, container.target
-    if pictures is None or not pictures.reports:
+    if not pictures.reports:
         return {}
     film = film_reaches(container)
     if film is None or len(film) > 1:

@@ -9,7 +9,6 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
-DEFAULT_BAUD = 3_000_000
 _MOST_READ = 1 << 16
 
 
@@ -65,7 +64,7 @@ class Port:
             self.serial.close()
 
 
-def open_port(path: str, baud: int = DEFAULT_BAUD) -> Port:
+def open_port(path: str, baud: int) -> Port:
     """Open a port exclusively: 8 data bits, no parity, 1 stop bit. Raises PortTrouble."""
     import serial
 

@@ -13,7 +13,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.device import firmware, qemu
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.firmware import RunningFirmware
-from nscc_runtime.scenes import Scene
+from nscc_runtime.scenes import Scene, scene_light
 from nscc_runtime.sensor import Sensor
 
 Machine = Literal["host", "qemu", "qemu-m0"]
@@ -34,12 +34,16 @@ def emulated_chip(
     the program. Later, `warn` is called with messages about the scene, and `failed` with the reason
     for a missing frame, because the host only learns that it is missing."""
     try:
-        scene.light((1000.0,), target)
+        scene_light(scene, (1000.0,), target)
     except Rejected as error:
         if Path(scene.name).is_dir() or error.diagnostics[0].code != "NS0735":
             raise
     return EmulatedChip(
-        lambda slot_us: scene.light(slot_us, target, warn), target, sensor, device_seed, failed
+        lambda slot_us: scene_light(scene, slot_us, target, warn),
+        target,
+        sensor,
+        device_seed,
+        failed,
     )
 
 

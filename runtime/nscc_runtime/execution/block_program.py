@@ -84,7 +84,7 @@ def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str
         for effect in effects.effects
         if isinstance(effect.words, CannotHave) and not effect.reference.keys() <= AROUND_WORDS
     ]
-    if container.machine is not None:
+    if container.machine.stages:
         paths = paths_of(container, retention_us(effects, sensor))
         reasons += [f"the words run one by one: {paths}"] if isinstance(paths, str) else []
     return tuple(reasons)
@@ -98,7 +98,7 @@ def block_program(container: Container, kept_us: float, every_slot: bool = False
     that looks is a stretch, so that light is added in the order in which exposures are defined.
     Raises Rejected like `nscc_runtime.reference.trace.analog_words`, and ValueError where `lacks`
     has a reason."""
-    if container.machine is None:
+    if not container.machine.stages:
         return _of_codes(container, analog_words(container, kept_us))
     paths = paths_of(container, kept_us)
     if isinstance(paths, str):

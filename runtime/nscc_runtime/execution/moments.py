@@ -130,9 +130,7 @@ def scene_moments(
     counts, own_weights = _independent_counts(covariance_e2, chip.electron_weights)
     if chip.own_weights is not None:
         own_weights = chip.own_weights
-    return Moments(
-        mean_e, counts, own_weights, chip.neighbour_weights, exchanged, chip.error_e
-    )
+    return Moments(mean_e, counts, own_weights, chip.neighbour_weights, exchanged, chip.error_e)
 
 
 @dataclass(frozen=True, eq=False)

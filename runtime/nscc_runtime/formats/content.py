@@ -143,7 +143,7 @@ def _read_out(
 
     A 1 of a plane is the code 255 and one electron."""
     pictures = container.pictures
-    if pictures is None:
+    if not pictures.outputs:
         return frame.frame, frame.exposure_e
     if not pictures.reads:
         return frame.frame, None
@@ -209,17 +209,28 @@ def benchmark_arrays(
 def shutter_content(arrays: Arrays) -> Content:
     """Return the content of `nscc shutters`. A .mat file contains `mask` (rows, cols, T), an .npy
     file (buckets, rows, cols, T), both of 0 and 1."""
-    count = int(arrays["shutter_shape"][3])
-
-    def opened() -> NDArray[np.uint8]:
-        return np.unpackbits(arrays["shutter"], axis=-1, count=count, bitorder="little")
 
     def mask() -> Arrays:
         if len(arrays["shutter"]) > 1:
             raise _one_bucket()
-        return {"mask": opened()[0]}
+        return {"mask": _opened(arrays)[0]}
 
-    return Content(arrays, benchmark=mask, main=opened)
+    return Content(arrays, benchmark=mask, main=lambda: _opened(arrays))
+
+
+def mask_content(arrays: Arrays, bucket: int | None) -> Content:
+    """Return the content of `nscc export-mask`: uint8 (rows, cols, slots) of a bucket or of the
+    only one, else (buckets, rows, cols, slots)."""
+    opened = _opened(arrays)
+    if bucket is None and len(opened) == 1:
+        bucket = 0
+    return Content({"mask": opened if bucket is None else opened[bucket]})
+
+
+def _opened(arrays: Arrays) -> NDArray[np.uint8]:
+    """Return the shutters of all pixels, (buckets, rows, cols, slots) of 0 and 1."""
+    count = int(arrays["shutter_shape"][3])
+    return np.unpackbits(arrays["shutter"], axis=-1, count=count, bitorder="little")
 
 
 def _one_bucket() -> Rejected:

@@ -56,7 +56,6 @@ class Paths:
     def of(cls, container: Container, retention_us: float = inf) -> Paths:
         """Return the paths of a container with a state machine. Raises Pathless if they cannot be
         followed. A digital register reads 0 if no word wrote it for more than `retention_us`."""
-        assert container.machine is not None
         by_node, nodes = start_bits(container), int(container.machine.first[1])
         bits = np.array([*by_node.values()], np.int8).reshape(-1, nodes)
         # All combinations of bits with which a frame can start, by loaded register.
@@ -110,7 +109,6 @@ def start_bits(container: Container) -> dict[str, Bits]:
     """Return the bits (nodes,) at the start of a frame in each node of the machine's first stage,
     by loaded register: codes and kept states."""
     machine = container.machine
-    assert machine is not None
     nodes = np.arange(machine.first[1])
     encoding = container.encoding[machine.behaviour[nodes]]
     column = {name: i for i, name in enumerate(container.target.digital_registers)}

@@ -117,7 +117,6 @@ class PicturedProgram:
     @property
     def pictures(self) -> Pictures:
         """The images, planes and reports of the program."""
-        assert self.container.pictures is not None
         return self.container.pictures
 
     @cached_property
@@ -301,7 +300,6 @@ def told_of_planes(
     only reported, without the pixels of their margins. `reaches` tells by name how far around a
     pixel the outputs depend on buses, by default in the first frame."""
     pictures = container.pictures
-    assert pictures is not None
     reaches = _beyond_reaches(container) if reaches is None else reaches
     shape = container.target.rows, container.target.cols
     outputs = (reaches[name] for name in pictures.outputs)

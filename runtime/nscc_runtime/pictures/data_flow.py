@@ -39,7 +39,6 @@ def flow_graph(container: Container) -> DiGraph:
     from networkx import DiGraph
 
     pictures, graph = container.pictures, DiGraph()
-    assert pictures is not None
     words = {cost.name: cost.words for cost in pictures.costs}
     states = {state.name: f"next {state.name}" for state in pictures.states}
     for name, expression in pictures.expressions.items():
@@ -97,6 +96,8 @@ def _layers(graph: DiGraph) -> list[list[Node]]:
     for node in neighbours:
         if not isinstance(node, str):
             layers[node[2]].append(node)
+    for node in {*graph} - neighbours.keys():
+        neighbours[node] = [node]  # a constant that nothing reads keeps its place
     for sweep in range(_SWEEPS):
         for layer in layers if sweep % 2 == 0 else reversed(layers):
             at = {node: (i + 0.5) / len(row) for row in layers for i, node in enumerate(row)}
@@ -115,7 +116,6 @@ class DataFlow:
     """A layered drawing of `flow_graph`, with the kernels below it; lengths in inches."""
 
     def __init__(self, container: Container, width: float) -> None:
-        assert container.pictures is not None
         self.graph, self.width = flow_graph(container), width
         self.layers, weights = _layers(self.graph), container.pictures.weights
         side = max((len(kernel.rows) for kernel in weights), default=0) * _CELL

@@ -46,7 +46,6 @@ def courses(container: Container, behaviour: int, wells: Values, frame: int = 0)
     """Return the courses of a behaviour in frame number `frame`. Kept states have the program's
     start values in frame 0 and continue from there."""
     machine = container.machine
-    assert machine is not None
     nodes = np.full(len(wells), machine.start_nodes()[behaviour])
     for _ in range(frame):
         nodes = _next_start(machine, _run_frame(container, machine, nodes, wells)[1])
@@ -57,7 +56,6 @@ def thresholds(container: Container) -> Values:
     """Return the lights (comparisons,) at which the light collected by a pixel reaches a level of a
     look, in full wells over the frame, if nothing resets the pixel."""
     machine, share = container.machine, _share(container)
-    assert machine is not None
     level = container.target.electrons_per_step / container.target.full_well_e
     return np.array(
         [
@@ -144,7 +142,6 @@ def course_sheet(container: Container, title: str) -> Figure:
     from matplotlib.patches import Patch
 
     machine = container.machine
-    assert machine is not None
     shown = _shown(container)
     high = len(shown) * (_HEIGHT + _BETWEEN) - _BETWEEN
     figure = sheet.blank(CHART_INCHES, high + _ABOVE)
@@ -179,7 +176,6 @@ def _shown(container: Container) -> list[tuple[str, Courses]]:
     """Return titles and courses of the charts: of some codes, or with kept states of the first and
     a later frame."""
     machine, table = container.machine, container.table
-    assert machine is not None
     threshold_wells = thresholds(container)
     low = min(float(threshold_wells.min(initial=1.0)), 1.0) / _ROUND
     high = max(float(threshold_wells.max(initial=1.0)), 1.0) * _ROUND
@@ -209,7 +205,6 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
     from matplotlib.colors import to_rgb
 
     machine = container.machine
-    assert machine is not None
     lights, lanes = courses.opens.shape[:2]
     edges_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
     scale, name = unit(float(edges_us[-1]))
@@ -239,7 +234,8 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
     axes.spines[:].set_visible(False)
     for boundary in machine.looks:
         axes.axvline(edges[boundary], color=look().ink, linewidth=0.6, linestyle=":", alpha=0.5)
-    flips = np.array(courses.flips[:: -(-len(courses.flips) // _MOST_FLIPS)]).reshape(-1, 2)
+    every = max(1, -(-len(courses.flips) // _MOST_FLIPS))
+    flips = np.array(courses.flips[::every], np.float64).reshape(-1, 2)
     axes.plot(edges[flips[:, 0].astype(int)], flips[:, 1], ".", color=look().ink, clip_on=False)
     light, slot = np.nonzero(courses.resets[:, 1:])
     axes.plot(edges[slot + 1], courses.wells[light], "|", color=look().series[1], markersize=2)
@@ -251,7 +247,6 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
 def _draw_times(axes: Axes, container: Container, courses: Courses) -> None:
     """Draw the total open time against light, and the states that are read."""
     machine = container.machine
-    assert machine is not None
     slot_us = np.array(container.slot_us)
     scale, name = unit(float(slot_us.sum()))
     for bucket in range(courses.opens.shape[1]):

@@ -51,7 +51,7 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     places = np.linspace(0.08, 0.9, count) if count > 1 else np.array([0.35])
     colours: Field = colormaps[sheet.SCALE](places)[:, :3]
     chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
-    flow = DataFlow(container, CHART_INCHES) if container.pictures is not None else None
+    flow = DataFlow(container, CHART_INCHES) if container.pictures.outputs else None
     maps = [] if flow is not None and count == 1 else _maps(container, shutters, colours)
     top = _ABOVE + chart_height + _BELOW
     sizes = [sheet.zoomed(tile_map.colours.shape, _MAP) for tile_map in maps]

@@ -10,7 +10,6 @@ requests the table. Otherwise every effect is simulated."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
 import numpy as np
@@ -31,7 +30,7 @@ from nscc_runtime.planning.planned_scene import (
 )
 from nscc_runtime.planning.prices import Work
 from nscc_runtime.planning.sample import SampledErrors
-from nscc_runtime.planning.tolerance import check_tolerance, is_noise, tolerance_of
+from nscc_runtime.planning.tolerance import check_tolerance, tolerance_of, unit_of
 
 _WORTH = 1.5
 """Effects are measured if that is predicted to save this multiple of the time that it takes."""
@@ -84,7 +83,7 @@ def measured_again(
     request = PlanRequest(plan.requested_effects, plan.tolerance_input, figures=figures)
     dropped = frozenset(plan.names("dropped"))
     if scene.needs_reference(request.requested) or not (dropped or figures):
-        return replace(_unmeasured(work, request, absent), reused=True)
+        return _unmeasured(work, request, absent)
     measuring = _Measuring(scene, request, count)
     dropped -= request.forced_off
     together, _ = measuring.drop_together(dropped)
@@ -115,7 +114,7 @@ def _unmeasured(work: Work, request: PlanRequest, absent: Names) -> Plan:
     that is a fraction of the noise stays unknown."""
     scene = work.scene
     allowed = None
-    if not is_noise(request.tolerance):
+    if unit_of(request.tolerance) != "noise":
         allowed = tolerance_of(request.tolerance, scene.sensor, scene)
     return plan_of(Choice(work, request, absent, allowed))
 
@@ -138,11 +137,13 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
 
     These are single effects and the groups whose effects share work. Without figures, effects that
     are certainly too large are left out."""
-    free = frozenset(e.name for e in effects_of_exposure()) - request.forced - absent
+    all_effects = everything()
+    # Noise may drive any pixel near saturation beyond a limit, in few frames: too rare to measure.
+    free = frozenset(e.name for e in effects_of_exposure()) - all_effects.names(Saturates)
+    free -= request.forced | absent
     if not request.figures:
         free -= _too_large(work, request)
-    all_effects = everything()
-    groups = [all_effects.names(kind) - absent for kind in (Counted, SmallErrors, Saturates)]
+    groups = [all_effects.names(kind) - absent for kind in (Counted, SmallErrors)]
     sets = {names for names in groups if names and names <= free}
     sets |= {frozenset({name}) for name in free}
     requested = request.requested
@@ -156,10 +157,9 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
 
 
 def _too_large(work: Work, request: PlanRequest) -> Names:
-    """Return effects whose error certainly exceeds a tolerance in electrons: noise of counts and of
-    words, and losses near saturation."""
+    """Return effects whose noise certainly exceeds a tolerance in electrons."""
     scene = work.scene
-    if is_noise(request.tolerance):
+    if unit_of(request.tolerance) == "noise":
         return Names()
     tolerance_e = tolerance_of(request.tolerance, scene.sensor, scene).electrons
     all_effects, full_e = everything(), scene.sensor.full_well_e
@@ -172,10 +172,7 @@ def _too_large(work: Work, request: PlanRequest) -> Names:
         program = analysed(scene.container, scene.sensor)
         open_share = program.opened.mean(axis=0).max(axis=1)[program.lanes]
         light_e = np.minimum(scene.light.sum_e.reshape(-1) * open_share, full_e)
-        lost_e = np.maximum(scene.near_pixels(all_effects).own_e / 1.5 - full_e, 0.0)
         least_e |= dict.fromkeys(all_effects.names(CountedLight), 0.5 * light_e.mean() ** 0.5)
-        lost_rms_e = math.sqrt(float((lost_e**2).sum()) / scene.pixels)
-        least_e |= dict.fromkeys(all_effects.names(Saturates), lost_rms_e)
     return frozenset(name for name, error_e in least_e.items() if error_e > tolerance_e)
 
 

@@ -233,9 +233,8 @@ def _table(plan: Plan) -> str:
         for name, description, cost_ms in plan.costs
     ]
     lines = [columns(rows, left_aligned=(0, 3, 4)), *_errors(plan)]
-    if plan.slot_loop_reasons:
-        lines.append("words run one by one: " + "; ".join(plan.slot_loop_reasons))
-    lines.append(plan.time_summary)
+    reasons = "; ".join(plan.slot_loop_reasons) or "of no pixel"
+    lines += [f"words run one by one: {reasons}", plan.time_summary]
     if plan.reused:
         lines.append("made for an earlier scene, and measured again on this one")
     return "\n".join(lines)

@@ -13,6 +13,7 @@ from nscc_runtime.effects.registry import by_name
 from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.tolerance import unit_of
 from nscc_runtime.sensor import Sensor, sensor_sha256
 
 PLAN_SCHEMA = "nscc-plan-2"
@@ -77,6 +78,8 @@ def _read(path: Path) -> StoredPlan:
         unknown = {decision.name for decision in stored.plan.decisions} - {*by_name()}
         if unknown:
             raise ValueError(f"the effect {min(unknown)[:40]!a} is unknown")
+        if unit_of(stored.plan.tolerance) is None:
+            raise ValueError(f"its tolerance is {stored.plan.tolerance[:40]!a}")
     except (OSError, ValueError, InvalidArrays) as error:
         reason = (
             f"it cannot be read: {error.strerror}" if isinstance(error, OSError) else str(error)

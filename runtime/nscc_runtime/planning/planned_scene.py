@@ -57,7 +57,7 @@ class PlannedScene:
     @property
     def looks(self) -> bool:
         """Whether pixels look at their light."""
-        return self.container.machine is not None
+        return self.container.machine.stages > 0
 
     @property
     def pixels(self) -> int:

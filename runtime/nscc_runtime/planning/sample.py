@@ -150,12 +150,11 @@ class SampledErrors:
         return np.asarray(total / max(float(self.weight.sum()), 1e-300))
 
     def _standard_error(self, values: Values) -> Values:
-        """Return the standard error (outputs,) of the weighted mean over the scene. A pixel of
-        weight 1 is certain to be drawn and adds no error."""
-        not_drawn = np.sqrt(1.0 - 1.0 / np.maximum(self.weight, 1.0))
-        deviation = values.mean(axis=1) - self._mean(values)[:, None]
-        square = ((deviation * self.weight * not_drawn) ** 2).sum(axis=-1)
-        return np.asarray(np.sqrt(square) / max(float(self.weight.sum()), 1e-300))
+        """Return the standard error (outputs,) of the weighted mean over the scene, in any frame:
+        other pixels could have been drawn, and the noise of the drawn ones differs."""
+        deviation = (values.mean(axis=1) - self._mean(values)[:, None]) * self.weight
+        total = max(float(self.weight.sum()), 1e-300)
+        return np.asarray(np.sqrt((deviation**2).sum(axis=-1)) / total)
 
 
 def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Values) -> Sample:
@@ -164,7 +163,8 @@ def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Va
     `near`: the pixels near saturation. `chance` (rows * cols,): relative probabilities of
     `drawing_chances`."""
     pixels = chance.size
-    near_count = min(len(near.places), int(_NEAR_FRACTION * count))
+    far_count = min(pixels - len(near.places), int((1.0 - _NEAR_FRACTION) * count))
+    near_count = min(len(near.places), count - far_count)
     if pixels <= count:
         is_near = np.zeros(pixels, np.bool_)
         is_near[near.places] = True
@@ -235,7 +235,7 @@ def drawing_chances(light: Light, full_well_e: float) -> Values:
         scores.append((1.0, change))
     chance = np.zeros(total_e.shape)
     for share, score in scores:
-        chance += score * (share / max(float(score.sum(dtype=np.float64)), 1e-300))
+        chance += score * (share / max(float(score.sum(dtype=np.float64)), 1e-30))
     return chance.reshape(-1)
 
 

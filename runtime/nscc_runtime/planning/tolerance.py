@@ -114,10 +114,11 @@ def tolerance_of(requested: ToleranceInput, sensor: Sensor, scene: ToleranceScen
     return _within(tolerance, f"{text[:40]} of a mean signal of {signal:.3g} electrons")
 
 
-def is_noise(tolerance: ToleranceInput) -> bool:
-    """Return whether a tolerance is text like `0.1noise`: the noise has to be measured."""
+def unit_of(tolerance: ToleranceInput) -> str | None:
+    """Return the unit of a tolerance as text, such as `noise`, which has to be measured on a scene;
+    None for other texts and for electrons."""
     match = _TOLERANCE.fullmatch(tolerance.lower()) if isinstance(tolerance, str) else None
-    return match is not None and match[2] == "noise"
+    return match[2] if match else None
 
 
 def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:

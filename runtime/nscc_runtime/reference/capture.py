@@ -62,7 +62,7 @@ class Reference:
         program without looks open no shutters."""
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
-        if container.machine is None:
+        if not container.machine.stages:
             backward(container, analog_words(container)).open()
         return cls(container, sensor, effects, tuple(running_words(container)))
 

@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 from nscc_runtime.scenes.exposure import ExposureLevel, parse_exposure
-from nscc_runtime.scenes.load import PlacedLight, laid_scene, light_of_array, load_scene
+from nscc_runtime.scenes.load import (
+    PlacedLight,
+    laid_lights,
+    laid_scene,
+    light_of_array,
+    load_scene,
+    scene_light,
+)
 from nscc_runtime.scenes.placement import FITS, Fit, Placement, parse_crop
 from nscc_runtime.scenes.scene import Scene
 
@@ -14,9 +21,11 @@ __all__ = [
     "PlacedLight",
     "Placement",
     "Scene",
+    "laid_lights",
     "laid_scene",
     "light_of_array",
     "load_scene",
     "parse_crop",
     "parse_exposure",
+    "scene_light",
 ]

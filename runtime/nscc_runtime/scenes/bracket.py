@@ -18,12 +18,17 @@ from nscc.files import reads
 from nscc_runtime.scenes.colour import Colours, Transfer
 from nscc_runtime.scenes.pages import Pages
 from nscc_runtime.scenes.picture_folders import files_of, read_folder
+from nscc_runtime.scenes.pillow_pictures import exif_of
 
-_EXIF_IFD, _EXPOSURE_TIME, _F_NUMBER, _ISO = 0x8769, 0x829A, 0x829D, 0x8827
+_EXPOSURE_TIME, _F_NUMBER, _ISO = 0x829A, 0x829D, 0x8827
 
 
-def parse_times(text: str) -> tuple[float, ...]:
-    """Parse exposure times in seconds, `1/250,1/60,0.066`. Raises NS0777 for other texts."""
+def parse_times(text: str | tuple[float, ...] | None) -> tuple[float, ...] | None:
+    """Parse exposure times in seconds, `1/250,1/60,0.066`. Raises NS0777 for other texts.
+
+    Parsed times, or None, are returned unchanged."""
+    if not isinstance(text, str):
+        return text
     try:
         times = tuple(float(Fraction(item.strip())) for item in text.split(","))
     except (ValueError, ZeroDivisionError):
@@ -82,7 +87,7 @@ def merged_bracket(
         and the errors of `read_folder`.
     """
     reads(*files)
-    exposures = [*times] if times is not None else [_exif_exposure(path) for path in files]
+    exposures = [*times] if times is not None else _exif_exposures(files)
     log_exposures = [float(np.float32(np.log(exposure))) for exposure in exposures]
     if len(exposures) != len(files):
         text = f"{len(files)} photos do not match {len(exposures)} exposure times"
@@ -135,25 +140,36 @@ def _log_light(photo: NDArray[Any], colours: Colours) -> NDArray[np.float32]:
     return np.stack(logarithms, axis=-1)
 
 
-def _exif_exposure(path: Path) -> float:
-    """Return exposure time times ISO speed over squared f-number; missing factors count 1."""
-    from PIL import Image
+def _exif_exposures(files: Sequence[Path]) -> list[float]:
+    """Return the exposure time times ISO speed over squared f-number of each photo. A factor that
+    no photo states counts 1; one that only some photos state is refused."""
+    stated = [_exif_factors(path) for path in files]
+    for factor, name in ((1, "f-number"), (2, "ISO speed")):
+        lacking = [path for path, of in zip(files, stated, strict=True) if of[factor] is None]
+        if 0 < len(lacking) < len(files):
+            text = f"the {name} of '{lacking[0]}' is missing, but other photos state theirs"
+            raise _refused(text, "give the exposures of all photos: --times 1/250,1/60")
+    exposures = [time_s * (iso or 1) / (f or 1) ** 2 for time_s, f, iso in stated]
+    for path, exposure in zip(files, exposures, strict=True):
+        if not 0 < exposure < np.inf:
+            raise _refused(
+                f"the exposure of '{path}' is {exposure:g}", "give the times: --times 1/250,.."
+            )
+    return exposures
 
+
+def _exif_factors(path: Path) -> tuple[float, float | None, float | None]:
+    """Return exposure time in seconds, f-number and ISO speed; None for what is not stated."""
     try:
-        with Image.open(path) as image:
-            exif = image.getexif().get_ifd(_EXIF_IFD)
-        time_s, iso = float(exif[_EXPOSURE_TIME]), float(exif.get(_ISO) or 100)
-        exposure = time_s * iso / 100 / float(exif.get(_F_NUMBER) or 1) ** 2
+        tags = exif_of(path)
+        f_number, iso = tags.get(_F_NUMBER), tags.get(_ISO)
+        iso = iso[0] if isinstance(iso, tuple) else iso
+        return float(tags[_EXPOSURE_TIME]), float(f_number or 0) or None, float(iso or 0) or None
     except Exception as error:  # Pillow's plugins raise what they like
         raise _refused(
             f"the exposure time of '{path}' is missing",
             "give the times in seconds: --times 1/250,1/60",
         ) from error
-    if not 0 < exposure < np.inf:
-        raise _refused(
-            f"the exposure of '{path}' is {exposure:g}", "give the times: --times 1/250,.."
-        )
-    return exposure
 
 
 def _refused(message: str, help_text: str) -> Rejected:

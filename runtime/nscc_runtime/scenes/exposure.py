@@ -26,8 +26,12 @@ BUILTIN = ExposureLevel(30000.0)
 """The default of builtin scenes: a full well of PIX at percentile 99."""
 
 
-def parse_exposure(exposure: str | float) -> ExposureLevel:
-    """Parse `E` or `E@P`: electrons above 0, percentile in 0..100. Raises NS0738 for other text."""
+def parse_exposure(exposure: str | float | ExposureLevel | None) -> ExposureLevel | None:
+    """Parse `E` or `E@P`: electrons above 0, percentile in 0..100. Raises NS0738 for other text.
+
+    A parsed exposure, or None, is returned unchanged."""
+    if exposure is None or isinstance(exposure, ExposureLevel):
+        return exposure
     text = str(exposure)
     electrons, at, percentile = text.partition("@")
     try:

@@ -4,44 +4,48 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from itertools import islice
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.files import reads
+from nscc.toml.arguments import declared
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import exposure, light_arrays, timing
-from nscc_runtime.scenes.colour import Colours, Transfer
+from nscc_runtime.scenes.bracket import bracket_files, merged_bracket, parse_times
+from nscc_runtime.scenes.colour import Colours
 from nscc_runtime.scenes.errors import refuse_no_light
-from nscc_runtime.scenes.exposure import ExposureLevel, checked_white
+from nscc_runtime.scenes.exposure import ExposureLevel, checked_white, parse_exposure
 from nscc_runtime.scenes.film_times import evenly, from_frame, timed
 from nscc_runtime.scenes.pages import Edges, Pages
 from nscc_runtime.scenes.picture_light import picture_light
 from nscc_runtime.scenes.placement import (
-    Fit,
     Placement,
     Window,
     changes,
     few_bits,
     in_colour,
+    no_colours,
+    parse_crop,
     picture_note,
     placed,
     placement_of,
     taken_for_srgb,
     white_used,
 )
+from nscc_runtime.scenes.scene import Scene
 
 Stored = tuple[NDArray[Any], Colours]
 """A picture as stored, and the meaning of its samples."""
-FramesAre = Literal["integrals", "samples"]
 
 ARRAYS = (".mat", ".npy", ".npz")
 _BUILTINS = ("hdr", "motion", "dark")
@@ -49,33 +53,28 @@ _BUILTINS = ("hdr", "motion", "dark")
 
 @dataclass(frozen=True)
 class _Request:
-    """A scene to load, and what it is loaded for; None stands for an option not given.
+    """A scene to load, and what it is loaded for.
 
-    Options are those of `nscc_runtime.scenes.scene.Scene`, parsed. `slot_us` are the lengths of
-    slots in microseconds. `channel`: red, green or blue (0 to 2) of a colour picture instead of its
-    luminance. `factor`: electrons per unit of the scene, instead of an exposure. `warn` gets notes
-    on changes of the scene (NS0740, NS0773, NS0776), `progress` the frames as they are read.
-    """
+    `slot_us` are the lengths of slots in microseconds. `warn` gets notes on changes of the scene
+    (NS0740, NS0773, NS0776), `progress` the frames as they are read. `channel`: red, green or blue
+    (0 to 2) of a colour picture instead of its luminance. `factor`: electrons per unit of the
+    scene, instead of an exposure."""
 
-    name: str
+    scene: Scene
     window: Window
     slot_us: Sequence[float]
-    exposure: ExposureLevel | None = None
-    transfer: Transfer | None = None
-    fps: float | None = None
-    crop: tuple[int, int] | None = None
-    frames_are: FramesAre = "integrals"
-    fit: Fit = "crop"
-    first: int = 0
-    single: bool = False
-    channel: int | None = None
-    factor: float | None = None
-    white: float | None = None
-    skip: bool = False
-    bracket: bool = False
-    times: tuple[float, ...] | None = None
     warn: Callable[[Diagnostic], None] = lambda _: None
     progress: Progress = unseen
+    channel: int | None = None
+    factor: float | None = None
+
+    @property
+    def name(self) -> str:
+        return self.scene.name
+
+    @cached_property
+    def exposure(self) -> ExposureLevel | None:
+        return parse_exposure(self.scene.exposure)
 
     def check_light(self, shape: tuple[int, ...]) -> None:
         """Raise NS0733 to NS0735 if a `light` array of this shape does not fit the program."""
@@ -108,11 +107,6 @@ class _Request:
         return np.array(self.slot_us, np.float64) * 1e-6
 
 
-def load_scene(spec: str, **settings: Any) -> Light:
-    """Load a scene cropped to one array. `settings` and errors are those of `laid_scene`."""
-    return laid_scene(spec, **settings).light
-
-
 @dataclass(frozen=True, eq=False)
 class PlacedLight:
     """Light on the arrays of `placement`. `colour`: whether the source is in colour. `notes`:
@@ -124,11 +118,67 @@ class PlacedLight:
     notes: tuple[str, ...] = ()
 
 
+def scene_light(
+    scene: Scene,
+    slot_us: Sequence[float],
+    target: Target,
+    warn: Callable[[Diagnostic], None] = lambda _: None,
+    progress: Progress = unseen,
+) -> Light:
+    """Return the light on one array. The scene must not need several arrays or colours."""
+    return laid_lights(scene, slot_us, target, warn, progress)[0].light
+
+
+def laid_lights(
+    scene: Scene,
+    slot_us: Sequence[float],
+    target: Target,
+    warn: Callable[[Diagnostic], None] = lambda _: None,
+    progress: Progress = unseen,
+) -> tuple[PlacedLight, ...]:
+    """Return the light in slots of these lengths on the array of `target`.
+
+    It is the luminance, or three lights (red, green and blue) at the exposure of the luminance.
+    Raises Rejected like `laid_scene`."""
+    load = partial(
+        laid_scene, scene, slot_us=slot_us, rows=target.rows, cols=target.cols, progress=progress
+    )
+    diagnostics: list[Diagnostic] = []
+    grey = load(warn=diagnostics.append)
+    in_colours = scene.color and grey.colour
+    if scene.color and not grey.colour:
+        diagnostics.append(no_colours(scene.name))
+    for diagnostic in diagnostics:
+        if not (in_colours and diagnostic.data.get("grey")):
+            warn(diagnostic)
+    if not in_colours:
+        return (grey,)
+    factor = grey.light.exposure_scale_e
+    return tuple(load(channel=k, factor=factor) for k in range(3))
+
+
+def load_scene(
+    spec: str,
+    *,
+    slot_us: Sequence[float],
+    rows: int,
+    cols: int,
+    warn: Callable[[Diagnostic], None] = lambda _: None,
+    progress: Progress = unseen,
+    **options: Any,
+) -> Light:
+    """Load a scene cropped to one array; `options` are fields of `Scene`. Raises like
+    `laid_scene`."""
+    return laid_scene(
+        Scene(spec, **options), slot_us=slot_us, rows=rows, cols=cols, warn=warn, progress=progress
+    ).light
+
+
 def laid_scene(
-    spec: str, *, rows: int, cols: int, crop: tuple[int, int] | None = None, **options: Any
+    scene: Scene, *, slot_us: Sequence[float], rows: int, cols: int, **about: Any
 ) -> PlacedLight:
-    """Load a scene (a file, a folder of pictures or `builtin:NAME`) for an array; `options` are
-    fields of `_Request`, of which `slot_us` is needed.
+    """Load a scene (a file, a folder of pictures or `builtin:NAME`) for an array; `about` are
+    further fields of `_Request`.
 
     "samples" as `frames_are` declares that the scene moves within a frame. That motion is an effect
     of the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as
@@ -136,32 +186,31 @@ def laid_scene(
 
     Raises Rejected (NS0730 to NS0739, status 2).
     """
-    request = _Request(spec, Window(rows, cols, crop), crop=crop, **options)
-    checked_white(request.white)
-    exposure, fit = request.exposure, request.fit
-    if crop is not None and fit != "crop":
-        _refuse(request, f"--fit {fit} exposes the whole picture", "crop")
+    crop, spec = parse_crop(scene.crop), scene.name
+    request = _Request(scene, Window(rows, cols, crop), slot_us, **about)
+    exposure, times = request.exposure, parse_times(scene.times)
+    checked_white(scene.white)
+    if crop is not None and scene.fit != "crop":
+        _refuse(request, f"--fit {scene.fit} exposes the whole picture", "crop")
     if spec.startswith("builtin:"):
         from nscc_runtime.scenes.builtin import load_builtin
 
         why = "a built-in scene already fits the array and the program's slots"
         _refuse(request, why, "transfer", "fps", "crop", "first", "white", "bracket", "skip")
-        light = load_builtin(spec, slot_us=request.slot_us, rows=rows, cols=cols, exposure=exposure)
+        light = load_builtin(spec, slot_us=slot_us, rows=rows, cols=cols, exposure=exposure)
         if light.kind != "still":
             _refuse(request, why, "single")
         return PlacedLight(light, request.on_array)
-    if not request.bracket:
+    if not scene.bracket:
         _refuse(request, "the exposure times are those of a bracket", "times")
     else:
-        from nscc_runtime.scenes.bracket import bracket_files, merged_bracket
-
         _refuse(request, "a bracket is one still", "first", "white", "skip")
         files = bracket_files(spec)
         notes: list[tuple[str, ...]] = []
 
         def merged() -> Stored:
             return merged_bracket(
-                files, request.times, request.transfer,
+                files, times, request.scene.transfer,
                 lambda pages: notes.append(_say_notes(request, pages)),
             )  # fmt: skip
 
@@ -176,7 +225,7 @@ def light_of_array(
 
     float32 arrays are not copied, and must not be modified while the light is in use. Raises
     Rejected (status 2, NS0733 to NS0736) for arrays that do not fit or that are not light."""
-    request = _Request(name, Window(rows, cols), slot_us)
+    request = _Request(Scene(name), Window(rows, cols), slot_us)
     values = np.asarray(values)
     light_arrays.check_type(Path(name), "light", values.dtype)
     request.check_light(values.shape)
@@ -229,7 +278,7 @@ def _load_path(request: _Request, path: Path) -> PlacedLight:
         notes = _say_notes(request, pages)
         laid = _still(request, lambda: (next(pages.read()), pages.colours))
     else:
-        pages = pages if request.single else timed(pages)
+        pages = pages if request.scene.single else timed(pages)
         notes = _say_notes(request, pages)
         laid = _clip(request, ((frame, pages.colours) for frame in pages.read()), pages.edges)
     return replace(laid, notes=notes)
@@ -239,11 +288,11 @@ def _folder(request: _Request, path: Path) -> PlacedLight:
     """Return the clip of a folder, with the notes of its first file."""
     from nscc_runtime.scenes.picture_folders import files_of, read_folder
 
-    files = files_of(path, request.skip, request.warn)
+    files = files_of(path, request.scene.skip, request.warn)
     notes: list[tuple[str, ...]] = []
 
     def frames() -> Iterator[Stored]:
-        for picture, pages in read_folder(files, request.skip, request.warn):
+        for picture, pages in read_folder(files, request.scene.skip, request.warn):
             if not notes:
                 notes.append(_say_notes(request, pages))
             yield picture, pages.colours
@@ -255,7 +304,7 @@ def _folder(request: _Request, path: Path) -> PlacedLight:
 def _say_notes(request: _Request, pages: Pages) -> tuple[str, ...]:
     """Send a file's notes to `warn`, and return them as sentences. Notes on its colours are left
     out if the request sets the transfer curve."""
-    notes = pages.notes + (pages.stated.notes if request.transfer is None else ())
+    notes = pages.notes + (pages.stated.notes if request.scene.transfer is None else ())
     for text, help_text in notes if request.channel is None else ():
         request.warn(picture_note(f"'{request.name}' {text}", help_text))
     return tuple(f"the scene {text}" for text, _ in notes)
@@ -264,8 +313,8 @@ def _say_notes(request: _Request, pages: Pages) -> tuple[str, ...]:
 def _refuse(request: _Request, why: str, *names: str) -> None:
     """Raise Rejected (NS0739) if one of these options is set."""
     for name in names:
-        if getattr(request, name) != getattr(_Request, name):
-            option = "--still" if name == "single" else f"--{name}"
+        if getattr(request.scene, name) != getattr(Scene, name):
+            option = declared(Scene)[name].option
             raise rejected(
                 "NS0739",
                 f"{option} does not apply to the scene '{request.name}'",
@@ -281,15 +330,15 @@ def _array(request: _Request, path: Path) -> PlacedLight:
         if key == light_arrays.MAT_CLIP_KEY:
             light = Colours.of("linear")
             frames = ((values[:, :, k], light) for k in range(values.shape[2]))
-            white = request.white or light_arrays.clip_white(values)
-            return _clip(replace(request, white=white), frames)
+            white = request.scene.white or light_arrays.clip_white(values)
+            return _clip(replace(request, scene=replace(request.scene, white=white)), frames)
     else:
         values = light_arrays.read_light(path, request.check_light, request.progress)
     why = "`light` arrays hold electrons, slot by slot, for every pixel"
     _refuse(request, why, "fps", "crop", "first", "white")
     if values.ndim == 3:
         _refuse(request, why, "single")
-    if request.transfer == "srgb":
+    if request.scene.transfer == "srgb":
         _refuse(request, "`light` arrays hold electrons, which are linear", "transfer")
     return PlacedLight(_electrons(request, values), request.on_array)
 
@@ -301,7 +350,7 @@ def _electrons(request: _Request, values: NDArray[np.float32]) -> Light:
         if exposure_level is not None:
             factor = exposure.scale(clip.total_e(), exposure_level, request.name)
             clip = Light.of_clip(values, factor)
-        return timing.with_motion(clip) if request.frames_are == "samples" else clip
+        return timing.with_motion(clip) if request.scene.frames_are == "samples" else clip
     seconds = request.slot_s
     if exposure_level is not None:
         open_sum = values.astype(np.float64) * float(seconds.sum())
@@ -332,12 +381,15 @@ def _still(request: _Request, read: Callable[[], Stored]) -> PlacedLight:
 def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None) -> PlacedLight:
     """Return a clip's light: one frame per slot, by `--fps`, or with `single` one as a still.
     `edges`: the times of frames that last unequally."""
-    if request.single:
-        read = partial(timing.only_frame, request.name, frames_read, request.first)
+    if request.scene.single:
+        read = partial(timing.only_frame, request.name, frames_read, request.scene.first)
         return _still(request, read)
     request.check_exposure()
-    fps = None if request.fps is None else timing.check_fps(request.fps)
-    frames_read, edges = islice(frames_read, request.first, None), from_frame(edges, request.first)
+    fps = None if request.scene.fps is None else timing.check_fps(request.scene.fps)
+    frames_read, edges = (
+        islice(frames_read, request.scene.first, None),
+        from_frame(edges, request.scene.first),
+    )
     if fps is None:
         need, frames_read = request.slots, evenly(frames_read, edges)
     else:
@@ -345,7 +397,7 @@ def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None)
     frames, placement = np.empty((0, 0, 0), np.float32), request.on_array
     have, colour = 0, False
     for picture, colours in request.progress(frames_read, "reading frames", need):
-        name = f"{request.name}, frame {request.first + have}"
+        name = f"{request.name}, frame {request.scene.first + have}"
         frame, placement = _light(request, picture, colours, name)
         if have == 0:
             colour = _say_changes(request, picture, colours, placement)
@@ -357,7 +409,9 @@ def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None)
         if have == need:
             break
     if have < need:
-        raise timing.too_short(request.name, have, need, request.slots, request.fps, request.first)
+        raise timing.too_short(
+            request.name, have, need, request.slots, request.scene.fps, request.scene.first
+        )
     if fps is None:
         factor = request.scale(frames.sum(axis=0, dtype=np.float64), placement)
         clip, seconds, rate = Light.of_clip(frames, factor), None, 1.0
@@ -365,7 +419,7 @@ def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None)
         overlap = timing.overlaps(request.slot_us, fps, edges)
         clip = timing.spread(frames, overlap, lambda open_sum: request.scale(open_sum, placement))
         seconds, rate = overlap.seconds, float(fps)
-    if request.frames_are == "samples":
+    if request.scene.frames_are == "samples":
         clip = timing.with_motion(clip, seconds, rate, edges)
     return PlacedLight(clip, placement, colour)
 
@@ -375,14 +429,14 @@ def _say_changes(
 ) -> bool:
     """Return whether the picture is in colour, and send notes on its changes to `warn`."""
     colour = in_colour(stored)
-    colours = Colours.of(request.transfer or colours)
+    colours = Colours.of(request.scene.transfer or colours)
     if request.channel is None:
         for note in changes(placement, colour, request.name):
             request.warn(note)
         floats = stored.dtype.kind == "f"
-        if request.transfer is None and colours.transfer == "srgb" and floats:
+        if request.scene.transfer is None and colours.transfer == "srgb" and floats:
             request.warn(taken_for_srgb(request.name))
-        if request.white is None and few_bits(stored):
+        if request.scene.white is None and few_bits(stored):
             request.warn(white_used(request.name, colours.text, stored))
     return colour
 
@@ -392,8 +446,10 @@ def _light(
 ) -> tuple[NDArray[np.float32], Placement]:
     """Return a stored picture as light on the arrays, and its placement. Raises Rejected (NS0736)
     for values that are not light."""
-    colours = Colours.of(request.transfer or colours)
-    placement = placement_of(request.fit, (stored.shape[0], stored.shape[1]), request.window, name)
+    colours = Colours.of(request.scene.transfer or colours)
+    placement = placement_of(
+        request.scene.fit, (stored.shape[0], stored.shape[1]), request.window, name
+    )
     window = None
     if placement.fit == "crop":
         first_row, first_col = request.window.place(placement.picture, request.name)
@@ -402,7 +458,7 @@ def _light(
             slice(first_col, first_col + request.window.cols),
         )
     values = picture_light(
-        stored, colours, name, channel=request.channel, white=request.white, window=window,
+        stored, colours, name, channel=request.channel, white=request.scene.white, window=window,
         size=placement.size if placement.fit == "scale" else None, warn=request.warn,
     )  # fmt: skip
     return placed(values, placement), placement

@@ -18,6 +18,7 @@ _GREY = ("1", "L", "LA", "La")
 _BAND_ROWS = 256
 _GAIN_MAPS = (b"hdrgm:Version", b"urn:iso:std:iso:ts:21496", b"tmap")
 _HEAD_BYTES = 1 << 16
+_EXIF_IFD = 0x8769
 _GAIN_MAP: Note = (
     "has a gain map for displays of high dynamic range, which is not used",
     "save it as .exr, or as .png or .avif with the PQ curve, if the highlights matter",
@@ -85,16 +86,38 @@ def _durations_s(path: Path, numbers: range) -> NDArray[np.float64]:
     return durations_s
 
 
+def exif_of(path: Path) -> dict[int, Any]:
+    """Return the EXIF tags of a photo by number. A raw file's are found though its first directory
+    may be a mosaic, which Pillow does not open."""
+    from PIL import Image
+
+    with open(path, "rb") as file:
+        if file.read(4) in (b"II*\0", b"MM\0*"):
+            file.seek(0)
+            exif = Image.Exif()
+            exif.load_from_fp(file)
+            return {**exif, **exif.get_ifd(_EXIF_IFD)}
+    with suppress(ImportError):
+        _register_heif()
+    with without_pillow_limit(), Image.open(path) as image:
+        exif = image.getexif()
+        return {**exif, **exif.get_ifd(_EXIF_IFD)}
+
+
 def gif_pages(path: Path) -> Pages:
     """Open the frames of a GIF, also a single one, as a clip."""
     return replace(pillow_pages(path), is_clip=True)
 
 
 def heif_pages(path: Path) -> Pages:
+    _register_heif()
+    return pillow_pages(path)
+
+
+def _register_heif() -> None:
     from pillow_heif import register_heif_opener
 
     register_heif_opener()
-    return pillow_pages(path)
 
 
 def avif_pages(path: Path) -> Pages:

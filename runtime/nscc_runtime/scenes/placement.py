@@ -67,8 +67,12 @@ class Window:
         return first_row, first_col
 
 
-def parse_crop(text: str) -> tuple[int, int]:
-    """Parse `R,C` as two whole numbers. Raises Rejected (NS0739) for other texts."""
+def parse_crop(text: str | tuple[int, int] | None) -> tuple[int, int] | None:
+    """Parse `R,C` as two whole numbers. Raises Rejected (NS0739) for other texts.
+
+    A parsed corner, or None, is returned unchanged."""
+    if not isinstance(text, str):
+        return text
     numbers = text.split(",")
     if len(numbers) == 2 and all(p.strip().isdecimal() and len(p.strip()) < 10 for p in numbers):
         return int(numbers[0]), int(numbers[1])

@@ -4,13 +4,13 @@
 // class      b: every shutter is open from slot 0 up to a stop of its own, in all codes that the
 //            fields allow
 // slots      16 of 125 us, 2000 us in all
-// lowering   edges; encoding: event times in digits 32
-// digital    R0 scratch; R1 fall time, group, bit 1; R2 fall time, group, bit 2; R3 fall time,
-//            group, bit 3; R4 fall time, group, bit 4; R5 fall at boundary 10; R6 fall at boundary
-//            11; R7 fall at boundary 12; R8 fall at boundary 13; R9 fall at boundary 14; R10 fall
-//            at boundary 15; R11 fall at boundary 16; R12 fall time, group, bit 0
+// lowering   edges; encoding: event times in groups and places 1 x 20
+// digital    R0 scratch; R1 fall time, place, bit 1; R2 fall time, place, bit 2; R3 fall time,
+//            place, bit 3; R4 fall time, place, bit 4; R5 fall time, place, bit 5; R6 fall at
+//            boundary 11; R7 fall at boundary 12; R8 fall at boundary 13; R9 fall at boundary 14;
+//            R10 fall at boundary 15; R11 fall at boundary 16; R12 fall time, place, bit 0
 // analog     A exposure of frame; B reset level of PIX; NEWS scratch of analog words
-// words      90 stored in 17 kernels, 90 a frame; 61 more load the codes and prepare readout
+// words      91 stored in 17 kernels, 91 a frame; 62 more load the codes and prepare readout
 // time       the exposure begins 2 us after the frame's first word and ends 2002 us after it; a
 //            launch waits for its moment on a clock that runs on, so that no error adds up; words
 //            take, by the target's figures, 0.2 us (analog) and 0.1 us (digital), a launch 1 us
@@ -48,7 +48,7 @@ void k0() {
 void k1() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R1, R4, R12);               // NOR R0, R1, R4, R12
+        NOR(R0, R3, R4, R5);                // NOR R0, R3, R4, R5
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -60,21 +60,20 @@ void k1() {
 void k2() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R3, R4, R12);               // NOR R0, R3, R4, R12
+        NOR(R0, R2, R4, R5);                // NOR R0, R2, R4, R5
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 5 words, 1.7 us; launched at boundary 3
+// 4 words, 1.6 us; launched at boundary 3
 // writes A: stops.nsl:4: open when n < stop
 void k3() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOT(R0, R4);                        // NOT R0, R4
-        NOR(R4, R0, R3, R12);               // NOR R4, R0, R3, R12
-        WHERE(R4);                          // WHERE R4
+        NOR(R0, R2, R3, R5);                // NOR R0, R2, R3, R5
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
@@ -85,8 +84,8 @@ void k3() {
 void k4() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R4, R0, R2, R12);               // NOR R4, R0, R2, R12
-        WHERE(R4);                          // WHERE R4
+        NOR(R0, R2, R3, R4);                // NOR R0, R2, R3, R4
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
@@ -97,8 +96,8 @@ void k4() {
 void k5() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R4, R0, R1, R2);                // NOR R4, R0, R1, R2
-        WHERE(R4);                          // WHERE R4
+        NOR(R0, R1, R4, R5);                // NOR R0, R1, R4, R5
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
@@ -109,8 +108,8 @@ void k5() {
 void k6() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R4, R0, R2, R3);                // NOR R4, R0, R2, R3
-        WHERE(R4);                          // WHERE R4
+        NOR(R0, R1, R3, R5);                // NOR R0, R1, R3, R5
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
@@ -121,8 +120,8 @@ void k6() {
 void k7() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R4, R0, R1, R3);                // NOR R4, R0, R1, R3
-        WHERE(R4);                          // WHERE R4
+        NOR(R0, R1, R3, R4);                // NOR R0, R1, R3, R4
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
@@ -133,19 +132,18 @@ void k7() {
 void k8() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R4, R0, R1, R12);               // NOR R4, R0, R1, R12
-        WHERE(R4);                          // WHERE R4
+        NOR(R0, R1, R2, R5);                // NOR R0, R1, R2, R5
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 5 words, 1.7 us; launched at boundary 9
+// 4 words, 1.6 us; launched at boundary 9
 // writes A: stops.nsl:4: open when n < stop
 void k9() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOT(R4, R0);                        // NOT R4, R0
         NOR(R0, R1, R2, R4);                // NOR R0, R1, R2, R4
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -153,12 +151,13 @@ void k9() {
     scamp5_kernel_end();
 }
 
-// 3 words, 1.5 us; launched at boundary 10
+// 4 words, 1.6 us; launched at boundary 10
 // writes A: stops.nsl:4: open when n < stop
 void k10() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        WHERE(R5);                          // WHERE R5
+        NOR(R0, R1, R2, R3);                // NOR R0, R1, R2, R3
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
@@ -219,7 +218,7 @@ void k15() {
     scamp5_kernel_end();
 }
 
-// 26 words, 3.8 us; launched at boundary 16
+// 28 words, 4 us; launched at boundary 16
 // writes A: stops.nsl:4: open when n < stop
 void k16() {
     scamp5_kernel_begin();
@@ -232,6 +231,7 @@ void k16() {
         REFRESH(R1);                        // REFRESH.read R1; REFRESH.write R1
         REFRESH(R2);                        // REFRESH.read R2; REFRESH.write R2
         REFRESH(R3);                        // REFRESH.read R3; REFRESH.write R3
+        REFRESH(R4);                        // REFRESH.read R4; REFRESH.write R4
         REFRESH(R5);                        // REFRESH.read R5; REFRESH.write R5
         REFRESH(R6);                        // REFRESH.read R6; REFRESH.write R6
         REFRESH(R7);                        // REFRESH.read R7; REFRESH.write R7
@@ -363,7 +363,8 @@ struct Match {
 };
 
 const Match code_r12[] = {
-    {0, 3, 252, 252}, {1, 0, 252, 252}, {2, 0, 252, 253}, {3, 2, 252, 252},
+    {0, 2, 253, 253}, {0, 3, 254, 252}, {1, 0, 252, 254}, {1, 2, 254, 252},
+    {2, 0, 252, 253}, {2, 1, 253, 252},
 };
 
 void load_r12() {
@@ -379,13 +380,11 @@ void load_r12() {
             CLR(R1);
         scamp5_kernel_end();
     }
-    scamp5_kernel_begin();
-        NOT(R12);
-    scamp5_kernel_end();
 }
 
 const Match code_r1[] = {
-    {0, 2, 252, 252}, {1, 0, 252, 252}, {2, 1, 252, 252}, {3, 2, 252, 252},
+    {0, 0, 253, 253}, {0, 1, 252, 254}, {0, 1, 254, 252}, {1, 0, 254, 252},
+    {2, 2, 253, 252}, {3, 2, 252, 253},
 };
 
 void load_r1() {
@@ -403,8 +402,7 @@ void load_r1() {
 }
 
 const Match code_r2[] = {
-    {0, 2, 252, 252}, {1, 0, 252, 252}, {1, 3, 252, 252}, {2, 3, 252, 252},
-    {3, 2, 252, 252},
+    {0, 0, 252, 255}, {0, 2, 254, 252}, {1, 1, 254, 254}, {3, 0, 252, 253},
 };
 
 void load_r2() {
@@ -419,13 +417,10 @@ void load_r2() {
             CLR(R0);
         scamp5_kernel_end();
     }
-    scamp5_kernel_begin();
-        NOT(R2);
-    scamp5_kernel_end();
 }
 
 const Match code_r3[] = {
-    {0, 3, 253, 252}, {0, 3, 254, 252}, {1, 0, 252, 252}, {2, 0, 252, 252},
+    {0, 2, 252, 253}, {1, 0, 252, 254}, {2, 1, 253, 252},
 };
 
 void load_r3() {
@@ -440,11 +435,13 @@ void load_r3() {
             CLR(R0);
         scamp5_kernel_end();
     }
+    scamp5_kernel_begin();
+        NOT(R3);
+    scamp5_kernel_end();
 }
 
 const Match code_r4[] = {
-    {0, 2, 252, 252}, {1, 0, 252, 252}, {1, 3, 252, 252}, {2, 0, 252, 253},
-    {2, 1, 253, 252},
+    {0, 2, 253, 252}, {2, 0, 252, 253},
 };
 
 void load_r4() {
@@ -461,11 +458,22 @@ void load_r4() {
     }
 }
 
+const Match code_r5[] = {
+    {1, 0, 252, 254}, {2, 3, 252, 252}, {3, 1, 252, 252},
+};
+
 void load_r5() {
     scamp5_kernel_begin();
-        CLR(R5);
+        CLR(R5, R0);
     scamp5_kernel_end();
-    scamp5_load_pattern(R5, 1, 2, 252, 252);
+    for (const Match &match : code_r5) {
+        scamp5_load_pattern(R0, match.row, match.col, match.row_mask,
+                            match.col_mask);
+        scamp5_kernel_begin();
+            OR(R5, R0);
+            CLR(R0);
+        scamp5_kernel_end();
+    }
 }
 
 void load_r6() {

@@ -31,7 +31,7 @@ from nscc_training.import_paths import imported, is_import_path, own_code, own_f
 from nscc_training.protocol_scenes.classes import class_folders, class_of, moving_texture
 from nscc_training.protocols import load_protocol
 from nscc_training.random_streams import DrawStream
-from nscc_training.scene_files import CLIPS, centre_of, files_in, frames_in
+from nscc_training.scene_files import CLIPS, centre_of, data_files, frames_in
 from nscc_training.settings import DataSettings
 from nscc_training.turning_camera import turned
 
@@ -160,15 +160,11 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
             replace(_scene(name, light, kind), label="".join(label)) for name, light, label in drawn
         ]
     folder, endings = Path(source), LINEAR if kind.still else (*CLIPS, *LINEAR, *DISPLAY)
-    files = files_in(class_folders(folder) if kind.classes else folder, endings)
-    if not files:
-        kind_text = "stills" if kind.still else "clips"
-        raise rejected(
-            "NS0811",
-            f"'{folder}' contains no {kind_text} for training",
-            notes=(f"{kind_text} end in {', '.join(endings)}",),
-            helps=("name a folder of such files, `procedural`, or a function as module:name",),
-        )
+    kind_text = "stills" if kind.still else "clips"
+    files = data_files(
+        class_folders(folder) if kind.classes else folder, endings, f"{kind_text} for training",
+        f"{kind_text} end in", "such files, `procedural`, or a function as module:name",
+    )  # fmt: skip
     return [
         replace(scene, label=class_of(path, kind.classes) if kind.classes else "")
         for path in files for scene in _read(path, kind)

@@ -25,7 +25,7 @@ from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.machine_code import working_s
 from nscc_runtime.pieces import Taken, simulate_scene
 from nscc_runtime.response import with_table
-from nscc_runtime.scenes import Fit, PlacedLight, Scene
+from nscc_runtime.scenes import Fit, PlacedLight, Scene, laid_lights
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener, Request
 from nscc_training.demo.subject import Subject
@@ -200,7 +200,7 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
     container = compile_file(examples()[LOOKING], Options()).container
     assert container is not None  # example programs compile
     begin = working_s()
-    laid = scene.laid(container.slot_us, container.target, progress=listener.progress)
+    laid = laid_lights(scene, container.slot_us, container.target, progress=listener.progress)
     frame_arrays = simulate_scene(container, laid, sensor, request, listener).simulated.frame.told
     # The bucket axis is the third from the end; colours add an axis in front.
     look_arrays = (
@@ -228,8 +228,8 @@ def _laid(
     for exposure in exposures:
         exposed = scene if subject.in_electrons else replace(scene, exposure=exposure)
         try:
-            laid = exposed.laid(
-                container.slot_us, container.target, listener.warn, listener.progress
+            laid = laid_lights(
+                exposed, container.slot_us, container.target, listener.warn, listener.progress
             )
         except Rejected as rejected:
             if exposure == exposures[-1] or rejected.diagnostics[0].code != "NS0738":
@@ -257,7 +257,7 @@ def camera(
 
 def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Listener) -> Taken:
     """Return dark frames, with noise independent of the scene's."""
-    night = Scene("builtin:dark").laid(container.slot_us, container.target)
+    night = laid_lights(Scene("builtin:dark"), container.slot_us, container.target)
     seed = settings.seed + DARK_SEED
     request = Request(selected("auto"), seed=seed, repeat=DARK_FRAMES)
     return simulate_scene(container, night, sensor, request, listener)

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.arguments import require_type, require_whole_number
-from nscc_training.code_choices import ORDERED, RANKS, SCATTERED, STARTS
+from nscc.diagnostics.arguments import require_type
+from nscc.toml.arguments import argument
+from nscc.toml.kinds import Integer
+from nscc_training.code_choices import LOOKS, ORDERED, RANKS, SCATTERED, STARTS
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
 from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
-from nscc_training.encoders.looks_encoder import LOOKS, LooksEncoder
+from nscc_training.encoders.looks_encoder import LooksEncoder
 from nscc_training.encoders.patterns import Bits, Codebook
 
 _SIDE = 4
@@ -133,11 +137,11 @@ def make_encoder(
     require_type("make_encoder", "spec", spec, ShutterSpec, "ShutterSpec('b', 8, (2, 2))")
     if spec.kind not in CLASSES:
         raise ValueError(f"{spec.kind!r} is not one of {', '.join(CLASSES)}")
-    require_whole_number("ShutterSpec", "slots", spec.slots, 1)
-    require_whole_number("ShutterSpec", "buckets", spec.buckets, 1, 2)
+    argument("ShutterSpec", "slots", Integer(1, inf), spec.slots)
+    argument("ShutterSpec", "buckets", Integer(1, 2), spec.buckets)
     pair = isinstance(spec.tile, tuple | list) and len(spec.tile) == 2
     for side in spec.tile if pair else (str(spec.tile),):
-        require_whole_number("ShutterSpec", "each of the two sides of the tile", side, 1)
+        argument("ShutterSpec", "each of the two sides of the tile", Integer(1, inf), side)
     encoder = CLASSES[spec.kind](spec, relaxation)
     if relaxation in ("tried", "search") and spec.kind == "a":
         raise ValueError("class a is always open and has no parameters to try")

@@ -12,11 +12,6 @@ from torch import Tensor, nn
 from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, drawn
 from nscc_training.gradients import replaced, rounded
 
-LOOKS = "looks"
-"""The name of the class.
-
-Its shutters are represented by fields (2 looks, rows, cols), boundaries followed by levels, because
-the open time depends on the light (`nscc_training.looking_model`)."""
 _OCTAVES, _WELLS = 0.3, 0.06
 """Standard deviations of trials: of moments in octaves, of levels in full wells."""
 _REACH = 0

@@ -21,6 +21,7 @@ from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.pictures.tone import fitted
 from nscc_runtime.scenes import Scene as Shown
+from nscc_runtime.scenes import laid_lights
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.demo import BUILTIN
 from nscc_training.demo.expose import RUNS, camera
@@ -135,7 +136,7 @@ def _shot_of(
     if found_scene is None:
         like = run_capture(folder.path)
         target, slot_us = setup.target, (setup.chip.slot_us,) * setup.slots
-        [laid] = Shown(_BUILTIN[still], exposure=like.exposure).laid(slot_us, target)
+        [laid] = laid_lights(Shown(_BUILTIN[still], exposure=like.exposure), slot_us, target)
         name, light = _BUILTIN[still], laid.light
     else:
         name, scene = found_scene

@@ -17,10 +17,10 @@ from nscc.diagnostics.suggest import meant
 from nscc.files import file_sha256
 from nscc.program.problems import counted
 from nscc_runtime.sensor import load_sensor
+from nscc_training.code_choices import LOOKS
 from nscc_training.data import load_scenes
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.decoder_building import flops, parameter_count
-from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.evaluation.baselines import BASELINES, evaluate_baseline
 from nscc_training.evaluation.looks_rows import LOOKING, evaluate_looks
 from nscc_training.evaluation.results import (

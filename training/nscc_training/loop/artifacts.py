@@ -13,13 +13,13 @@ import numpy as np
 import torch
 
 from nscc import __version__
-from nscc.prove.shutters import shutters_of_pixels
+from nscc.container_proof import shutters_of_pixels
 from nscc.words.container import Container
 from nscc_runtime.sensor import sensor_sha256
+from nscc_training.code_choices import LOOKS
 from nscc_training.config import config_toml
 from nscc_training.data import Scenes
 from nscc_training.decoders.decoder_building import flops, parameter_count
-from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.least_squares import solve
 from nscc_training.loop.decoding import scene_by_words
 from nscc_training.loop.setup import TrainingSetup, started_encoder
@@ -170,7 +170,6 @@ def _stages(
     hard = setup.encoder.hard().cpu()
     if kind == LOOKS:
         machine = container.machine
-        assert machine is not None
         codes = setup.encoder.codes()
         compiled_looks = [
             (comparison.boundary, comparison.level) for comparison in machine.comparisons

@@ -18,7 +18,7 @@ from nscc_runtime.looked_light import OPEN
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request, simulate
 from nscc_training import programs
-from nscc_training.encoders.looks_encoder import LOOKS
+from nscc_training.code_choices import LOOKS
 from nscc_training.looking_model import looked
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.sensor_model import SensorModel, filled, frame_of, laid, read_out, shared_out

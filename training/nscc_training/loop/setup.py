@@ -17,7 +17,7 @@ from nscc_runtime.effects import selected
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training import programs
 from nscc_training.any_code.decoder import AnyCode
-from nscc_training.code_choices import STARTS
+from nscc_training.code_choices import LOOKS, STARTS
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import DecoderTask
 from nscc_training.decoders.decoder_building import make_decoder
@@ -30,10 +30,8 @@ from nscc_training.emulated import (
 )
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
-from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
-from nscc_training.losses import CLASS, LOSSES, Loss
-from nscc_training.made_scenes import DIRECTIONS
+from nscc_training.losses import LOSSES, Loss
 from nscc_training.problems import invalid_setting, one_line
 from nscc_training.programs import MOST_LISTED, Chip, begun_with
 from nscc_training.protocols import Protocol, load_protocol
@@ -79,7 +77,7 @@ class TrainingSetup:
     @property
     def classes(self) -> tuple[str, ...]:
         """The classes that the decoder distinguishes; empty if it reconstructs light."""
-        return classes_of(self.settings, self.protocol)
+        return self.settings.classes
 
     @property
     def buckets(self) -> int:
@@ -123,6 +121,7 @@ def make_setup(settings: RunSettings) -> TrainingSetup:
 
     Raises Rejected: NS0815 for settings that contradict each other, NS0812 for import paths, and
     the compiler's errors if the shutters cannot be compiled for the chip."""
+    settings.check()
     chosen, network, seed = settings.shutter, settings.decoder, settings.train.seed
     files: dict[str, bytes] = {}
     chip = Chip(chosen.target, chosen.slot_us, chosen.require or None)
@@ -136,7 +135,6 @@ def make_setup(settings: RunSettings) -> TrainingSetup:
     still = protocol.still
     encoder = started_encoder(chosen, chip, target, seed)
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
-    _check_settings(settings, protocol)
     sensor = default_sensor(target)
     if settings.sensor.file:
         path = Path(settings.sensor.file)
@@ -149,7 +147,7 @@ def make_setup(settings: RunSettings) -> TrainingSetup:
         network.sees_code,
         chosen.buckets,
         {"by size": None, "yes": True, "no": False}[network.guess],
-        classes_of(settings, protocol),
+        settings.classes,
     )
     # The parameters of a decoder come from torch's global generator, so its state is restored.
     with torch.random.fork_rng(devices=[]):
@@ -168,17 +166,11 @@ def make_setup(settings: RunSettings) -> TrainingSetup:
     if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
         raise invalid_setting("shutter.learn", "neither the decoder nor the shutters can learn")
     device_name, has_cuda = settings.train.device, torch.cuda.is_available()
-    _refuse((device_name == "cuda" and not has_cuda, "train.device",
-             "CUDA is not available on this machine"))  # fmt: skip
+    if device_name == "cuda" and not has_cuda:
+        raise invalid_setting("train.device", "CUDA is not available on this machine")
     device = torch.device("cuda" if device_name != "cpu" and has_cuda else "cpu")
     if settings.sensor.effects:
-        selected(settings.sensor.effects)
-        _refuse(
-            (chosen.free, "sensor.effects", "a code for every pixel has no tile that can be "
-             "exposed at all levels: leave out `free`"),
-            (not settings.sensor.noise, "sensor.effects",
-             "effects include noise, but `sensor.noise` is false"),
-        )  # fmt: skip
+        selected(settings.sensor.effects)  # refuses unknown effects
     # Values of the sensor if a file or effects are named, else those of the protocol,
     # if it has any.
     named_sensor = settings.sensor.file or settings.sensor.effects
@@ -274,59 +266,6 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
         raise invalid_setting("decoder.init", reason) from error
 
 
-def _refuse(*cases: tuple[object, str, str]) -> None:
-    """Raise Rejected (NS0815) for the first case that holds, with its setting and the reason."""
-    for holds, setting, reason in cases:
-        if holds:
-            raise invalid_setting(setting, reason)
-
-
-def _check_settings(settings: RunSettings, protocol: Protocol) -> None:
-    """Raise Rejected (NS0815) for settings that contradict each other."""
-    chosen, data, effects = settings.shutter, settings.data, settings.sensor.effects
-    classes, losses = classes_of(settings, protocol), settings.loss.name.split("+")
-    unknown = [c for c in classes if c not in DIRECTIONS and data.train == "procedural"]
-    looks, buckets, still = chosen.kind == LOOKS, chosen.buckets > 1, protocol.still
-    lessons = bool(settings.decoder.lessons)
-    own_loss = is_import_path(settings.loss.name)
-    _refuse(
-        (lessons and settings.decoder.name != "any", "decoder.lessons",
-         "they need the decoder `any`"),
-        (lessons and chosen.learn, "shutter.learn",
-         "lessons use codes of every kind, and the run's own codes do not learn: set it to false"),
-        (chosen.most_words and chosen.relaxation != "search", "shutter.most_words",
-         "only a search stays within a limit of words: use the relaxation `search`, or add words "
-         "to the loss with `words_weight`"),
-        (chosen.learn and chosen.warm_up + chosen.settle >= 1, "shutter.warm_up",
-         "with `shutter.settle` it takes all steps, so codes cannot learn: reduce it, or set "
-         "`shutter.learn` to false"),
-        (data.classes and not classes, "data.classes", "classes need [data] protocol class-v1"),
-        (CLASS in losses and not classes, "loss.name", "`class` needs [data] protocol class-v1"),
-        (classes and settings.loss.name != CLASS and not own_loss, "loss.name",
-         "classes are learned with the loss `class`"),
-        (classes and len(set(classes)) < max(2, len(classes)), "data.classes",
-         "name at least two classes, each once"),
-        (unknown, "data.classes", f"procedural scenes have the classes {', '.join(DIRECTIONS)}, "
-         f"not {''.join(unknown[:1])[:40]}"),
-        (classes and data.augment, "data.augment",
-         "rotated, mirrored and reversed clips may change their class: set it to false"),
-        (classes and chosen.learn and chosen.relaxation == "tried", "shutter.relaxation",
-         "trials need the loss of each pixel, and a class has one loss: use straight-through or "
-         "search"),
-        (looks and not still, "shutter.class",
-         "looks are learned from stills: set [data] protocol to hdr-v1"),
-        (looks and effects, "sensor.effects", "pixels that look are trained with noise alone"),
-        (looks and chosen.words_weight, "shutter.words_weight",
-         "every look takes the same number of words, so words cannot be weighted"),
-        (buckets and chosen.kind in ("a", LOOKS), "shutter.buckets",
-         f"class {chosen.kind} leaves no light for a second bucket"),
-        (buckets and still, "shutter.buckets",
-         "two buckets need clips: set [data] protocol to two-bucket-v1"),
-        (buckets and effects, "sensor.effects",
-         "two buckets are trained with noise, full well and converter alone"),
-    )  # fmt: skip
-
-
 def _loss(names: str) -> Loss:
     losses: list[Loss] = []
     for name in map(str.strip, names.split("+")):
@@ -354,8 +293,3 @@ def _own_loss(name: str) -> Loss:
         return value.reshape(())
 
     return loss
-
-
-def classes_of(settings: RunSettings, protocol: Protocol) -> tuple[str, ...]:
-    """Return the classes of a configuration; empty if its protocol has no classes."""
-    return settings.data.classes or DIRECTIONS if protocol.classifies else ()

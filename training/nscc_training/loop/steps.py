@@ -7,8 +7,8 @@ import torch
 from torch import Tensor
 
 from nscc.diagnostics.rejection import rejected
+from nscc_training.code_choices import LOOKS
 from nscc_training.data import Batch
-from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.looking_model import looked
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.sensor_model import SensorModel, exposed, filled, read_out, shared_out

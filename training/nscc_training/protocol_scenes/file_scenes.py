@@ -21,7 +21,7 @@ from nscc_training.protocol_scenes.sci import read_sci_clip
 from nscc_training.protocol_scenes.video import exposed_window, windows, windows_of
 from nscc_training.protocols import PROCEDURAL, Protocol, load_protocol
 from nscc_training.random_streams import DrawStream
-from nscc_training.scene_files import CLIPS, files_in, protocol_files
+from nscc_training.scene_files import CLIPS, data_files, files_in
 
 Kind = Literal["clips", "stills"]
 KINDS: tuple[Kind, ...] = ("clips", "stills")
@@ -47,7 +47,8 @@ def files_of(protocol: Protocol, folder: Path) -> list[Path]:
         folder = class_folders(folder)
     if protocol.name == "sci8" and folder.is_file():
         return [folder]
-    return protocol_files(folder, *_WANTED[protocol.name], protocol.name)
+    endings, kind_text, expected = _WANTED[protocol.name]
+    return data_files(folder, endings, f"data for protocol {protocol.name}", kind_text, expected)
 
 
 def scenes_in(
@@ -93,16 +94,10 @@ def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = 
 def kinds_in(data: Path) -> list[Kind]:
     """Return which kinds of scenes a folder contains; raise Rejected (NS0811) if there are none."""
     endings: dict[Kind, Sequence[str]] = {"clips": CLIPS, "stills": ENDINGS}
-    kinds = [kind for kind in KINDS if files_in(data, endings[kind])]
-    if not kinds:
-        all_endings = ", ".join(ending for kind in KINDS for ending in endings[kind])
-        raise rejected(
-            "NS0811",
-            f"'{data}' contains no scenes",
-            notes=(f"clips and panoramas end in {all_endings}",),
-            helps=("name a folder of such files, or leave --data out to use synthetic scenes",),
-        )
-    return kinds
+    all_endings = [ending for kind in KINDS for ending in endings[kind]]
+    expected = "such files, or leave --data out to use synthetic scenes"
+    data_files(data, all_endings, "scenes", "clips and panoramas end in", expected)
+    return [kind for kind in KINDS if files_in(data, endings[kind])]
 
 
 def some_scenes(

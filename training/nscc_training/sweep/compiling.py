@@ -6,17 +6,16 @@ from collections.abc import Collection, Mapping
 from hashlib import sha256
 from typing import Any
 
-from nscc.emit.report import report
-from nscc.emit.sending_report import stream_report
 from nscc.limits.families import families
 from nscc.limits.survey import limit_of
-from nscc.pipeline import Compiled, Options
-from nscc.toml.kinds import Integer, TextKind
+from nscc.pipeline import KINDS, Compiled, Options
+from nscc.toml.kinds import TextKind
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import (
     axis,
     compiled_of,
+    declared_axes,
     program_fault,
     program_files,
     program_keys,
@@ -29,15 +28,13 @@ from nscc_training.sweep.point_programs import (
 
 def _compile(values: Values, _task: PointTask) -> Figures:
     compiled_program = compiled_of(values)
-    assert compiled_program.proof is not None
-    if compiled_program.sending is not None:  # a chip without logic has no words to count
-        build_report = stream_report(compiled_program.sending, compiled_program.proof)
-        return _common(compiled_program, build_report)
-    assert compiled_program.choice is not None
-    build_report = report(compiled_program.choice, compiled_program.proof)
-    logic = build_report["logic"]
+    build_report = KINDS.of(compiled_program.program).report(compiled_program)
+    figures = _common(compiled_program, build_report)
+    logic = build_report.get("logic")
+    if logic is None:  # a chip without logic has no words to count
+        return figures
     return {
-        **_common(compiled_program, build_report),
+        **figures,
         "encoding": logic["encoding"],
         "registers": len(build_report["digital_registers"]),
         "words_total": build_report["words_total"],
@@ -82,7 +79,7 @@ def _limit_keys() -> tuple[Key, ...]:
         axis("slot",
              TextKind(pattern=r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)", phrase="a time: 10us"),
              "the length of its slots", "1ms"),
-        axis("level", Integer(0, 3), "as -O", 1),
+        *declared_axes(Options, level=1),
         *target_keys(),
     )  # fmt: skip
 

@@ -7,11 +7,13 @@ from pathlib import Path
 
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.files import write_whole
+from nscc.pipeline import Options
 from nscc.toml.kinds import Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import (
     axis,
+    declared_axes,
     light_files,
     program_files,
     scene_keys,
@@ -33,7 +35,7 @@ def _keys() -> tuple[Key, ...]:
         axis("slots", Integer(2, 4096), "slots of a frame", 256),
         axis("slot_us", Number(0.01, 1e6), "length of a slot in microseconds", 125.0),
         axis("target", TextKind(), "the chip, by name or file", DEFAULT_NAME),
-        axis("level", Integer(0, 3), "as -O", 2),
+        *declared_axes(Options, "level"),
         *sensor_keys(),
     )  # fmt: skip
 
@@ -57,13 +59,13 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _design(values: Values, task: PointTask) -> Figures:
-    from nscc_runtime.progress import unseen
+    from nscc_runtime.scenes import laid_lights
     from nscc_training.design import Design, Frame, design_looks, design_tile
     from nscc_training.metrics import psnr_of_mse
 
     target = load_target(values["target"], Path())
     slots, slot_us = values["slots"], values["slot_us"]
-    [laid] = scene_of(values).laid([slot_us] * slots, target, lambda _diagnostic: None, unseen)
+    [laid] = laid_lights(scene_of(values), [slot_us] * slots, target)
     scene_light = [laid.placement.cut(laid.light.total_e())]
     frame = Frame(slots, slot_us, values["target"], sensor_of(values, target), values["level"])
     figures: Figures

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.chips.target import SCHEMA, Target
 from nscc.limits.families import program_text
-from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import Compiled, Options, run_passes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
+from nscc.toml.arguments import declared
 from nscc.toml.kinds import Axis, Integer, Number, Several, TextKind
 from nscc.toml.schema import Key
 from nscc_training.code_choices import STARTS
@@ -48,6 +48,15 @@ def axis(name: str, kind: object, meaning: str, default: object = MISSING) -> Ke
     return Key("", name, Axis(kind), meaning, default_values)  # type: ignore[arg-type]
 
 
+def declared_axes(settings: type, *names: str, **defaults: object) -> tuple[Key, ...]:
+    """Return axes of options that fields of a dataclass declare; `defaults` replace theirs."""
+    keys = declared(settings)
+    return tuple(
+        axis(name, keys[name].kind, keys[name].meaning, defaults.get(name, keys[name].default))
+        for name in (*names, *defaults)
+    )
+
+
 def target_keys() -> tuple[Key, ...]:
     """Return the keys of chips: the target, and each value as `chip.KEY`."""
     numbers = (
@@ -73,11 +82,7 @@ def program_keys() -> tuple[Key, ...]:
              "slots of a bump of class c; auto: a quarter of the frame", None),
         axis("rows", Integer(1, 4096), "rows of a codebook", 64),
         axis("seed", Integer(0, 2**31 - 1), "seed of all random numbers", 0),
-        axis("codes", TextKind(("fixed", "open")), "fixed: the used codes; open: every legal code",
-             "fixed"),
-        axis("lowering", TextKind(("auto", *LOWERINGS)),
-             "the lowering: how the exposure is computed", "auto"),
-        axis("level", Integer(0, 3), "as -O", 2),
+        *declared_axes(Options, "codes", "lowering", "level"),
         axis("max_words", Integer(1, 10**6, unlimited=True), "most words in a slot", None),
         *target_keys(),
     )  # fmt: skip

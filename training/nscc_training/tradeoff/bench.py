@@ -32,7 +32,7 @@ from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
 from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
 from nscc_runtime.response import response_of
-from nscc_runtime.scenes import Scene
+from nscc_runtime.scenes import Scene, scene_light
 from nscc_runtime.sensor import load_sensor
 from nscc_runtime.simulate import Request, Simulated, simulate
 
@@ -99,7 +99,9 @@ class Bench:
     @cached_property
     def light(self) -> Light:
         """The scene's light in the program's slots."""
-        return self.request.scene.light(self.container.slot_us, self.container.target, self.warn)
+        return scene_light(
+            self.request.scene, self.container.slot_us, self.container.target, self.warn
+        )
 
     @cached_property
     def ideal_e(self) -> Values:
@@ -112,8 +114,7 @@ class Bench:
         signal_e = mean_signal_e(self.ideal_e, self.sensor)
         if signal_e > 0:
             return signal_e
-        pictures = self.container.pictures
-        if pictures is not None and not {*pictures.reads} & {*self.container.buckets}:
+        if not self.container.buckets_read:
             raise rejected(
                 "NS0826", f"'{self.request.program.name}' reads out no exposure",
                 notes=("errors are relative to the mean signal of the exposures",),
@@ -204,7 +205,7 @@ class Bench:
         if original is not None:
             ideal_e = self._ideal_e(original, self._light_in(original))
         frame = self._captured(container, light).frame
-        if container.machine is not None:
+        if container.machine.stages:
             light_e_per_s, sure = (frame.told[key] for key in (LIGHT, DEVIATION))
             counted = (np.isfinite(sure) & np.isfinite(light_e_per_s)).any(axis=0)[None]
             seen_e = merged_image(light_e_per_s, sure)[None] * (sum(container.slot_us) * 1e-6)
@@ -217,10 +218,10 @@ class Bench:
         """Return the scene's light in other slots, as bright, so less in a shorter frame."""
         if container.slot_us == self.container.slot_us:
             return self.light
-        scene_light = self.request.scene.light(container.slot_us, container.target)
+        its_light = scene_light(self.request.scene, container.slot_us, container.target)
         time_share = sum(container.slot_us) / sum(self.container.slot_us)
-        whole_e, its_e = (float(light.sum_e.sum()) for light in (self.light, scene_light))
-        return scene_light.scaled(time_share * whole_e / its_e) if its_e > 0 else scene_light
+        whole_e, its_e = (float(light.sum_e.sum()) for light in (self.light, its_light))
+        return its_light.scaled(time_share * whole_e / its_e) if its_e > 0 else its_light
 
     @cached_property
     def capture(self) -> Simulated:
@@ -239,7 +240,7 @@ class Bench:
         return simulate(container, light, self.sensor, request)
 
     def _ideal_e(self, container: Container, light: Light) -> Values:
-        if container.machine is not None:
+        if container.machine.stages:
             return np.asarray(light.total_e(), np.float64)[None]
         none = selected("none")
         exact = simulate(container, light, self.sensor, Request.of(effects="none")).frame

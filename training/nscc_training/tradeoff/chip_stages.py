@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -22,23 +22,20 @@ from nscc.tradeoff.synthesis import DOES_NOT_FIT
 from nscc.words.container import Container
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parameters import MOST_E
-from nscc_runtime.frame_file import Frame
-from nscc_runtime.looked_light import OPEN
 from nscc_runtime.planless import refuse_planless
-from nscc_runtime.planning.audit import bands, compared_rows
+from nscc_runtime.planning.audit import audit
 from nscc_runtime.planning.make import make_plan
+from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_request import PlanRequest
 from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.planning.tolerance import LEAST_E
 from nscc_runtime.reference.capture import Reference, scene_of
-from nscc_runtime.simulate import Request, simulate
 from nscc_runtime.tradeoff.study import unknown
 from nscc_training.tradeoff.bench import (
     PERCENT,
     Bench,
     StageResult,
     misfit,
-    rms_percent,
     scaled,
     scaled_text,
     whole_ticks,
@@ -78,10 +75,8 @@ def lowering(bench: Bench) -> StageResult:
     """Measure the lowerings: the shortest frame that their words allow."""
     if bench.source is None:
         return StageResult((), (Refused("lowering", "", "", "NS0743", _COMPILED),))
-    if bench.container.machine is not None or bench.container.target.streamed:
-        chip_kind = (
-            "pixels that look" if bench.container.machine is not None else "a chip without logic"
-        )
+    if bench.container.machine.stages or bench.container.target.streamed:
+        chip_kind = "pixels that look" if bench.container.machine.stages else "a chip without logic"
         reason = f"there is one way for {chip_kind}"
         return StageResult((), (Refused("lowering", "", "", "", reason),))
     points, misfits = [], []
@@ -169,40 +164,42 @@ Values = NDArray[np.float64]
 PARTS = (0.1, 0.3, 1.0, 3.0)
 """Tolerances of plans, as fractions of the target error."""
 COMPARED = 1 << 20
-"""Most slots times pixels that the reference simulates, in bands of rows."""
+"""Most slots times pixels that the reference simulates."""
 
 
 def effects(bench: Bench) -> StageResult:
     """Measure plans of several tolerances, all effects, and the reference: seconds to emulate a
     frame.
 
-    Errors are differences from the reference with the same random numbers. Raises Rejected (NS0750)
-    for a program without plans, whose simulation has no approximations."""
+    Errors are those of the audit: differences from all effects with the same random numbers. Raises
+    Rejected (NS0750) for a program without plans, whose simulation has no approximations."""
     container, request = bench.container, bench.request
     refuse_planless(container, "comparing tolerances")
-    truth = _Truth(bench)
     tolerances, notes = _tolerances(bench)
     ways = [("auto", tolerance) for tolerance in tolerances]
     ways.append(("all", scaled_text(request.target_error, 1.0)))
 
     def measured(chosen: str, tolerance: str) -> dict[str, Any]:
-        def emulated() -> tuple[Frame, float]:
-            """Return a frame, and the milliseconds of its plan."""
+        def emulated() -> tuple[Plan, float]:
+            """Return a plan and the milliseconds of making it, and expose a frame."""
             # A scene without stored sums: computing them is part of the frame's time.
             begin, light = perf_counter(), unknown(bench.light)
             planning = planning_of(container, bench.sensor, light, request.device_seed)
             plan = make_plan(planning, PlanRequest(selected(chosen), tolerance))
             plan_ms = (perf_counter() - begin) * 1e3
-            return next(iter(planning.frames(plan, request.seed, 1))), plan_ms
+            next(iter(planning.frames(plan.kept, request.seed, 1)))
+            return plan, plan_ms
 
         first_ms, next_ms = [], []
         for _ in range(request.repeats):
-            (frame, plan_ms), taken_ms = bench.watch.ms(f"effects {chosen}", tolerance, emulated)
+            (plan, plan_ms), taken_ms = bench.watch.ms(f"effects {chosen}", tolerance, emulated)
             first_ms.append(taken_ms)
             next_ms.append(taken_ms - plan_ms)
-        return {"error": truth.percent(frame), "first": first_ms, "next": next_ms}
+        percent = 100.0 * audit(scene, plan).measured_rms_e / bench.signal_e()
+        return {"error": percent, "first": first_ms, "next": next_ms}
 
-    planning_of(container, bench.sensor, bench.light, request.device_seed).ready()
+    scene = planning_of(container, bench.sensor, bench.light, request.device_seed)
+    scene.ready()
     measurements = {" ".join(way): partial(measured, *way) for way in ways}
     values = {way: bench.once(f"effects {way}", measure) for way, measure in measurements.items()}
     points = [
@@ -210,12 +207,13 @@ def effects(bench: Bench) -> StageResult:
         for line, key in (("with planning", "first"), ("planned", "next"))
         for way, timing in values.items()
     ]
-    height = bench.light.shape[0]
-    took_ms = bench.once("effects reference", lambda: truth.frame[1] * height / len(truth.rows))
+    height, cols = bench.light.shape
+    rows = range(min(height, max(1, COMPARED // (container.slots * cols))))
+    took_ms = bench.once("effects reference", lambda: _reference_ms(bench, rows))
     points.append(Point("effects", "reference", "all", 0.0, PERCENT, (took_ms,)))
-    if len(truth.rows) < height:
-        notes.insert(0, f"the reference ran {len(truth.rows)} of {height} rows, spread evenly: "
-                        "errors are theirs, and its time is theirs scaled to all")  # fmt: skip
+    if len(rows) < height:
+        notes.insert(0, f"the reference ran {len(rows)} of {height} rows: its time is theirs "
+                        "scaled to all")  # fmt: skip
     return StageResult(tuple(points), notes=tuple(notes))
 
 
@@ -234,47 +232,11 @@ def _tolerances(bench: Bench) -> tuple[list[str], list[str]]:
     return [*tolerances], notes
 
 
-class _Truth:
-    """A frame of the reference, or bands of its rows; computed when first needed."""
-
-    def __init__(self, bench: Bench) -> None:
-        self._bench = bench
-        self.rows: NDArray[np.intp] = np.arange(bench.light.shape[0])
-        if bench.container.machine is None:
-            self.rows = compared_rows(bench.container.slots, bench.light.total_e(), COMPARED)
-
-    def percent(self, frame: Frame) -> float:
-        """Return the error of a frame, over pixels that end in the same states in both."""
-        (exposure_e, valid, opened), _ = self.frame
-        counted = valid & frame.valid[:, self.rows]
-        if opened is not None:
-            counted = counted & (opened == frame.told[OPEN])
-        seen_e = frame.exposure_e[:, self.rows]
-        return rms_percent(seen_e, exposure_e, counted, self._bench.signal_e())
-
-    @cached_property
-    def frame(self) -> tuple[tuple[Values, NDArray[np.bool_], Any], float]:
-        """Exposure, validity and final states, and the time in milliseconds."""
-        looks = self._bench.container.machine is not None
-        return self._bench.watch.ms(
-            "reference", "all", self._looked if looks else partial(self._summed, self.rows),
-            first=(lambda: None) if looks else partial(self._summed, self.rows[:1]),
-        )  # fmt: skip
-
-    def _summed(self, rows: NDArray[np.intp]) -> tuple[Values, NDArray[np.bool_], Any]:
-        bench = self._bench
-        reference = Reference.of(bench.container, bench.sensor, everything())
-        scene = scene_of(bench.container, bench.light)
-        seeds = bench.request.seed, bench.request.device_seed
-        exposures = [reference.expose_rows(scene, band, *seeds) for band in bands(rows)]
-        exposure_e = np.concatenate([exposure.exposure_e for exposure in exposures], axis=1)
-        return exposure_e, np.concatenate([exposure.valid for exposure in exposures], axis=1), None
-
-    def _looked(self) -> tuple[Values, NDArray[np.bool_], Any]:
-        bench = self._bench
-        request = Request.of(
-            effects="all", fidelity="reference", seed=bench.request.seed,
-            device_seed=bench.request.device_seed,
-        )  # fmt: skip
-        frame = simulate(bench.container, bench.light, bench.sensor, request).frame
-        return frame.exposure_e, frame.valid, frame.told[OPEN]
+def _reference_ms(bench: Bench, rows: range) -> float:
+    """Return the milliseconds of a frame of the reference, from the time of some rows."""
+    reference = Reference.of(bench.container, bench.sensor, everything())
+    scene, planes = scene_of(bench.container, bench.light), bench.container.planes()
+    seeds = bench.request.seed, bench.request.device_seed
+    run = partial(reference.execute, scene, planes, seeds, 0, rows)
+    _, took_ms = bench.watch.ms("reference", "all", run, first=run)
+    return took_ms * bench.light.shape[0] / len(rows)

@@ -45,7 +45,7 @@ def decoding(bench: Bench) -> StageResult:
     capture = bench.capture
     container = bench.container
     notes: list[str] = []
-    looks = container.machine is not None
+    looks = container.machine.stages > 0
     ways = _of_looks(bench, capture) if looks else _of_codes(bench, capture, notes)
 
     def timed(way: _Way) -> dict[str, Any]:

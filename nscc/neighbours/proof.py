@@ -18,6 +18,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
 from nscc.prove.diagrams import IN, AlwaysEqual, Form, Forms, TooLarge
 from nscc.prove.meaning import Bits, Fields, PictureMeaning, reaches
+from nscc.prove.proof import ALWAYS_EQUAL, FRAMES, Failure
 from nscc.words.container import Container
 from nscc.words.legality import decoded, picture_words
 from nscc.words.pictures import Condition
@@ -28,13 +29,22 @@ class PictureReplayError(Exception):
     """Raised for a word that the proof does not support."""
 
 
+def pictures_failure(container: Container) -> Failure | None:
+    """Return the error in the words of a container's images and planes, or None."""
+    try:
+        reason = pictures_fault(container)
+    except TooLarge as large:
+        return Failure("its proof is too large", FRAMES, unproved=large.name)
+    except AlwaysEqual as equal:
+        return Failure(ALWAYS_EQUAL, FRAMES, unproved=str(equal))
+    return Failure(reason, FRAMES) if reason else None
+
+
 def pictures_fault(container: Container) -> str | None:
     """Return the error in the words of a container's images and planes; None if the proof holds.
 
     Raises TooLarge for planes whose decision diagrams are too large, and AlwaysEqual."""
     pictures = container.pictures
-    if pictures is None:
-        return None
     number = 0
     try:
         words = picture_words(container)
@@ -69,7 +79,6 @@ def _difference(
 
     `written`: the registers that the words of images write."""
     pictures, forms = container.pictures, replay.forms
-    assert pictures is not None
     for name in pictures.expressions:
         if forms.compares_equal(meaning.value(name, middle)):
             raise AlwaysEqual(name)
@@ -136,7 +145,6 @@ class PictureReplay:
         for name in (*target.digital_registers, "FLAG", "SELECT", "bus"):
             self.digital[name] = {at: forms.diagrams.new_variable(at) for at in places}
         pictures = container.pictures
-        assert pictures is not None
         for state in pictures.states:
             register = pictures.registers.get(state.name, "")
             self.digital[register] = {at: forms.kept_bit(state.name, at) for at in places}

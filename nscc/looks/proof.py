@@ -41,7 +41,7 @@ _DIGITS = 1e8
 """Remainders whose difference is below the frame's light divided by this number are equal."""
 
 
-class Looks(ReplayPixels):
+class LookingReplay(ReplayPixels):
     """The lanes of a container's state machine during the proof.
 
     Arrays with one row per lane: `node` and `outcome`, the answers of the current look as bits, are
@@ -49,7 +49,6 @@ class Looks(ReplayPixels):
     (lanes,) is the signal `light`; `exact` is bool (lanes,)."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
-        assert container.machine is not None
         self.machine: StateMachine = container.machine
         self.full_e = container.target.full_well_e
         nodes = np.arange(self.machine.first[1], dtype=np.int64)

@@ -10,51 +10,18 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.prove.proof import Proof, prove, prove_stream, shutters, unproved_error
+from nscc.pipeline import KINDS
+from nscc.prove.proof import Proof, unproved_error
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc.words.legality import decoded
-
-
-def refuse_looking(container: Container, name: str = "this program") -> None:
-    """Raise Rejected (NS0444, status 1) for programs whose shutters depend on the light."""
-    if container.machine is not None:
-        raise rejected(
-            "NS0444",
-            f"the shutters of {name} depend on the light: they are unknown before the exposure",
-            notes=(
-                "its pixels look at the light, and the answers decide when they open and close",
-            ),
-            helps=("`nscc run` writes how long each pixel was open: `open_slots`",),
-            status=1,
-        )
 
 
 def replayed(container: Container, name: str = "this program") -> NDArray[np.bool_]:
     """Return the distinct shutters bool (shutters, buckets, N) that the words open.
 
-    Raises Rejected (NS0442, status 1) if a slot's weight is neither 0 nor 1; the message calls the
-    container `name`."""
-    if container.target.streamed:
-        failure = prove_stream(container).failure
-        if failure is None:
-            return container.table.shutters
-        raise rejected(
-            "NS0442",
-            f"the planes of {name} do not match its decode table: {failure.reason}",
-            helps=("build the program again",),
-            status=1,
-        )
-    refuse_looking(container, name)
-    opened = shutters(container, decoded(container))
-    if opened is None:
-        raise rejected(
-            "NS0442",
-            f"the words of {name} do not implement shutters: the light of some slot has a "
-            "weight other than 0 or 1",
-            helps=("`nscc prove` shows the error in the words",),
-            status=1,
-        )
-    return opened
+    Raises Rejected (status 1): NS0442 if a slot's weight is neither 0 nor 1, NS0444 if the shutters
+    depend on the light. The message calls the container `name`."""
+    return KINDS.of(container).replayed(container, name)
 
 
 def shutters_of_pixels(container: Container, name: str = "this program") -> dict[str, NDArray[Any]]:
@@ -63,11 +30,7 @@ def shutters_of_pixels(container: Container, name: str = "this program") -> dict
     The names are `shutter`, `shutter_shape` and `codes_FIELD`. A program with one code needs no
     pixel data. Raises Rejected: NS0441 (status 1) if pixels have no codes, NS0442 as for
     `replayed`."""
-    pixels, sent = container.pixel_codes, container.stream
-    if sent is not None:
-        opened = sent.shutters(len(container.buckets), container.target.cols)
-        size = np.array((*opened.shape[:3], container.slots), np.int64)
-        return {"shutter": opened, "shutter_shape": size, **fields_at_pixels(container)}
+    pixels = container.pixel_codes
     if pixels is None and len(container.table.codes) == 1:
         target = container.target
         pixels = np.zeros((target.rows, target.cols), dtype=np.int32)
@@ -88,9 +51,7 @@ def prove_container(container: Container, name: str) -> Proof:
 
     Messages call the container `name`. Raises Rejected if it has invalid words; with status 1,
     NS0443 if it has no decode table, and NS0440 if the proof fails."""
-    kernels = decoded(container)
-    if container.target.streamed:
-        return _accepted_proof(name, prove_stream(container), "planes")
+    kind, kernels = KINDS.of(container), decoded(container)
     if not container.has_table:
         raise rejected(
             "NS0443",
@@ -101,11 +62,7 @@ def prove_container(container: Container, name: str) -> Proof:
             ),
             status=1,
         )
-    return _accepted_proof(name, prove(container, kernels), "words")
-
-
-def _accepted_proof(name: str, proof: Proof, subject: str) -> Proof:
-    """Return a successful proof; raise NS0440 for a failed one, and that of `unproved_error`."""
+    proof = kind.prove(container, kernels)
     if proof.failure is not None and proof.failure.unproved is not None:
         raise Rejected(unproved_error(proof.failure))
     if proof.failure is not None:
@@ -114,7 +71,8 @@ def _accepted_proof(name: str, proof: Proof, subject: str) -> Proof:
         place = ", ".join(f"{kind} {at}" for kind, at in places.items() if at is not None)
         raise rejected(
             "NS0440",
-            f"the {subject} of '{name}' do not match its decode table: {failure.reason} ({place})",
+            f"the {kind.subject} of '{name}' do not match its decode table: {failure.reason} "
+            f"({place})",
             notes=failure.doubts,
             helps=("build the program again; `nscc diff` shows which words changed",),
             data=places,

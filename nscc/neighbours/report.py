@@ -31,10 +31,8 @@ def pictures_us(pictures: Pictures, target: Target) -> float:
 
 
 def picture_report(container: Container) -> dict[str, Any]:
-    """Return the part of `--emit report` about images and planes; empty if there are none."""
+    """Return the part of `--emit report` about images and planes."""
     pictures = container.pictures
-    if pictures is None:
-        return {}
     costs = {cost.name: cost for cost in pictures.costs}
     reach, counts = reaches(pictures), counts_by_name(pictures)
 
@@ -62,13 +60,13 @@ def picture_report(container: Container) -> dict[str, Any]:
 def with_pictures(report: dict[str, Any], container: Container) -> dict[str, Any]:
     """Return a build report with its images and planes, whose time is added to the frame's."""
     pictures = picture_report(container)
-    if pictures:
-        pictures["frame_us"] = round(report["frame_us"] + pictures["images_us"], 6)
+    pictures["frame_us"] = round(report["frame_us"] + pictures["images_us"], 6)
     return {**report, **pictures}
 
 
-def picture_rows(pictures: Pictures, target: Target) -> list[tuple[str, str]]:
+def picture_rows(container: Container) -> list[tuple[str, str]]:
     """Return the rows (label, text) of a summary about images and planes."""
+    pictures, target = container.pictures, container.target
     reach = reaches(pictures)
     kinds = {item.name: "plane" if item.is_plane else "image" for item in pictures.items}
     kinds |= {state.name: "state" for state in pictures.states}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator
 from io import BytesIO
 from typing import Any
 
@@ -51,6 +50,15 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
         ),
         ("proved", f"{pixels}{counted(proof.slots, 'slot')}{pixels_note}"),
     ]
+
+
+def cost_text(sending: Sending) -> str:
+    """Return the cost of bit planes in two lines."""
+    return (
+        f"  planes {len(sending.loadings)} a frame, {sending.bits_a_frame} bits, "
+        f"{rate_text(sending.bits_per_us)} while one loads\n"
+        f"  time   shortest legal slot {time_text(sending.shortest_slot_us)}"
+    )
 
 
 def rate_text(bits_per_us: float) -> str:
@@ -148,8 +156,13 @@ def planes_bytes(container: Container) -> bytes:
     return out.getvalue()
 
 
-def sent_lines(container: Container) -> Iterator[str]:
-    """Yield a description of a container's bit planes, for `--print-after words`."""
-    yield f"{container!r}"
+def planes_text(container: Container) -> str:
+    """Return a description of a container's bit planes, for `--print-after words`."""
+    planes = "no planes yet" if container.stream is None else f"{container.slots} planes"
+    lines = [
+        f"Container({len(container.table.codes)} codes, {container.slots} slots, {planes}, for "
+        f"{container.target.name})"
+    ]
     for readout in container.readouts:
-        yield f"{readout.bucket} is read from {readout.register}, gain {readout.gain:g}"
+        lines.append(f"{readout.bucket} is read from {readout.register}, gain {readout.gain:g}")
+    return "".join(f"{line}\n" for line in lines)

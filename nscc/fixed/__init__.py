@@ -1,0 +1,1 @@
+"""Programs whose shutters depend on the code of a pixel only."""

@@ -1,0 +1,79 @@
+"""Consistency checks between the passes for programs with senses."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.checks import require
+from nscc.logic.problem import Gate
+from nscc.looks.looking_plan import LookingPlan
+from nscc.looks.passes import LookingLowered
+from nscc.operations import Op, WordEffect
+from nscc.truth import members
+
+
+def check_looking_plan(plan: LookingPlan) -> None:
+    """Check that every change of a node's open buckets is a moment that opens or closes these
+    buckets."""
+    machine = plan.machine
+    boundaries = [moment.boundary for moment in plan.moments]
+    require(boundaries == sorted(set(boundaries)), "times are not in order")
+    inner = machine.opens[:, :, 1:] != machine.opens[:, :, :-1]
+    for stage in range(machine.stages):
+        changed = np.flatnonzero(inner[machine.nodes(stage)].any(axis=(0, 1))) + 1
+        begin, end = machine.starts(stage), machine.ends(stage)
+        changed = changed[(begin < changed) & (changed < end)]
+        require({*boundaries}.issuperset(changed.tolist()), "a change without a time")
+    for moment in plan.moments:
+        # The open buckets before a moment, minus `falls`, plus `rises`, are those after it.
+        require(moment.comparisons == machine.at(moment.boundary), "other comparisons")
+        lanes, boundary = len(moment.before), moment.boundary
+        reset = _lanes(moment.resets, lanes)
+        for bucket, (falls, rises) in enumerate(zip(moment.falls, moment.rises, strict=True)):
+            was = machine.opens[moment.before, bucket, boundary - 1]
+            inside = boundary < machine.slots
+            becomes = (
+                machine.opens[moment.after, bucket, boundary] if inside else np.zeros_like(was)
+            )
+            computed = was & ~_lanes(falls, lanes) | _lanes(rises, lanes)
+            expected = np.where(reset, False, becomes)
+            require(np.array_equal(computed, expected), f"bucket {bucket} is open in other pixels")
+
+
+def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
+    flags = np.zeros(lanes, np.bool_)
+    flags[members(vector, lanes)] = True
+    return flags
+
+
+def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
+    """Check that encodings are injective, and that every comparison is made at its boundary."""
+    for lowered in lowerings:
+        solution, machine = lowered.looking, lowered.program.machine
+        for value_bits in (solution.encoding.code, *solution.encoding.states):
+            distinct = {row.tobytes() for row in value_bits.bits}
+            require(
+                len(distinct) == len(value_bits.bits) or not value_bits.registers,
+                f"{value_bits.name}: two values with the same bits",
+            )
+        names = {
+            *(f"p{i}" for i in range(len(solution.planes))),
+            *solution.states,
+            *(f"s{i}" for i in range(len(solution.states))),
+            *(f"t{i}" for i in range(solution.scratch)),
+            "FLAG",
+        }
+        for boundary, items in solution.items.items():
+            gates = [item for item in items if isinstance(item, Gate)]
+            used = {name for gate in gates for name in (gate.destination, *gate.sources)}
+            require(names >= used, f"unknown registers: {sorted(used - names)}")
+            comparison_count = sum(
+                isinstance(item, Op) and item.operation.effect is WordEffect.FLAG_ANALOG
+                for item in items
+            )
+            require(
+                comparison_count == len(machine.at(boundary)), "a comparison that no word makes"
+            )

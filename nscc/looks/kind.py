@@ -1,0 +1,108 @@
+"""The kind of programs whose pixels look at their light: a state machine opens the shutters."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc import checks
+from nscc.diagnostics.rejection import rejected
+from nscc.fixed.kind import FixedShutters
+from nscc.lazy import LazyFunctions
+from nscc.looks.checks import check_looking_gates, check_looking_plan
+from nscc.looks.looking_plan import LookingPlan
+from nscc.looks.passes import LookingLowered, container_of, lowered_of, plan_of
+from nscc.looks.proof import LookingReplay
+from nscc.lower import fit
+from nscc.lower.exposure_plan import Misfit
+from nscc.lower.lowered import Choice
+from nscc.operations import Op
+from nscc.pipeline import Compiled, Found, Job, Pass
+from nscc.program.problems import counted
+from nscc.program.program import Program
+from nscc.prove.pixels import ReplayPixels
+from nscc.words.container import Container
+
+if TYPE_CHECKING:
+    from networkx import DiGraph
+
+_REPORT = LazyFunctions("nscc.looks.report")
+
+
+def make_plan(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
+    """Plan the looks and the exposure; errors are those of `plan_of`."""
+    return plan_of(program, job.options.lowering)
+
+
+def choose_encodings(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found]:
+    """Find encodings and gates; errors are those of `lowered_of`."""
+    return lowered_of(plan, job.options.level, job.options.max_words_per_slot)
+
+
+def lay_out_looking(layouts: Sequence[LookingLowered], job: Job) -> tuple[Choice, Found]:
+    """Choose the best words; errors are as for `nscc.fixed.kind.lay_out_words`."""
+    choice = Choice(tuple(layouts[:1]), {})
+    return choice, fit.faults(choice, level=job.options.level)
+
+
+class Looks(FixedShutters):
+    """A program with senses, or with states that step from slot to slot."""
+
+    passes: ClassVar[tuple[Pass, ...]] = (
+        Pass("plan", make_plan, check_looking_plan, _REPORT.moments_text),
+        Pass("gates", choose_encodings, check_looking_gates, _REPORT.all_gates_text),
+        Pass(
+            "schedule", lay_out_looking, checks.check_schedule,
+            LazyFunctions("nscc.emit.listing").choice_text,
+        ),
+    )  # fmt: skip
+    shutters_known = False
+    has_simpler_programs = False
+
+    def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
+        return container_of(layout.best, job.options.level), ()
+
+    def replay(self, container: Container, kernels: Sequence[Sequence[Op]]) -> ReplayPixels:
+        return LookingReplay(container, kernels)
+
+    def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
+        self.refuse_unknown_shutters(name)
+        raise AssertionError
+
+    def refuse_unknown_shutters(self, name: str) -> None:
+        raise rejected(
+            "NS0444",
+            f"the shutters of {name} depend on the light: they are unknown before the exposure",
+            notes=(
+                "its pixels look at the light, and the answers decide when they open and close",
+            ),
+            helps=("`nscc run` writes how long each pixel was open: `open_slots`",),
+            status=1,
+        )
+
+    def gates_text(self, lowered: Any) -> str:
+        return str(_REPORT.looking_gates_text(lowered))
+
+    def network(self, lowered: Any) -> DiGraph:
+        from nscc.looks.network import LookingNetwork
+
+        return LookingNetwork(lowered).build_network()
+
+    def report(self, compiled: Compiled) -> dict[str, Any]:
+        values = super().report(compiled)
+        assert compiled.proof is not None
+        values["proof"]["answers"] = compiled.proof.transitions
+        end = {name: values.pop(name) for name in ("target", "source_sha256")}
+        return {**values, "looks": _REPORT.looks_report(compiled.program), **end}
+
+    def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
+        looks = _REPORT.looks_lines(compiled.program)
+        rows = [("looks" * (not number), text) for number, text in enumerate(looks)]
+        rows += super().rows(compiled)
+        if compiled.proof is not None:
+            label, text = rows[-1]
+            rows[-1] = label, f"{text}, {counted(compiled.proof.transitions, 'answer')}"
+        return rows

@@ -1,0 +1,91 @@
+"""Descriptions of programs with senses: plan, gates, report and summary."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from nscc.emit.listing import segment_lines
+from nscc.looks.looking_plan import LookingPlan
+from nscc.looks.passes import LookingLowered
+from nscc.program.program import Program
+from nscc.words.machine import LIGHT
+
+_MOST_SHOWN = 12
+
+
+def moments_text(plan: LookingPlan) -> str:
+    """Return the comparisons of each boundary, and the numbers of shutters that close, reset PIX
+    and open there."""
+    lines = [f"{register:<5} {holder}" for register, holder in plan.registers.items()]
+    for moment in plan.moments:
+        changes = [("fall", v) for v in moment.falls] + [("reset", moment.resets)]
+        changes += [("rise", v) for v in moment.rises]
+        texts = [f"where above {comparison.level} steps" for comparison in moment.comparisons]
+        texts += [f"{kind} in {v.bit_count()} of {len(moment.before)}" for kind, v in changes if v]
+        lines.append(f"boundary {moment.boundary:>4} {'; '.join(texts)}")
+    return "\n".join(lines) + "\n"
+
+
+def looking_gates_text(lowered: LookingLowered) -> str:
+    """Return the words of every boundary on virtual registers, and the chip registers of each."""
+    solution, places = lowered.looking, lowered.schedule.allocation.places
+    lines = [f"encoding: {solution.encoding.name}"]
+    lines += [f"  p{i} in {places[f'p{i}']}: {text}" for i, text in enumerate(solution.holders)]
+    lines += [f"  {v} in {r}: scratch or state" for v, r in places.items() if v[0] in "ts"]
+    for boundary, items in solution.items.items():
+        segment_lines(lines, f"boundary {boundary}", (items,))
+    return "\n".join(lines) + "\n"
+
+
+def all_gates_text(layouts: Sequence[LookingLowered]) -> str:
+    """Return the words of all layouts."""
+    return "".join(map(looking_gates_text, layouts))
+
+
+def looks_report(program: Program) -> dict[str, Any]:
+    """Return the comparisons and states as JSON values, for `--emit report`."""
+    machine, target = program.machine, program.target
+    return {
+        "boundaries": list(machine.looks),
+        "comparisons": [
+            {
+                "boundary": comparison.boundary,
+                "signal": "light" if comparison.signal == LIGHT else comparison.signal,
+                "steps": comparison.level,
+                "level_e": comparison.level * target.electrons_per_step,
+            }
+            for comparison in machine.comparisons
+        ],
+        "states": [
+            {
+                "name": state.name, "low": state.low, "high": state.high, "start": state.start,
+                "kept": state.is_kept, "read": state.read,
+            }
+            for state in machine.states
+        ],
+        "nodes": len(machine.behaviour),
+    }  # fmt: skip
+
+
+def looks_lines(program: Program) -> list[str]:
+    """Return the comparisons, one line for each signal and level, and the states."""
+    machine, target = program.machine, program.target
+    at: dict[tuple[int, int], list[int]] = {}
+    for comparison in machine.comparisons:
+        at.setdefault((comparison.signal, comparison.level), []).append(comparison.boundary)
+    lines = []
+    for (signal, level), boundaries in at.items():
+        electrons = level * target.electrons_per_step
+        signal_text = "light" if signal == LIGHT else f"exposure of {program.buckets[signal].name}"
+        shown = ", ".join(map(str, boundaries[:_MOST_SHOWN]))
+        more_text = f" and {len(boundaries) - _MOST_SHOWN} more" * (len(boundaries) > _MOST_SHOWN)
+        lines.append(
+            f"{signal_text} above {electrons:.6g} e ({level} steps of IN, "
+            f"{100 * electrons / target.full_well_e:.4g} %) at {shown}{more_text}"
+        )
+    states = [
+        f"{state.name} {state.low}..{state.high}{', kept' * state.is_kept}{', read' * state.read}"
+        for state in machine.states
+    ]
+    return [*lines, *([f"states: {'; '.join(states)}"] if states else [])]

@@ -1,0 +1,105 @@
+"""The search for the cheapest gates of one plan: generators, then improvement of the best results.
+
+Levels differ in steps, not in seconds, so the same input gives the same words everywhere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from operator import attrgetter
+
+from nscc.logic.cubes import Budget
+from nscc.logic.generate import GeneratorFault, note_fault, solutions
+from nscc.logic.problem import Machine, Problem, Solution
+from nscc.lower.decoding import Before, Decoding
+from nscc.lower.exposure_plan import ExposurePlan, Timeline
+from nscc.lower.lowered import Lowered, lay_out
+from nscc.program.program import Program
+
+# Number of solutions to improve at each level, the best of each encoding.
+MOST_IMPROVED = {0: 1, 1: 1, 2: 6, 3: 16}
+
+# In each round, the first number of best solutions get the second number of steps each. In the
+# first round all get some, because only then their order is known. 100,000 steps take about a
+# second.
+ROUNDS = {
+    2: ((6, 8_000), (3, 10_000), (1, 30_000)),
+    3: ((16, 60_000), (3, 1_000_000), (3, 1_000_000)),
+}
+
+_PRICE = attrgetter("price")
+
+
+@dataclass
+class GateSearch:
+    """The search for gates that answer the demands of a plan.
+
+    `most_words` is as in `Lowered`, `faults` as in `nscc.logic.generate.solutions`."""
+
+    program: Program
+    plan: ExposurePlan
+    time: Timeline
+    problem: Problem
+    actions: tuple[Before, ...]
+    most_words: int | None
+    faults: list[GeneratorFault] | None
+
+    @property
+    def machine(self) -> Machine:
+        return Machine.of(self.program.target)
+
+    def priced(self, solution: Solution) -> Lowered:
+        """Lay out the words of a solution, which gives its costs."""
+        decoding = Decoding(self.plan, self.problem, self.actions, solution)
+        return lay_out(self.program, decoding, self.time, self.most_words)
+
+    def best(self, level: int) -> Lowered | None:
+        """Return the cheapest solution of a level and the levels below; None if none was found.
+
+        More steps change where generators stop, so the result of a level is not always better than
+        that of the level below. Level 0 is only searched if nothing fits."""
+        known: list[Lowered] = []
+        for searched in range(level, -1, -1):
+            known += self._of_level(searched)
+            fits = bool(known) and min(known, key=_PRICE).fits
+            if not self.problem.demands or (searched == 1 and fits):
+                break
+        return min(known, key=_PRICE, default=None)
+
+    def _of_level(self, level: int) -> list[Lowered]:
+        """Return the best improved solution, and the best solutions of the generators."""
+        by_encoding: dict[str, Lowered] = {}
+        for solution in solutions(self.problem, self.machine, level, self.faults):
+            candidate = self.priced(solution)
+            rival = by_encoding.get(solution.encoding)
+            if rival is None or candidate.price < rival.price:
+                by_encoding[solution.encoding] = candidate
+        ranked = sorted(by_encoding.values(), key=_PRICE)[: MOST_IMPROVED[level]]
+        if level in ROUNDS and ranked and self.problem.demands:
+            try:
+                ranked.insert(0, self.improved_best(ranked, level))
+            except Exception as error:
+                note_fault(error, "improve", level, self.faults)
+        return ranked
+
+    def improved_best(self, candidates: list[Lowered], level: int) -> Lowered:
+        """Improve all candidates a little, and the best of them more; return the best result."""
+        from nscc.logic.improve.search import balance, improve, words_at  # `check` does not need it
+
+        if len(self.problem.demands) > self.program.target.store_words:
+            # Kernels must repeat to fit the store, and improvement makes equal segments different.
+            return candidates[0]
+        current, known = candidates, [*candidates]
+        for count, steps in ROUNDS[level]:
+            # A further search repeats the random numbers of the one before, on its result.
+            current = [
+                self.priced(improve(each.solution, self.problem, self.machine, Budget(steps)))
+                for each in sorted(current, key=_PRICE)[:count]
+            ]
+            known = [*current, *known]
+        best = min(known, key=_PRICE)
+        # The words of the largest boundary are reduced last.
+        gates = words_at(best.solution, self.problem, self.machine, self.plan.slots)
+        analog = [a - b for a, b in zip(best.words_per_boundary, gates, strict=True)]
+        budget = Budget(ROUNDS[level][0][1])
+        balanced = balance(best.solution, self.problem, self.machine, budget, analog)
+        return min(best, self.priced(balanced), key=_PRICE)

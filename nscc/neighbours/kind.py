@@ -1,0 +1,41 @@
+"""The kind of programs that compute images and planes after the last slot.
+
+It adds to a program of another kind, whose words expose the frame."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from nscc.fixed.kind import FixedShutters
+from nscc.lazy import LazyFunctions
+from nscc.neighbours.passes import with_pictures
+from nscc.pipeline import Compiled, Found, Job
+from nscc.prove.proof import Failure
+from nscc.words.container import Container
+
+_REPORT = LazyFunctions("nscc.neighbours.report")
+
+
+class Images(FixedShutters):
+    """A program with images or planes; the exposure is that of another kind."""
+
+    has_simpler_programs = False
+
+    def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
+        container, found = super().assemble(layout, job)
+        program, level = layout.program, job.options.level
+        container, errors = with_pictures(container, program, level, job.results)
+        return container, [*found, *errors]
+
+    def after_frame(self, container: Container) -> Failure | None:
+        from nscc.neighbours.proof import pictures_failure
+
+        return super().after_frame(container) or pictures_failure(container)
+
+    def report(self, compiled: Compiled) -> dict[str, Any]:
+        report: dict[str, Any] = _REPORT.with_pictures(super().report(compiled), compiled.container)
+        return report
+
+    def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
+        rows = super().rows(compiled)
+        return [*_REPORT.picture_rows(compiled.container), *rows] if rows else rows

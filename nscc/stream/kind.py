@@ -1,0 +1,110 @@
+"""The kind of programs for chips without logic, which receive a bit plane for every slot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.rejection import rejected
+from nscc.emit.products import SUFFIXES
+from nscc.emit.summary import share_text
+from nscc.fixed.kind import FixedShutters
+from nscc.operations import Op
+from nscc.pipeline import Compiled, Found, Job, Pass
+from nscc.program.problems import counted
+from nscc.program.program import Program
+from nscc.prove.proof import Proof
+from nscc.stream import report
+from nscc.stream.checks import check_loadings, check_route
+from nscc.stream.passes import NoRoute, Sending, container_of, plan_of, timed, with_planes
+from nscc.stream.proof import prove_planes
+from nscc.words.container import Container
+from nscc.words.legality import refuse_planes
+
+
+def make_route(program: Program, job: Job) -> tuple[Sending | NoRoute, Found]:
+    """Choose the route of the light; errors are those of `plan_of`."""
+    return plan_of(program, job.options.lowering, job.options.max_words_per_slot)
+
+
+class BitPlanes(FixedShutters):
+    """A program of a chip without logic: planes instead of words."""
+
+    passes: ClassVar[tuple[Pass, ...]] = (
+        Pass("plan", make_route, check_route, report.sending_text),
+        Pass("schedule", lambda sending, _job: timed(sending), check_loadings, report.sending_text),
+    )
+    subject = "planes"
+
+    def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
+        return container_of(layout), ()
+
+    def prove(self, container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
+        return prove_planes(container)
+
+    def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
+        failure = prove_planes(container).failure
+        if failure is not None:
+            raise rejected(
+                "NS0442",
+                f"the planes of {name} do not match its decode table: {failure.reason}",
+                helps=("build the program again",),
+                status=1,
+            )
+        return container.table.shutters
+
+    def with_planes(self, container: Container) -> Container:
+        return with_planes(container)
+
+    def product(self, product: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
+        container, name = compiled.container, stem + SUFFIXES[product]
+        assert container is not None
+        if product == "planes":
+            return {name: report.planes_bytes(container)}
+        if product == "schedule":
+            return {name: report.sending_text(compiled.layout).encode()}
+        refuse_planes(
+            container.target,
+            f"--emit {product} does not apply to this program",
+            "--emit planes,schedule writes the bit planes and their times",
+        )
+        raise ValueError(f"unknown product {product}")
+
+    def words_text(self, container: Container) -> str:
+        return report.planes_text(container)
+
+    def report(self, compiled: Compiled) -> dict[str, Any]:
+        assert compiled.proof is not None
+        return report.stream_report(compiled.layout, compiled.proof)
+
+    def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
+        return report.stream_rows(compiled.layout, compiled.proof) if compiled.proof else []
+
+    def cost_text(self, compiled: Compiled) -> str:
+        return report.cost_text(compiled.layout)
+
+    def size_text(self, container: Container) -> str:
+        return counted(container.slots, "plane")
+
+    def stored_row(self, container: Container) -> tuple[str, str]:
+        target = container.target
+        return "planes", f"{container.slots} of {target.rows} x {target.cols} bits"
+
+    def kept_text(self, container: Container) -> str:
+        return "nothing"
+
+    def readout_us(self, container: Container) -> float:
+        return container.target.readout_us  # all taps at once
+
+    def frame_text(self, compiled: Compiled) -> str:
+        target = compiled.program.target
+        planes = counted(len(compiled.program.frame.slot_us), "plane")
+        return f"{planes} of {target.rows} x {target.cols} bits a frame. Loading them"
+
+    def slot_text(self, compiled: Compiled, slot: int) -> str:
+        program = compiled.program
+        took = share_text(program.target.plane_load_us, program.frame.slot_us[slot])
+        return f"one bit plane, loaded in {took}."

@@ -1,0 +1,56 @@
+"""Arguments of Python calls, checked by the declarations of their options."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from nscc.diagnostics.arguments import shown, wrong_argument
+from nscc.diagnostics.suggest import meant
+from nscc.toml.kinds import Kind, TextKind
+from nscc.toml.schema import Key, keys_of
+
+
+@cache
+def declared(settings: type) -> Mapping[str, Key]:
+    """Return the keys that the fields of a dataclass declare, by the names of the fields."""
+    return {key.attribute: key for key in keys_of(settings)}
+
+
+def checked(call: str, settings: type, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return those arguments `values` of a Python call that fields of `settings` declare.
+
+    Raises WrongArgument (NS0789) for the first invalid argument."""
+    keys = declared(settings)
+    return {
+        name: _checked(call, keys[name], value) for name, value in values.items() if name in keys
+    }
+
+
+def argument(call: str, name: str, kind: Kind, value: Any) -> Any:
+    """Return the argument `name` of a Python call as a value of a kind.
+
+    Raises WrongArgument (NS0789) for an invalid value."""
+    return _read(f"{call}: {name} is", kind, value)
+
+
+def _checked(call: str, key: Key, value: Any) -> Any:
+    if value is None and key.default is None:
+        return None
+    subject = f"{call} takes" if key.required else f"{call}: {key.attribute} is"
+    return _read(subject, key.kind, value)
+
+
+def _read(subject: str, kind: Kind, value: Any) -> Any:
+    plain = value.item() if isinstance(value, np.generic) else value
+    try:
+        return kind.argument(plain)
+    except ValueError:
+        choices = kind.choices if isinstance(kind, TextKind) else ()
+        similar = meant(plain, choices) if isinstance(plain, str) and choices else ()
+        raise wrong_argument(
+            f"{subject} {kind.in_python}, not {shown(value)}", helps=(*similar, *kind.helps)
+        ) from None

@@ -1,0 +1,117 @@
+"""Signatures, docstrings and the command line agree with the declarations of options."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable
+from typing import Any
+
+import click
+import pytest
+
+import nscc
+import nscc_runtime
+from nscc.diagnostics.arguments import WrongArgument
+from nscc.pipeline import Options
+from nscc.toml.arguments import checked, declared
+from nscc.toml.kinds import Flag, Kind, Number, TextKind
+from nscc_cli.build import command as build
+from nscc_cli.run import command as run
+from nscc_runtime.scenes import Scene
+from nscc_runtime.simulate import Request
+
+CALLS: list[tuple[Callable[..., Any], type, set[str]]] = [
+    (nscc.compile, Options, {"source", "folder"}),
+    (nscc_runtime.scene, Scene, set()),
+    (nscc_runtime.capture, Request, {"program", "light", "sensor", "turn"}),
+    (nscc_runtime.plan, Request, {"program", "light", "sensor"}),
+    (nscc_runtime.film, Request, {"program", "lights", "sensor"}),
+]
+"""Public functions, the declaration of their options, and their parameters that are no options."""
+CHOSEN_LATER = {"effects", "tolerance"}
+"""Options whose default in Python depends on other options: None, or "auto" for a plan."""
+WHOLE = {"compile", "scene", "capture"}
+"""Functions that take every declared option."""
+
+
+def type_text(kind: Kind) -> str | None:
+    """The type that a docstring gives for values of a kind; None if the kind is of one option."""
+    if isinstance(kind, Flag):
+        return "bool"
+    if isinstance(kind, Number):
+        if kind.is_whole and kind.high < 10:
+            return "{" + ", ".join(map(str, range(int(kind.low), int(kind.high) + 1))) + "}"
+        return "int" if kind.is_whole else "float"
+    if isinstance(kind, TextKind) and kind.choices:
+        return "{" + ", ".join(f'"{choice}"' for choice in kind.choices) + "}"
+    return None
+
+
+@pytest.mark.parametrize(("call", "settings", "others"), CALLS, ids=lambda value: str(value))
+def test_a_signature_has_the_declared_options(
+    call: Callable[..., Any], settings: type, others: set[str]
+) -> None:
+    keys = declared(settings)
+    parameters = inspect.signature(call).parameters
+    assert parameters.keys() - keys == others
+    if call.__name__ in WHOLE:
+        assert keys.keys() <= parameters.keys()
+    for name in parameters.keys() & keys.keys() - CHOSEN_LATER:
+        default = parameters[name].default
+        assert default == keys[name].default or keys[name].required, name
+    documented = dict(re.findall(r"^ {4}(\w+) : (.+)$", str(call.__doc__), re.MULTILINE))
+    for name in parameters.keys() & keys.keys():
+        text, optional, _ = documented[name].partition(", optional")
+        assert bool(optional) == (parameters[name].default is None), name
+        assert type_text(keys[name].kind) in (None, text), name
+
+
+@pytest.mark.parametrize(
+    ("command", "settings", "left_out"),
+    [(build, Options, set()), (run, Options, set()), (run, Scene, set()),
+     (run, Request, {"threads"})],
+)  # fmt: skip
+def test_commands_have_the_declared_options(
+    command: click.Command, settings: type, left_out: set[str]
+) -> None:
+    options = {p.name: p for p in command.params if isinstance(p, click.Option)}
+    for name, key in declared(settings).items():
+        if name not in left_out:
+            assert str(options[key.name].help).startswith(key.meaning), name
+
+
+@pytest.mark.parametrize("settings", [Options, Scene, Request])
+def test_defaults_are_values_of_their_kinds(settings: type) -> None:
+    for name in declared(settings):
+        default = getattr(settings, name, None)
+        if default is not None:
+            assert checked("call", settings, {name: default}) == {name: default}
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "words"),
+    [
+        ("seed", -1, "call: seed is a whole number from 0, not -1"),
+        ("seed", 2**63, "call: seed is a whole number from 0, not 9223372036854775808"),
+        ("repeat", 0, "call: repeat is a whole number from 1 to 10000, not 0"),
+        ("fidelity", "plannd", "did you mean `planned`"),
+        ("audit", None, "call: audit is True or False, not None"),
+        ("plan", 3.5, "call: plan is a plan or a plan file, not 3.5"),
+        ("effects", 5, "call: effects is text, not 5"),
+        ("tolerance", True, "call: tolerance is text or a number, not True"),
+    ],
+)
+def test_invalid_arguments_are_explained(name: str, value: object, words: str) -> None:
+    with pytest.raises(WrongArgument, match=re.escape(words)):
+        checked("call", Request, {name: value})
+
+
+def test_numbers_of_numpy_are_numbers() -> None:
+    import numpy as np
+
+    values = checked("call", Request, {"seed": np.int64(3), "audit": np.bool_(True)})
+    assert values == {"seed": 3, "audit": True}
+    assert type(values["seed"]) is int
+    assert checked("call", Scene, {"crop": np.array([3, 5]).tolist()}) == {"crop": "3,5"}
+    assert checked("call", Scene, {"exposure": np.float32(2.5)}) == {"exposure": "2.5"}

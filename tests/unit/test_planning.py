@@ -1,0 +1,129 @@
+"""Plans: the promise, what they drop, and what they say of each effect."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from plan_cases import CASES, case, measured_plan
+from promise import Outcome, full_frames, outcome, scene
+from random_sensors import promises, rare_pixels
+from reference_programs import sensor_of
+
+import nscc_runtime
+from nscc_runtime.effects import everything, selected
+from nscc_runtime.effects.parts import Saturates
+from nscc_runtime.light import Light
+from nscc_runtime.planning.make import make_plan
+from nscc_runtime.planning.plan_request import PlanRequest
+from nscc_runtime.planning.planned_scene import planning_of
+
+SIDE, SLOTS = 64, 8
+
+
+def found(program: str, name: str, tolerance: str, effects: str = "auto") -> Outcome:
+    container = case(program, SLOTS, rows=SIDE, cols=SIDE)
+    sensor, light = sensor_of(container), scene(name, SLOTS, SIDE, SIDE)
+    full = full_frames(container, light, sensor, 4)
+    return outcome(container, light, sensor, tolerance, full, effects=effects)
+
+
+@pytest.mark.parametrize("program", CASES)
+@pytest.mark.parametrize(
+    ("name", "tolerance"), [("mid", "50e"), ("hdr, bright", "5e"), ("flicker", "0.15noise")]
+)
+def test_the_promise_is_kept_and_foreseen(program: str, name: str, tolerance: str) -> None:
+    each = found(program, name, tolerance)
+    assert each.kept
+    assert not each.needless
+    assert not each.counts or each.foreseen
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_plans_of_random_programs_scenes_and_sensors_keep_it(seed: int) -> None:
+    assert [draw.said for draw in promises(40 + seed, frames=2) if not draw.found.kept] == []
+
+
+@pytest.mark.parametrize("seed", [8, 30008])
+def test_few_pixels_with_most_of_the_error_are_measured(seed: int) -> None:
+    """Of 30008, nine pixels saturate only in frames with much noise."""
+    draw = rare_pixels(seed)
+    assert draw.found.kept, draw.said
+
+
+@pytest.mark.parametrize("tolerance", ["0.01e", "1e6e"])
+def test_the_tolerance_decides_what_is_dropped(tolerance: str) -> None:
+    plan = found("b edges", "mid", tolerance).plan
+    dropped = {*plan.names("dropped")}
+    saturating = everything().names(Saturates)
+    if tolerance == "0.01e":
+        assert not dropped
+    else:
+        costly = {each.name for each in plan.decisions if each.cost_ms_model > 0}
+        assert dropped >= {"shot", "dark", "read", "reset", "analog"}
+        assert dropped.isdisjoint(saturating)
+        assert costly - dropped <= {"adc"}
+
+
+def test_absent_effects_stay_on_for_the_next_scene() -> None:
+    plan = found("b edges", "dim", "50e").plan
+    assert {"full_well", "register", "motion"} <= {*plan.names("absent")}
+    assert plan.kept.on >= {"full_well", "register", "motion"}
+    assert not plan.slot_loop
+    assert found("b edges", "saturated", "50e").plan.slot_loop
+
+
+def test_what_is_forced_off_counts_and_the_others_keep_the_tolerance_by_themselves() -> None:
+    free, forced = (
+        found("b edges", "mid", "20e", effects).plan for effects in ("auto", "auto,-shot")
+    )
+    assert forced.predicted_e > 20.0
+    assert forced.breach is not None
+    assert {*free.names("dropped")} - {"shot", "dark"} <= {*forced.names("dropped")}
+    [shot] = [each for each in forced.decisions if each.name == "shot"]
+    assert (shot.decision, shot.forced, shot.reason) == ("dropped", True, "named in --effects")
+    assert shot.predicted_rms_e == pytest.approx(forced.predicted_e, rel=0.1)
+
+
+def test_figures_of_an_effect_are_those_of_leaving_it_out_alone() -> None:
+    container = case("c edges", SLOTS, rows=SIDE, cols=SIDE)
+    sensor, light = sensor_of(container), scene("mid", SLOTS, SIDE, SIDE)
+    plan = measured_plan(container, light, sensor, "1e")
+    for name in ("shot", "dark", "crosstalk", "prnu", "leakage"):
+        [row] = [each for each in plan.decisions if each.name == name]
+        error = measured_plan(container, light, sensor, "1e", f"all,-{name}")
+        assert error.predicted_e == pytest.approx(row.predicted_rms_e, rel=1e-6)
+    [dark] = [each for each in plan.decisions if each.name == "dark"]
+    assert dark.predicted_bias_e > 0.5 * dark.predicted_rms_e
+
+
+def test_a_single_frame_is_not_measured_and_many_are() -> None:
+    container = case("b edges", SLOTS, rows=256, cols=256)
+    light = scene("mid", SLOTS, 256, 256)
+    planned = planning_of(container, sensor_of(container), light)
+    plans = [
+        make_plan(planned, PlanRequest(selected("auto"), "60e", frames)) for frames in (1, 1000)
+    ]
+    assert [plan.measured for plan in plans] == [False, True]
+    assert not plans[0].names("dropped")
+    assert plans[1].names("dropped")
+    assert plans[1].total_ms < plans[1].all_ms
+
+
+def test_a_relative_tolerance_is_that_of_the_frames_noise() -> None:
+    container = case("b edges", SLOTS, rows=SIDE, cols=SIDE)
+    light = scene("mid", SLOTS, SIDE, SIDE)
+    plan = measured_plan(container, light, sensor_of(container), "0.3noise")
+    taken = nscc_runtime.capture(container, light, effects="all", device_seed=5, repeat=40)
+    codes = taken.frame.astype(np.float64) * sensor_of(container).electrons_per_lsb
+    noise = np.sqrt(codes.var(axis=0, ddof=1).mean(axis=(1, 2))).max()
+    assert plan.noise_e == pytest.approx(noise, rel=0.05)
+    assert plan.tolerance_e == pytest.approx(0.3 * plan.noise_e)
+
+
+def test_light_without_end_and_no_light_have_plans() -> None:
+    container = case("b edges", SLOTS, rows=SIDE, cols=SIDE)
+    for value in (np.inf, 0.0, np.nan):
+        clip = np.full((SLOTS, SIDE, SIDE), 100.0, np.float32)
+        clip[:, 5, 7] = value
+        plan = measured_plan(container, Light.of_clip(clip), sensor_of(container), "5e")
+        assert plan.predicted_e <= 5.0
