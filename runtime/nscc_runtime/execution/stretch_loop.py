@@ -112,9 +112,7 @@ def _exchanged(
 
 
 @inlined
-def _store(
-    sizes: Laying, means: StretchMeans, e: int, i: int, own: float, total: float
-) -> None:
+def _store(sizes: Laying, means: StretchMeans, e: int, i: int, own: float, total: float) -> None:
     """Set the light of stretch e of site i, before crosstalk (`own`) and after."""
     if sizes.counts_light:
         means.lit[e * sizes.sites + i] = own
