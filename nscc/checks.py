@@ -14,6 +14,7 @@ from nscc.prove.proof import Proof
 from nscc.source import Source
 from nscc.syntax.tree import File
 from nscc.words.container import Container
+from nscc.words.soundness import faults
 
 
 class Inconsistent(Exception):
@@ -106,17 +107,9 @@ def check_schedule(choice: Choice) -> None:
 
 
 def check_words(container: Container) -> None:
-    """Check that every shutter has an encoding, every bucket a readout and every launch a
-    kernel."""
-    shape = len(container.table.shutters), len(container.target.digital_registers)
-    require(container.encoding.shape == shape, "an encoding of other shutters")
-    read = [readout.bucket for readout in container.readouts]
-    require(sorted(read) == sorted(container.buckets), "a bucket that is not read out")
-    kernels = range(len(container.kernels))
-    require(
-        all(launch.kernel in kernels for launch in container.launches),
-        "a launch of an unknown kernel",
-    )
+    """Check that a container could be written: every index, shape and name in it."""
+    for text in faults(container):
+        require(False, text)
 
 
 def check_proof(proof: Proof) -> None:

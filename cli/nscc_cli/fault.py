@@ -40,7 +40,7 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
                      "which is slower")  # fmt: skip
         return Diagnostic(
             "NS0902",
-            f"there is not enough memory {'on the GPU ' if on_gpu else ''}for this",
+            _memory_text(error_text, on_gpu),
             notes=(error_text,) if error_text else (),
             helps=(_LESS.get(arguments[0] if arguments else "", less), *([processor] * on_gpu)),
         ), FAILED
@@ -69,6 +69,21 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     notes, hint = save_reproducer("".join(traceback.format_exception(error)), arguments)
     failed = f"nscc itself failed: {type(error).__name__}: {error_text}"
     return Diagnostic("NS0901", failed, notes=notes, helps=(hint,)), FAULT
+
+
+_NEEDED = re.compile(r"allocate (?:memory: you tried to allocate )?([\d.]+ (?:[KMGTP]i?B|bytes))")
+
+
+def _memory_text(error_text: str, on_gpu: bool) -> str:
+    """Return which memory lacks how much, in numbers as far as they are known."""
+    needed = _NEEDED.search(error_text)
+    asked = f"one array needs {needed[1]}" if needed else "this needs more than is free"
+    if on_gpu:
+        return f"there is not enough memory on the GPU: {asked}"
+    page = os.sysconf("SC_PAGE_SIZE") / (1 << 30)
+    free, total = (os.sysconf(name) * page for name in ("SC_AVPHYS_PAGES", "SC_PHYS_PAGES"))
+    return (f"there is not enough memory: {asked}, but {free:.1f} of {total:.1f} GiB of memory "
+            "are free")  # fmt: skip
 
 
 def _no_memory(error: Exception) -> bool:

@@ -12,7 +12,7 @@ from nscc.files import refuse_same, write_together
 from nscc.requirements import line_for
 from nscc_cli.completion import RUN, RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, slots_axis_option, tone_option, trust_code_option
-from nscc_cli.support import common_command, say, say_done
+from nscc_cli.support import common_command, progress, say, say_done
 
 if TYPE_CHECKING:
     from nscc_training.array_files import Axis
@@ -115,7 +115,7 @@ def command(
 
         reconstruction = _of_measurement(
             frame, mask, slots_axis, noise, method, kind, program, dark
-        ) or reconstruct_any(frame, program, kind, dark, method)
+        ) or reconstruct_any(frame, program, kind, dark, method, progress)
         say(reconstruction.messages)
         _say_method(reconstruction, method)
         content = reconstruction.content
@@ -178,7 +178,7 @@ def _of_measurement(
     model = NoiseModel.parse(noise or "0")
     measurement = read_measurement(path, mask, slots_axis)
     say_done(f"measurement: {measurement.axes}\nnoise model: {model}")
-    return reconstruct_measurement(measurement, model, method)
+    return reconstruct_measurement(measurement, model, method, progress)
 
 
 @common_command("classify")

@@ -12,7 +12,7 @@ from pygments.token import Comment, Keyword, Number
 
 from nscc.editing.document import Document
 from nscc.editing.hover import hints, hover
-from nscc_runtime.pictures.sheet import WIDTH, look, png_of
+from nscc_runtime.pictures.sheet import WIDTH, png_of, theme
 from nscc_site.lexer import NslLexer
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ def _wrapped(box: list[str]) -> list[str]:
 
 def _write(axes: Axes, document: Document, offset: int, box: list[str]) -> None:
     """Draw the text with colours and hints, and the box below the line of `offset`."""
-    chosen, row = look(), 0
+    chosen, row = theme(), 0
     below = document.text.count("\n", 0, offset)
     shift = [0.0 if k <= below else _height(box) for k in range(document.text.count("\n") + 1)]
     column = 0
@@ -116,7 +116,7 @@ def _underline(axes: Axes, document: Document, start: int, end: int) -> None:
 
 
 def _colour(kind: object) -> str:
-    chosen = look()
+    chosen = theme()
     if kind in Comment:
         return chosen.faint
     return (

@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 
 from PIL import Image
 
-from nscc_runtime.pictures.sheet import LOOKS, looking
+from nscc_runtime.pictures.sheet import THEMES, themed
 from nscc_site.tool import block, grid, said
 
 _THUMBNAIL = (440, 330)
@@ -135,8 +135,8 @@ def _pictures(program: str, shown: _Shown, folder: Path) -> dict[str, str | byte
     view, run, *reconstruct = _commands(program, shown)
     view, run = (command.replace(program, f"{program} -O1") for command in (view, run))
     pictures: dict[str, str | bytes] = {}
-    for number, (name, look) in enumerate(LOOKS.items()):
-        with looking(look):
+    for number, (name, theme) in enumerate(THEMES.items()):
+        with themed(theme):
             said(view, folder)
             said(run, folder)
             for command in reconstruct:

@@ -13,7 +13,7 @@ from docutils import nodes
 from PIL import Image
 
 from nscc.tradeoff.points import Point
-from nscc_runtime.pictures.sheet import LOOKS, looking, png_of
+from nscc_runtime.pictures.sheet import THEMES, png_of, themed
 from nscc_site.editor import editor_picture
 from nscc_site.tool import said
 from nscc_training.tradeoff.diagrams import decoder_diagram
@@ -84,9 +84,9 @@ def draw_pictures(repository: Path) -> dict[str, str | bytes]:
     """Draw the pictures of KEPT, light and dark, by their path in `docs/generated`."""
     pictures: dict[str, str | bytes] = {}
     for name, draw in KEPT.items():
-        for look_name, look in LOOKS.items():
-            with looking(look):
-                pictures[f"pictures/{Path(name).stem}_{look_name}.png"] = draw(repository)
+        for theme_name, theme in THEMES.items():
+            with themed(theme):
+                pictures[f"pictures/{Path(name).stem}_{theme_name}.png"] = draw(repository)
     return pictures
 
 

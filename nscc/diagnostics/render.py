@@ -68,14 +68,14 @@ def _json(diagnostic: Diagnostic) -> str:
         "severity": str(diagnostic.severity),
         "message": diagnostic.message,
         "filename": None if source is None else source.name,
-        **{"location": None, "end_location": None, **_places(source, label)},
+        **{"location": None, "end_location": None, **_locations(source, label)},
         "data": dict(diagnostic.data),
         "fixes": [
             {
                 "title": fix.title,
                 "replacement": fix.replacement,
                 "sure": fix.sure,
-                **_places(source, fix),
+                **_locations(source, fix),
             }
             for fix in diagnostic.fixes
         ],
@@ -84,7 +84,7 @@ def _json(diagnostic: Diagnostic) -> str:
     return json.dumps(value) + "\n"
 
 
-def _places(source: Source | None, at: Label | Fix | None) -> dict[str, dict[str, int]]:
+def _locations(source: Source | None, at: Label | Fix | None) -> dict[str, dict[str, int]]:
     """Return the (row, column) of start and end of `at`; empty if `at` has no place in a text."""
     if source is None or at is None:
         return {}

@@ -114,7 +114,7 @@ def _picture(document: Document, name: str) -> str | None:
     if document.tokens.version < 3:
         return None
     if any(isinstance(rule, tree.Bucket) and rule.name.text == name for rule in declared.rules):
-        return "one of the frames that an exposure gives"
+        return "one of the sums of light that a frame gives"
     container = None if compiled is None else compiled.container
     pictures = NO_PICTURES if container is None else container.pictures
     if name in declared.kernels:

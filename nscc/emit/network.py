@@ -178,34 +178,22 @@ def depth(network: nx.DiGraph) -> int:
     return len(nx.dag_longest_path(network.subgraph(gates)))
 
 
-def interference(network: nx.DiGraph) -> nx.Graph:
-    """Return the interference graph, in which an edge joins two values that are alive at the same
-    time.
+def registers_needed(network: nx.DiGraph) -> int:
+    """Return the fewest registers, including FLAG, that can hold all values in this order of gates:
+    the largest number of values that are alive at the same time.
 
     Planes are alive before the first gate. A gate may overwrite a register that it reads for the
     last time."""
-    last: dict[str, str] = {}
-    for node in network:
-        last |= dict.fromkeys(network.predecessors(node), node)
-    graph = nx.Graph()
+    last = {value: reader for reader in network for value in network.predecessors(reader)}
     alive: set[str] = set()
+    most = 0
     for node, kind in network.nodes(data="kind"):
         alive -= {value for value in network.predecessors(node) if last[value] == node}
         if kind in ("plane", "gate", "look"):
-            graph.add_node(node)
-            graph.add_edges_from((node, other_value) for other_value in alive)
+            most = max(most, len(alive) + 1)
             if node in last:
                 alive.add(node)
-    return graph
-
-
-def registers_needed(network: nx.DiGraph) -> int:
-    """Return the fewest registers, including FLAG, that can hold all values in this order of gates.
-
-    Live ranges of straight-line code are intervals, so this is the largest number of simultaneously
-    live values."""
-    colours = nx.greedy_color(interference(network), lambda graph, _: list(graph))
-    return 1 + max(colours.values(), default=-1)
+    return most
 
 
 def graphml_bytes(network: nx.DiGraph) -> bytes:

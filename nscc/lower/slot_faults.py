@@ -97,7 +97,7 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
     return Diagnostic(
         "NS0603",
         f"{place} executes {words[worst]} words at -O{level}, but --max-words-per-slot "
-        f"allows {allowed}",
+        f"allows {allowed}: {words[worst] - allowed} too many",
         source=program.source,
         label=Label(program.frame.span, f"{over} of {slots + 1} over the limit"),
         notes=(

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from itertools import pairwise
+from operator import eq, ge, gt, le, lt, ne
 from typing import Any, NamedTuple, assert_never
 
 import numpy as np
@@ -163,25 +164,36 @@ def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
     return result
 
 
-def fault_at(
-    expr: Checked, bindings: Bindings, books: Books, shape: tuple[int, ...], place: tuple[int, ...]
-) -> Fault:
-    """Return the fault of `expr` at one place of the broadcast `shape`, with the values at that
-    place."""
-    values_at_place = {
-        name: Value(int(np.broadcast_to(value.data, shape)[place]))
-        for name, value in bindings.items()
+class Gap(NamedTuple):
+    """Places without a value: the fault of the first, its indices, and their number."""
+
+    fault: Fault
+    place: tuple[int, ...]
+    number: int
+
+
+def values_of(
+    expr: Checked, bindings: Bindings, books: Books, shape: tuple[int, ...],
+    needed: NDArray[np.bool_] | bool = True,
+) -> tuple[NDArray[Any], Gap | None]:  # fmt: skip
+    """Return the values of `expr` as an array of `shape`, and which `needed` values are missing."""
+    value = evaluate(expr, bindings, books)
+    data = np.broadcast_to(np.asarray(value.data), shape)
+    if value.faults is None:
+        return data, None
+    faults = value.faults if isinstance(value.faults, np.ndarray) else True
+    places = np.broadcast_to(faults, shape) & needed
+    if not places.any():
+        return data, None
+    place = tuple(int(k) for k in np.unravel_index(int(places.argmax()), shape))
+    # Evaluated once more at this place, for a message with its values.
+    at_place = {
+        name: Value(int(np.broadcast_to(binding.data, shape)[place]))
+        for name, binding in bindings.items()
     }
-    fault = evaluate(expr, values_at_place, books).faults
+    fault = evaluate(expr, at_place, books).faults
     assert isinstance(fault, Fault)
-    return fault
-
-
-def fault_places(value: Value, shape: tuple[int, ...]) -> NDArray[np.bool_]:
-    """Return the places of the broadcast `shape` at which a value has a fault."""
-    if isinstance(value.faults, np.ndarray):
-        return np.broadcast_to(value.faults, shape)
-    return np.full(shape, value.faults is not None)
+    return data, Gap(fault, place, int(places.sum()))
 
 
 def _value(
@@ -318,11 +330,6 @@ def _digit(node: tree.Index, index: Value, book: NDArray[np.bool_], slot: Value)
     return Value(book[row, n], faults)
 
 
-_COMPARE: dict[str, Callable[[Data, Data], Data]] = {
-    "<": lambda a, b: a < b,
-    "<=": lambda a, b: a <= b,
-    ">": lambda a, b: a > b,
-    ">=": lambda a, b: a >= b,
-    "==": lambda a, b: a == b,
-    "!=": lambda a, b: a != b,
-}
+_COMPARE: Mapping[str, Callable[[Data, Data], Data]] = {
+    "<": lt, "<=": le, ">": gt, ">=": ge, "==": eq, "!=": ne,
+}  # fmt: skip

@@ -15,7 +15,7 @@ from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant, constants_scope, pixels_scope
-from nscc.program.evaluate import Value, evaluate, fault_at, fault_places
+from nscc.program.evaluate import Value, values_of
 from nscc.program.expressions import LIMIT, Meaning, check
 from nscc.program.limits import MOST_FIELDS, WORK_LIMIT, work
 from nscc.program.names import Declarations
@@ -101,16 +101,15 @@ class PlaneMaker:
             "y": Value(np.arange(rows, dtype=np.int64).reshape(rows, 1)),
             "x": Value(np.arange(cols, dtype=np.int64).reshape(1, cols)),
         }
-        evaluated = evaluate(checked, bindings, {})
-        if evaluated.faults is not None:
-            places = fault_places(evaluated, (rows, cols))
-            y, x = first_place(places)
-            fault = fault_at(checked, bindings, {}, (rows, cols), (y, x))
-            count = int(places.sum())
-            notes = (f"at {pixel_text(x, y)}, and at {counted(count, 'pixel')} in all",)
-            self.problems.error(*fault, notes=notes, data={"x": x, "y": y, "pixels": count})
+        values, gap = values_of(checked, bindings, {}, (rows, cols))
+        if gap is not None:
+            y, x = gap.place
+            notes = (f"at {pixel_text(x, y)}, and at {counted(gap.number, 'pixel')} in all",)
+            self.problems.error(
+                *gap.fault, notes=notes, data={"x": x, "y": y, "pixels": gap.number}
+            )
             return None
-        return np.broadcast_to(np.asarray(evaluated.data, dtype=np.int64), (rows, cols))
+        return values
 
     def _tile(self, statement: PixelsTile) -> Plane | None:
         lines = statement.rows

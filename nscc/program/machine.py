@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.program.evaluate import Fault, Value, bit_count, evaluate, fault_at, fault_places
+from nscc.program.evaluate import Fault, Value, bit_count, values_of
 from nscc.program.expressions import Checked
 from nscc.program.looking import CheckedSense, Looking, can_tell, level_e, level_steps
 from nscc.program.names import LOOKS
@@ -155,23 +155,15 @@ class MachineBuilder:
         shape: tuple[int, int],
         nodes: Nodes,
         begin: int,
-        needed: NDArray[np.bool_] | None = None,
+        needed: NDArray[np.bool_] | bool = True,
     ) -> NDArray[np.int64]:
         """Return the values of an expression; raise NoValue if a `needed` value does not exist."""
-        evaluated = evaluate(expr, bindings, self.rules.books)
-        data = np.broadcast_to(np.asarray(evaluated.data), shape)
-        if evaluated.faults is None:
+        data, gap = values_of(expr, bindings, self.rules.books, shape, needed)
+        if gap is None:
             return data
-        places = fault_places(evaluated, shape)
-        if needed is not None:
-            places = places & needed
-        if not places.any():
-            return data
-        row, slot = (int(k) for k in np.unravel_index(int(places.argmax()), shape))
-        fault = fault_at(expr, bindings, self.rules.books, shape, (row, slot))
-        raise NoValue(
-            [MissingValue(fault, self._place(nodes[row], begin + slot), int(places.sum()))]
-        )
+        row, slot = gap.place
+        place = self._place(nodes[row], begin + slot)
+        raise NoValue([MissingValue(gap.fault, place, gap.number)])
 
     def _place(self, node: Nodes, boundary: int) -> str:
         """Return a description of a node at a boundary."""

@@ -9,7 +9,7 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.evaluate import Books, Fault, Value, bit_count, evaluate, fault_at, fault_places
+from nscc.program.evaluate import Books, Fault, Value, bit_count, values_of
 from nscc.program.expressions import Checked
 from nscc.program.limits import (
     COMBINATION_LIMIT,
@@ -93,14 +93,11 @@ def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
         for block in _blocks(len(rows), 1):
             block_rows = rows[block]
             bindings = _bindings(rules, codes[block_rows])
-            evaluated = evaluate(condition, bindings, rules.books)
-            if evaluated.faults is not None:
-                places = fault_places(evaluated, (len(block_rows), 1))
-                code = int(places.argmax())
-                fault = fault_at(condition, bindings, rules.books, (len(block_rows), 1), (code, 0))
-                place = f"for {code_text(rules, codes[block_rows[code]])}"
-                raise NoValue([MissingValue(fault, place, int(places.sum()))])
-            satisfied[block_rows] = np.broadcast_to(evaluated.data, (len(block_rows), 1))[:, 0]
+            values, gap = values_of(condition, bindings, rules.books, (len(block_rows), 1))
+            if gap is not None:
+                place = f"for {code_text(rules, codes[block_rows[gap.place[0]]])}"
+                raise NoValue([MissingValue(gap.fault, place, gap.number)])
+            satisfied[block_rows] = values[:, 0]
     return satisfied
 
 
@@ -170,18 +167,12 @@ def _decoded(
     shape = (len(codes), rules.slots)
     bindings = _bindings(rules, codes)
     bindings["n"] = Value(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))
-    evaluated = evaluate(rule, bindings, rules.books)
-    opens = np.broadcast_to(np.asarray(evaluated.data, dtype=bool), shape)
-    if evaluated.faults is None:
+    opens, gap = values_of(rule, bindings, rules.books, shape)
+    if gap is None:
         return opens, None
-    places = fault_places(evaluated, shape)
-    code, slot = (int(k) for k in np.unravel_index(int(places.argmax()), shape))
-    fault = fault_at(rule, bindings, rules.books, shape, (code, slot))
-    count = int(places.sum())
-    if not rules.fields:
-        return opens, MissingValue(fault, f"in slot {slot}", count)
-    place = f"for {code_text(rules, codes[code])}, in slot {slot}"
-    return opens, MissingValue(fault, place, count)
+    code, slot = gap.place
+    of_code = f"for {code_text(rules, codes[code])}, " if rules.fields else ""
+    return opens, MissingValue(gap.fault, f"{of_code}in slot {slot}", gap.number)
 
 
 def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:

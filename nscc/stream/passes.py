@@ -160,8 +160,8 @@ def late_fault(sending: Sending) -> Diagnostic | None:
     fewer_slots = f"; {counted(count, 'slot')} of that fit into this frame's time" if count else ""
     return Diagnostic(
         "NS0508",
-        f"slot {worst} is shorter than the loading of its bits: it lasts "
-        f"{time_text(slots_us[worst])}, but {takes} take {time_text(needed_us)}",
+        f"slot {worst} lasts {time_text(slots_us[worst])}, but loading its bit plane takes "
+        f"{time_text(needed_us)}: {takes}",
         source=program.source,
         label=Label(program.frame.span, f"{len(late)} of {len(slots_us)} slots too short"),
         related=chip_label(program, f"{takes} a plane"),

@@ -6,6 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Set
 from fractions import Fraction
+from itertools import accumulate
+from unicodedata import normalize
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
 from nscc.diagnostics.suggest import closest, did_you_mean
@@ -35,7 +37,10 @@ _SIGNS = {
     "\u2265": ("it is written `>=`", ">="),
     "\u2260": ("it is written `!=`", "!="),
     "\u00d7": ("it is written `*`", "*"),
-    "\u2212": ("it is written `-`", "-"),
+    **dict.fromkeys("\u2010\u2011\u2012\u2013\u2014\u2015\u2212", ("it is written `-`", "-")),
+    "\u2227": ("`and` joins conditions", "and"),
+    "\u2228": ("`or` joins conditions", "or"),
+    "\u00ac": ("`not` negates a condition", "not "),
     "\u2026": ("it is written `..`", ".."),
     ".": ("a range has two dots, `0..7`; only times have decimals", None),
     "'": ('write paths in double quotes, "like this"', None),
@@ -45,6 +50,23 @@ _SIGNS = {
     "}": ("the language has no braces", None),
 }
 """Signs of other languages: a hint, and the replacement if it is certain."""
+_LOOPS = (
+    "there are no loops: a rule holds for every slot `n` and every pixel `x`, `y`: "
+    "`open when n < stop`"
+)
+_FUNCTIONS = "there are no functions: `let NAME = EXPR` names an expression"
+_CHOICE = "a choice is written `A if CONDITION else B`"
+_VALUES = "`let NAME = EXPR` names a value"
+_ELSEWHERE = {
+    **dict.fromkeys(("for", "foreach", "while", "loop", "repeat", "do"), _LOOPS),
+    **dict.fromkeys(("def", "fn", "func", "function", "fun", "lambda", "macro"), _FUNCTIONS),
+    **dict.fromkeys(("else", "elif", "then", "switch", "match", "case"), _CHOICE),
+    **dict.fromkeys(("var", "const", "int", "float", "auto", "val", "define"), _VALUES),
+    **dict.fromkeys(("import", "include", "use"),
+                    'a program is one file; data comes by `pixels from "codes.npz"`'),
+    "return": "the value of a rule is its expression: `open when EXPR`",
+}  # fmt: skip
+"""Words that begin statements in other languages: what to write instead."""
 
 
 def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
@@ -110,8 +132,9 @@ def misspelt_statement(
             continue
         gap = tokens.source.text[tokens.span(index - 1).end : tokens.span(index).start]
         if "\n" in gap or (index == stuck.token and END in stuck.expected):
-            spelling = closest(tokens.text(index), statement_words(tokens.version))
-            if spelling is not None:
+            word = tokens.text(index)
+            spelling = closest(word, statement_words(tokens.version))
+            if spelling is not None and word.lower() not in _ELSEWHERE:
                 return index, spelling
     return None
 
@@ -123,7 +146,8 @@ def unknown_statement(tokens: Tokens, token: int, others: Iterable[str] = ()) ->
     words = statement_words(tokens.version)
     span = tokens.span(token)
     later = min((v for v in (2, 3) if word in names_in(tokens.version) - names_in(v)), default=None)
-    spelling = None if later else closest(word, (*words, *others))
+    elsewhere = _ELSEWHERE.get(word.lower())
+    spelling = None if later or elsewhere else closest(word, (*words, *others))
     return Diagnostic(
         "NS0109",
         f"unknown statement {shown(word)}",
@@ -131,7 +155,10 @@ def unknown_statement(tokens: Tokens, token: int, others: Iterable[str] = ()) ->
         label=Label(span, "a statement must begin here, or the previous one continue"),
         notes=("statements begin with " + ", ".join(words),),
         helps=(f"`{word}` is a word of version {later}: begin the file with `nsl {later}`",)
-        * (later is not None),
+        if later
+        else (elsewhere,)
+        if elsewhere
+        else (),
         fixes=(Fix(did_you_mean(spelling), span, spelling, sure=False),) if spelling else (),
     )
 
@@ -153,7 +180,12 @@ def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
             label=Label(span),
             helps=("names consist of the letters a-z and A-Z, digits and `_`",),
         )
+    usual = normalize("NFKC", text)
     hint, instead = _SIGNS.get(text, ("remove it; comments begin with `#`", None))
+    if text not in _SIGNS and usual != text and usual.isascii() and usual.strip():
+        hint, instead = f"this is a full-width character: write `{usual}`", usual
+    elif instead == "-" and ".." in expected:
+        hint, instead = "a range has two dots, both ends included: `1..8`", ".."
     file = _file_hint(tokens, token) if text == "." else None
     if text.isspace():
         hint, instead = "this is not an ordinary space", " "
@@ -200,7 +232,9 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
         yield "`not` has a lower precedence than comparisons and arithmetic: put brackets around it"
     elif kind in ("/", "*") and tokens.kinds[stuck.token - 1] in ("/", "*"):
         pair = tokens.text(stuck.token - 1) + text
-        yield "the language has no powers" if pair == "**" else "comments begin with `#`"
+        yield "the language has no powers" if pair == "**" else _SLASHES
+    elif kind == "/" and _text(tokens, stuck.token + 1, last) == "/":
+        yield _SLASHES
     elif kind == "(" and tokens.kinds[first] in ("image", "plane"):
         yield "a kernel is applied by its name: `k(exposure)`; the product with 2 is `2 * image`"
     elif kind == "(" and tokens.kinds[stuck.token - 1] == "NAME":
@@ -241,7 +275,7 @@ The micro sign and the Greek letter mu are different characters."""
 _NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d_]+)")
 _MOST_PARTS = 1000
 """Largest denominator of a fraction that replaces a decimal number."""
-_CHOICE = "a choice is written `A if CONDITION else B`"
+_SLASHES = "comments begin with `#`; `/` divides and rounds down"
 _COMPARISONS = {"<>": "!=", "=<": "<=", "=>": ">="}
 
 
@@ -273,7 +307,9 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
         if nearest is not None and code_kind != nearest:
             yield did_you_mean(nearest)
         else:
-            yield "a range is two values with two dots between them, both included: `1..8`"
+            low, dash, high = (_text(tokens, first + k, last) for k in (3, 4, 5))
+            example = f"{low}..{high}" if dash in ("-", "to", ":", ",") else "1..8"
+            yield f"a range is two values with two dots between them, both included: `{example}`"
     if at >= last:
         return
     kind, text, before = tokens.kinds[at], tokens.text(at), tokens.text(at - 1)
@@ -281,6 +317,8 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
         if _time(text, _text(tokens, at + 1, last)) is None:
             yield f"every time has a unit: {text[:20]}us, {text[:20]}ms"
     elif kind == "if" and "INTEGER" in stuck.expected:
+        yield _choice(tokens, at, last)
+    elif text == "then":
         yield _CHOICE
     elif kind == "row" and "INTEGER" in stuck.expected:
         yield "`y` is a pixel's row, `x` its column"
@@ -311,6 +349,22 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
         )
     elif kind == "(" and before.lower().startswith(("rand", "rnd")):
         yield 'random codes are data: save them with numpy.savez, and `pixels from "codes.npz"`'
+
+
+def _choice(tokens: Tokens, at: int, last: int) -> str:
+    """Return a hint for a choice that begins with `if`, in the words of the program."""
+    texts = [tokens.text(k) for k in range(at, last)]
+    if "then" not in texts or "else" not in texts[texts.index("then") :]:
+        return _CHOICE
+    then, other = at + texts.index("then"), at + texts.index("else")
+    depths = accumulate((t in ("(", "[")) - (t in (")", "]")) for t in texts)
+    last = at + next((k for k, depth in enumerate(depths) if depth < 0), len(texts))
+    parts = ((then + 1, other), (at + 1, then), (other + 1, last))
+    chosen, condition, otherwise = (
+        tokens.source.text[tokens.span(a).start : tokens.span(b - 1).end] if a < b else "..."
+        for a, b in parts
+    )
+    return f"{_CHOICE}: `{chosen} if {condition} else {otherwise}`"[:200]
 
 
 def _number_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:

@@ -8,7 +8,7 @@ A text is a list of lines; `;` or `#` begins a comment.
     .target NAME              or "FILE.toml", or a TOML table below, each line behind a bar
     .wait 125us x64 1ms       the lengths of slots, in order; may stand several times
     .slot 0..15,31 NAME ..    kernels that run, in order, before these slots' light
-    .bucket NAME ..           the frames of the exposure; without it `frame`
+    .bucket NAME ..           the buckets of the exposure; without it `frame`
     .readout REG BUCKET GAIN  where a bucket's exposure is when the frame ends
     .plane REG FILE [sha256 HEX]   a plane of 0 and 1 to load before the frame (.npy or .npz)
     .load REG ..              the registers that carry code, in loading order

@@ -210,6 +210,23 @@ def test_a_port_where_nobody_answers(folder: Path) -> None:
         os.close(master)
 
 
+def test_a_device_that_sends_other_things(folder: Path) -> None:
+    """A terminal of another device, whose lines contain no end of a packet."""
+    from threading import Timer
+
+    master, slave = os.openpty()
+    timer = Timer(0.3, os.write, (master, b"U-Boot 2021.01\r\n"))
+    timer.start()
+    line = ["device", "info", os.ttyname(slave), "--patience", "1.5"]
+    try:
+        said = failed(invoke(line, folder), "NS0762")
+        assert "sends bytes that are not packets of the loader, beginning with 'U-Boot" in said
+    finally:
+        timer.join()
+        os.close(slave)
+        os.close(master)
+
+
 def test_another_chip(folder: Path) -> None:
     with serving(folder) as device:
         line = ["run", "small.nsl", "--target", "scamp7", "--on", device.port]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -229,6 +230,15 @@ def test_exceptions(
     assert outcome.status == status
     assert outcome.codes == ([code] if code else [])
     assert "Traceback" not in outcome.err
+
+
+def test_missing_memory_is_told_in_numbers(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_arguments: object) -> None:
+        raise MemoryError("Unable to allocate 7.45 GiB for an array with shape (1000000000,)")
+
+    monkeypatch.setattr("nscc.compiler.compile_file", fail)
+    said = invoke(["check", "ok.nsl"], folder).err
+    assert re.search(r"one array needs 7.45 GiB, but [\d.]+ of [\d.]+ GiB of memory are free", said)
 
 
 @pytest.mark.parametrize("caught", [True, False])

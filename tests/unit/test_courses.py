@@ -16,7 +16,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.looking_chart import course_sheet, courses, thresholds
-from nscc_runtime.pictures.sheet import DARK, looking
+from nscc_runtime.pictures.sheet import DARK, themed
 
 ROOT = Path(__file__).parents[2]
 LOOKING = ("float_pixel", "auto_exposure", "first_light", "spike")
@@ -93,7 +93,7 @@ def test_view_draws_them(tmp_path: Path) -> None:
     assert done.status == 0, done.err
     light = np.asarray(Image.open(tmp_path / "v.png").convert("RGB"))
     container = nscc.compile(program, level=0).container
-    with looking(DARK):
+    with themed(DARK):
         (tmp_path / "dark.png").write_bytes(sheet.png_of(course_sheet, container, program.name))
     dark = np.asarray(Image.open(tmp_path / "dark.png").convert("RGB"))
     assert dark.shape == light.shape

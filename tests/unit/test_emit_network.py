@@ -13,7 +13,7 @@ from looks_oracle import Interpreter
 from nscc_command import invoke
 
 from nscc.compiler import compile_source
-from nscc.emit.network import dot_text, graphml_bytes, interference, network_of
+from nscc.emit.network import dot_text, graphml_bytes, network_of
 from nscc.emit.report import report
 from nscc.looks.passes import container_of
 from nscc.pipeline import KINDS, Options
@@ -193,9 +193,6 @@ def test_depth_and_registers_of_a_program_done_by_hand():
         built("frame 3 slots of 1ms\ncode s : 1..3\nopen when n < s", lowering="latch").lowered
     )
     assert (network.graph["depth"], network.graph["registers"]) == (1, 3)
-    both = [frozenset(pair) for pair in interference(network).edges]
-    assert frozenset({"p0", "p1"}) in both
-    assert frozenset({"g0", "g1"}) not in both
 
 
 def test_dot_has_every_node_and_edge():

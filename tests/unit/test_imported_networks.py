@@ -133,3 +133,22 @@ def test_other_graphs_are_refused(tmp_path: Path) -> None:
     assert "does not compute the bits" in reason(exported(tmp_path, Other("wrong")))
     (tmp_path / "cell.onnx").write_bytes(b"\x08\x07 no model")
     assert "not a valid ONNX model" in reason(tmp_path / "cell.onnx")
+
+
+class _Model(torch.nn.Module):
+    pass
+
+
+def test_files_that_are_not_state_dicts_say_what_they_are(tmp_path: Path) -> None:
+    cell = tmp_path / "cell.pt"
+    torch.save({"weight": torch.zeros(2)}, cell)
+    torch.save(_Model(), tmp_path / "model.pt")
+    (tmp_path / "cut.pt").write_bytes(cell.read_bytes()[:-60])
+    (tmp_path / "lfs.pt").write_text("version https://git-lfs.github.com/spec/v1\noid sha256:0\n")
+    torch.save({"module.weight": torch.zeros(2)}, tmp_path / "parallel.pt")
+    for name, text in (
+        ("model", "a pickled object of the class"), ("cut", "it is cut off"),
+        ("lfs", "a pointer of Git LFS"), ("parallel", "begin with `module.`"),
+    ):  # fmt: skip
+        with pytest.raises(Rejected, match=text):
+            read_cell(tmp_path / f"{name}.pt")

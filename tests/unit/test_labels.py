@@ -13,7 +13,7 @@ from matplotlib.path import Path
 
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
-from nscc_runtime.pictures.sheet import look
+from nscc_runtime.pictures.sheet import theme
 
 PLACES = st.tuples(st.floats(0, 1), st.floats(0, 1))
 LINES = st.lists(st.lists(PLACES, min_size=1, max_size=6), min_size=1, max_size=9)
@@ -31,7 +31,7 @@ def test_labels_cover_nothing(
         axes.set(xlim=(-0.1, 1.1), ylim=(-0.1, 1.1))
         labels = []
         for number, points in enumerate(lines):
-            own = look().of(number)
+            own = theme().of(number)
             axes.plot(*zip(*points, strict=True), **own)
             labels.append(ChartLabel("m" * long, *points[-1], own["color"], name=True))
             labels += [
@@ -61,7 +61,7 @@ def test_names_keep_off_lines_and_from_each_other(across: float) -> None:
         figure, [axes] = sheet.panels(1, (3, 2), 1)
         axes.set(xlim=(0, 1), ylim=(0, 1))
         axes.axvline(across)
-        labels = [ChartLabel(f"a name {x}", x, 0.5, look().ink, name=True) for x in (0.26, 0.52)]
+        labels = [ChartLabel(f"a name {x}", x, 0.5, theme().ink, name=True) for x in (0.26, 0.52)]
         for label in labels:
             axes.plot(label.x, label.y, "o")
         sheet.lay_out(figure)
@@ -81,7 +81,7 @@ def test_a_text_that_is_sought_stands_further_off() -> None:
         x, y = np.meshgrid(np.linspace(0.4, 0.6, 9), np.linspace(0.4, 0.6, 7))
         axes.plot(x.ravel(), y.ravel(), "o", markersize=12, fillstyle="none")
         sheet.lay_out(figure)
-        plain = ChartLabel("edges, -O0", 0.5, 0.5, look().ink)
+        plain = ChartLabel("edges, -O0", 0.5, 0.5, theme().ink)
         sought = replace(plain, sought=True)
         assert place_labels(axes, [plain]) == [plain]
         assert place_labels(axes, [sought]) == []
@@ -93,7 +93,7 @@ def test_a_text_without_room_is_told() -> None:
         figure, [axes] = sheet.panels(1, (2, 2), 1)
         sheet.lay_out(figure)
         long = ChartLabel(
-            "a name that is longer than its panel is wide", 0.5, 0.5, look().ink, True
+            "a name that is longer than its panel is wide", 0.5, 0.5, theme().ink, True
         )
         assert place_labels(axes, [long]) == [long]
         assert not axes.texts

@@ -33,7 +33,7 @@ from nscc_runtime.pictures.gate_sheet import gate_sheet
 from nscc_runtime.pictures.images import Image, frame_sheet, image_plane_sheet, image_sheet
 from nscc_runtime.pictures.looking_chart import course_sheet
 from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
-from nscc_runtime.pictures.sheet import LOOKS, MARKERS, Look, contrast, look, looking
+from nscc_runtime.pictures.sheet import MARKERS, THEMES, Theme, contrast, theme, themed
 from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 from nscc_runtime.planning.plan import Choice, Decision, Plan
@@ -319,7 +319,7 @@ def test_dominated_marks_are_hollow() -> None:
     with sheet.style():
         figure = precision_diagram([Panel("", "e", points)], "t", "n", PointReading("ms"))
     marks = [line for line in figure.axes[0].lines if line.get_marker() not in ("None", None)]
-    assert [mark.get_markerfacecolor() == look().paper for mark in marks] == [False, True, True]
+    assert [mark.get_markerfacecolor() == theme().paper for mark in marks] == [False, True, True]
 
 
 @pytest.mark.parametrize("low", [0.013, 1.0, 97.0, 1777.0])
@@ -361,8 +361,8 @@ OKLAB = [[0.2104542553, 0.7936177850, -0.0040720468], [1.9779984951, -2.42859220
 
 
 @pytest.mark.parametrize("kind", BLIND)
-@pytest.mark.parametrize("chosen", LOOKS.values(), ids=LOOKS)
-def test_the_colour_blind_tell_series_apart(chosen: Look, kind: str) -> None:
+@pytest.mark.parametrize("chosen", THEMES.values(), ids=THEMES)
+def test_the_colour_blind_tell_series_apart(chosen: Theme, kind: str) -> None:
     """By colour (0.07 in Oklab is three times the least difference to be seen)."""
     rgb = np.array([to_rgb(colour) for colour in chosen.series])
     linear = np.where(rgb > 0.04045, ((rgb + 0.055) / 1.055) ** 2.4, rgb / 12.92)
@@ -372,8 +372,8 @@ def test_the_colour_blind_tell_series_apart(chosen: Look, kind: str) -> None:
     assert min(apart) > 0.07
 
 
-@pytest.mark.parametrize("chosen", LOOKS.values(), ids=LOOKS)
-def test_type_is_read_on_its_ground(chosen: Look) -> None:
+@pytest.mark.parametrize("chosen", THEMES.values(), ids=THEMES)
+def test_type_is_read_on_its_ground(chosen: Theme) -> None:
     """Contrasts that the WCAG 2.2 ask for: 4.5 of small type, 3 of what is only to be seen (as
     boxes have letters in them, series that are fainter have a marker and a name besides)."""
     typed = [chosen.ink, chosen.faint, *map(chosen.type_in, chosen.series)]
@@ -386,24 +386,24 @@ def test_type_is_read_on_its_ground(chosen: Look) -> None:
 def test_looks_differ_in_colours_only() -> None:
     """The same letters at the same places on the same size, light and dark."""
     sizes, grounds = [], []
-    for chosen in LOOKS.values():
-        with looking(chosen):
+    for chosen in THEMES.values():
+        with themed(chosen):
             image = PillowImage.open(io.BytesIO(sheet.png_of(CHARTS["two lines"]))).convert("RGB")
         sizes.append(image.size)
         grounds.append("#{:02x}{:02x}{:02x}".format(*image.getpixel((1, 1))))  # type: ignore[misc]
     assert sizes[0] == sizes[1]
-    assert grounds == [chosen.paper for chosen in LOOKS.values()]
-    assert look() is LOOKS["light"]
+    assert grounds == [chosen.paper for chosen in THEMES.values()]
+    assert theme() is THEMES["light"]
 
 
-@pytest.mark.parametrize("chosen", LOOKS.values(), ids=LOOKS)
-def test_series_differ_in_colour_or_marker(chosen: Look) -> None:
+@pytest.mark.parametrize("chosen", THEMES.values(), ids=THEMES)
+def test_series_differ_in_colour_or_marker(chosen: Theme) -> None:
     looks = [tuple(chosen.of(i).values()) for i in range(42)]
     assert len(set(looks)) == 42
 
 
-@pytest.mark.parametrize("chosen", LOOKS.values(), ids=LOOKS)
-def test_series_repeat_their_colours_and_markers(chosen: Look) -> None:
+@pytest.mark.parametrize("chosen", THEMES.values(), ids=THEMES)
+def test_series_repeat_their_colours_and_markers(chosen: Theme) -> None:
     colours, markers = len(chosen.series), len(MARKERS)
     for number in range(3 * colours * markers):
         style = chosen.of(number)
@@ -412,8 +412,8 @@ def test_series_repeat_their_colours_and_markers(chosen: Look) -> None:
         assert style == chosen.of(number + colours * markers)
 
 
-@pytest.mark.parametrize("chosen", LOOKS.values(), ids=LOOKS)
-def test_small_type_keeps_as_much_of_its_colour_as_can_be_read(chosen: Look) -> None:
+@pytest.mark.parametrize("chosen", THEMES.values(), ids=THEMES)
+def test_small_type_keeps_as_much_of_its_colour_as_can_be_read(chosen: Theme) -> None:
     """A colour that can be read is not changed; the paper's own colour becomes one that can be."""
     for colour in (*chosen.series, chosen.paper):
         shade = chosen.type_in(colour)

@@ -15,8 +15,9 @@ from scipy.io import savemat
 
 pytest.importorskip("torch")
 
-from nscc_training.baselines.hdr import merged
+from nscc_training.baselines.hdr import merge_neighbours, merged
 from nscc_training.baselines.sci import adjoint, admm_tv, bilinear, gap_tv, thin_out
+from nscc_training.baselines.tent_loop import tent_sums
 from nscc_training.baselines.tv_loop import tv_denoise
 
 Volume = NDArray[np.float64]
@@ -43,6 +44,43 @@ def plain_tv(image: Volume, weight: float, iterations: int, time: float) -> Volu
             (p - step * s) / (1 + step / weight * norm) for p, s in zip(field, slopes, strict=True)
         ]
     raise AssertionError
+
+
+@pytest.mark.parametrize("reach", [1, 2, 5, 16, 40])
+@pytest.mark.parametrize("shape", [(9, 31), (1, 20), (17, 8)])
+def test_sums_with_falling_weights_are_exact(shape: tuple[int, int], reach: int) -> None:
+    """By matrices of weights, for values that differ by a factor of 1e12 from pixel to pixel."""
+    generator = np.random.default_rng(reach)
+    values = 10 ** generator.uniform(-6, 6, shape) * (generator.random(shape) < 0.3)
+    weights = [
+        np.maximum(1 - np.abs(np.subtract.outer(np.arange(n), np.arange(n))) / reach, 0)
+        for n in shape
+    ]
+    expected = weights[0] @ values @ weights[1].T
+    found = tent_sums(values, reach)
+    assert ((found > 0) == (expected > 0)).all()
+    np.testing.assert_allclose(found, expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("measured", [0.0, 0.002, 0.3])
+def test_merging_grows_windows_until_they_hold_a_measurement(measured: float) -> None:
+    generator = np.random.default_rng(3)
+    light = generator.random((40, 50)) * 100
+    precision = generator.random((40, 50)) * (generator.random((40, 50)) < measured)
+    expected = light.copy()
+    missing = np.ones(light.shape, bool)
+    for reach in (2, 4, 8, 16, 32, 64):
+        weights = [
+            np.maximum(1 - np.abs(np.subtract.outer(np.arange(n), np.arange(n))) / reach, 0)
+            for n in light.shape
+        ]
+        total = weights[0] @ precision @ weights[1] + 7 * precision
+        value = weights[0] @ (precision * light) @ weights[1] + 7 * precision * light
+        filled = missing & (total > 0)
+        expected[filled] = (value / np.where(total > 0, total, 1))[filled]
+        missing &= ~filled
+    found = merge_neighbours(light, precision, np.full(light.shape, 10.0))
+    np.testing.assert_allclose(found, np.maximum(expected, 10), rtol=1e-12)
 
 
 @pytest.mark.parametrize("time", [0.0, 0.3, 1.0])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import zipfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -189,6 +190,11 @@ _SETTINGS = {"level": 0.5, "outside": 0, "pool_size": 1, "flips": 1}
 def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
     """Return the cell of a state dict; raise Rejected (NS0851) for another layout."""
     known = {"weight", "threshold", *_SETTINGS}
+    if state and all(name.startswith("module.") for name in state):
+        raise refused(
+            path, "all its names begin with `module.`, as torch.nn.DataParallel saves them",
+            "save the model itself: torch.save(model.module.state_dict(), FILE.pt)",
+        )  # fmt: skip
     unknown = sorted(name for name in state if name not in known)
     if unknown:
         layers = listed([f"`{name}`" for name in unknown])
@@ -243,9 +249,7 @@ def loaded_state(path: Path, data: bytes) -> dict[str, Tensor]:
             raise ValueError(f"it unpacks to more than {MOST_BYTES >> 20} MiB")
         state: Any = torch.load(io.BytesIO(data), map_location="cpu", weights_only=True)
     except Exception as error:  # torch, zipfile and pickle raise a dozen types for damaged files
-        reason = "it is not a file of torch.save that holds tensors only"
-        first_sentence = one_line(error).partition(". ")[0]
-        raise refused(path, reason, f"the reader says: {first_sentence}") from error
+        raise refused(path, *_why_no_state(data, error)) from error
     if not isinstance(state, dict):
         raise refused(path, f"it holds {type(state).__name__}, not a state dict")
     for name, value in state.items():
@@ -254,6 +258,24 @@ def loaded_state(path: Path, data: bytes) -> dict[str, Tensor]:
         if value.layout != torch.strided or value.numel() > MOST_BYTES or value.is_quantized:
             raise refused(path, f"`{name[:40]}` is not a small dense tensor")
     return state
+
+
+_CLASS = re.compile(r"(?:GLOBAL|global) ([\w.]+)")
+
+
+def _why_no_state(data: bytes, error: Exception) -> tuple[str, str]:
+    """Return why a file is not a state dict, and a note with the remedy."""
+    named = _CLASS.search(str(error))
+    if data.startswith(b"version https://git-lfs"):
+        return "it is a pointer of Git LFS, not the file itself", "`git lfs pull` fetches the file"
+    if named is not None:
+        return (f"it is a pickled object of the class {named[1]}, and reading it would run its "
+                "code"), "save its tensors: torch.save(model.state_dict(), FILE.pt)"  # fmt: skip
+    if data.startswith(b"PK"):
+        return "it is cut off or damaged: it begins like a file of torch.save", "copy it again"
+    first_sentence = one_line(error).partition(". ")[0]
+    reason = "it is not a file of torch.save that holds tensors only"
+    return reason, f"the reader says: {first_sentence}"
 
 
 def refused(path: Path, reason: str, note: str = "") -> Rejected:

@@ -70,6 +70,11 @@ class Measured(Generic[Array]):
         unit = unit.reshape(-1, 1, 1, 1)
         return replace(self, value=self.value / unit, variance=self.variance / unit**2)
 
+    def crop(self, rows: slice, cols: slice) -> Measured[Array]:
+        """Return the measurement of a rectangle of pixels."""
+        arrays = (self.value, self.mask, self.variance, self.saturated)
+        return Measured(*(array[..., rows, cols] for array in arrays))
+
     def of(self, clip: Array) -> Array:
         """Return the noiseless frames (batch, B, rows, cols) of a clip (batch, N, rows, cols)."""
         frames: Array = (self.mask * clip[:, None]).sum(2)

@@ -18,6 +18,7 @@ from nscc.npy import InvalidArrays, npz_arrays
 from nscc.program.problems import counted
 from nscc_runtime.formats import Content
 from nscc_runtime.machine_code import working_s
+from nscc_runtime.progress import Progress, unseen
 from nscc_training.any_code.frames import CodedFrame, read_coded_frames
 from nscc_training.array_files import (
     MOST,
@@ -33,6 +34,7 @@ from nscc_training.array_files import (
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.baselines.hdr import merge_neighbours
 from nscc_training.measured import Measured
+from nscc_training.problems import listed
 
 _OVEREXPOSED = 0.25
 """Fraction of saturated pixels above which a warning is given."""
@@ -127,7 +129,7 @@ _KINDS: dict[str, Literal["image", "video"]] = {"merge": "image", "gap-tv": "vid
 
 def reconstruct_any(
     frame: Path, program: Path | None = None, kind: Literal["image", "video"] | None = None,
-    dark: Path | None = None, method: Method | None = None,
+    dark: Path | None = None, method: Method | None = None, progress: Progress = unseen,
 ) -> Reconstruction:  # fmt: skip
     """Reconstruct a frame of any program with the decoder for any code.
 
@@ -142,26 +144,38 @@ def reconstruct_any(
     still = (kind or ("image" if coded_frames[0].is_still else "video")) == "image"
     method = method_for(still, method)
     begin = working_s()
-    lights = [_light(coded, still, method) for coded in coded_frames]
+    lights = [_light(coded, still, method, progress) for coded in coded_frames]
     light = np.stack(lights, axis=-1) if len(lights) > 1 else lights[0]
     full = np.stack([coded.saturated for coded in coded_frames])
     messages = (*doubts, *overexposed(str(frame), full))
     return Reconstruction(light, still, len(lights) > 1, messages, working_s() - begin, method)
 
 
-def _light(coded: CodedFrame, still: bool, method: Method) -> NDArray[np.float32]:
+def _light(
+    coded: CodedFrame, still: bool, method: Method, progress: Progress
+) -> NDArray[np.float32]:
     """Return electrons over the frame (rows, cols), or per slot (N, rows, cols)."""
     measured = coded.still() if still else coded.clip()
-    if method != "network":
-        light = merged_still(measured) if still else gap_tv_clip(measured)
-    else:
-        from nscc_training.any_code.decode import decoded_clip, decoded_still
-
-        light = (decoded_still if still else decoded_clip)(measured.tensors())[0].numpy()
+    if still and method == "merge":
+        return merged_still(measured)
     if still:
-        return np.asarray(light)
+        from nscc_training.any_code.decode import decoded_still
+
+        return np.asarray(decoded_still(measured.tensors())[0].numpy())
+    light = _clip(measured, method, progress)
     slots = (coded.slot_us / coded.slot_us.mean()).astype(np.float32)
     return np.asarray(light * slots[:, None, None])
+
+
+def _clip(
+    measured: Measured[NDArray[Any]], method: Method, progress: Progress
+) -> NDArray[np.float32]:
+    """Return the clip (N, rows, cols) of a batch of one, by the network or by GAP-TV."""
+    if method != "network":
+        return gap_tv_clip(measured)
+    from nscc_training.any_code.decode import decoded_clip
+
+    return np.asarray(decoded_clip(measured.tensors(), progress=progress)[0].numpy())
 
 
 _KEYS = frozenset(("mask", "meas"))
@@ -244,8 +258,11 @@ def read_measurement(
         NS0845 for arrays that are missing, do not fit each other, are ambiguous, or hold other
         values.
     """
-    if mask_path is None and (path.suffix.lower() == ".npy" or "mask" not in array_names(path)):
-        raise refused(path, "the array `mask` is missing", "name the file of the mask: --mask MASK")
+    names = [] if path.suffix.lower() == ".npy" else array_names(path)
+    if mask_path is None and "mask" not in names:
+        held = f"it holds {listed(sorted(names)) or 'no array'}; " if names else ""
+        note = f"{held}--mask MASK names the file of the mask"
+        raise refused(path, "the array `mask` is missing", note)
     mask, values = read_mask(mask_path or path), real_array(path, "meas")
     if values.ndim not in (2, 3) or 0 in values.shape:
         raise refused(path, f"`meas` has the shape {values.shape}")
@@ -273,8 +290,9 @@ def read_measurement(
 
 
 def reconstruct_measurement(
-    measurement: Measurement, noise: NoiseModel, method: Method | None = None
-) -> Reconstruction:
+    measurement: Measurement, noise: NoiseModel, method: Method | None = None,
+    progress: Progress = unseen,
+) -> Reconstruction:  # fmt: skip
     """Reconstruct the clip (K * slots, rows, cols), in the unit of the measurement per slot."""
     method, begin = method_for(still=False, method=method), working_s()
     # The decoders are made for masks up to 1.
@@ -286,11 +304,6 @@ def reconstruct_measurement(
         scaled = (values / most, np.minimum(variance / most**2, MOST**2))
         value, spread = (np.asarray(array, np.float32)[None, None] for array in scaled)
         measured = Measured(value, opened, spread, np.zeros(value.shape, bool))
-        if method == "gap-tv":
-            clips.append(gap_tv_clip(measured))
-            continue
-        from nscc_training.any_code.decode import decoded_clip
-
-        clips.append(decoded_clip(measured.tensors())[0].numpy())
+        clips.append(_clip(measured, method, progress))
     light = np.concatenate(clips)
     return Reconstruction(light, False, False, (), working_s() - begin, method, unit="")

@@ -26,7 +26,7 @@ from nscc_runtime.frame_arrays import checked_meta, frame_meta
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.pictures.images import Image, image_plane_sheet, image_sheet
-from nscc_runtime.pictures.sheet import head, look, panels, png_of
+from nscc_runtime.pictures.sheet import head, panels, png_of, theme
 from nscc_runtime.pictures.tone import fitted
 from nscc_runtime.scenes.picture_files import CLIPS, PICTURES, open_pages, read_frames
 from nscc_runtime.sensor import load_sensor
@@ -215,7 +215,7 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
                  if r.get("split") == split]  # fmt: skip
         points = [(step, value) for step, value in scores if step is not None and value is not None]
         if points:
-            style = look().of(number)
+            style = theme().of(number)
             learning.plot(*zip(*points, strict=True), **style, label=split)
     learning.set_title("learning")
     learning.set_xlabel("step")
@@ -266,8 +266,8 @@ def sensor_sheet(path: Path) -> Figure:
     request = Request(selected("all"), repeat=2)
     codes = simulate(camera(1, 1000.0), light, sensor, request).frame.frame[:, 0].astype(np.float64)
     figure, (response, scatter) = panels(2, _PANEL, 2)
-    noise, fixed = (look().of(number)["color"] for number in (0, 1))
-    response.plot(electrons, codes.mean(axis=(0, 1)), color=look().ink)
+    noise, fixed = (theme().of(number)["color"] for number in (0, 1))
+    response.plot(electrons, codes.mean(axis=(0, 1)), color=theme().ink)
     response.set_title("response")
     temporal = np.sqrt(np.mean(np.diff(codes, axis=0)[0] ** 2, axis=0) / 2)
     pattern = codes.mean(axis=0).std(axis=0)
@@ -288,7 +288,7 @@ def sensor_sheet(path: Path) -> Figure:
 
 def _bars(axes: Axes, values: dict[str, float], title: str, metric: str) -> None:
     places = range(len(values))
-    axes.barh(places, list(values.values()), color=look().bar, height=0.6)
+    axes.barh(places, list(values.values()), color=theme().bar, height=0.6)
     axes.set_yticks(places, list(values))
     axes.invert_yaxis()
     axes.set_xlabel(METRIC_NAMES[metric])

@@ -30,10 +30,11 @@ from nscc.emit.cpp.frame import (
     schedule_lines,
     schedule_of,
 )
-from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines, narrowed
+from nscc.emit.cpp.kernels import MOST_SOURCES, TOO_WIDE, calls, kernel_lines, narrowed
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 from nscc.pipeline import KINDS
+from nscc.program.problems import counted
 from nscc.program.program import Program
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
@@ -299,9 +300,12 @@ def _kernels(
     if any(calls(ops) is None for ops in kernels):
         narrow = narrowed(replace(exposure, code_registers=container.code_registers))
         if narrow is None and not devkit.tables:
+            most = MOST_SOURCES["WHERE"]
+            widest = max(len(op.sources) for ops in kernels for op in ops if op.name == "WHERE")
+            registers = counted(len(program.target.digital_registers), "digital register")
             reason = (
-                "a word has more sources than a call of the devkit's library takes, and no "
-                "register is free"
+                f"a WHERE has {widest} sources, but a call of its library takes at most {most}, "
+                f"and none of {registers} is free to divide it"
             )
             raise Rejected(_no_cpp(program, devkit, reason, TOO_WIDE, "NS0521"))
         if narrow is not None:

@@ -73,7 +73,10 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
     except Silent as silent:
         if silent.ever:
             raise port_lost(port, patience_s) from None
-        behaviour = "sends bytes that are not packets" if silent.noise else "says nothing"
+        behaviour = "says nothing"
+        if silent.noise:
+            shown = repr(silent.noise)[1:]
+            behaviour = f"sends bytes that are not packets of the loader, beginning with {shown}"
         raise rejected(
             "NS0762",
             f"no nscc loader answers at '{port[:200]}': the device {behaviour}",

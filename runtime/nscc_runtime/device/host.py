@@ -32,14 +32,16 @@ _MOST_RESTARTS = 40
 _MOST_TAKEN = 4
 """Number of sessions lost to other hosts after which Contested is raised."""
 _STALL_FACTOR = 6
+_SHOWN_BYTES = 24
 
 
 @dataclass(eq=False)
 class Silent(Exception):
-    """No reply arrived in time. `ever`: whether one came before. `noise`: damaged packets."""
+    """No reply arrived in time. `ever`: whether one came before. `noise`: the first bytes that
+    arrived and are not packets."""
 
     ever: bool
-    noise: int
+    noise: bytes
 
 
 class Stalled(Exception):
@@ -101,6 +103,7 @@ class Host:
         self._heard = 0.0
         self._moved = 0.0
         self._ever_heard = False
+        self._first_bytes = b""
         self._task: Generator[float, Packet | None, object] | None = None
         self.deadline = 0.0
         """When `poll` must be called if nothing arrives before."""
@@ -122,6 +125,7 @@ class Host:
     def receive(self, data: bytes, now: float) -> None:
         """Process bytes from the line. Raises the exceptions of the task."""
         self.now = now
+        self._first_bytes = (self._first_bytes + data)[:_SHOWN_BYTES]
         for packet in self._unpacker.feed(data):
             self._heard = now
             self._ever_heard = True
@@ -174,7 +178,7 @@ class Host:
     def check_patience(self, extra_s: float = 0.0) -> None:
         """Raise Silent or Stalled after too long a wait; `extra_s` is expected silence."""
         if self.now - self._heard > self.patience_s + extra_s:
-            raise Silent(self._ever_heard, self._unpacker.damaged)
+            raise Silent(self._ever_heard, self._first_bytes)
         if self.now - self._moved > _STALL_FACTOR * self.patience_s + extra_s:
             raise Stalled
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from nscc.words import pictures as p
 from nscc.words.container import Container
-from nscc_runtime.pictures.sheet import look, place
+from nscc_runtime.pictures.sheet import place, theme
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -155,15 +155,15 @@ class DataFlow:
         for number, (label, chain) in enumerate(edges):
             x = at[node][0] + (number - (len(edges) - 1) / 2) * min(0.5, 1.2 / len(edges))
             y, before = at[node][1] - _BOX / 2, [at[point] for point in chain[:-1]]
-            axes.plot(*zip(*before, strict=True), color=look().bar, linewidth=1, zorder=1)
-            arrow = {"arrowstyle": "-|>", "color": look().bar, "shrinkA": 0, "shrinkB": 0}
+            axes.plot(*zip(*before, strict=True), color=theme().bar, linewidth=1, zorder=1)
+            arrow = {"arrowstyle": "-|>", "color": theme().bar, "shrinkA": 0, "shrinkB": 0}
             axes.annotate("", (x, y), before[-1], arrowprops=arrow, zorder=1)
             right, down = before[-1][0] - x, before[-1][1] - y
             share = float(np.clip(0.4 / max(abs(right), 1e-9), 0.2, 0.4))
             axes.text(
-                x + share * right, y + share * down, label, size=6.5, color=look().ink,
+                x + share * right, y + share * down, label, size=6.5, color=theme().ink,
                 ha="center", va="center", zorder=2,
-                bbox={"boxstyle": "square,pad=0.1", "color": look().paper, "linewidth": 0},
+                bbox={"boxstyle": "square,pad=0.1", "color": theme().paper, "linewidth": 0},
             )  # fmt: skip
 
     def _draw_box(self, axes: Axes, node: str, at: tuple[float, float], width: float) -> None:
@@ -172,15 +172,15 @@ class DataFlow:
         kind, text = (self.graph.nodes[node][key] for key in ("kind", "text"))
         axes.add_patch(FancyBboxPatch(
             (at[0] - width / 2, at[1] - _BOX / 2), width, _BOX, linewidth=1.2, zorder=3,
-            boxstyle="round,pad=0,rounding_size=0.05", facecolor=look().closed,
-            edgecolor=look().series[_SERIES[kind]],
+            boxstyle="round,pad=0,rounding_size=0.05", facecolor=theme().closed,
+            edgecolor=theme().series[_SERIES[kind]],
         ))  # fmt: skip
         is_start = kind == "state" and not text
         name = "exposure" if node == "frame" else f"state {node}" if is_start else node
         size = min(8.5, width * 72 / (0.62 * max(len(name), len(text), 8)))
         line: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 4}
         axes.text(at[0], at[1] - 0.07 * bool(text), name, size=size, weight="bold", **line)
-        axes.text(at[0], at[1] + 0.08, text, size=0.8 * size, color=look().faint, **line)
+        axes.text(at[0], at[1] + 0.08, text, size=0.8 * size, color=theme().faint, **line)
 
 
 def _draw_kernel(axes: Axes, kernel: p.Weights) -> None:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from nscc_runtime.pictures.sheet import blank, head, look, place
+from nscc_runtime.pictures.sheet import blank, head, place, theme
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -113,9 +113,9 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
     end = score.column[shown[-1]] + 1
     _draw_bands(axes, score, shown, first)
     rows = list(score.row.values())
-    axes.hlines(rows, 0, end - first, color=look().grid, linewidth=0.7, zorder=1)
+    axes.hlines(rows, 0, end - first, color=theme().grid, linewidth=0.7, zorder=1)
     for register, row in score.row.items():
-        axes.text(-0.25, row, register, size=7, color=look().ink, ha="right", va="center")
+        axes.text(-0.25, row, register, size=7, color=theme().ink, ha="right", va="center")
     bars = []
     for node, until in score.until.items():
         row = score.row[nodes[node]["register"]]
@@ -123,11 +123,11 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
             holder = nodes[node]["holder"]
             if len(holder) > _HOLDER:  # names of contents differ at the end
                 holder = "…" + holder[1 - _HOLDER :]
-            axes.text(-1.6, row, holder, size=6.5, color=look().faint, ha="right", va="center")
+            axes.text(-1.6, row, holder, size=6.5, color=theme().faint, ha="right", va="center")
         bar_left, bar_right = max(score.column.get(node, -1) + 0.5, first), min(until + 0.5, end)
         if bar_left < bar_right:
             bars.append((row, bar_left - first, bar_right - first))
-    axes.hlines(*zip(*bars, strict=True), color=look().bar, linewidth=4, zorder=2)
+    axes.hlines(*zip(*bars, strict=True), color=theme().bar, linewidth=4, zorder=2)
     _draw_gates(axes, score, [node for node in shown if nodes[node]["kind"] in _WRITING], first)
     _draw_demands(axes, score, [n for n in shown if nodes[n]["kind"] == "demand"], first)
 
@@ -140,16 +140,18 @@ def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None
         inside = list(group)
         band_left = score.column[inside[0]] - first
         if boundaries.index(boundary) % 2 == 0:
-            axes.axvspan(band_left, band_left + len(inside), color=look().closed, zorder=0)
-        axes.text(band_left + 0.1, top - 0.75, f"{boundary}", size=7, color=look().ink, va="bottom")
+            axes.axvspan(band_left, band_left + len(inside), color=theme().closed, zorder=0)
+        axes.text(
+            band_left + 0.1, top - 0.75, f"{boundary}", size=7, color=theme().ink, va="bottom"
+        )
         edge = [band_left, band_left], [top - 1.2, bottom]
-        axes.plot(*edge, color=look().grid, linewidth=0.7, clip_on=False)
+        axes.plot(*edge, color=theme().grid, linewidth=0.7, clip_on=False)
     kernel = None
     for node in shown:
         if nodes[node].get("kernel", kernel) != kernel:
             kernel = nodes[node]["kernel"]
             x = score.column[node] - first + 0.1
-            axes.text(x, top - 0.1, f"k{kernel}", size=6.5, color=look().faint, va="bottom")
+            axes.text(x, top - 0.1, f"k{kernel}", size=6.5, color=theme().faint, va="bottom")
 
 
 def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None:
@@ -159,12 +161,12 @@ def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None
         row = score.row[nodes[node]["register"]]
         read = [score.row[nodes[value]["register"]] for value in score.network.predecessors(node)]
         kind = _SERIES.get(nodes[node]["function"])
-        colour = look().faint if kind is None else look().series[kind]
+        colour = theme().faint if kind is None else theme().series[kind]
         # The box covers the dot on the written stave.
         axes.plot([x] * (1 + len(read)), sorted([row, *read]), color=colour, linewidth=1, zorder=3,
                   marker="o", markersize=3)  # fmt: skip
         axes.text(
-            x, row, nodes[node]["function"], size=5.6, color=look().on(colour),
+            x, row, nodes[node]["function"], size=5.6, color=theme().on(colour),
             ha="center", va="center", zorder=5,
             bbox={"boxstyle": "round,pad=0.25", "color": colour, "linewidth": 0},
         )  # fmt: skip
@@ -174,7 +176,7 @@ def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> 
     row = len(score.row) - 1
     for node in demands:
         x = score.column[node] - first + 0.5
-        axes.plot([x, x], [row, row + 0.85], color=look().ink, linewidth=0.8, zorder=3,
+        axes.plot([x, x], [row, row + 0.85], color=theme().ink, linewidth=0.8, zorder=3,
                   clip_on=False, marker="v", markersize=4, markevery=[1])  # fmt: skip
         edge = score.network.nodes[node]["edge"]
-        axes.text(x, row + 1.2, edge, size=6.5, color=look().ink, ha="center", va="top")
+        axes.text(x, row + 1.2, edge, size=6.5, color=theme().ink, ha="center", va="top")

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.merge import BucketReadout, light_estimate
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.sheet import look
+from nscc_runtime.pictures.sheet import theme
 from nscc_runtime.pictures.tone import fitted
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None 
         axes.set_title("\n".join(lines(image.title)), pad=4)
         axes.annotate(
             "\n".join(lines(image.note)), (0, 0), (0, -4), "axes fraction",
-            textcoords="offset points", va="top", color=look().faint,
+            textcoords="offset points", va="top", color=theme().faint,
         )  # fmt: skip
     sheet.head(figure, title, "")
     return figure

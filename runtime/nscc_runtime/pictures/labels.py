@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.pictures.sheet import look
+from nscc_runtime.pictures.sheet import theme
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -62,7 +62,7 @@ def halo() -> list[Any]:
     """Return the `path_effects` of a text that stays legible on lines."""
     from matplotlib.patheffects import withStroke
 
-    return [withStroke(linewidth=_HALO, foreground=look().paper)]
+    return [withStroke(linewidth=_HALO, foreground=theme().paper)]
 
 
 def _placed(axes: Axes, labels: list[ChartLabel], farthest: float) -> list[ChartLabel]:
@@ -89,7 +89,7 @@ def _placed(axes: Axes, labels: list[ChartLabel], farthest: float) -> list[Chart
             x_lines=[line[:, 0] for line in lines], y_lines=[line[:, 1] for line in lines],
             textsize=[_NAME if label.name else _SMALL for label in labels],
             fontweight=["bold" if label.name else "normal" for label in labels],
-            textcolor=[look().type_in(label.colour) for label in labels],
+            textcolor=[theme().type_in(label.colour) for label in labels],
             linecolor=[label.colour for label in labels],
             margin=_MARGIN * points, min_distance=_NEAREST * points, max_distance=farthest * points,
             draw_lines=farthest > _NEAR, draw_all=False, nbr_candidates=_CANDIDATES, linewidth=0.7,

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nscc.words.container import Container
 from nscc.words.machine import LIGHT, StateMachine
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.sheet import look
+from nscc_runtime.pictures.sheet import theme
 from nscc_runtime.pictures.shutter_sheet import (
     CHART_INCHES,
     chart_columns,
@@ -154,16 +154,16 @@ def course_sheet(container: Container, title: str) -> Figure:
         beside = sheet.place(figure, wide + _GAP, top, _TIMES, _HEIGHT)
         _draw_times(beside, container, chart_courses)
     handles: list[Artist] = [
-        Line2D([], [], color=look().ink, linewidth=0.8, linestyle=":", label="a look"),
-        Line2D([], [], color=look().ink, marker=".", linestyle="", label="its answer turns"),
+        Line2D([], [], color=theme().ink, linewidth=0.8, linestyle=":", label="a look"),
+        Line2D([], [], color=theme().ink, marker=".", linestyle="", label="its answer turns"),
     ]
     if any(chart_courses.resets.any() for _, chart_courses in shown):
         handles.append(
-            Line2D([], [], color=look().series[1], marker="|", linestyle="", label="PIX is reset")
+            Line2D([], [], color=theme().series[1], marker="|", linestyle="", label="PIX is reset")
         )
     if len(container.buckets) > 1:
         handles += [
-            Patch(color=look().of(b)["color"], label=name)
+            Patch(color=theme().of(b)["color"], label=name)
             for b, name in enumerate(container.buckets)
         ]
     looks = machine.stages - 1
@@ -216,13 +216,13 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
         place = 0.08 + 0.82 * rank / most if most else np.full(lights, 0.35)
         colours = colormaps[sheet.SCALE](place)[:, None, :3]
     else:
-        colours = np.array([[to_rgb(look().of(lane)["color"]) for lane in range(lanes)]] * lights)
+        colours = np.array([[to_rgb(theme().of(lane)["color"]) for lane in range(lanes)]] * lights)
     image = np.empty((lights, len(columns) - 1, 3))
     for row in range(lights):
         share = np.array([open_share(courses.opens[row, b], edges, columns) for b in range(lanes)])
         total = share.sum(axis=0)
         mixed = (share.T @ colours[row]) / np.maximum(total, 1.0)[:, None]
-        image[row] = np.outer(1 - np.minimum(total, 1.0), to_rgb(look().closed)) + mixed
+        image[row] = np.outer(1 - np.minimum(total, 1.0), to_rgb(theme().closed)) + mixed
     axes.set_yscale("log")
     inner = np.sqrt(courses.wells[1:] * courses.wells[:-1])
     first, last = courses.wells[0] ** 2 / inner[0], courses.wells[-1] ** 2 / inner[-1]
@@ -233,12 +233,12 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
     axes.grid(False)
     axes.spines[:].set_visible(False)
     for boundary in machine.looks:
-        axes.axvline(edges[boundary], color=look().ink, linewidth=0.6, linestyle=":", alpha=0.5)
+        axes.axvline(edges[boundary], color=theme().ink, linewidth=0.6, linestyle=":", alpha=0.5)
     every = max(1, -(-len(courses.flips) // _MOST_FLIPS))
     flips = np.array(courses.flips[::every], np.float64).reshape(-1, 2)
-    axes.plot(edges[flips[:, 0].astype(int)], flips[:, 1], ".", color=look().ink, clip_on=False)
+    axes.plot(edges[flips[:, 0].astype(int)], flips[:, 1], ".", color=theme().ink, clip_on=False)
     light, slot = np.nonzero(courses.resets[:, 1:])
-    axes.plot(edges[slot + 1], courses.wells[light], "|", color=look().series[1], markersize=2)
+    axes.plot(edges[slot + 1], courses.wells[light], "|", color=theme().series[1], markersize=2)
     axes.set_xlabel(f"time in the frame, {name}")
     axes.set_ylabel("light of the frame, full wells")
     sheet.round_ticks(axes.yaxis)
@@ -251,7 +251,7 @@ def _draw_times(axes: Axes, container: Container, courses: Courses) -> None:
     scale, name = unit(float(slot_us.sum()))
     for bucket in range(courses.opens.shape[1]):
         times = courses.opens[:, bucket] @ slot_us * scale
-        style = look().of(bucket) if courses.opens.shape[1] > 1 else {"color": look().ink}
+        style = theme().of(bucket) if courses.opens.shape[1] > 1 else {"color": theme().ink}
         axes.step(times, courses.wells, where="mid", color=style["color"], linewidth=1.2)
     axes.set_xlim(0, float(slot_us.sum()) * scale * 1.05)
     axes.set_yscale("log")

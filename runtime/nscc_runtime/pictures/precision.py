@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
-from nscc_runtime.pictures.sheet import look
+from nscc_runtime.pictures.sheet import theme
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -87,7 +87,7 @@ def precision_diagram(
     lines = reading.lines(points)
     if not lines:
         raise ValueError("no points to draw")
-    looks = {name: look().of(number) for number, name in enumerate(lines)}
+    looks = {name: theme().of(number) for number, name in enumerate(lines)}
     guides = {guide.name: guide for panel in problems for guide in panel.guides}
     drawn_points = [*chain.from_iterable(lines.values())]
     times = [time for point in drawn_points for time in reading.times(point)]
@@ -124,9 +124,9 @@ def precision_diagram(
     }
     handles = [Line2D([], [], label=n, **style) for n, style in looks.items() if n in homeless]
     if any(point.bound for point in drawn_points):
-        handles.append(Line2D([], [], label="proved bound", color=look().faint, linestyle="--"))
+        handles.append(Line2D([], [], label="proved bound", color=theme().faint, linestyle="--"))
     handles += [
-        Line2D([], [], label=g.name, color=look().ink, ls=g.dashes) for g in guides.values()
+        Line2D([], [], label=g.name, color=theme().ink, ls=g.dashes) for g in guides.values()
     ]
     sheet.head(figure, title, note, handles)
     return figure
@@ -154,7 +154,7 @@ def _draw(
             hollow = beaten[id(point)]
             axes.plot(
                 time, error, marker if point.error >= bottom else "v", color=colour,
-                markerfacecolor=look().paper if hollow else colour, clip_on=False, zorder=3,
+                markerfacecolor=theme().paper if hollow else colour, clip_on=False, zorder=3,
             )  # fmt: skip
             # A method with a single setting is described by its text.
             text, sought = reading.text(point), len(line_points) == 1
@@ -166,7 +166,7 @@ def _draw(
             edge = left_time * (right_time / left_time) ** 0.05
             labels.append((False, ChartLabel(f"{bounds[name]:g}", edge, bounds[name], colour)))
     for guide in panel.guides:
-        line: dict[str, Any] = {"color": look().ink, "lw": 1.1, "ls": guide.dashes, "zorder": 1}
+        line: dict[str, Any] = {"color": theme().ink, "lw": 1.1, "ls": guide.dashes, "zorder": 1}
         if guide.time_ms:
             axes.axvline(guide.time_ms * reading.per_ms, **line)
         elif guide.error:

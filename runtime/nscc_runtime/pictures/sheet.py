@@ -28,7 +28,7 @@ _LEGIBLE = 4.5
 
 
 @dataclass(frozen=True)
-class Look:
+class Theme:
     """The colours of a picture, all as `#rrggbb`.
 
     `paper`: background. `ink`, `faint`: type. `grid`: thinnest lines. `closed`: empty areas. `bar`:
@@ -59,29 +59,29 @@ class Look:
         return max(self.ink, self.paper, key=lambda type_: contrast(type_, colour))
 
 
-LIGHT = Look(
+LIGHT = Theme(
     paper="#ffffff", ink="#1d2129", faint="#5b6270", grid="#e3e7ee", closed="#f1f3f6",
     bar="#bcc8da",
     # The colours of Okabe and Ito, except yellow, which is illegible on white.
     series=("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#1d2129", "#56b4e9", "#e69f00"),
 )  # fmt: skip
-DARK = Look(
+DARK = Theme(
     paper="#131416", ink="#e6e9ee", faint="#a3abb8", grid="#2c3037", closed="#22252b",
     bar="#46536b",
     series=("#1f78c8", "#e0682f", "#12a87c", "#d588b4", "#e6e9ee", "#8ccbf5", "#f0b429"),
 )  # fmt: skip
-LOOKS = {"light": LIGHT, "dark": DARK}
+THEMES = {"light": LIGHT, "dark": DARK}
 
-_current: ContextVar[Look] = ContextVar("look", default=LIGHT)
+_current: ContextVar[Theme] = ContextVar("theme", default=LIGHT)
 
 
-def look() -> Look:
+def theme() -> Theme:
     """Return the colours of the pictures being drawn."""
     return _current.get()
 
 
 @contextmanager
-def looking(chosen: Look) -> Iterator[None]:
+def themed(chosen: Theme) -> Iterator[None]:
     """Draw and save the pictures of a with block in these colours."""
     before = _current.set(chosen)
     try:
@@ -131,7 +131,7 @@ SIZE = 8.5
 _MARGIN = 0.15
 
 
-def _settings(chosen: Look) -> dict[Any, Any]:  # matplotlib lists every key as a type
+def _settings(chosen: Theme) -> dict[Any, Any]:  # matplotlib lists every key as a type
     return {
         "figure.dpi": DPI, "savefig.dpi": "figure", "font.size": SIZE, "text.color": chosen.ink,
         "figure.facecolor": chosen.paper, "axes.facecolor": chosen.paper,
@@ -169,7 +169,7 @@ def style() -> Iterator[None]:
     matplotlib = _matplotlib()
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
-        matplotlib.rcParams.update(_settings(look()))
+        matplotlib.rcParams.update(_settings(theme()))
         yield
 
 
@@ -251,7 +251,7 @@ def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) 
             break
         legend.remove()
     # The width of a letter relative to its size.
-    texts = ((note, SIZE, "normal", 0.56, look().faint), (title, 14, "bold", 0.64, look().ink))
+    texts = ((note, SIZE, "normal", 0.56, theme().faint), (title, 14, "bold", 0.64, theme().ink))
     for text, size, weight, letter, colour in texts:
         if text:
             lines = textwrap.fill(text, max(40, int(width * 72 / (letter * size))))

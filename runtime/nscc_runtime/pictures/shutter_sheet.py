@@ -13,7 +13,7 @@ from nscc.words.shutters import Shutters, shutters_of
 from nscc_runtime.merge import tile_of
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.data_flow import DataFlow
-from nscc_runtime.pictures.sheet import look
+from nscc_runtime.pictures.sheet import theme
 from nscc_runtime.scenes.shapes import Field
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     if len(chosen) < count:
         note += f"   ·   {len(chosen)} of them shown, evenly chosen"
     bars = enumerate(container.buckets) if lanes > 1 else ()
-    handles = [Patch(color=look().of(b)["color"], label=name) for b, name in bars]
+    handles = [Patch(color=theme().of(b)["color"], label=name) for b, name in bars]
     sheet.head(figure, title, note, handles)
     return figure
 
@@ -116,13 +116,13 @@ def _draw_chart(
     scale, name = unit(float(edges_us[-1]))
     edges = edges_us * scale
     columns = chart_columns(edges)
-    buckets = [to_rgb(look().of(lane)["color"]) for lane in range(lanes)]
+    buckets = [to_rgb(theme().of(lane)["color"]) for lane in range(lanes)]
     image = np.empty((count, lanes + 1, len(columns) - 1, 3))
-    image[:] = to_rgb(look().paper)  # the colour of the gap, the last lane
+    image[:] = to_rgb(theme().paper)  # the colour of the gap, the last lane
     for row, lane in np.ndindex(count, lanes):
         share = open_share(rows[row, lane], edges, columns)
         colour = row_colours[row] if lanes == 1 else buckets[lane]
-        image[row, lane] = np.outer(1 - share, to_rgb(look().closed)) + np.outer(share, colour)
+        image[row, lane] = np.outer(1 - share, to_rgb(theme().closed)) + np.outer(share, colour)
     lines = np.linspace(-_BAR / 2, _BAR / 2, lanes + 1)
     heights = (np.arange(count)[:, None] + lines).ravel()
     axes.pcolorfast(columns, heights, image.reshape(count * (lanes + 1), -1, 3)[:-1].clip(0, 1))
@@ -130,10 +130,10 @@ def _draw_chart(
     axes.set_ylim(count - 0.5, -0.5)
     axes.grid(False)
     if slots <= _MOST_BOUNDARIES:
-        axes.vlines(edges[1:-1], -0.5, count - 0.5, colors=look().paper, linewidth=0.7)
+        axes.vlines(edges[1:-1], -0.5, count - 0.5, colors=theme().paper, linewidth=0.7)
     axes.spines[:].set_visible(False)
     axes.set_xlabel(f"time in the frame, {name}")
-    axes.tick_params(axis="y", length=0, pad=13, labelcolor=look().ink)
+    axes.tick_params(axis="y", length=0, pad=13, labelcolor=theme().ink)
     axes.scatter(
         np.full(count, -0.009), np.arange(count), s=36, c=row_colours, marker="s", clip_on=False,
         transform=axes.get_yaxis_transform(),
@@ -212,8 +212,8 @@ def _draw_map(axes: Axes, drawing: _Map) -> None:
         axis.set_major_locator(MaxNLocator(max(1, int(dots / 55)), integer=True, min_n_ticks=1))
         axis.set_visible(dots > 55)
     if max(rows, cols) <= 2 * _CORNER:
-        axes.hlines(np.arange(rows - 1) + 0.5, -0.5, cols - 0.5, colors=look().paper)
-        axes.vlines(np.arange(cols - 1) + 0.5, -0.5, rows - 0.5, colors=look().paper)
+        axes.hlines(np.arange(rows - 1) + 0.5, -0.5, cols - 0.5, colors=theme().paper)
+        axes.vlines(np.arange(cols - 1) + 0.5, -0.5, rows - 0.5, colors=theme().paper)
     if drawing.codes is None:
         return
     widest = max(len(str(value)) for value in drawing.codes.flat)
@@ -223,5 +223,5 @@ def _draw_map(axes: Axes, drawing: _Map) -> None:
         if size >= 4.5:
             axes.text(
                 col, row, "\n".join(map(str, drawing.codes[row, col])), ha="center", va="center",
-                size=size, color=look().on(to_hex(tuple(drawing.colours[row, col]))),
+                size=size, color=theme().on(to_hex(tuple(drawing.colours[row, col]))),
             )  # fmt: skip

@@ -12,7 +12,7 @@ import numpy as np
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, halo, place_labels
 from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
-from nscc_runtime.pictures.sheet import look
+from nscc_runtime.pictures.sheet import theme
 from nscc_runtime.tradeoff import study as studied
 from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, Study
 from nscc_runtime.tradeoff.study_text import SLACK
@@ -98,9 +98,9 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
     axes.set(xscale="log", yscale="log", xlim=(least, most), ylim=(low, high))
     axes.set(xlabel="tolerance asked, e", ylabel="error, e")
     line, above = [least, most], [SLACK * least, SLACK * most]
-    axes.fill_between(line, above, high, color=look().closed)
-    axes.plot(line, line, color=look().ink)
-    axes.plot(line, above, color=look().ink, linestyle="--")
+    axes.fill_between(line, above, high, color=theme().closed)
+    axes.plot(line, line, color=theme().ink)
+    axes.plot(line, above, color=theme().ink, linestyle="--")
     scenes = list(dict.fromkeys(scene for scene, *_ in plans))
     labels = []
     for (scene, *_, measured), x, ends in zip(
@@ -109,7 +109,7 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
         number = scenes.index(scene)
         # Shift scenes sideways, so that marks do not overlap.
         x *= 1.05 ** (number - (len(scenes) - 1) / 2)
-        style = look().of(number)
+        style = theme().of(number)
         axes.plot([x, x], ends, color=style["color"], linewidth=1)
         axes.plot(x, ends[0], markersize=9, fillstyle="none", clip_on=False, **style)
         axes.plot(x, ends[1], markersize=4, clip_on=False, **style)
@@ -117,15 +117,15 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
             labels.append(ChartLabel(f"{measured:.1g}", x, ends[1], style["color"]))
     sheet.round_ticks(axes.xaxis)
     sheet.round_ticks(axes.yaxis)
-    dot: dict[str, Any] = {"color": look().faint, "linestyle": "", "marker": "o"}
+    dot: dict[str, Any] = {"color": theme().faint, "linestyle": "", "marker": "o"}
     sheet.head(
         figure, "What was asked, what came of it", "RMS electrons before the ADC, worst bucket",
         [
-            Line2D([], [], color=look().ink, label="y = x"),
-            Line2D([], [], color=look().ink, ls="--", label=f"y = {SLACK:g} x: the promise"),
+            Line2D([], [], color=theme().ink, label="y = x"),
+            Line2D([], [], color=theme().ink, ls="--", label=f"y = {SLACK:g} x: the promise"),
             Line2D([], [], markersize=4, label="measured", **dot),
             Line2D([], [], markersize=9, fillstyle="none", label="predicted", **dot),
-            *(Line2D([], [], ls="", label=s, **look().of(i)) for i, s in enumerate(scenes)),
+            *(Line2D([], [], ls="", label=s, **theme().of(i)) for i, s in enumerate(scenes)),
         ],
     )  # fmt: skip
     place_labels(axes, labels)
@@ -140,7 +140,7 @@ def budget_diagram(studies: Sequence[Study]) -> Figure:
 
     if not studies:
         raise ValueError("no budgets to draw")
-    kept_colour, dropped_colour, *_ = look().series
+    kept_colour, dropped_colour, *_ = theme().series
     budgets = [study.budget for study in studies]
     values = [decision.predicted_rms_e for plan in budgets for decision in plan.decisions]
     known = [e for e in (*values, *(plan.tolerance_e for plan in budgets)) if e]
@@ -155,9 +155,9 @@ def budget_diagram(studies: Sequence[Study]) -> Figure:
         "RMS electrons of each effect; at the right, ms a frame that leaving it out saves (model)",
         [
             Patch(facecolor=kept_colour, edgecolor=kept_colour, label="simulated"),
-            Patch(facecolor=look().paper, edgecolor=dropped_colour, label="left out"),
-            Line2D([], [], color=look().ink, label="tolerance asked"),
-            Line2D([], [], color=look().ink, linestyle="--", label="predicted error"),
+            Patch(facecolor=theme().paper, edgecolor=dropped_colour, label="left out"),
+            Line2D([], [], color=theme().ink, label="tolerance asked"),
+            Line2D([], [], color=theme().ink, linestyle="--", label="predicted error"),
         ],
     )  # fmt: skip
     return figure
@@ -169,8 +169,8 @@ def _decisions(plan: Plan) -> list[Decision]:
 
 def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
     decisions = _decisions(plan)
-    kept_colour, dropped_colour, *_ = look().series
-    colours = {"kept": kept_colour, "dropped": dropped_colour, "absent": look().faint}
+    kept_colour, dropped_colour, *_ = theme().series
+    colours = {"kept": kept_colour, "dropped": dropped_colour, "absent": theme().faint}
     axes.set(xscale="log", xlim=span, ylim=(len(decisions) - 0.4, -0.6))
     tolerance_e, predicted_e = plan.tolerance_e or 0.0, plan.predicted_e or 0.0
     axes.set_xlabel(f"RMS, e; {tolerance_e:g} asked, {predicted_e:.3g} predicted")
@@ -186,17 +186,17 @@ def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
                 path_effects=halo(),
             )  # fmt: skip
         elif rms_e is not None and rms_e > span[0]:
-            face = colour if decision.decision == "kept" else look().paper
+            face = colour if decision.decision == "kept" else theme().paper
             axes.barh(i, rms_e - span[0], 0.62, span[0], facecolor=face, edgecolor=colour)
-    axes.axvline(tolerance_e, color=look().ink)
-    axes.axvline(predicted_e, color=look().ink, linestyle="--")
+    axes.axvline(tolerance_e, color=theme().ink)
+    axes.axvline(predicted_e, color=theme().ink, linestyle="--")
     axes.set_yticks(range(len(decisions)), [decision.name for decision in decisions])
     costs.set_yticks(range(len(decisions)), [_saves(decision) for decision in decisions])
     for side in (axes, costs):
         side.tick_params(axis="y", length=0)
         for label, decision in zip(side.get_yticklabels(), decisions, strict=True):
             drawn = side is axes and decision.decision != "absent"
-            label.set_color(look().ink if drawn else colours[decision.decision])
+            label.set_color(theme().ink if drawn else colours[decision.decision])
 
 
 def _saves(decision: Decision) -> str:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
-from nscc_runtime.pictures.sheet import look
+from nscc_runtime.pictures.sheet import theme
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -109,7 +109,7 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
             for label in place_labels(axes, texts)
         }
     handles = [
-        Line2D([], [], label=name, **look().of(number))
+        Line2D([], [], label=name, **theme().of(number))
         for number, name in enumerate(names)
         if name in homeless
     ]
@@ -128,7 +128,7 @@ def _draw(
     labels = []
     for name, points in panel.lines.items():
         places = [(across.at(x), upwards.at(y)) for x, y in points]
-        chosen = look().of(names.index(name))
+        chosen = theme().of(names.index(name))
         axes.plot([x for x, _ in places], [y for _, y in places], clip_on=False, **chosen)
         if places and name:
             labels.append(ChartLabel(name, *places[-1], chosen["color"], name=True))

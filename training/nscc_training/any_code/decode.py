@@ -10,18 +10,18 @@ import torch
 from torch import Tensor
 from torch.nn import functional
 
+from nscc_runtime.progress import Progress, unseen
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
 from nscc_training.any_code.stages import (
     STAGES,
     STILL_STAGES,
     led,
-    mirrored,
     schedule,
-    stage,
     started_still,
     still_stages,
 )
-from nscc_training.baselines.gap_tv import gap_tv_of
+from nscc_training.any_code.tiles import denoised_in_tiles
+from nscc_training.baselines.gap_tv import gap_step, gap_tv_of
 from nscc_training.measured import Measured
 
 WEIGHTS = "weights.safetensors"
@@ -59,7 +59,9 @@ def write_shipped(clip: Path, still: Path, out: Path) -> None:
 
 
 @torch.no_grad()
-def decoded_clip(measured: Measured[Tensor], count: int = STAGES) -> Tensor:
+def decoded_clip(
+    measured: Measured[Tensor], count: int = STAGES, progress: Progress = unseen
+) -> Tensor:
     """Reconstruct the clip (batch, N, rows, cols) from frames, in their unit, in `count` stages.
 
     If one of several readouts was always open, `joined` adds static content from all readouts. A
@@ -69,20 +71,25 @@ def decoded_clip(measured: Measured[Tensor], count: int = STAGES) -> Tensor:
     measured = measured.over(unit)
     number = always_open(measured)
     if number is None:
-        clip = _coded_clip(measured, count, count)
+        clip = _coded_clip(measured, count, count, progress)
     else:
-        clip = joined(measured, _coded_clip(measured, count, min(count, FIRST_STAGE)), number)
+        coded = _coded_clip(measured, count, min(count, FIRST_STAGE), progress)
+        clip = joined(measured, coded, number)
     return clip.clamp(min=0) * unit.reshape(-1, 1, 1, 1)
 
 
-def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
+def _coded_clip(measured: Measured[Tensor], count: int, first: int, progress: Progress) -> Tensor:
     """Return the mean clip of stages `first` to `count`, led towards the frames; white is 1."""
     clip, target = gap_tv_of(measured)
     mean = torch.zeros_like(clip)
     with bf16_where_multiplied():
-        for number, sigma in enumerate(schedule(count)):
-            denoiser = mirrored(shipped("clip"), number)
-            clip, target = stage(measured, denoiser, clip, target, sigma)
+        for number, sigma in enumerate(progress(schedule(count), "decoding the clip", count)):
+            level = clip.new_full((len(clip),), sigma)
+            clip, target = gap_step(measured, clip, target, level)
+            clip = denoised_in_tiles(
+                shipped("clip"), clip, lambda rows, cols: measured.crop(rows, cols).planes(),
+                level, number,
+            )  # fmt: skip
             if number + 1 >= first:
                 mean += clip / (count + 1 - first)
         return led(measured, mean)
@@ -96,8 +103,14 @@ def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tens
     measured = measured.over(unit)
     light = started_still(measured)
     with bf16_where_multiplied():
-        *_, light = still_stages(measured, shipped("still"), light, count)
+        *_, light = still_stages(measured, _still_in_tiles, light, count)
     return light * unit.reshape(-1, 1, 1)
+
+
+def _still_in_tiles(light: Tensor, planes: Tensor, level: Tensor) -> Tensor:
+    return denoised_in_tiles(
+        shipped("still"), light, lambda rows, cols: planes[..., rows, cols], level
+    )
 
 
 def white(measured: Measured[Tensor]) -> Tensor:

@@ -45,10 +45,15 @@ def stage(
     return denoiser(clip, measured.planes(), level), target
 
 
+def mirror_axes(number: int) -> tuple[int, ...]:
+    """Return the axes along which the denoiser sees the clip mirrored in stage `number`."""
+    return _MIRRORS[number % len(_MIRRORS)]
+
+
 def mirrored(denoiser: Denoiser, number: int) -> Denoiser:
     """Return the denoiser for stage `number`, which sees the clip mirrored, so that errors of the
     network with a direction do not add up: 0.2 dB."""
-    axes = _MIRRORS[number % len(_MIRRORS)]
+    axes = mirror_axes(number)
 
     def denoised(clip: Tensor, planes: Tensor, level: Tensor) -> Tensor:
         return denoiser(clip.flip(axes), planes.flip(axes), level).flip(axes)

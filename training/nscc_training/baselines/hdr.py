@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_training.baselines.tent_loop import tent_sums
+
 Picture = NDArray[np.float64]
 
 _OWN = 8.0
@@ -37,28 +39,26 @@ def merged(
 def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Picture:
     """Return the mean of the light around each pixel, weighted by precision, and at least `least`.
 
-    The neighbourhood of a pixel grows until it holds a measurement of a precision above 0."""
+    The neighbourhood of a pixel grows until it holds a measurement of a precision above 0. If no
+    pixel has one, the light itself is the result."""
     weighted = precision * light
-    result = np.full(light.shape, np.nan)
+    result = light.copy()
+    missing = np.full(light.shape, bool((precision > 0).any()))
     reach = 2
-    while np.isnan(result).any() and reach <= 2 * max(light.shape):
-        total = tent_sums(precision, reach) + (_OWN - 1) * precision
-        value = tent_sums(weighted, reach) + (_OWN - 1) * weighted
-        fillable = np.isnan(result) & (total > 0)
-        result[fillable] = value[fillable] / total[fillable]
+    while missing.any() and reach <= 2 * max(light.shape):
+        # Sums are needed around the missing pixels only.
+        part = tuple(_from_first_to_last(np.any(missing, axis=axis), reach) for axis in (1, 0))
+        own, own_weighted = precision[part], weighted[part]
+        total = tent_sums(own, reach) + (_OWN - 1) * own
+        value = tent_sums(own_weighted, reach) + (_OWN - 1) * own_weighted
+        fillable = missing[part] & (total > 0)
+        result[part][fillable] = value[fillable] / total[fillable]
+        missing[part] &= ~fillable
         reach *= 2
-    return np.maximum(np.where(np.isnan(result), light, result), least)
+    return np.maximum(result, least)
 
 
-def tent_sums(values: Picture, reach: int) -> Picture:
-    """Sum over windows with weights that fall linearly to 0 at `reach` pixels."""
-    weights = 1 - np.abs(np.arange(1 - reach, reach)) / reach
-    sums = values
-    for axis in (0, 1):
-        length = values.shape[axis]
-        padded = np.pad(sums, [(reach, reach) if a == axis else (0, 0) for a in (0, 1)])
-        sums = np.zeros_like(values)
-        for k, weight in enumerate(weights):
-            shifted = np.take(padded, np.arange(k + 1, k + 1 + length), axis=axis)
-            sums = sums + weight * shifted
-    return sums
+def _from_first_to_last(marked: NDArray[np.bool_], margin: int) -> slice:
+    """Return the places from the first to the last marked one, with a margin."""
+    places = np.flatnonzero(marked)
+    return slice(max(0, int(places[0]) - margin), int(places[-1]) + margin + 1)
