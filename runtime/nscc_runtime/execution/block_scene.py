@@ -39,7 +39,7 @@ from nscc_runtime.execution.count_loop import draw_deviations
 from nscc_runtime.execution.layout import (
     BLOCK,
     Numbers,
-    Patterns,
+    FixedPatterns,
     PixelState,
     Switches,
     WordKeys,
@@ -102,7 +102,7 @@ class ChargeScene:
 
     number: NDArray[np.int64]
     sites: Sites
-    patterns: Patterns
+    patterns: FixedPatterns
     counted: list[tuple[int, int, Values]]
     means: StretchMeans
     exchanged: float
@@ -230,7 +230,7 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
     counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
     device = whole_device(scene.sensor, scene.device_seed, program.lane.size)
-    fixed = Patterns(**patterns(effects, device, sites.place[:pixels]))
+    fixed = FixedPatterns(**patterns(effects, device, sites.place[:pixels]))
     invalid = number[np.isnan(means.charge).any(axis=0)]
     return ChargeScene(number, sites, fixed, counted, means, exchanged, invalid)
 
