@@ -51,7 +51,7 @@ ROOMS = (
     ("syntax",),
     ("installation", "program"),
     ("lower",),
-    ("checks",),
+    ("checks", "options"),
     ("pipeline",),
     ("container_proof", "emit", "limits"),
     ("fixed",),
