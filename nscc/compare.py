@@ -12,7 +12,8 @@ from nscc.columns import columns
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower.resources import time_text
-from nscc.pipeline import KINDS, Compiled, Options
+from nscc.options import Options
+from nscc.pipeline import KINDS, Compiled
 from nscc.stream.report import rate_text
 from nscc.words.container import Container
 

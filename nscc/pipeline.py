@@ -4,12 +4,10 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from math import inf
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, get_args
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,23 +15,20 @@ from numpy.typing import NDArray
 from nscc import checks
 from nscc.cache.results import Results, results_of_user
 from nscc.chips.load import load_target
-from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.kinds import KindTable
 from nscc.lazy import LazyFunctions
 from nscc.lower import fit
-from nscc.lower.exposure_plan import LOWERINGS, LoweringOption
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
+from nscc.options import Options
 from nscc.program.analyse import analyse
-from nscc.program.program import Codes, Program
+from nscc.program.program import Program
 from nscc.prove.proof import Proof, unproved_error
 from nscc.record import Record
 from nscc.source import Source
 from nscc.syntax.parse import declared_at, parse
 from nscc.syntax.tree import File
-from nscc.toml.kinds import Flag, Instance, Integer, TextKind
-from nscc.toml.schema import key
 from nscc.words.container import Container
 from nscc.words.legality import decoded
 
@@ -42,42 +37,6 @@ if TYPE_CHECKING:
 
 LEVELS = (0, 1, 2, 3)
 """Optimisation levels; a higher level allows more steps in the search for gates."""
-
-
-@dataclass(frozen=True)
-class Options:
-    """Options of the compiler.
-
-    `price_all` computes the costs of all lowerings, for the report. If `unproved_is_error` is false
-    and only a longer search can decide whether the program fits, this is a note instead of an
-    error."""
-
-    level: int = key(
-        Integer(0, 3), "Effort of the search for fewer words", 2,
-        option="-O", default_text="2; check: 1",
-    )  # fmt: skip
-    codes: Codes = key(
-        TextKind(get_args(Codes)), "Compile for the codes in use, or for every legal one", "fixed"
-    )
-    lowering: LoweringOption = key(
-        TextKind(("auto", *LOWERINGS)), "How the exposure is computed", "auto",
-        default_text="auto, the cheapest",
-    )  # fmt: skip
-    target: Target | str | None = key(
-        Instance((Target, str, os.PathLike), "a chip's name, its file or a Target"),
-        "The chip, instead of the chip in the program", None, notation="NAME|FILE.toml",
-    )  # fmt: skip
-    cache: bool = key(
-        Flag(),
-        "Store search results of -O2 and -O3 and reuse them (default), or search again",
-        True, option="--cache/--no-cache",
-    )  # fmt: skip
-    max_words_per_slot: int | None = key(
-        Integer(1, inf),
-        "Reject programs that execute more words than this in any slot", None, notation="W",
-    )  # fmt: skip
-    price_all: bool = False
-    unproved_is_error: bool = True
 
 
 class Job(Record):

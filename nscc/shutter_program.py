@@ -34,7 +34,8 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_together
 from nscc.lower.exposure_plan import LoweringOption
-from nscc.pipeline import KINDS, Compiled, Options, with_all_lowerings
+from nscc.options import Options
+from nscc.pipeline import KINDS, Compiled, with_all_lowerings
 from nscc.program.problems import counted
 from nscc.program.program import Codes
 from nscc.source import Source

@@ -32,8 +32,9 @@ from nscc_cli.support import (
     say,
     say_done,
 )
-from nscc_runtime.scenes import Scene
-from nscc_runtime.simulate import Request
+from nscc_runtime.device.link_settings import LinkSettings
+from nscc_runtime.request import Request
+from nscc_runtime.scene_settings import Scene
 
 if TYPE_CHECKING:
     from nscc_training.run_files import RunCapture
@@ -188,7 +189,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     from nscc.words.readout import converter_of
     from nscc_runtime.device.captured_frames import exposed
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import LinkSettings, SerialLink
+    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.frame_file import check_adc
     from nscc_runtime.response import response_of
     from nscc_runtime.scenes import scene_light

@@ -83,7 +83,7 @@ def command(
 def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool) -> str:
     """Compute the limits of a chip by compiling programs, and return them as text or JSON."""
     from nscc.limits.survey import Limit, limits_json, limits_text, survey
-    from nscc.pipeline import Options
+    from nscc.options import Options
 
     limits: list[Limit] = []
 

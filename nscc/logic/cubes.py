@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nscc.logic.digits import Planes, unzipped
-from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gates, GaveUp, Machine, Problem, Segment, Solution
 from nscc.record import Record
 
 Cube = tuple[tuple[int, int], ...]
@@ -130,58 +130,25 @@ def _emit_with(problem: Problem, machine: Machine, encoding: Encoding, scratch: 
 
 
 class Standing:
-    """The register and polarity (`inverted` = 1) of each plane while gates are emitted.
+    """The polarity (`inverted` = 1) of each plane while gates are emitted."""
 
-    Inverting a plane in place takes two words. Inverting it into a register named by `free` takes
-    one word and frees the plane's old register."""
-
-    def __init__(self, gates: Gates, planes: int, free: str | None = None) -> None:
+    def __init__(self, gates: Gates, planes: int) -> None:
         self._gates = gates
         self.inverted = [0] * planes
-        self.registers = [f"p{plane}" for plane in range(planes)]
-        self.free = free
 
     def flip(self, plane: int) -> Segment:
-        """Invert a plane; return the segment, which includes pending gates."""
+        """Invert a plane in place; return the segment, which includes pending gates."""
         self.inverted[plane] ^= 1
-        if self.free is None:
-            self._gates.invert(self.registers[plane])
-            return self._gates.take()
-        return self._move(plane, "NOT")
+        self._gates.invert(f"p{plane}")
+        return self._gates.take()
 
     def turn(self, cube: Cube) -> list[Segment]:
         """Invert the planes of `cube` that have the wrong polarity for a NOR."""
         return [self.flip(plane) for plane, value in cube if self.inverted[plane] != value]
 
-    def read_by(self, cube: Cube) -> list[str]:
-        """Return the registers whose NOR is `cube` after `turn`."""
-        return [self.registers[plane] for plane, _ in cube]
-
     def restore(self) -> tuple[Segment, ...]:
-        """Restore the polarity and register of every plane."""
-        segments = []
-        while astray := [
-            plane
-            for plane, register in enumerate(self.registers)
-            if self.inverted[plane] or register != f"p{plane}"
-        ]:
-            # If a plane's own register is free, it moves there; otherwise a displaced plane makes
-            # room.
-            plane = min(astray, key=lambda p: (f"p{p}" != self.free, self.registers[p] == f"p{p}"))
-            if self.inverted[plane] and self.registers[plane] == f"p{plane}":
-                self._gates.invert(f"p{plane}")
-                segments.append(self._gates.take())
-            else:
-                segments.append(self._move(plane, "NOT" if self.inverted[plane] else "MOV"))
-            self.inverted[plane] = 0
-        return tuple(segments)
-
-    def _move(self, plane: int, name: str) -> Segment:
-        """Write a plane, or its inverse, to the free register, and free its old one."""
-        assert self.free is not None
-        self._gates.add(Gate(name, self.free, (self.registers[plane],)))
-        self.registers[plane], self.free = self.free, self.registers[plane]
-        return self._gates.take()
+        """Restore the polarity of every plane."""
+        return tuple(self.turn(tuple((plane, 0) for plane in range(len(self.inverted)))))
 
 
 class _Emitter:

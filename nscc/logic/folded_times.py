@@ -38,15 +38,15 @@ def folded_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding
     rises[(rises < 0) & (falls >= 0)] = 0  # open from the start of the frame
     if np.any(rises >= falls, where=rises >= 0):
         raise GaveUp("some shutter does not rise before it falls")
-    counts = [len(np.unique(times)) for times in boundaries]
-    if len(np.unique(boundaries, axis=1).T) in counts:
+    counts = [len(set(times.tolist())) for times in boundaries]
+    if len(set(zip(*boundaries.tolist(), strict=True))) in counts:
         raise GaveUp("one time of each shutter follows from the other")
     if sum((count - 1).bit_length() for count in counts) < machine.registers:
         raise GaveUp("each time has planes of its own")
     _, points = np.unique(np.append(boundaries, -1), return_inverse=True)
-    pairs = [*zip(*(points[:-1].reshape(2, -1)[::-1] - 1).tolist(), strict=True)]
+    points_of_shutter = [*zip(*(points[:-1].reshape(2, -1)[::-1] - 1).tolist(), strict=True)]
     bits = (machine.registers - 1) // 2
-    cells = np.array(_cells(pairs, 1 << bits))
+    cells = np.array(_cells(points_of_shutter, 1 << bits))
     planes = []
     for name, numbers in zip(("row", "column"), cells.T, strict=True):
         planes += binary_planes(f"{name} of both times, Gray bit", gray(numbers), bits)

@@ -7,7 +7,8 @@ from pathlib import Path
 from nscc.neighbours.programs import UNIT, exact_taps, noise_gain
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
 from nscc.neighbours.table import WordForms
-from nscc.pipeline import Options, run_passes
+from nscc.options import Options
+from nscc.pipeline import run_passes
 from nscc.syntax.parse import read_source
 from nscc.tradeoff.points import Point
 from nscc.words.pictures import Filtered, subexpressions

@@ -15,7 +15,8 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.experiment_store import Rows
 from nscc.limits.families import bits_rule, book_rule, bump_rule, program_text, start_rule
 from nscc.lower.exposure_plan import Lowering
-from nscc.pipeline import KINDS, LEVELS, Compiled, Options, run_passes
+from nscc.options import Options
+from nscc.pipeline import KINDS, LEVELS, Compiled, run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.syntax.parse import read_source

@@ -19,7 +19,8 @@ from nscc_runtime.python_arguments import (
     laid_of,
     sensor_of,
 )
-from nscc_runtime.simulate import Listener, Request
+from nscc_runtime.request import Request
+from nscc_runtime.simulate import Listener
 
 
 def film(

@@ -26,10 +26,11 @@ from nscc_runtime.light import Light
 from nscc_runtime.neighbours.plane_summary import reported, summary_of
 from nscc_runtime.planless import reason_without_plan
 from nscc_runtime.progress import unseen
+from nscc_runtime.request import Request
 from nscc_runtime.response import Response, response_of
 from nscc_runtime.scenes import PlacedLight, Placement
 from nscc_runtime.sensor import Sensor
-from nscc_runtime.simulate import Listener, Request, Simulated, digest_of, simulate
+from nscc_runtime.simulate import Listener, Simulated, digest_of, simulate
 
 COLOURS = ("red", "green", "blue")
 

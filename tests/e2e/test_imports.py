@@ -51,7 +51,7 @@ ROOMS = (
     ("syntax",),
     ("installation", "program"),
     ("lower",),
-    ("checks",),
+    ("checks", "options"),
     ("pipeline",),
     ("container_proof", "emit", "limits"),
     ("fixed",),
@@ -224,7 +224,7 @@ OF_SOME_PROGRAMS = (
     "nscc.neighbours.proof",
     "nscc.stream.passes",
 )
-_GATES = ["nscc.logic.cover", "nscc.logic.encodings"]
+_GATES = ["nscc.logic.encodings"]
 _LOOKS = ["nscc.looks.passes", "nscc.looks.proof"]
 _IMAGES = ["nscc.neighbours.passes", "nscc.neighbours.proof"]
 

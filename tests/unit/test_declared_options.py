@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import Any, get_args
 
 import click
 import pytest
@@ -13,13 +13,17 @@ import pytest
 import nscc
 import nscc_runtime
 from nscc.diagnostics.arguments import WrongArgument
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import Options
-from nscc.toml.arguments import checked, declared
+from nscc.program.program import Codes
+from nscc.toml.arguments import checked
 from nscc.toml.kinds import Flag, Kind, Number, TextKind
+from nscc.toml.schema import declared
 from nscc_cli.build import command as build
 from nscc_cli.run import command as run
+from nscc_runtime.planning.tolerance import DEFAULT
+from nscc_runtime.request import Request
 from nscc_runtime.scenes import Scene
-from nscc_runtime.simulate import Request
 
 CALLS: list[tuple[Callable[..., Any], type, set[str]]] = [
     (nscc.compile, Options, {"source", "folder"}),
@@ -79,6 +83,14 @@ def test_commands_have_the_declared_options(
     for name, key in declared(settings).items():
         if name not in left_out:
             assert str(options[key.name].help).startswith(key.meaning), name
+
+
+def test_what_declarations_write_again_is_the_same() -> None:
+    """They import neither the compiler nor the planner."""
+    keys = declared(Options)
+    assert keys["codes"].kind == TextKind(get_args(Codes))
+    assert keys["lowering"].kind == TextKind(("auto", *LOWERINGS))
+    assert Request.tolerance == DEFAULT
 
 
 @pytest.mark.parametrize("settings", [Options, Scene, Request])

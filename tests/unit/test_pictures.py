@@ -37,9 +37,10 @@ from nscc_runtime.pictures.sheet import MARKERS, THEMES, Theme, contrast, theme,
 from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 from nscc_runtime.planning.plan import Choice, Decision, Plan
+from nscc_runtime.request import Request
 from nscc_runtime.scenes import load_scene
 from nscc_runtime.sensor import default_sensor
-from nscc_runtime.simulate import Request, simulate
+from nscc_runtime.simulate import simulate
 from nscc_runtime.tradeoff.study import (
     DRAWN,
     ELECTRONS,

@@ -16,7 +16,8 @@ from nscc.chips.target import Target
 from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.arguments import require_type
 from nscc.diagnostics.diagnostic import Rejected, Severity
-from nscc.pipeline import Compiled, Options
+from nscc.options import Options
+from nscc.pipeline import Compiled
 from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse

@@ -11,7 +11,7 @@ from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.registry import registered
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Device, Values
+from nscc_runtime.effects.views import Device, Places, Values
 from nscc_runtime.noise.keys import base
 
 
@@ -33,10 +33,11 @@ def figures(sensor: Sensor, effects: Selection) -> dict[str, float]:
     }
 
 
-def patterns(effects: Selection, device: Device) -> dict[str, Values]:
-    """Return the fixed patterns (pixels,) of effects by name; zeros for effects that are off."""
+def patterns(effects: Selection, device: Device, places: Places) -> dict[str, Values]:
+    """Return the fixed patterns (pixels,) of effects at some places of a chip, by name; zeros for
+    effects that are off."""
     return {
-        name: device.fixed(pattern) if effect in effects else np.zeros(len(device.places))
+        name: device.fixed(pattern)[places] if effect in effects else np.zeros(len(places))
         for effect, loop in _in_loops()
         for name, pattern in loop.patterns.items()
     }

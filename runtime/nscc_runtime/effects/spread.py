@@ -22,12 +22,6 @@ def log_normal(fraction: float, z: Values) -> Values:
 
 
 @compiled
-def log_normal_in_loop(variance: float, z: float) -> float:
-    """Return a lognormal factor of mean 1 in loops. `variance`: variance of its logarithm."""
-    return math.exp(math.sqrt(variance) * z - variance / 2)
-
-
-@compiled
 def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
     """Return the content of a register after `value` is written, as
     `nscc_runtime.effects.register.soft` does."""

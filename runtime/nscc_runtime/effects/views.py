@@ -6,6 +6,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Protocol
 
 import numpy as np
@@ -45,6 +46,12 @@ class Device:
     def fixed(self, make: OnDevice) -> Values:
         """Return a fixed pattern of the chip (pixels,), cached."""
         return make(self.sensor, self.device_seed, self.places)
+
+
+@lru_cache(2)
+def whole_device(sensor: Sensor, device_seed: int, pixels: int) -> Device:
+    """Return all pixels of a chip; the last results are cached with their fixed patterns."""
+    return Device(sensor=sensor, device_seed=device_seed, places=np.arange(pixels))
 
 
 @dataclass(eq=False, kw_only=True)

@@ -14,10 +14,10 @@ import numpy as np
 
 from nscc_runtime.execution.layout import (
     BLOCK,
+    FixedPatterns,
     LoopProgram,
     LoopWord,
     Numbers,
-    Patterns,
     PixelState,
     Readouts,
     Segments,
@@ -195,7 +195,7 @@ def run_blocks(
     begins: Annotated[Ints, "charged"],
     places: Ints,
     chosen: Annotated[Ints, "charged"],
-    patterns: Patterns,
+    patterns: FixedPatterns,
     charge: Charge,
     block: BlockScratch,
     state: PixelState,

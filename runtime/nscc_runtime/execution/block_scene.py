@@ -26,7 +26,7 @@ from nscc_runtime.effects.parts import (
     SlowWords,
 )
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import LIGHT, WITHOUT_LIGHT, Device
+from nscc_runtime.effects.views import LIGHT, WITHOUT_LIGHT, whole_device
 from nscc_runtime.execution.block_loop import BlockScratch, BlockSizes, Charge, run_blocks
 from nscc_runtime.execution.block_program import (
     BlockProgram,
@@ -38,8 +38,8 @@ from nscc_runtime.execution.block_program import (
 from nscc_runtime.execution.count_loop import draw_deviations
 from nscc_runtime.execution.layout import (
     BLOCK,
+    FixedPatterns,
     Numbers,
-    Patterns,
     PixelState,
     Switches,
     WordKeys,
@@ -102,7 +102,7 @@ class ChargeScene:
 
     number: NDArray[np.int64]
     sites: Sites
-    patterns: Patterns
+    patterns: FixedPatterns
     counted: list[tuple[int, int, Values]]
     means: StretchMeans
     exchanged: float
@@ -170,7 +170,9 @@ def lay_out(
     source = (effects.find_part(Moving) and light.motion) or light
     lane = program.lane.reshape(-1)[places]
     # Pixels of a code are neighbours in the arrays, so that they run in the same blocks.
-    order = np.argsort(lane, kind="stable")
+    # 16-bit numbers are sorted by radix, ten times as fast as others.
+    few = lane.astype(np.uint16) if program.lane.max() < 1 << 16 else lane
+    order = np.argsort(few, kind="stable")
     bytes_ = 8 * 5 * (program.most_stretches + 1) * max(len(places), 1)
     parts = np.array_split(order, max(1, -(-bytes_ // _MOST_BYTES)))
     scene = BlockScene(
@@ -227,8 +229,8 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     in_parts(complete, pixels, threads, _FEWEST)
     counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
     counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
-    device = Device(sensor=scene.sensor, device_seed=scene.device_seed, places=sites.place[:pixels])
-    fixed = Patterns(**patterns(effects, device))
+    device = whole_device(scene.sensor, scene.device_seed, program.lane.size)
+    fixed = FixedPatterns(**patterns(effects, device, sites.place[:pixels]))
     invalid = number[np.isnan(means.charge).any(axis=0)]
     return ChargeScene(number, sites, fixed, counted, means, exchanged, invalid)
 
@@ -247,15 +249,15 @@ def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
         number[every] = np.arange(len(every))
         number[-1] = -1  # `around` is -1 beyond the border
         beside = number[around]
-    device = Device(sensor=sensor, device_seed=scene.device_seed, places=every)
+    device = whole_device(sensor, scene.device_seed, scene.program.lane.size)
     echo, response = effects.find_part(Echo), effects.find_part(Response)
     dark = effects.find_part(CountedDark)
     factor = np.full(len(every), 1.0 + (echo.fraction(sensor) if echo else 0.0))
     return Sites(
         place=np.require(every, np.int64, ["C"]),
         lane=np.require(scene.program.lane.reshape(-1)[every], np.int32, ["C"]),
-        factor=factor * device.fixed(response.factor) if response else factor,
-        dark_e_per_s=device.fixed(dark.per_s) if dark else np.zeros(len(every)),
+        factor=factor * device.fixed(response.factor)[every] if response else factor,
+        dark_e_per_s=device.fixed(dark.per_s)[every] if dark else np.zeros(len(every)),
         beside=np.require(beside, np.int32, ["C"]),
     )
 

@@ -48,14 +48,11 @@ class FrameSource:
         (seed, number) -> Frame, with converter codes.
     near : int64, shape (pixels,)
         Places of the pixels that run through their words because they may saturate.
-    by_reference : tuple of str
-        Names of effects that only the reference simulates; if there are any, it exposes frames.
     """
 
     expose: Callable[[int, int], Exposure]
     frame: Callable[[int, int], Frame]
     near: Places
-    by_reference: tuple[str, ...] = ()
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
         """Yield frames 0 to `count` - 1. Raises ValueError if `count` < 1."""
@@ -114,9 +111,8 @@ def frame_source(
     check_size(container, light)
     check_adc(container.target)
     count = threads_of(threads)
-    slow = slow_effects(effects)
-    if slow or by_words:
-        return _by_reference(container, sensor, light, effects, device_seed, count, slow)
+    if by_words or slow_effects(effects):
+        return _by_reference(container, sensor, light, effects, device_seed, count)
     program = analysed(container, sensor)
     near = near_saturation(program, light, device_seed, effects).places
     moments = scene_moments(program, light, effects, device_seed, count)
@@ -149,7 +145,7 @@ def frame_source(
 
 def _by_reference(
     container: Container, sensor: Sensor, light: Light, effects: Selection, device_seed: int,
-    threads: int, slow: tuple[str, ...],
+    threads: int,
 ) -> FrameSource:  # fmt: skip
     """Return a source of frames by the reference."""
     reference, scene = Reference.of(container, sensor, effects), scene_of(container, light)
@@ -161,7 +157,7 @@ def _by_reference(
         exposure, seeds = expose(seed, number), (seed, device_seed)
         return converted(exposure, container.target, sensor, effects, seeds, number)
 
-    return FrameSource(expose, frame, np.empty(0, np.int64), slow)
+    return FrameSource(expose, frame, np.empty(0, np.int64))
 
 
 def _on_array(

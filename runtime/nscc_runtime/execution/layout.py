@@ -122,7 +122,7 @@ class Readouts(NamedTuple):
     wait_s: Annotated[Floats, "buckets"]
 
 
-class Patterns(NamedTuple):
+class FixedPatterns(NamedTuple):
     """Fixed patterns of the pixels: the error of a word in electrons, the leakage rate of registers
     in 1/s, the offset of the comparator in electrons."""
 
@@ -135,7 +135,7 @@ class PixelState(NamedTuple):
     """The state of the pixels of a block while words run. Register r of pixel i of the block is at
     index r * `BLOCK` + i.
 
-    `pattern`, `leak`, `offset`: see `Patterns`.
+    `pattern`, `leak`, `offset`: see `FixedPatterns`.
 
     Contents of the registers, then of PIX and IN. `value`: electrons. `since_s`: the time of
     writing. `lost_e`: electrons lost by saturation. `full`: saturation marks

@@ -13,7 +13,7 @@ from nscc.words.container import Container
 from nscc_runtime.caches import OfContainer, Recent, remembered
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Device
+from nscc_runtime.effects.views import Device, whole_device
 from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.execution.sum_loop import SlotWeights
 from nscc_runtime.reference.trace import AnalogWord, analog_words, retention_us
@@ -117,13 +117,8 @@ class AnalysedProgram:
         return is_seen
 
     def device(self, device_seed: int) -> Device:
-        """Return the fixed patterns of all pixels of a chip; the last result is cached."""
-        return self._devices.of(
-            device_seed,
-            lambda: Device(
-                sensor=self.sensor, device_seed=device_seed, places=np.arange(self.lane.size)
-            ),
-        )
+        """Return the fixed patterns of all pixels of a chip."""
+        return whole_device(self.sensor, device_seed, self.lane.size)
 
     def slot_weights(
         self, model: WeightModel, leak_rates: tuple[float, ...], products: bool
@@ -150,10 +145,6 @@ class AnalysedProgram:
         """Cache of weights and of arrays of all pixels for recent effects."""
         size = max(self.container.slots * len(self.container.encoding), self.lane.size * 16)
         return Recent(_RECENT_LARGE if size > _MUCH else _RECENT_MODELS)
-
-    @cached_property
-    def _devices(self) -> Recent:
-        return Recent(1)
 
 
 analysed = OfContainer(AnalysedProgram.of)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.files import write_whole
-from nscc.pipeline import Options
+from nscc.options import Options
 from nscc.toml.kinds import Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.chips.target import SCHEMA, Target
 from nscc.limits.families import program_text
-from nscc.pipeline import Compiled, Options, run_passes
+from nscc.options import Options
+from nscc.pipeline import Compiled, run_passes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
-from nscc.toml.arguments import declared
 from nscc.toml.kinds import Axis, Integer, Number, Several, TextKind
-from nscc.toml.schema import Key
+from nscc.toml.schema import Key, declared
 from nscc_training.code_choices import STARTS
 from nscc_training.sweep.point import PointFault, Values
 

@@ -18,7 +18,7 @@ from nscc.containers import is_compiled, load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.experiment_store import Rows
-from nscc.pipeline import Options
+from nscc.options import Options
 from nscc.requirements import line_for
 from nscc.source import Source
 from nscc.syntax.parse import read_source
@@ -31,10 +31,11 @@ from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
 from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
+from nscc_runtime.request import Request
 from nscc_runtime.response import response_of
 from nscc_runtime.scenes import Scene, scene_light
 from nscc_runtime.sensor import load_sensor
-from nscc_runtime.simulate import Request, Simulated, simulate
+from nscc_runtime.simulate import Simulated, simulate
 
 Values = NDArray[np.float64]
 

@@ -16,11 +16,11 @@ from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.examples import examples
 from nscc.experiment_store import Rows
-from nscc.pipeline import Options
+from nscc.options import Options
 from nscc.tradeoff.points import Point, Refused
 from nscc.words.container import Container
 from nscc_runtime.light import Light
-from nscc_runtime.simulate import Request
+from nscc_runtime.request import Request
 from nscc_training.any_code.decode import decoded_clip
 from nscc_training.any_code.frames import exposed_frame
 from nscc_training.demo.expose import CLIPS, camera

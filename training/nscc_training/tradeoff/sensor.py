@@ -23,8 +23,9 @@ from nscc.tradeoff.points import Point, Refused
 from nscc.tradeoff.synthesis import CompileVariant, SynthesisCase, compiled_or_not
 from nscc.words.container import Container
 from nscc_runtime.light import Light
+from nscc_runtime.request import Request
 from nscc_runtime.sensor import Sensor, load_sensor
-from nscc_runtime.simulate import Request, simulate
+from nscc_runtime.simulate import simulate
 from nscc_training.design.chip import DesignChip
 from nscc_training.design.looking import LookModel, LookSchedule
 from nscc_training.design.scene import histogram
