@@ -32,7 +32,7 @@ from nscc_runtime.planning.prices import Work
 from nscc_runtime.planning.sample import SampledErrors
 from nscc_runtime.planning.tolerance import check_tolerance, tolerance_of, unit_of
 
-_WORTH = 1.5
+_WORTH = 2.0
 """Effects are measured if that is predicted to save this multiple of the time that it takes."""
 _SURE = 0.97
 """Effects are dropped while the measured error plus two standard errors is at most this fraction of
@@ -42,7 +42,7 @@ _OTHER_STATES = 0.5 * MOST_OTHER_STATES
 _BOUND, _SERVED_OTHER_STATES = 1.05, 0.7 * MOST_OTHER_STATES
 """A plan is reused while its bound on the new scene is at most `_BOUND` times the tolerance, and
 the measured fraction of pixels in other states at most `_SERVED_OTHER_STATES`."""
-_QUICK = SAMPLED // 2
+_QUICK = SAMPLED // 4
 """Number of pixels that are measured if no figures are requested."""
 
 
@@ -218,5 +218,8 @@ class _Measuring:
         effects = self.requested.without(*dropped)
         exposed = self.trial.exposures(effects) if dropped else self.base
         unseen_e2 = unseen_square_e2(self.trial, effects)
-        by_choice = self.trial.between(exposed, self.base).with_unseen(unseen_e2)
-        return self.trial.between(exposed, self.trial.truth).with_unseen(unseen_e2), by_choice
+        together, by_choice = (
+            replace(self.trial.between(exposed, true), unseen_e2=unseen_e2)
+            for true in (self.trial.truth, self.base)
+        )
+        return together, by_choice
