@@ -56,7 +56,6 @@ ROOMS = (
     ("container_proof", "emit", "limits"),
     ("fixed",),
     ("looks", "neighbours", "stream"),
-    ("tradeoff",),
     ("compiler",),
     ("compare", "containers", "editing"),
     ("shutter_program",),

@@ -5,10 +5,12 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, get_args
 
 import click
 import pytest
+from nscc_command import invoke
 
 import nscc
 import nscc_runtime
@@ -127,3 +129,21 @@ def test_numbers_of_numpy_are_numbers() -> None:
     assert type(values["seed"]) is int
     assert checked("call", Scene, {"crop": np.array([3, 5]).tolist()}) == {"crop": "3,5"}
     assert checked("call", Scene, {"exposure": np.float32(2.5)}) == {"exposure": "2.5"}
+
+
+@pytest.mark.parametrize(
+    ("option", "words"),
+    [
+        ("--first=99999999999999999999999", "too large"),
+        ("--max-words-per-slot=99999999999999999999999", "too large"),
+        ("--seed=9223372036854775808", "not in the range"),
+        ("--repeat=0", "not in the range"),
+        ("--patience=nan", "not a number"),
+        ("--fit=scales", "not one of"),
+    ],
+)
+def test_invalid_options_are_explained(option: str, words: str, tmp_path: Path) -> None:
+    outcome = invoke(["run", "p.nsl", "--scene", "builtin:hdr", option], tmp_path)
+    assert outcome.status == 2
+    assert outcome.codes == ["NS0783"]
+    assert words in outcome.err
