@@ -55,13 +55,12 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     check_tolerance(request.tolerance, scene.sensor)
     work, absent = Work.of(scene), absent_effects(scene)
     moves = _moves(work, request, absent)
-    count = SAMPLED if request.figures else _QUICK
-    trial_ms = 0.0 if request.figures else _WORTH * work.trials_ms(1, count)
+    trial_ms = 0.0 if request.figures else _WORTH * work.trials_ms(1, _QUICK)
     is_checked = request.effects.auto and bool(request.forced_off - absent)
     is_worth = request.figures or is_checked or sum(moves.values()) > 3.0 * trial_ms
     if scene.needs_reference(request.requested) or not is_worth:
         return _unmeasured(work, request, absent)
-    measuring = _Measuring(scene, request, count)
+    measuring = _Measuring(scene, request)
     alone = measuring.drop_each(absent) if request.figures else {}
     dropped = Names()
     together, _ = measuring.drop_together(dropped)
@@ -74,17 +73,15 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     return plan_of(choice)
 
 
-def measured_again(
-    scene: PlannedScene, plan: Plan, *, figures: bool = False, count: int = SAMPLED
-) -> Plan:
+def measured_again(scene: PlannedScene, plan: Plan, *, figures: bool = False) -> Plan:
     """Return a plan that was made for another scene, with its error and its relative tolerance
-    measured on about `count` pixels of this scene. `figures`: also measure each effect alone."""
+    measured on this scene. `figures`: also measure each effect alone, on more pixels."""
     work, absent = Work.of(scene), absent_effects(scene)
     request = PlanRequest(plan.requested_effects, plan.tolerance_input, figures=figures)
     dropped = frozenset(plan.names("dropped"))
     if scene.needs_reference(request.requested) or not (dropped or figures):
         return _unmeasured(work, request, absent)
-    measuring = _Measuring(scene, request, count)
+    measuring = _Measuring(scene, request)
     dropped -= request.forced_off
     together, _ = measuring.drop_together(dropped)
     alone = measuring.drop_each(absent) if figures else {}
@@ -99,7 +96,7 @@ def measured_again(
 def served_plan(scene: PlannedScene, plan: Plan) -> Plan | None:
     """Return a plan of an earlier scene with its error on this scene; None if the error is too
     large here."""
-    plan = measured_again(scene, plan, count=_QUICK)
+    plan = measured_again(scene, plan)
     tolerance_e = plan.tolerance_e or 0.0
     fits = not plan.measured or (
         (plan.predicted_e or 0.0) <= _SURE * tolerance_e
@@ -182,9 +179,9 @@ class _Measuring:
     `allowed`: the tolerance in electrons. `base`: the exposures with every effect that the user did
     not force off: the planner's own choice has to keep the tolerance relative to these."""
 
-    def __init__(self, scene: PlannedScene, request: PlanRequest, count: int) -> None:
+    def __init__(self, scene: PlannedScene, request: PlanRequest) -> None:
         self.requested, full = request.requested, full_effects(scene, request.requested)
-        self.trial = trial_of(scene, full, count)
+        self.trial = trial_of(scene, full, SAMPLED if request.figures else _QUICK)
         self.base = self.trial.truth
         if full.on != self.requested.on:
             self.base = self.trial.exposures(self.requested)
