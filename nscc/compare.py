@@ -14,7 +14,8 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower.resources import time_text
 from nscc.options import Options
 from nscc.pipeline import KINDS, Compiled
-from nscc.stream.report import rate_text
+from nscc.program.problems import counted
+from nscc.stream.sending_report import rate_text
 from nscc.words.container import Container
 
 NoiseOf = Callable[[Container], tuple[float, float] | None]
@@ -64,10 +65,13 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
     assert container is not None
     noise = noise_of(container) if noise_of is not None else None
     kind, layout = KINDS.of(container), compiled.layout
+    planes = counted(len(container.code_registers), "plane of code", "planes of code")
+    words = container.words_stored
+    stored = f"{counted(words, 'word')}, {planes}" if words else "nothing"
     return OnChip(
         target, compiled, None, layout.shortest_slot_us,
         layout.frame_us + kind.readout_us(container), layout.bits_a_frame, layout.bits_per_us,
-        kind.kept_text(container), noise,
+        stored, noise,
     )  # fmt: skip
 
 

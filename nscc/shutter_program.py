@@ -136,8 +136,8 @@ class ShutterProgram:
         Raises
         ------
         Rejected
-            NS0741 for `pixels` without pixel data, NS0442 if the words open no shutters or if the
-            pixels look at their light.
+            NS0741 for `pixels` without pixel data, NS0442 if the words open no shutters, NS0444 if
+            the pixels look at their light.
         """
         table = self.container.table
         at_code = self._replayed[table.shutter_of_code].transpose(1, 0, 2)

@@ -128,7 +128,7 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
 def _run_on_emulator(
     program: Path, options: dict[str, Any], keep: tuple[str, ...], of_run: RunCapture | None
 ) -> None:
-    from nscc.pipeline import KINDS
+    from nscc.container_proof import require_known_shutters
     from nscc.words.readout import converter_of
     from nscc_runtime.frame_file import meta
     from nscc_runtime.pieces import simulate_scene
@@ -141,7 +141,7 @@ def _run_on_emulator(
     with timings.measure("compile_s"):
         container, messages = load_program(program, options)
     if "shutter" in keep:
-        KINDS.of(container).refuse_unknown_shutters("this program")
+        require_known_shutters(container)
     if of_run is not None:
         of_run.check(container, program)
     sensor = sensor_of(converter_of(container), options)

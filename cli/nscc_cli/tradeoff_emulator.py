@@ -17,6 +17,7 @@ from nscc_cli.programs import compile_options, load_program
 from nscc_cli.runtime_options import measured_options
 from nscc_cli.support import CommonCommand, progress, say
 from nscc_cli.tradeoff_files import output_files, run_study
+from nscc_runtime.run_kinds import KINDS
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
@@ -78,7 +79,7 @@ def _refuse(container: Container) -> None:
     from nscc_runtime.planless import refuse_planless
 
     refuse_planless(container, "nscc tradeoff emulator")
-    if container.machine.stages:
+    if not KINDS.of(container).open_times_known:
         raise rejected(
             "NS0828",
             "nscc tradeoff emulator uses sums over slots, which are undefined for pixels "

@@ -23,7 +23,7 @@ CALLED_BY_LIBRARIES = [
 ]  # fmt: skip
 DECLARED_AS_TEXT = [
     "StillUNet", "ClipUNet", "Refined", "Divided", "Classifier",  # decoders
-    "Images", "Looks", "BitPlanes",  # kinds of programs
+    "Images", "Looks", "BitPlanes", "ImagesRun", "LooksRun", "BitPlanesRun",  # kinds of programs
 ]  # fmt: skip
 """Classes, which a table names as MODULE:CLASS."""
 

@@ -9,7 +9,7 @@ import pytest
 from nscc_command import invoke
 from PIL import Image
 
-from nscc.neighbours.report import picture_report
+from nscc.neighbours.picture_report import picture_report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc_training.experiments.study import measure

@@ -24,6 +24,7 @@ from nscc.syntax.parse import parse
 from nscc.toml.arguments import argument
 from nscc.toml.kinds import ANY_NUMBER
 from nscc.words.legality import refuse_pictures
+from nscc_runtime.run_kinds import KINDS
 from nscc_training.code_choices import ShutterSpec, over_array
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import LookSchedule
@@ -179,7 +180,7 @@ def begun_with(
         moments = np.array([[comparison.boundary for comparison in comparisons]])
         levels = np.array([[comparison.level for comparison in comparisons]])
         return {"at": moments, "level": levels}, None
-    if container.machine.stages:
+    if not KINDS.of(container).open_times_known:
         raise ValueError(f"its pixels look at the light, but those of class {spec.kind} do not")
     if container.pixel_codes is None:
         raise ValueError("the program has no pixels")

@@ -32,7 +32,7 @@ def decoding(bench: Bench) -> Iterator[StudyPoint]:
     The result is a picture if all shutters open at the start of the frame or pixels look, else a
     clip, as in `nscc reconstruct any`. Raises ModuleNotFoundError if torch is needed and missing.
     """
-    if bench.container.machine.stages:
+    if LIGHT in bench.capture.frame.told:
         yield from _of_looks(bench, bench.capture)
     else:
         yield from _of_codes(bench, bench.capture)

@@ -26,10 +26,12 @@ from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
+from nscc_runtime.planless import reason_without_plan
 from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
 from nscc_runtime.request import Request
 from nscc_runtime.response import response_of
+from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.scenes import Scene, scene_light
 from nscc_runtime.sensor import load_sensor
 from nscc_runtime.simulate import Simulated, simulate
@@ -214,7 +216,7 @@ class Bench:
         if original is not None:
             ideal_e = self._ideal_e(original, self._light_in(original))
         frame = self._captured(container, light).frame
-        if container.machine.stages:
+        if LIGHT in frame.told:
             light_e_per_s, sure = (frame.told[key] for key in (LIGHT, DEVIATION))
             counted = (np.isfinite(sure) & np.isfinite(light_e_per_s)).any(axis=0)[None]
             seen_e = merged_image(light_e_per_s, sure)[None] * (sum(container.slot_us) * 1e-6)
@@ -240,7 +242,7 @@ class Bench:
     def _captured(self, container: Container, light: Light) -> Simulated:
         """Simulate a frame with all effects."""
         tolerance = None
-        if not container.target.streamed:  # such a chip has no plans, and its simulation is exact
+        if not reason_without_plan(container):
             tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
         request = Request.of(
             effects="all", tolerance=tolerance, seed=self.request.seed,
@@ -249,7 +251,7 @@ class Bench:
         return simulate(container, light, self.sensor, request)
 
     def _ideal_e(self, container: Container, light: Light) -> Values:
-        if container.machine.stages:
+        if not KINDS.of(container).open_times_known:
             return np.asarray(light.total_e(), np.float64)[None]
         none = selected("none")
         exact = simulate(container, light, self.sensor, Request.of(effects="none")).frame

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.lower.exposure_plan import LOWERINGS
-from nscc.pipeline import Compiled
+from nscc.pipeline import KINDS, Compiled
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.effects import everything, selected
@@ -69,10 +69,9 @@ def compiling(bench: Bench) -> Iterator[StudyPoint]:
 
 def lowering(bench: Bench) -> Iterator[StudyPoint]:
     """Yield the lowerings: the shortest frame that their words allow."""
-    source, looks = bench.source, bench.container.machine.stages
-    if looks or bench.container.target.streamed:
-        chip_kind = "pixels that look" if looks else "a chip without logic"
-        raise NotMeasured(f"there is one way for {chip_kind}")
+    source, subject = bench.source, KINDS.of(bench.container).one_lowering_for
+    if subject:
+        raise NotMeasured(f"there is one way for {subject}")
 
     def measured(name: str) -> Figures:
         compiled = bench.compiled(source, lowering=name)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.limits.families import MOST_DIGITS, book_text
+from nscc.pipeline import KINDS
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import EqualSlots, ListedSlots
@@ -39,7 +40,7 @@ def in_fewer(
     its time. Raises NotMeasured if the slots cannot be joined, pixels have no codes, or there are
     too many shutters for a codebook."""
     codes, slots = container.pixel_codes, container.slots
-    if container.machine.stages or codes is None:
+    if codes is None or not KINDS.of(container).shutters_known:
         raise NotMeasured("programs with pixels that look keep their own slots")
     if slots % join:
         raise NotMeasured(f"{slots} slots are not a multiple of {join}")
