@@ -216,7 +216,7 @@ def _table(plan: Plan) -> str:
         )
         rows.append((decision.name, rms, bias, choice, decision.reason, cost, *other_states))
     lines = [columns(rows, left_aligned=(0, 3, 4)), *_errors(plan)]
-    reasons = "; ".join(plan.slot_loop_reasons) or "of no pixel"
+    reasons = "; ".join(plan.slot_loop_reasons) if plan.slot_loop else "of no pixel"
     lines += [f"words run one by one: {reasons}", plan.time_summary]
     if plan.reused:
         lines.append("made for an earlier scene, and measured again on this one")
