@@ -15,7 +15,7 @@ from time import perf_counter
 
 import numpy as np
 
-from nscc_runtime.noise import key, normals, poisson, thin, uniforms
+from nscc_runtime.noise import key, normals, poisson, uniforms
 
 _RATES = (0.001, 0.1, 1.0, 5.0, 9.9, 12.0, 20.0, 100.0, 1e4, 1e6)
 
@@ -64,17 +64,6 @@ def main() -> None:
         n,
         rounds,
     )
-    slots, few = 16, max(n // 16, 1)
-    for count in (10, 1000, 100_000):
-        counts = np.full(few, float(count))
-        shares = np.ones(slots)
-        compare(
-            f"{count} over {slots} slots, a slot",
-            lambda counts=counts, shares=shares: thin(stream, pixels[:few], counts, shares),
-            lambda count=count: rng.multinomial(count, np.full(slots, 1 / slots), few),
-            few * slots,
-            rounds,
-        )
 
 
 if __name__ == "__main__":
