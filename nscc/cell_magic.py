@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.pipeline import Options
+from nscc.options import Options
 from nscc.shutter_program import ShutterProgram, compiled
 from nscc.source import Source
 from nscc.toml.kinds import Flag, Kind

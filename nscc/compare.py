@@ -12,8 +12,10 @@ from nscc.columns import columns
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower.resources import time_text
-from nscc.pipeline import KINDS, Compiled, Options
-from nscc.stream.report import rate_text
+from nscc.options import Options
+from nscc.pipeline import KINDS, Compiled
+from nscc.program.problems import counted
+from nscc.stream.sending_report import rate_text
 from nscc.words.container import Container
 
 NoiseOf = Callable[[Container], tuple[float, float] | None]
@@ -30,14 +32,14 @@ class OnChip:
     """
 
     target: Target
-    compiled: Compiled | None
-    first_error: Diagnostic | None
-    shortest_slot_us: float | None
-    frame_us: float | None
-    sent_bits: int | None
-    bits_per_us: float | None
-    stored: str
-    noise_e: tuple[float, float] | None
+    compiled: Compiled | None = None
+    first_error: Diagnostic | None = None
+    shortest_slot_us: float | None = None
+    frame_us: float | None = None
+    sent_bits: int | None = None
+    bits_per_us: float | None = None
+    stored: str = "?"
+    noise_e: tuple[float, float] | None = None
 
 
 def compare(
@@ -58,15 +60,18 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
             raise
         late = first_error.data.get("resource") == "slot_us"
         needed = float(first_error.data["required"]) if late else None
-        return OnChip(target, None, first_error, needed, None, None, None, "", None)
+        return OnChip(target, first_error=first_error, shortest_slot_us=needed)
     container = compiled.container
     assert container is not None
     noise = noise_of(container) if noise_of is not None else None
     kind, layout = KINDS.of(container), compiled.layout
+    planes = counted(len(container.code_registers), "plane of code", "planes of code")
+    words = container.words_stored
+    stored = f"{counted(words, 'word')}, {planes}" if words else "nothing"
     return OnChip(
         target, compiled, None, layout.shortest_slot_us,
         layout.frame_us + kind.readout_us(container), layout.bits_a_frame, layout.bits_per_us,
-        kind.kept_text(container), noise,
+        stored, noise,
     )  # fmt: skip
 
 
@@ -102,10 +107,11 @@ def compared_json(chips: Sequence[OnChip]) -> list[dict[str, Any]]:
             "frame_us": chip.frame_us,
             "sent_bits_a_frame": chip.sent_bits,
             "sent_bits_per_us": chip.bits_per_us,
-            "noise_dark_e": None if chip.noise_e is None else chip.noise_e[0],
-            "noise_half_well_e": None if chip.noise_e is None else chip.noise_e[1],
+            "noise_dark_e": noise[0],
+            "noise_half_well_e": noise[1],
         }
         for chip in chips
+        for noise in [chip.noise_e or (None, None)]
     ]
 
 
@@ -136,7 +142,7 @@ _ROWS: dict[str, Callable[[OnChip], str]] = {
     "pixels": lambda chip: f"{chip.target.rows} x {chip.target.cols}",
     "shortest slot": lambda chip: _time(chip.shortest_slot_us),
     "frame with readout": lambda chip: _time(chip.frame_us),
-    "kept in the chip": lambda chip: chip.stored or "?",
+    "kept in the chip": lambda chip: chip.stored,
     "sent for a frame": _sent,
     "data rate": _mean_rate,
     "noise in the dark": _noise(0),

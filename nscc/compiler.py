@@ -8,7 +8,8 @@ from pathlib import Path
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.lower.fit import has_ways_out
 from nscc.lower.lowered import Lowered
-from nscc.pipeline import Compiled, Observer, Options, Unfit, run_passes
+from nscc.options import Options
+from nscc.pipeline import Compiled, Observer, Unfit, run_passes
 from nscc.program.program import Codes, Program
 from nscc.source import Source
 from nscc.syntax import tree

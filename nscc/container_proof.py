@@ -16,11 +16,26 @@ from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc.words.legality import decoded
 
 
+def require_known_shutters(container: Container, name: str = "this program") -> None:
+    """Raise Rejected (NS0444, status 1) if the shutters depend on the light."""
+    if not KINDS.of(container).shutters_known:
+        raise rejected(
+            "NS0444",
+            f"the shutters of {name} depend on the light: they are unknown before the exposure",
+            notes=(
+                "its pixels look at the light, and the answers decide when they open and close",
+            ),
+            helps=("`nscc run` writes how long each pixel was open: `open_slots`",),
+            status=1,
+        )
+
+
 def replayed(container: Container, name: str = "this program") -> NDArray[np.bool_]:
     """Return the distinct shutters bool (shutters, buckets, N) that the words open.
 
     Raises Rejected (status 1): NS0442 if a slot's weight is neither 0 nor 1, NS0444 if the shutters
     depend on the light. The message calls the container `name`."""
+    require_known_shutters(container, name)
     return KINDS.of(container).replayed(container, name)
 
 

@@ -16,7 +16,8 @@ from nscc.compiler import compile_file
 from nscc.diagnostics.arguments import path_of, shown, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
-from nscc.pipeline import KINDS, Options
+from nscc.options import Options
+from nscc.pipeline import KINDS
 from nscc.program.analyse import ranges_of
 from nscc.program.pixel_codes import codes_from
 from nscc.source import Source

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from shutil import disk_usage
-from time import monotonic, sleep, time
+from time import monotonic, time
 from types import TracebackType
 from typing import Any, Self
 
@@ -53,7 +53,10 @@ class Timing:
 
 
 class ExperimentStore:
-    """Measurements of experiments, as JSON values, by name.
+    """The measurements of one experiment, as JSON values, by name.
+
+    Other experiments in the file are ignored; `experiment` is the digest of everything that affects
+    its measurements.
 
     A measurement is on the disk when `keep` returns. Several processes may use a store: the process
     that has the claim of a name measures it, and the others wait for the result. A claim ends with
@@ -66,9 +69,10 @@ class ExperimentStore:
     NS0834 if it is not a store."""
 
     def __init__(
-        self, path: Path | None, report: Callable[[str], object] = lambda _text: None
-    ) -> None:
-        self._path, self._report = path, report
+        self, path: Path | None = None, experiment: str = "",
+        report: Callable[[str], object] = lambda _text: None,
+    ) -> None:  # fmt: skip
+        self._path, self._of, self._report = path, experiment, report
         self._claims: int | None = None
         self._known = False
         try:
@@ -137,32 +141,32 @@ class ExperimentStore:
             return bool(primary == sqlite3.SQLITE_FULL)
         return disk_usage(self._path.parent).free < _LEAST_BYTES
 
-    def values(self, experiment: str) -> dict[str, Any]:
-        """Return all measurements of an experiment by name, in the order in which they ended."""
+    def values(self) -> dict[str, Any]:
+        """Return all measurements by name, in the order in which they ended."""
         rows = self._execute(
-            "SELECT name, value FROM measurement WHERE experiment = ? ORDER BY rowid", experiment
+            "SELECT name, value FROM measurement WHERE experiment = ? ORDER BY rowid", self._of
         )
         self._known |= bool(rows)
         return {name: json.loads(value) for name, value in rows}
 
-    def timings(self, experiment: str) -> list[Timing]:
-        """Return the timings of an experiment, in the order in which its measurements ended."""
+    def timings(self) -> list[Timing]:
+        """Return the timings, in the order in which its measurements ended."""
         rows = self._execute(
             "SELECT name, label, seconds, ended, worker FROM measurement WHERE experiment = ? "
-            "ORDER BY rowid", experiment,
+            "ORDER BY rowid", self._of,
         )  # fmt: skip
         return [Timing(*row) for row in rows]
 
-    def get(self, experiment: str, name: str) -> Any | None:
+    def get(self, name: str) -> Any | None:
         """Return a measurement, or None if it is not stored."""
         rows = self._execute(
-            "SELECT value FROM measurement WHERE experiment = ? AND name = ?", experiment, name
+            "SELECT value FROM measurement WHERE experiment = ? AND name = ?", self._of, name
         )
         self._known |= bool(rows)
         return json.loads(rows[0][0]) if rows else None
 
     def keep(
-        self, experiment: str, name: str, value: Any, *, label: str = "", seconds: float = 0.0,
+        self, name: str, value: Any, *, label: str = "", seconds: float = 0.0,
         worker: str = "",
     ) -> None:  # fmt: skip
         """Store a measurement; raise ValueError for None, NaN and infinity, which JSON cannot
@@ -171,47 +175,30 @@ class ExperimentStore:
             raise ValueError(f"the measurement '{name}' has no value")
         self._execute(
             "INSERT OR IGNORE INTO measurement VALUES (?, ?, ?, ?, ?, ?, ?)",
-            experiment, name, json.dumps(value, allow_nan=False), label, seconds, time(), worker,
+            self._of, name, json.dumps(value, allow_nan=False), label, seconds, time(), worker,
         )  # fmt: skip
         self._known = True
 
-    def forget(self, experiment: str, *names: str) -> None:
-        """Delete measurements of an experiment."""
+    def forget(self, *names: str) -> None:
+        """Delete measurements."""
         for name in names:
-            self._execute(
-                "DELETE FROM measurement WHERE experiment = ? AND name = ?", experiment, name
-            )
+            where = "experiment = ? AND name = ?"
+            self._execute(f"DELETE FROM measurement WHERE {where}", self._of, name)
 
-    def once(self, experiment: str, name: str, measure: Callable[[], Any]) -> Any:
-        """Return a stored measurement, or call `measure` and store its result.
-
-        If another process has the claim, wait for its result. Results pass through JSON, so tuples
-        become lists."""
-        while (value := self.get(experiment, name)) is None:
-            if not self.claim(experiment, name):
-                sleep(_POLL_S)
-                continue
-            try:
-                if self.get(experiment, name) is None:
-                    self.keep(experiment, name, measure())
-            finally:
-                self.release(experiment, name)
-        return value
-
-    def claim(self, experiment: str, name: str) -> bool:
+    def claim(self, name: str) -> bool:
         """Claim a measurement; return False if another process has the claim, else True."""
         if self._claims is not None:
-            place = _place(experiment, name)
+            place = _place(self._of, name)
             try:
                 fcntl.lockf(self._claims, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, place)
             except BlockingIOError:
                 return False
         return True
 
-    def release(self, experiment: str, name: str) -> None:
+    def release(self, name: str) -> None:
         """Release the claim of a measurement."""
         if self._claims is not None:
-            fcntl.lockf(self._claims, fcntl.LOCK_UN, 1, _place(experiment, name))
+            fcntl.lockf(self._claims, fcntl.LOCK_UN, 1, _place(self._of, name))
 
     def remove(self) -> None:
         """Close the store, and delete its files if no other process uses them."""
@@ -255,30 +242,3 @@ def _is_locked(error: Exception) -> bool:
 def _place(experiment: str, name: str) -> int:
     """Return the offset in the claims file of the byte whose lock is the claim of a measurement."""
     return int.from_bytes(sha256(f"{experiment}\0{name}".encode()).digest()[:7])
-
-
-class Rows:
-    """Measurements by name, in an experiment store in `file`; without a file nothing is stored.
-
-    `of` is the digest of everything that affects the measurements; measurements with another digest
-    are ignored. Raises Rejected as `ExperimentStore` does."""
-
-    def __init__(
-        self, file: Path | None = None, of: str = "",
-        report: Callable[[str], object] = lambda _text: None,
-    ) -> None:  # fmt: skip
-        self._of, self._store = of, ExperimentStore(file, report)
-
-    def once(self, name: str, measure: Callable[[], Any]) -> Any:
-        """Return the stored result, or call `measure` and store its result as JSON."""
-        return self._store.once(self._of, name, measure)
-
-    def remove(self) -> None:
-        """Delete the file, after its values were written to the products."""
-        self._store.remove()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *raised: Any) -> None:
-        self._store.__exit__(*raised)

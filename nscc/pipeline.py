@@ -4,12 +4,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from math import inf
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, get_args
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,23 +16,33 @@ from numpy.typing import NDArray
 from nscc import checks
 from nscc.cache.results import Results, results_of_user
 from nscc.chips.load import load_target
-from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.rejection import rejected
 from nscc.kinds import KindTable
 from nscc.lazy import LazyFunctions
 from nscc.lower import fit
-from nscc.lower.exposure_plan import LOWERINGS, LoweringOption
-from nscc.lower.lowered import Lowered
+from nscc.lower.exposure_plan import Planned, frame_time, plan_exposures
+from nscc.lower.gates import Gated, find_gates
+from nscc.lower.lowered import Choice, Lowered, assemble, lay_out
 from nscc.operations import Op
+from nscc.options import Options
 from nscc.program.analyse import analyse
-from nscc.program.program import Codes, Program
-from nscc.prove.proof import Proof, unproved_error
+from nscc.program.problems import counted
+from nscc.program.program import Program
+from nscc.prove.pixels import ReplayPixels
+from nscc.prove.proof import (
+    Failure,
+    Proof,
+    Replay,
+    prove,
+    readout_failure,
+    shutters,
+    unproved_error,
+)
 from nscc.record import Record
 from nscc.source import Source
 from nscc.syntax.parse import declared_at, parse
 from nscc.syntax.tree import File
-from nscc.toml.kinds import Flag, Instance, Integer, TextKind
-from nscc.toml.schema import key
 from nscc.words.container import Container
 from nscc.words.legality import decoded
 
@@ -42,42 +51,6 @@ if TYPE_CHECKING:
 
 LEVELS = (0, 1, 2, 3)
 """Optimisation levels; a higher level allows more steps in the search for gates."""
-
-
-@dataclass(frozen=True)
-class Options:
-    """Options of the compiler.
-
-    `price_all` computes the costs of all lowerings, for the report. If `unproved_is_error` is false
-    and only a longer search can decide whether the program fits, this is a note instead of an
-    error."""
-
-    level: int = key(
-        Integer(0, 3), "Effort of the search for fewer words", 2,
-        option="-O", default_text="2; check: 1",
-    )  # fmt: skip
-    codes: Codes = key(
-        TextKind(get_args(Codes)), "Compile for the codes in use, or for every legal one", "fixed"
-    )
-    lowering: LoweringOption = key(
-        TextKind(("auto", *LOWERINGS)), "How the exposure is computed", "auto",
-        default_text="auto, the cheapest",
-    )  # fmt: skip
-    target: Target | str | None = key(
-        Instance((Target, str, os.PathLike), "a chip's name, its file or a Target"),
-        "The chip, instead of the chip in the program", None, notation="NAME|FILE.toml",
-    )  # fmt: skip
-    cache: bool = key(
-        Flag(),
-        "Store search results of -O2 and -O3 and reuse them (default), or search again",
-        True, option="--cache/--no-cache",
-    )  # fmt: skip
-    max_words_per_slot: int | None = key(
-        Integer(1, inf),
-        "Reject programs that execute more words than this in any slot", None, notation="W",
-    )  # fmt: skip
-    price_all: bool = False
-    unproved_is_error: bool = True
 
 
 class Job(Record):
@@ -123,31 +96,6 @@ def make_program(parsed: Parsed, job: Job) -> tuple[Program, Found]:
     return program, program.messages
 
 
-def assemble_words(layout: Any, job: Job) -> tuple[Container, Found]:
-    """Convert the layout of a program's words, or bit planes, to a container.
-
-    Errors: NS0535, NS0540 and NS0541 for images and planes that exceed the chip's resources."""
-    return KINDS.of(layout.program).assemble(layout, job)
-
-
-def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
-    """Prove a container by replaying its words, or by following the light of its bit planes.
-
-    A failed proof is a bug of the compiler, not an error of the program. Errors: those of
-    `unproved_error`."""
-    kind = KINDS.of(container)
-    try:
-        kernels = decoded(container)
-    except Rejected as rejected:
-        raise checks.Inconsistent("words that the target does not have") from rejected
-    proof = kind.prove(container, kernels)
-    failure = proof.failure
-    if failure is None or failure.unproved is None:
-        return proof, []
-    span = declared_at(job.source, failure.unproved)
-    return proof, [unproved_error(failure, job.source, span)]
-
-
 class Pass(Record):
     """A compiler pass.
 
@@ -162,104 +110,61 @@ class Pass(Record):
 
 
 _TEXTS = LazyFunctions("nscc.emit.listing")
-_READING = (
-    Pass("parse", parse_text, lambda p: checks.check_tree(p.source, p.tree), _TEXTS.parsed_text),
-    Pass("program", make_program, checks.check_program, _TEXTS.program_text),
-)
-_WRITING = (
-    Pass("words", assemble_words, checks.check_words, lambda c: KINDS.of(c).words_text(c)),
-    Pass("prove", prove_words, checks.check_proof, _TEXTS.proof_text),
-)
-PASSES = ("parse", "program", "plan", "gates", "schedule", "words", "prove")
-"""The names of the passes, in order. `nscc build --print-after PASS` prints the value after one."""
+_SUMMARY = LazyFunctions("nscc.emit.summary")
 
 
-class ProgramKind(Protocol):
-    """What the compiler does for a kind of program: plan, lower, prove and describe it."""
+def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
+    """Make an exposure plan for each lowering that supports the program.
 
-    passes: ClassVar[tuple[Pass, ...]]
-    """The passes from the program to the layout of its words. The last one is `schedule`."""
-    subject: str
-    """What a container has, in messages: words, or planes."""
-    shutters_known: bool
-    """Whether the shutters are known before the exposure."""
-    has_simpler_programs: bool
-    """Whether programs with simpler rules are suggested for one that does not fit."""
-
-    def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
-        """Return the container of a layout, and the errors of what does not fit behind it."""
-
-    def prove(self, container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
-        """Return the proof that decoded words, or planes, do what the container says."""
-
-    def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
-        """Return the distinct shutters (shutters, buckets, N) that the words open; see
-        `container_proof.replayed`."""
-
-    def refuse_unknown_shutters(self, name: str) -> None:
-        """Raise Rejected (NS0444, status 1) if the shutters depend on the light."""
-
-    def with_planes(self, container: Container) -> Container:
-        """Return a container with what follows from its pixel codes."""
-
-    def product(self, product: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
-        """Return one of `emit.products.SUFFIXES` that not every kind has, by its file name."""
-
-    def gates_text(self, lowered: Any) -> str:
-        """Return the gates of a lowering as text."""
-
-    def network(self, lowered: Any) -> DiGraph:
-        """Return the gates of a lowering as a network."""
-
-    def words_text(self, container: Container) -> str:
-        """Return the words, or a description of the planes, for `--print-after words`."""
-
-    def report(self, compiled: Compiled) -> dict[str, Any]:
-        """Return the build report as JSON values."""
-
-    def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
-        """Return the rows of a summary after class and codes; only some for an unknown layout."""
-
-    def cost_text(self, compiled: Compiled) -> str:
-        """Return the cost of words, or of bit planes, in two lines."""
-
-    def size_text(self, container: Container) -> str:
-        """Return what a frame executes, or is sent, in a few words."""
-
-    def stored_row(self, container: Container) -> tuple[str, str]:
-        """Return the row of a table about what is stored, or sent."""
-
-    def kept_text(self, container: Container) -> str:
-        """Return what the chip keeps between frames."""
-
-    def readout_us(self, container: Container) -> float:
-        """Return the time to read out all buckets."""
-
-    def frame_text(self, compiled: Compiled) -> str:
-        """Return the cost of a frame in sentences; the shortest slot follows."""
-
-    def slot_text(self, compiled: Compiled, slot: int) -> str:
-        """Return the cost of a slot as the rest of a sentence."""
+    Errors: NS0412 for more shutters than a pixel's registers can distinguish, NS0413 for more
+    buckets than analog registers, NS0414 for a lowering that does not support the program."""
+    fault = fit.capacity_fault(program)
+    if fault is not None:
+        return Planned(program, frame_time(program), (), (), {}), [fault]
+    lowering = job.options.lowering
+    planned = plan_exposures(program, lowering)
+    faults = [] if planned.plans else [fit.plan_fault(program, planned.misfits, lowering)]
+    return planned, faults
 
 
-KINDS: KindTable[ProgramKind] = KindTable(
-    fixed="nscc.fixed.kind:FixedShutters",
-    images="nscc.neighbours.kind:Images",
-    looks="nscc.looks.kind:Looks",
-    stream="nscc.stream.kind:BitPlanes",
-)
-"""The kinds of programs that the compiler knows."""
+def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
+    """Find gates and encodings for the plans, with their costs; the best comes first.
+
+    Plans that cannot be better than one that fits are not tried, unless all costs are requested.
+    Errors: NS0502 if no gates are found, which does not prove that none exist; NS0905 if a
+    generator of another package returns invalid gates. Warning: NS0504 if a generator fails."""
+    options, results = job.options, job.results
+    search = partial(
+        find_gates,
+        planned,
+        options.level,
+        price_all=options.price_all,
+        results=results,
+        most_words=options.max_words_per_slot,
+    )
+    gated = search()
+    if results is not None and results.read and not gated.fits:
+        # The result that nothing fits is never taken from the cache.
+        results.distrust()
+        gated = search()
+    messages = list({fault.generator: fault.diagnostic() for fault in gated.faults}.values())
+    if not gated.decodings:
+        messages.append(fit.gates_fault(gated.program, gated.misfits, level=options.level))
+    return gated, messages
 
 
-def _passes(values: Mapping[str, Any]) -> Iterator[Pass]:
-    """Yield the passes for a program, whose kind is known after the first two passes."""
-    yield from _READING
-    yield from KINDS.of(values["program"]).passes
-    yield from _WRITING
+def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
+    """Assign kernels and launches to the frame's boundaries; the best lowering comes first.
 
-
-Observer = Callable[[Pass, Any], None]
-"""A function called with (pass, value) after each pass, before the value is verified."""
+    Errors: a program that exceeds the store (NS0501), the slots' time (NS0601), the retention time
+    of registers (NS0602) or the user's limit (NS0603)."""
+    most_words = job.options.max_words_per_slot
+    layouts = (
+        lay_out(gated.program, decoding, gated.time, most_words) for decoding in gated.decodings
+    )
+    failed = tuple(dict.fromkeys(fault.generator for fault in gated.faults))
+    choice = Choice(tuple(layouts), gated.misfits, failed)
+    return choice, fit.faults(choice, level=job.options.level)
 
 
 class Compiled(Record):
@@ -294,6 +199,167 @@ class Compiled(Record):
     def __repr__(self) -> str:
         words = "no words" if self.container is None else f"{self.container!r}"
         return f"Compiled({self.program.source.name!r}, class {self.program.class_name}: {words})"
+
+
+class ProgramKind:
+    """What the compiler does for a kind of program: plan, lower, prove and describe it.
+
+    This class is for programs whose shutters depend on the code of a pixel only, "fixed" shutters.
+    The classes of other kinds change it, and may be combined: they call `super`."""
+
+    passes: ClassVar[tuple[Pass, ...]] = (
+        Pass("plan", make_plans, checks.check_plans, _TEXTS.plans_text),
+        Pass("gates", choose_gates, checks.check_gates, _TEXTS.all_gates_text),
+        Pass("schedule", lay_out_words, checks.check_schedule, _TEXTS.choice_text),
+    )
+    """The passes from the program to the layout of its words. The last one is `schedule`."""
+    subject = "words"
+    """What a container has, in messages: words, or planes."""
+    shutters_known = True
+    """Whether the shutters are known before the exposure."""
+    one_lowering_for = ""
+    """The subject of "there is one lowering for ..."; empty if there are several."""
+    has_simpler_programs = True
+    """Whether programs with simpler rules are suggested for one that does not fit."""
+
+    def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
+        """Return the container of a layout.
+
+        Errors: NS0535, NS0540 and NS0541 for images and planes that exceed the chip's resources."""
+        return assemble(layout.best, job.options.level), ()
+
+    def replay(self, container: Container, kernels: Sequence[Sequence[Op]]) -> ReplayPixels:
+        """Return the pixels that the proof runs the words on."""
+        return Replay(container, kernels)
+
+    def after_frame(self, container: Container) -> Failure | None:
+        """Return the first error of the words after the exposure."""
+        return readout_failure(container)
+
+    def prove(self, container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
+        """Return the proof that decoded words, or planes, do what the container says."""
+        return prove(container, kernels, self.replay, self.after_frame)
+
+    def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
+        """Return the distinct shutters (shutters, buckets, N) that the words open.
+
+        Raises Rejected (NS0442, status 1) if a slot's weight is neither 0 nor 1; the message calls
+        the container `name`."""
+        opened = shutters(container, decoded(container))
+        if opened is None:
+            raise rejected(
+                "NS0442",
+                f"the words of {name} do not implement shutters: the light of some slot has a "
+                "weight other than 0 or 1",
+                helps=("`nscc prove` shows the error in the words",),
+                status=1,
+            )
+        return opened
+
+    def with_planes(self, container: Container) -> Container:
+        """Return a container with the bit planes that follow from its pixel codes, if any."""
+        return container
+
+    def product(self, product: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
+        """Return a product of `nscc build --emit` that not every kind has, by its file name."""
+        return dict(LazyFunctions("nscc.emit.products").word_product(product, compiled, stem, self))
+
+    def gates_text(self, lowered: Any) -> str:
+        """Return the gates of a lowering as text."""
+        return str(_TEXTS.gates_text(lowered.decoding, lowered.program))
+
+    def network(self, lowered: Any) -> DiGraph:
+        """Return the gates of a lowering as a network."""
+        network: DiGraph = LazyFunctions("nscc.emit.network").network_of(lowered)
+        return network
+
+    def words_text(self, container: Container) -> str:
+        """Return the words, or a description of the planes, for `--print-after words`."""
+        from nscc.words.disassembly import disassemble
+
+        return disassemble(container)
+
+    def report(self, compiled: Compiled) -> dict[str, Any]:
+        """Return the build report as JSON values."""
+        return dict(LazyFunctions("nscc.emit.report").report(compiled.layout, compiled.proof))
+
+    def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
+        """Return the rows of a summary after class and codes; only some for an unknown layout."""
+        return list(_SUMMARY.word_rows(compiled))
+
+    def cost_text(self, compiled: Compiled) -> str:
+        """Return the cost of words, or of bit planes, in two lines."""
+        return str(_SUMMARY.word_cost_text(compiled))
+
+    def size_text(self, container: Container) -> str:
+        """Return what a frame executes, or is sent, in a few words."""
+        return counted(container.words_per_frame, "word")
+
+    def readout_us(self, container: Container) -> float:
+        """Return the time to read out all buckets."""
+        return container.target.readout_us * len(container.readouts)
+
+    def frame_text(self, compiled: Compiled) -> str:
+        """Return the cost of a frame in sentences, up to the subject of the last one."""
+        return str(_SUMMARY.word_frame_text(compiled.lowered))
+
+    def slot_text(self, compiled: Compiled, slot: int) -> str:
+        """Return the cost of a slot as the rest of a sentence."""
+        return str(_SUMMARY.word_slot_text(compiled.lowered, slot))
+
+
+KINDS = KindTable(
+    ProgramKind,
+    images="nscc.neighbours.images_kind:Images",
+    looks="nscc.looks.looks_kind:Looks",
+    stream="nscc.stream.planes_kind:BitPlanes",
+)
+"""The kinds of programs that the compiler knows."""
+
+
+def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
+    """Prove a container by replaying its words, or by following the light of its bit planes.
+
+    A failed proof is a bug of the compiler, not an error of the program. Errors: those of
+    `unproved_error`."""
+    try:
+        kernels = decoded(container)
+    except Rejected as error:
+        raise checks.Inconsistent("words that the target does not have") from error
+    proof = KINDS.of(container).prove(container, kernels)
+    failure = proof.failure
+    if failure is None or failure.unproved is None:
+        return proof, []
+    span = declared_at(job.source, failure.unproved)
+    return proof, [unproved_error(failure, job.source, span)]
+
+
+_READING = (
+    Pass("parse", parse_text, lambda p: checks.check_tree(p.source, p.tree), _TEXTS.parsed_text),
+    Pass("program", make_program, checks.check_program, _TEXTS.program_text),
+)
+_WRITING = (
+    Pass(
+        "words",
+        lambda layout, job: KINDS.of(layout.program).assemble(layout, job),
+        checks.check_words,
+        lambda c: KINDS.of(c).words_text(c),
+    ),
+    Pass("prove", prove_words, checks.check_proof, _TEXTS.proof_text),
+)  # fmt: skip
+PASSES = ("parse", "program", "plan", "gates", "schedule", "words", "prove")
+"""The names of the passes, in order. `nscc build --print-after PASS` prints the value after one."""
+
+
+def _passes(values: Mapping[str, Any]) -> Iterator[Pass]:
+    """Yield the passes for a program, whose kind is known after the first two passes."""
+    yield from _READING
+    yield from KINDS.of(values["program"]).passes
+    yield from _WRITING
+
+
+Observer = Callable[[Pass, Any], None]
+"""A function called with (pass, value) after each pass, before the value is verified."""
 
 
 class Unfit(Rejected):

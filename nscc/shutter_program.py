@@ -34,7 +34,8 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_together
 from nscc.lower.exposure_plan import LoweringOption
-from nscc.pipeline import KINDS, Compiled, Options, with_all_lowerings
+from nscc.options import Options
+from nscc.pipeline import KINDS, Compiled, with_all_lowerings
 from nscc.program.problems import counted
 from nscc.program.program import Codes
 from nscc.source import Source
@@ -135,8 +136,8 @@ class ShutterProgram:
         Raises
         ------
         Rejected
-            NS0741 for `pixels` without pixel data, NS0442 if the words open no shutters or if the
-            pixels look at their light.
+            NS0741 for `pixels` without pixel data, NS0442 if the words open no shutters, NS0444 if
+            the pixels look at their light.
         """
         table = self.container.table
         at_code = self._replayed[table.shutter_of_code].transpose(1, 0, 2)

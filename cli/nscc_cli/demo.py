@@ -12,8 +12,9 @@ from nscc.requirements import line_for
 from nscc_cli.completion import RUN
 from nscc_cli.options import OUT, SCENE, declared, section, tone_option
 from nscc_cli.support import common_command, progress, say, say_done
-from nscc_runtime.scenes import Scene
-from nscc_runtime.simulate import Listener, Request
+from nscc_runtime.request import Request
+from nscc_runtime.scene_settings import Scene
+from nscc_runtime.simulate import Listener
 
 
 @common_command("demo")

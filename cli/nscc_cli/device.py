@@ -17,7 +17,8 @@ from nscc_cli.options import OUT, PATH, given
 from nscc_cli.programs import load_program
 from nscc_cli.runtime_options import link_options, placing_options
 from nscc_cli.support import NumberRange, Subcommands, progress, say, say_done
-from nscc_runtime.simulate import Request
+from nscc_runtime.device.link_settings import LinkSettings
+from nscc_runtime.request import Request
 
 _LONGEST_S = 1e6
 
@@ -91,7 +92,7 @@ def _report(error: Exception) -> None:
 def info(port: str, as_json: bool, **options: Any) -> None:
     """Print the description of the loader at PORT, its memory, and the program it holds."""
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import LinkSettings, SerialLink
+    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.device.messages import info_json, info_text
 
     with SerialLink(port, **given(LinkSettings, options)) as link:
@@ -112,7 +113,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
     """Send a program to the device at PORT; parts that the device already holds are not sent
     again."""
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import LinkSettings, SerialLink
+    from nscc_runtime.device.link import SerialLink
 
     container, messages = load_program(program, options)
     say(list(messages))
@@ -142,7 +143,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
     `meta` in each frame file contains the time of exposure and the program's SHA-256."""
     from nscc_runtime.device.captured_frames import capture_to, numbered_paths, target_of
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import LinkSettings, SerialLink
+    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.frame_file import check_adc
 
     if (options["out"] is None) == (options["folder"] is None):
@@ -195,7 +196,7 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
     from nscc.files import write_whole
     from nscc_runtime.device.captured_frames import target_of
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import LinkSettings, SerialLink
+    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.device.measured_times import measured
 
     with SerialLink(port, **given(LinkSettings, options)) as link:

@@ -157,15 +157,12 @@ def _picture(
 ) -> Product:  # fmt: skip
     """Return the picture for `--png`; of several frames the first is drawn."""
     from nscc_runtime.formats.content import content_sheet
-    from nscc_runtime.merge import readouts
-    from nscc_runtime.pictures.images import frame_sheet, image_plane_sheet
     from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.run_kinds import KINDS
 
     if content.colour and content.light is not None:
         return png_of(content_sheet, content, title)
-    if container.pictures.outputs:
-        return png_of(image_plane_sheet, frame.first, container.buckets_read, title)
-    return png_of(frame_sheet, readouts(container, frame.first, response()), title)
+    return png_of(KINDS.of(container).frame_sheet, container, frame.first, response, title)
 
 
 def summary(

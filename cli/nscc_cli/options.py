@@ -11,10 +11,10 @@ from typing import Any, TypeVar
 import click
 from click import Choice, Context, IntRange, Parameter, argument, option
 
-from nscc.pipeline import Options
-from nscc.toml.arguments import declared as keys_by_name
+from nscc.options import Options
 from nscc.toml.kinds import LEAST, FilePath, Flag, Kind, Number, TextKind
 from nscc.toml.schema import Key
+from nscc.toml.schema import declared as keys_by_name
 from nscc_cli.completion import EFFECTS as EFFECT_NAMES
 from nscc_cli.completion import SCENE as SCENE_NAME
 from nscc_cli.completion import SETTING, TARGET

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected
-from nscc.pipeline import Options
-from nscc.toml.arguments import declared
+from nscc.options import Options
+from nscc.toml.schema import declared
 from nscc_cli.options import given
 from nscc_cli.support import waiting
 

@@ -143,8 +143,10 @@ def command(
 
 
 def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
-    """Print the method that replaced the network, for lack of torch."""
-    if method is None and reconstruction.method != "network":
+    """Print the method that replaced the network, and why."""
+    if reconstruction.reason:
+        say_done(reconstruction.reason)
+    elif method is None and reconstruction.method != "network":
         method_text = "neighbours were merged" if reconstruction.still else "GAP-TV found the clip"
         say_done(
             f"without torch {method_text} (method {reconstruction.method}); {line_for('torch')} "

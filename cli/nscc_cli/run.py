@@ -32,8 +32,9 @@ from nscc_cli.support import (
     say,
     say_done,
 )
-from nscc_runtime.scenes import Scene
-from nscc_runtime.simulate import Request
+from nscc_runtime.device.link_settings import LinkSettings
+from nscc_runtime.request import Request
+from nscc_runtime.scene_settings import Scene
 
 if TYPE_CHECKING:
     from nscc_training.run_files import RunCapture
@@ -127,7 +128,7 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
 def _run_on_emulator(
     program: Path, options: dict[str, Any], keep: tuple[str, ...], of_run: RunCapture | None
 ) -> None:
-    from nscc.pipeline import KINDS
+    from nscc.container_proof import require_known_shutters
     from nscc.words.readout import converter_of
     from nscc_runtime.frame_file import meta
     from nscc_runtime.pieces import simulate_scene
@@ -140,7 +141,7 @@ def _run_on_emulator(
     with timings.measure("compile_s"):
         container, messages = load_program(program, options)
     if "shutter" in keep:
-        KINDS.of(container).refuse_unknown_shutters("this program")
+        require_known_shutters(container)
     if of_run is not None:
         of_run.check(container, program)
     sensor = sensor_of(converter_of(container), options)
@@ -188,7 +189,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     from nscc.words.readout import converter_of
     from nscc_runtime.device.captured_frames import exposed
     from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import LinkSettings, SerialLink
+    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.frame_file import check_adc
     from nscc_runtime.response import response_of
     from nscc_runtime.scenes import scene_light

@@ -12,9 +12,9 @@ from nscc_cli.options import (
     sensor_options,
     together,
 )
-from nscc_runtime.device.link import LinkSettings
-from nscc_runtime.scenes import Scene
-from nscc_runtime.simulate import Request
+from nscc_runtime.device.link_settings import LinkSettings
+from nscc_runtime.request import Request
+from nscc_runtime.scene_settings import Scene
 
 placing_options = section(
     SCENE,

@@ -83,7 +83,7 @@ def command(
 def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool) -> str:
     """Compute the limits of a chip by compiling programs, and return them as text or JSON."""
     from nscc.limits.survey import Limit, limits_json, limits_text, survey
-    from nscc.pipeline import Options
+    from nscc.options import Options
 
     limits: list[Limit] = []
 
@@ -102,8 +102,8 @@ def listing() -> str:
     rows: list[tuple[str, ...]] = [("name", "array", "digital", "analog", "")]
     for name in target_names():
         chip = load_target(name, Path())
-        register_counts = (str(len(r)) for r in (chip.digital_registers, chip.analog_registers))
-        holds = ("none", f"{len(chip.taps)} taps") if chip.streamed else register_counts
+        digital, taps = len(chip.digital_registers), len(chip.taps)
+        holds = str(digital or "none"), f"{taps} taps" if taps else str(len(chip.analog_registers))
         rows.append((name, f"{chip.rows} x {chip.cols}", *holds, chip.description))
     return columns(rows)
 

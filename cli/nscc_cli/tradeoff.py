@@ -10,26 +10,17 @@ import click
 
 from nscc.lower.exposure_plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
-from nscc.tradeoff.points import STAGES, table_text
-from nscc.tradeoff.stopwatch import processor_name
-from nscc.tradeoff.synthesis import (
-    Count,
-    builtin_cases,
-    cases_of,
-    every_way,
-    measure,
-    refusals_text,
-)
 from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of
 from nscc_cli.options import COUNT, PATH, some_option, tradeoff_options
 from nscc_cli.programs import compile_options
 from nscc_cli.runtime_options import measured_options
-from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_compiling
+from nscc_cli.support import CommonCommand, NumberRange, Subcommands, say, say_compiling
 from nscc_cli.tradeoff_emulator import command as emulator
-from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
+from nscc_cli.tradeoff_files import output_files, run_study
 from nscc_cli.tradeoff_sensor import command as sensor
+from nscc_training.tradeoff import STAGES
 
 _LEVELS = [str(level) for level in LEVELS]
 
@@ -56,9 +47,8 @@ def joint(program: Path, **options: Any) -> int:
     RUN, or hdr and clip, defines program, exposure, sensor and decoder. With -o, --csv or --png,
     finished measurements are kept, and the same command continues after an interruption. Exits
     with status 1 if nothing could be measured."""
-    from nscc_training.tradeoff.bench import JointRequest
-    from nscc_training.tradeoff.diagrams import joint_diagram
-    from nscc_training.tradeoff.joint import joint_text, measure
+    from nscc_training.tradeoff.joint import joint_study
+    from nscc_training.tradeoff.joint_bench import JointRequest
 
     files = output_files(options)
     refuse_swapped(program, options["scene"])
@@ -71,16 +61,9 @@ def joint(program: Path, **options: Any) -> int:
         options["stages"], compile_options(options), tuple(map(int, options["levels"])),
         changes=options["sensor_set"], run=run, **{name: options[name] for name in named},
     )  # fmt: skip
-    with kept_rows(files, {**options, "program": request.program, "run": run}) as rows:
-        joint = measure(
-            request, rows, lambda diagnostic: say([diagnostic]),
-            lambda stages: progress(stages, "measuring"),
-        )  # fmt: skip
-        click.echo(joint_text(joint))
-        device = processor_name()
-        diagram = (joint_diagram, joint, request.repeats, device)
-        write_files(files, rows, (joint.points, device), png=diagram)
-    return 0 if joint.points else 1
+    study = joint_study(request, lambda message: say([message]))
+    known = {**options, "program": request.program, "run": run}
+    return 0 if run_study(study, files, known).points else 1
 
 
 @click.command("decoder", cls=CommonCommand)
@@ -108,30 +91,15 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     stops for stills."""
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.run_folder import load_run
-    from nscc_training.tradeoff.decoder import DecoderStudySettings, cases, measure, not_measured
-    from nscc_training.tradeoff.diagrams import TITLES, decoder_diagram
+    from nscc_training.tradeoff.decoder import DecoderStudySettings, decoder_study
 
     files = output_files(options)
-    named = ("data", "scenes", "size", "repeats", "budget", "seed")
-    settings = DecoderStudySettings(*(options[name] for name in named))
+    scenes = DecoderStudySettings(*(options[n] for n in ("data", "scenes", "size", "seed")))
     folders = [load_run(path, trust_code=trust_code) for path in dict.fromkeys(runs)]
-    todo = cases(folders, settings)
+    study = decoder_study(folders, scenes, options["repeats"], options["budget"])
     say_compiling(denoise, "the loop of total variation")
-    with kept_rows(files, {**options, "runs": runs}) as rows:
-        points, repeats = measure(todo, settings, lambda turns: progress(turns, "decoding"), rows)
-        tables = (
-            table_text([p for p in points if p.error_unit == unit], ("decoder", "setting", title))
-            for unit, title in TITLES.items()
-        )
-        click.echo("\n\n".join(tables))
-        for line in not_measured(folders):
-            click.echo(line)
-        device = processor_name()
-        write_files(files, rows, (points, device), png=(decoder_diagram, points, repeats, device))
+    run_study(study, files, {**options, "runs": runs})
     return 0
-
-
-_WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a frame"}
 
 
 class _Tradeoffs(Subcommands):
@@ -179,30 +147,19 @@ for subcommand in (joint, emulator, sensor, decoder):
               help="All words of a frame, or only those that decode codes.")  # fmt: skip
 def synthesis(
     files: tuple[Path, ...], levels: tuple[str, ...], lowerings: tuple[Lowering, ...], repeats: int,
-    count: Count, **places: Any,
+    count: Any, **places: Any,
 ) -> int:  # fmt: skip
     """Measure the words per frame against compile time, at each level and lowering.
 
     Compiles FILEs, or else programs of all classes, from text to proof and without the cache. A
     point is dominated if another point of the same program has no more words and no more time.
     Exits with status 1 if no program fits."""
-    from nscc_runtime.pictures.precision import synthesis_diagram
+    from nscc_training.tradeoff.synthesis import builtin_programs, programs_of, synthesis_study
 
     outputs = output_files(places)
-    cases = cases_of(files) or builtin_cases()
-    ways = list(every_way(cases, lowerings, [int(level) for level in levels]))
-    with kept_rows(outputs, {"files": files, "count": count}) as rows:
-        measured = measure(ways, repeats, count, lambda turns: progress(turns, "compiling"), rows)
-        points, device = measured.points, processor_name()
-        click.echo(table_text(points, ("lowering", "level", _WORDS[count])))
-        for line in refusals_text(measured.refused):
-            click.echo(line)
-        if not points:
-            rows.remove()
-            return 1
-        diagram = (synthesis_diagram, points, _WORDS[count], repeats, device)
-        write_files(outputs, rows, (points, device), png=diagram)
-    return 0
+    programs = programs_of(files) or builtin_programs()
+    study = synthesis_study(programs, lowerings, map(int, levels), count, repeats)
+    return 0 if run_study(study, outputs, {"files": files, "count": count}).points else 1
 
 
 @command.command("images", cls=CommonCommand)
@@ -216,15 +173,12 @@ def images(file: Path, level: str, **places: Any) -> int:
     Noise is the standard deviation of the error that a kernel's words add, relative to one word.
     Among programs that fit the registers' range, the compiler takes the one with the fewest words.
     Exits with status 1 if no image has a kernel."""
-    from nscc.tradeoff.images import image_points
-    from nscc_runtime.pictures.precision import images_diagram
+    from nscc_training.tradeoff.images import images_study
 
     outputs = output_files(places)
-    points = image_points(file, int(level))
-    if not points:
+    study = images_study(file, int(level))
+    if not study.points:
         click.echo(f"no image of '{file.name}' has a kernel", err=True)
         return 1
-    click.echo(table_text(points, ("kernel", "program", "noise"), ("us", 1000.0)))
-    with kept_rows(outputs, {}) as rows:
-        write_files(outputs, rows, (points, "the chip's table"), png=(images_diagram, points))
+    run_study(study, outputs, {"file": file, "level": level})
     return 0

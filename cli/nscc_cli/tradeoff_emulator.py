@@ -9,7 +9,6 @@ import click
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
-from nscc.tradeoff.stopwatch import processor_name
 from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
@@ -17,11 +16,12 @@ from nscc_cli.options import OUT, PATH
 from nscc_cli.programs import compile_options, load_program
 from nscc_cli.runtime_options import measured_options
 from nscc_cli.support import CommonCommand, progress, say
-from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
+from nscc_cli.tradeoff_files import output_files, run_study
+from nscc_runtime.run_kinds import KINDS
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
-    from nscc_runtime.tradeoff.study import NamedLight
+    from nscc_training.tradeoff.emulator import NamedLight
 
 
 @click.command("emulator", cls=CommonCommand)
@@ -55,9 +55,8 @@ def command(program: Path | None, **options: Any) -> int:
     and which effects are left out. Exits with status 1 if a plan exceeded its tolerance."""
     from nscc.words.readout import converter_of
     from nscc_runtime.execution.program import analysed
-    from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
-    from nscc_runtime.tradeoff.study import StudySettings, copy_gb_per_s, measure
-    from nscc_runtime.tradeoff.study_text import keeps_promise, studies_text
+    from nscc_training.tradeoff.emulator import StudySettings
+    from nscc_training.tradeoff.emulator_study import EmulatorBenches
 
     files = output_files(options, "calibration", "budget")
     container, messages = _container(program, options)
@@ -69,22 +68,10 @@ def command(program: Path | None, **options: Any) -> int:
     )  # fmt: skip
     scenes = _scenes(container, options, messages)
     _refuse(container)
-    analysed_program = analysed(container, sensor)
-    gb_per_s = copy_gb_per_s()
+    benches = EmulatorBenches.of(analysed(container, sensor), scenes, settings)
     digests = [scene.light.sha256() for scene in scenes]
-    with kept_rows(files, {**options, "program": program}, *digests) as rows:
-        studies = measure(
-            analysed_program, scenes, settings, gb_per_s,
-            lambda work: progress(work, "measuring"), rows,
-        )  # fmt: skip
-        click.echo(studies_text(studies, gb_per_s))
-        points, device = [point for study in studies for point in study.points], processor_name()
-        write_files(
-            files, rows, (points, device), png=(study_diagram, studies, repeats, device),
-            calibration=(promise_diagram, studies), budget=(budget_diagram, studies),
-        )  # fmt: skip
-    promises_kept = (keeps_promise(plan) for study in studies for plan in study.measured_plans)
-    return 0 if all(promises_kept) else 1
+    measured = run_study(benches.study(), files, {**options, "program": program}, *digests)
+    return 0 if benches.keep_promises(measured) else 1
 
 
 def _refuse(container: Container) -> None:
@@ -92,7 +79,7 @@ def _refuse(container: Container) -> None:
     from nscc_runtime.planless import refuse_planless
 
     refuse_planless(container, "nscc tradeoff emulator")
-    if container.machine.stages:
+    if not KINDS.of(container).open_times_known:
         raise rejected(
             "NS0828",
             "nscc tradeoff emulator uses sums over slots, which are undefined for pixels "
@@ -110,7 +97,7 @@ def _container(
     from nscc.compiler import compile_source
     from nscc.containers import with_pixels
     from nscc.source import Source
-    from nscc_runtime.tradeoff.study import PROGRAM
+    from nscc_training.tradeoff.emulator import PROGRAM
 
     path = Path("default.nsl")
     container = compile_source(
@@ -125,7 +112,7 @@ def _scenes(
 ) -> list[NamedLight]:
     """Return the light of each scene, with the shortest unique name."""
     from nscc_runtime.scenes import scene_light
-    from nscc_runtime.tradeoff.study import SCENES, NamedLight
+    from nscc_training.tradeoff.emulator import SCENES, NamedLight
 
     specs = list(dict.fromkeys(options["scenes"] or SCENES))
     names = [spec if spec.startswith("builtin:") else Path(spec).stem for spec in specs]

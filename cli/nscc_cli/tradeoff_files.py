@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+import click
 
 from nscc import __version__
 from nscc.cache.digest import content, digest, package_digest
-from nscc.experiment_store import Rows
+from nscc.experiment_store import ExperimentStore
 from nscc.files import refuse_inputs, refuse_same, write_together
 from nscc.requirements import installed_version
-from nscc.tradeoff.points import csv_text
-from nscc.tradeoff.stopwatch import processor_name
-from nscc_cli.support import say_done
+from nscc_cli.support import progress, say_done
+
+if TYPE_CHECKING:
+    from nscc_training.experiments.study import Study, StudyResult
 
 STORE = ".measurements.sqlite"
 """File name ending of the measurements that are kept until the products are written."""
@@ -40,13 +43,15 @@ def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, P
     return files
 
 
-def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -> Rows:
+def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -> ExperimentStore:
     """Return the store of measurements beside the first product; without products, an unsaved one.
 
     A stored row is reused if these are unchanged: the command's options, the contents of the files
     that they name, `of`, the versions of the packages, and the processor."""
     if not files:
-        return Rows()
+        return ExperimentStore()
+    from nscc_training.experiments.stopwatch import processor_name
+
     refuse_inputs(*files.values())
     option_values = {
         name: _plain(value) for name, value in sorted(options.items()) if name not in _PLACES
@@ -55,7 +60,7 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
     versions = [(name, installed_version(name)) for name in _DISTRIBUTIONS]
     key = digest((option_values, list(of), ours, versions, processor_name()))
     first = next(iter(files.values()))
-    return Rows(first.with_name(first.stem + STORE), key, say_done)
+    return ExperimentStore(first.with_name(first.stem + STORE), key, say_done)
 
 
 def _plain(value: Any) -> Any:
@@ -67,18 +72,30 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def write_files(
-    files: Mapping[str, Path], rows: Rows, csv: Sequence[Any], **diagrams: tuple[Any, ...]
-) -> None:
-    """Write the products that have a path, print their names, and delete stored rows.
+def run_study(
+    study: Study, files: Mapping[str, Path], options: Mapping[str, Any], *of: str
+) -> StudyResult:
+    """Measure a study, print its table, and write its products; without points none are written.
 
-    `csv` are the arguments of `csv_text`, and `diagrams` those of `png_of`, by product."""
+    Measurements are kept beside the first product until all products are written. `options` and
+    `of` decide whether they are used again, as `kept_rows` says."""
     from nscc_runtime.pictures.sheet import png_of
+    from nscc_training.experiments.stopwatch import processor_name
+    from nscc_training.experiments.study import measure
+    from nscc_training.experiments.study_table import csv_text
 
-    write_together({
-        path: csv_text(*csv).encode() if name == "csv" else png_of(*diagrams[name])
-        for name, path in files.items()
-    })  # fmt: skip
-    rows.remove()
-    if files:
+    device = study.device or processor_name()
+    with kept_rows(files, options, *of) as store:
+        measured = measure(study, store, progress)
+        click.echo(study.text(measured))
+        refused = measured.refused if study.lists_refused else ()
+        if measured.points:
+            write_together({
+                path: csv_text(study.csv_of(measured.points), device, refused).encode()
+                if name == "csv" else png_of(study.diagrams[name], measured, device)
+                for name, path in files.items()
+            })  # fmt: skip
+        store.remove()
+    if files and measured.points:
         say_done("wrote " + ", ".join(path.as_posix() for path in files.values()))
+    return measured

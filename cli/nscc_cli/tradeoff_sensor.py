@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import fields, replace
 from typing import Any
 
 import click
 
 from nscc.lower.exposure_plan import LOWERINGS
-from nscc.tradeoff.points import Point, table_text
 from nscc_cli import options as shared
 from nscc_cli.completion import EFFECTS
 from nscc_cli.options import COUNT, LEVEL, some_option
-from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling
-from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
+from nscc_cli.support import CommonCommand, NumberRange, say_compiling
+from nscc_cli.tradeoff_files import output_files, run_study
 
 
 def _numbers(
@@ -80,7 +78,7 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
               help="Number of scenes of each kind.")  # fmt: skip
 @shared.made_seed_option
 @shared.tradeoff_options
-def command(readouts: tuple[int, ...], **options: Any) -> int:
+def command(**options: Any) -> int:
     """Measure PSNR against the shortest possible slot of each shutter class, on one chip.
 
     Compiles every class with every number of slots, for known and for arbitrary codes, in each
@@ -92,34 +90,10 @@ def command(readouts: tuple[int, ...], **options: Any) -> int:
     number of ordinary frames. Settings that do not fit the chip are marked in the table. Exits
     with status 1 if nothing fits."""
     from nscc_training.baselines.tv_loop import denoise
-    from nscc_training.tradeoff.diagrams import sensor_diagram
-    from nscc_training.tradeoff.sensor import SensorStudySettings, measure, refusals_text
+    from nscc_training.tradeoff.sensor import sensor_study
 
     files = output_files(options)
-    points: tuple[Point, ...] = ()
-    named = {field.name for field in fields(SensorStudySettings)} & options.keys()
-    settings = SensorStudySettings(**{name: options[name] for name in named})
+    study = sensor_study(options)
     say_compiling(denoise, "the loop of total variation")
-    with kept_rows(files, options) as rows:
-        measured = measure(settings, lambda todo: progress(todo, "capturing"), rows)
-        if measured.points:
-            names = ("shutters", "slots", "PSNR, dB")
-            click.echo(table_text(measured.points, names, ("slot, us", 1e3)))
-        if readouts and any(point.case == "clips" for point in measured.points):
-            from nscc_training.tradeoff.readouts import measure_readouts
-
-            points, refused = measure_readouts(
-                settings, readouts, lambda todo: progress(todo, "reading out"), rows
-            )
-            click.echo()
-            names = ("readouts", "count", "PSNR, dB")
-            click.echo(table_text(points, names, ("readout, ms", 1.0)))
-            measured = replace(measured, refused=(*measured.refused, *refused))
-        for line in refusals_text(measured.refused):
-            click.echo(line)
-        if not measured.points:
-            rows.remove()
-            return 1
-        csv = (measured.points, measured.target, measured.refused)
-        write_files(files, rows, csv, png=(sensor_diagram, measured, settings.slot_us))
-    return 0
+    measured = run_study(study, files, options)
+    return 0 if any(point.case != "readouts" for point in measured.points) else 1

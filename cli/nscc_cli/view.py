@@ -52,14 +52,9 @@ def _shutters(program: Path, options: dict[str, Any]) -> bytes:
     container, messages = load_program(program, options)
     say(messages)
     from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.run_kinds import KINDS
 
-    if container.machine.stages:
-        from nscc_runtime.pictures.looking_chart import course_sheet
-
-        return png_of(course_sheet, container, program.name)
-    from nscc_runtime.pictures.shutter_sheet import shutter_sheet
-
-    return png_of(shutter_sheet, container, program.name)
+    return png_of(KINDS.of(container).sheet, container, program.name)
 
 
 def _gates(program: Path, options: dict[str, Any]) -> bytes:

@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING
 from docutils import nodes
 from PIL import Image
 
-from nscc.tradeoff.points import Point
+from nscc_runtime.pictures.precision import Point
 from nscc_runtime.pictures.sheet import THEMES, png_of, themed
 from nscc_site.editor import editor_picture
 from nscc_site.tool import said
-from nscc_training.tradeoff.diagrams import decoder_diagram
+from nscc_training.experiments.study import StudyResult
+from nscc_training.tradeoff.decoder import decoder_diagram
 
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
@@ -45,7 +46,7 @@ def _decoders(repository: Path) -> bytes:
               row["error_unit"], (float(row["time_ms"]),), more_is_better=True)
         for row in rows if row["error"]
     ]  # fmt: skip
-    return png_of(decoder_diagram, points, 1, rows[0]["device"])
+    return png_of(decoder_diagram, StudyResult(tuple(points)), rows[0]["device"])
 
 
 _DEMO_PART = 0.672

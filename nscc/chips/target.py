@@ -182,9 +182,14 @@ class Target:
     )  # fmt: skip
 
     @property
+    def has_logic(self) -> bool:
+        """Whether the pixels execute words; else they receive a bit for every slot."""
+        return self.kind == "scamp"
+
+    @property
     def streamed(self) -> bool:
-        """Whether the pixels have no logic and receive a bit for every slot."""
-        return self.kind == "stream"
+        """Whether the pixels receive a bit for every slot."""
+        return not self.has_logic
 
     @property
     def plane_load_us(self) -> float:
@@ -216,7 +221,7 @@ class Target:
         """The conversion that is used: `readout`, but "full" if exposures cannot be spread.
 
         Spreading needs a range of IN and of a register that is large enough."""
-        reached = self.streamed or self.spread_level is not None
+        reached = not self.has_logic or self.spread_level is not None
         return "full" if self.readout == "spread" and not reached else self.readout
 
     @property
@@ -228,7 +233,7 @@ class Target:
         level = round(-self.full_well_e / self.electrons_per_step)
         held_e = min(self.register_max_e, -self.register_min_e)
         reached = self.in_low <= level < 0 and self.full_well_e <= held_e
-        return level if self.readout == "spread" and reached else None
+        return level if self.has_logic and self.readout == "spread" and reached else None
 
     @property
     def code_bits(self) -> int:
@@ -246,7 +251,7 @@ class Target:
         zero = 0.0
         if self.conversion == "full":
             zero = 1 << (self.adc_bits - 1)
-        elif self.spread_level is not None and not self.streamed:
+        elif self.spread_level is not None:
             # IN is set in whole steps, so the subtracted full well may be wrong by half a step.
             taken_e = -self.spread_level * self.electrons_per_step
             zero = (self.full_well_e - taken_e) / (2 * self.electrons_per_lsb)

@@ -87,7 +87,8 @@ def program_card(name: str, container: Container, compiled: Compiled | None) -> 
     if compiled is not None:
         rows: list[tuple[str, str]] = summary_rows(compiled)
     else:
-        rows = [*sorted(container.notes.items()), kind.stored_row(container)]
+        stored = f"{container.words_stored} stored, {kind.size_text(container)} a frame"
+        rows = [*sorted(container.notes.items()), (kind.subject, stored)]
     messages = () if compiled is None else compiled.diagnostics
     text = html.plain(render(messages, "human")) if messages else html.Html()
     return html.card(name, f"for {container.target.name}", chart, html.table(rows), text)

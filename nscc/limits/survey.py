@@ -17,7 +17,8 @@ from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.limits.families import Family, families
 from nscc.lower.resources import time_text
-from nscc.pipeline import Options, run_passes
+from nscc.options import Options
+from nscc.pipeline import run_passes
 from nscc.program.limits import MOST_SLOTS, Count, bits_needed, impossible_from, largest_with
 from nscc.record import Record
 from nscc.source import Source

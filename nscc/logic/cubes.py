@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nscc.logic.digits import Planes, unzipped
-from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gates, GaveUp, Machine, Problem, Segment, Solution
 from nscc.record import Record
 
 Cube = tuple[tuple[int, int], ...]

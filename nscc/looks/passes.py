@@ -260,7 +260,7 @@ def plan_of(
     plan = plan_looks(program, program.machine, lowering)
     if isinstance(plan, Misfit):
         name = "edges" if lowering == "auto" else lowering
-        return plan, [fit.plan_fault(program, {name: plan})]
+        return plan, [fit.plan_fault(program, {name: plan}, lowering)]
     return plan, []
 
 

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
-from nscc.lower.exposure_plan import Lowering, Misfit
+from nscc.lower.exposure_plan import Lowering, LoweringOption, Misfit
 from nscc.lower.lowered import Choice, Lowered
 from nscc.lower.resources import chip_label, chip_note, resource
 from nscc.lower.slot_faults import late_fault, overfull_fault, retention_fault
@@ -94,8 +94,11 @@ def capacity_fault(program: Program) -> Diagnostic | None:
     )  # fmt: skip
 
 
-def plan_fault(program: Program, misfits: Mapping[Lowering, Misfit]) -> Diagnostic:
-    """Return the error (NS0413 or NS0414) that no plan exists, which is proved."""
+def plan_fault(
+    program: Program, misfits: Mapping[Lowering, Misfit], lowering: LoweringOption
+) -> Diagnostic:
+    """Return the error (NS0413 or NS0414) that no plan exists for the requested `lowering`, which
+    is proved."""
     reasons = _reasons(misfits)
     short = [m for m in misfits.values() if m.resource is not None]
     if len(short) < len(misfits):
@@ -115,7 +118,7 @@ def plan_fault(program: Program, misfits: Mapping[Lowering, Misfit]) -> Diagnost
     buckets = len(program.buckets)
     most = least.available - (least.required - buckets)
     helps = [f"keep at most {most} buckets"]
-    if len(misfits) == 1 and not program.machine.stages:
+    if lowering != "auto":
         helps.append("leave --lowering at auto: lowerings need different numbers of registers")
     return Diagnostic(
         "NS0413",

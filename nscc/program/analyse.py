@@ -50,7 +50,7 @@ def analyse(
     ]
     scope = rule_scope(declared, constants)
     rules = [check(r.rule, "boolean", scope, problems, "a rule") for r in declared.rules]
-    if chosen is not None and chosen.streamed and declared.looking:
+    if chosen is not None and not chosen.has_logic and declared.looking:
         _refuse_looking(declared, chosen, problems)
     looking, pictures = None, NO_PICTURES
     if declared.looking:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import assert_never
+from typing import Any, assert_never
 
 from nscc.diagnostics.diagnostic import Label
 from nscc.program.limits import MOST_FIELDS
@@ -150,24 +150,19 @@ class _Gatherer:
                 if self._once("frame", declared.frame, statement):
                     declared.frame = statement
             case tree.Let():
-                if self._new(statement.name):
-                    declared.lets[statement.name.text] = statement
+                self._name(declared.lets, statement.name, statement)
             case tree.CodeRange() | tree.CodeBits() | tree.CodeRow():
-                if self._new(statement.name):
-                    declared.codes[statement.name.text] = statement
+                self._name(declared.codes, statement.name, statement)
             case tree.BookInline() | tree.BookFromFile():
-                if self._new(statement.name):
-                    declared.books[statement.name.text] = statement
+                self._name(declared.books, statement.name, statement)
             case tree.Require():
                 declared.requires.append(statement)
             case tree.Open() | tree.Bucket():
                 self._rule(statement)
             case tree.Sense():
-                if self._new(statement.name):
-                    declared.senses[statement.name.text] = statement
+                self._name(declared.senses, statement.name, statement)
             case tree.StateRange() | tree.StateBit():
-                if self._new(statement.name):
-                    declared.states[statement.name.text] = statement
+                self._name(declared.states, statement.name, statement)
             case tree.Next():
                 name = statement.name.text
                 if self._once(f"next {name}", declared.nexts.get(name), statement):
@@ -179,8 +174,7 @@ class _Gatherer:
                 for read_name in statement.names:
                     declared.reads.setdefault(read_name.text, read_name)
             case tree.Kernel() | tree.KernelFromFile():
-                if self._new(statement.name):
-                    declared.kernels[statement.name.text] = statement
+                self._name(declared.kernels, statement.name, statement)
             case tree.Image() | tree.Plane():
                 if self._new(statement.name, *_OF_PIXELS):
                     declared.pictures.append(statement)
@@ -235,6 +229,10 @@ class _Gatherer:
         related = (Label(first.span, "the first"),)
         self.problems.error("NS0205", message, second.span, "the second", related=related)
         return False
+
+    def _name(self, named: dict[str, Any], name: tree.Name, statement: tree.Statement) -> None:
+        if self._new(name):
+            named[name.text] = statement
 
     def _new(self, name: tree.Name, *allowed: str) -> bool:
         meaning = None if name.text in allowed else PREDEFINED.get(name.text)

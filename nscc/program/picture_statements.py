@@ -131,7 +131,7 @@ class PictureMaker:
         """Return whether the chip and the other statements allow images; report if not."""
         target = self.target
         lacks = None
-        if target.streamed:
+        if not target.has_logic:
             lacks = "have no processor"
         elif not target.sees_neighbours or "NEWS" not in target.analog_registers:
             lacks = "cannot read values of their neighbours"

@@ -163,7 +163,7 @@ class ReplayPixels:
     def end_frame(self) -> None:
         """End a frame, including its readout; images and planes may overwrite all but code
         registers."""
-        if self.container.pictures.outputs:
+        if self.container.pictures.launches:
             for name in self.bits.keys() - {*self.container.code_registers}:
                 self.write(name, UNKNOWN)
         self._boundary = self.container.slots

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import groupby, pairwise
+from itertools import accumulate, groupby, pairwise
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.record import Record
@@ -284,14 +284,17 @@ class _Rows:
 def _split_at_commas(tokens: Sequence[_Token]) -> list[list[_Token]]:
     """Return the groups of tokens between the commas outside of all brackets."""
     groups: list[list[_Token]] = [[]]
-    depth = 0
-    for token in tokens:
-        depth += (token.kind in _OPENING) - (token.kind in (")", "]"))
+    for token, depth in zip(tokens, _depths(tokens), strict=True):
         if token.kind == "," and depth == 0:
             groups.append([])
         else:
             groups[-1].append(token)
     return groups
+
+
+def _depths(tokens: Sequence[_Token]) -> list[int]:
+    """Return the number of brackets that are open after each token."""
+    return [*accumulate((t.kind in _OPENING) - (t.kind in (")", "]")) for t in tokens)]
 
 
 def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
@@ -301,7 +304,7 @@ def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
         return [single_line]
     deeper = indent + _INDENT if len(indent) < 4 * len(_INDENT) else indent
     clauses = ("at", "when") if tokens[0].kind in ("sense", "next") else ()
-    for depth in range(_depth(tokens) + 1):
+    for depth in range(max(0, *_depths(tokens)) + 1):
         for kinds in (clauses, *_LOOSEST_FIRST, (",",)):
             pieces = _broken(tokens, kinds, depth)
             if len(pieces) > 1:
@@ -325,20 +328,10 @@ def _together(pieces: Sequence[list[_Token]], indent_length: int) -> list[list[_
     return merged
 
 
-def _depth(tokens: Sequence[_Token]) -> int:
-    now = deepest = 0
-    for token in tokens:
-        now += (token.kind in _OPENING) - (token.kind in (")", "]"))
-        deepest = max(deepest, now)
-    return deepest
-
-
 def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[list[_Token]]:
     """Split tokens before operators, or after commas, of these kinds at bracket depth `depth`."""
     pieces: list[list[_Token]] = [[]]
-    now = 0
-    for token in tokens:
-        now += (token.kind in _OPENING) - (token.kind in (")", "]"))
+    for token, now in zip(tokens, _depths(tokens), strict=True):
         is_break = token.kind in kinds and now == depth and not token.sign
         if is_break and token.kind != "," and pieces[-1]:
             pieces.append([])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -11,13 +10,7 @@ import numpy as np
 from nscc.diagnostics.arguments import shown, wrong_argument
 from nscc.diagnostics.suggest import meant
 from nscc.toml.kinds import Kind, TextKind
-from nscc.toml.schema import Key, keys_of
-
-
-@cache
-def declared(settings: type) -> Mapping[str, Key]:
-    """Return the keys that the fields of a dataclass declare, by the names of the fields."""
-    return {key.attribute: key for key in keys_of(settings)}
+from nscc.toml.schema import Key, declared
 
 
 def checked(call: str, settings: type, values: Mapping[str, Any]) -> dict[str, Any]:

@@ -9,6 +9,7 @@ import re
 import sys
 from dataclasses import dataclass
 from functools import partial
+from importlib import import_module
 from math import inf
 from pathlib import Path
 from typing import Any, Protocol
@@ -242,9 +243,10 @@ class Axis(Kind, Record):
 class Instance(Kind, Record):
     """An object of one of `types`, which `phrase` describes; paths become text, as in options.
 
-    `helps` tell how to make one."""
+    A type may be written as MODULE:CLASS, which is imported when a value is checked. `helps` tell
+    how to make such an object."""
 
-    types: tuple[type, ...]
+    types: tuple[type | str, ...]
     phrase: str
     helps: tuple[str, ...] = ()
 
@@ -253,15 +255,27 @@ class Instance(Kind, Record):
         return self.phrase
 
     def read(self, value: Any) -> Any:
-        if not isinstance(value, self.types) or isinstance(value, bool):
+        if not _is_one(value, self.types) or isinstance(value, bool):
             raise ValueError
         return os.fspath(value) if isinstance(value, os.PathLike) else value
 
 
+def _is_one(value: Any, types: tuple[type | str, ...]) -> bool:
+    """Return whether a value has one of the types of an `Instance`."""
+    for kind in types:
+        if isinstance(kind, str):
+            module, _, name = kind.partition(":")
+            kind = getattr(import_module(module), name)
+        if isinstance(value, kind):
+            return True
+    return False
+
+
 class FilePath(Kind, Record):
-    """The path of a file or folder."""
+    """The path of a file or folder, or an object of one of `types`, as in `Instance`."""
 
     phrase: str = "a path"
+    types: tuple[type | str, ...] = ()
 
     @property
     def allowed(self) -> str:
@@ -269,18 +283,17 @@ class FilePath(Kind, Record):
 
     def read(self, value: Any) -> Any:
         path = os.fspath(value) if isinstance(value, str | os.PathLike) else None
+        if path is None and _is_one(value, self.types):
+            return value
         if not isinstance(path, str) or "\0" in path:
             raise ValueError
         return Path(path)
 
 
 class TextOrNumbers(Kind, Record):
-    """A text, `count` numbers (None: any number of them), or an object of one of `types`.
-
-    Numbers become text with commas between them."""
+    """A text, or `count` numbers (None: any number of them), which become text with commas."""
 
     count: int | None
-    types: tuple[type, ...] = ()
 
     @property
     def allowed(self) -> str:
@@ -288,7 +301,7 @@ class TextOrNumbers(Kind, Record):
         return f"text or {numbers}"
 
     def read(self, value: Any) -> Any:
-        if isinstance(value, (str, *self.types)):
+        if isinstance(value, str):
             return value
         values = value if isinstance(value, tuple | list) else [value]
         if len(values) != (self.count or len(values) or 1):

@@ -7,7 +7,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields, replace
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -103,6 +103,12 @@ def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
                "default": member.default, **member.metadata})
         for member in fields(settings) if "kind" in member.metadata
     )  # fmt: skip
+
+
+@cache
+def declared(settings: type) -> Mapping[str, Key]:
+    """Return the keys that the fields of a dataclass declare, by the names of the fields."""
+    return {key.attribute: key for key in keys_of(settings)}
 
 
 Row = TypeVar("Row", bound=Key)

@@ -120,11 +120,14 @@ class Container:
         return len(self.slot_us)
 
     @property
+    def reads(self) -> tuple[str, ...]:
+        """The buckets, images and planes that are read out with a frame, in order."""
+        return self.pictures.reads if self.pictures.outputs else self.buckets
+
+    @property
     def buckets_read(self) -> tuple[str, ...]:
         """The buckets that are read out with a frame, in order."""
-        if not self.pictures.outputs:
-            return self.buckets
-        return tuple(name for name in self.pictures.reads if name in self.buckets)
+        return tuple(name for name in self.reads if name in self.buckets)
 
     @property
     def keeps_states(self) -> bool:
@@ -170,11 +173,9 @@ def with_picture_words(container: Container) -> Container:
     Its kernels and launches include the words of images and planes. Its readouts are the registers
     that the chip converts: first buckets, then images. Its code registers include the registers of
     kept states, which a device loads with their start values before the first frame."""
-    pictures = container.pictures
-    if not pictures.outputs:
-        return container
-    first = len(container.kernels)
-    names = (*container.buckets_read, *pictures.images_read)
+    pictures, first = container.pictures, len(container.kernels)
+    readouts = {readout.bucket: readout for readout in container.readouts}
+    readouts |= {name: Readout(register, name) for name, register in pictures.registers.items()}
     starts = {pictures.registers[state.name]: state.start for state in pictures.states}
     encoding = container.encoding.copy()
     for register, start in starts.items():
@@ -194,7 +195,7 @@ def with_picture_words(container: Container) -> Container:
                 for launch in pictures.launches
             ),
         ),
-        readouts=tuple(Readout(pictures.registers[name], name) for name in names),
+        readouts=tuple(readouts[name] for name in (*container.buckets_read, *pictures.images_read)),
         pictures=replace(pictures, kernels=(), launches=()),
     )
 

@@ -114,7 +114,7 @@ def _layout(header: _Header, target: Target) -> list[StoredArray]:
         "rows": rows, "cols": cols, "row_bytes": -(-cols // 8),
     }  # fmt: skip
     kinds: list[type] = [_Times, DecodeTable, _Words]
-    if target.streamed and counts.pixels:
+    if counts.pixels and not target.has_logic:
         kinds.append(Stream)
     if header.machine is not None:
         kinds.append(_Levels)
@@ -134,7 +134,7 @@ def to_bytes(container: Container) -> bytes:
     text = to_json(header).encode("ascii")
     sections = [text, *packed(_layout(header, target), _arrays(container))]
     length = _PREAMBLE.size + sum(map(len, sections)) + _DIGEST
-    if target.streamed:
+    if not target.has_logic:
         version = 3
     elif container.pictures.outputs:
         version = 4

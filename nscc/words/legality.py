@@ -21,7 +21,7 @@ _MOST_SHOWN = 10
 def refuse_planes(target: Target, refusal: str, help_text: str) -> None:
     """Raise NS0510 (status 1) for a chip without logic, which has no words; `refusal` is half a
     sentence."""
-    if target.streamed:
+    if not target.has_logic:
         raise rejected(
             "NS0510",
             f"{refusal}: the pixels of {target.name} have no logic and run no words",

@@ -68,7 +68,7 @@ def converter_of(container: Container) -> Target:
 
     It is the converter's own if no register is free for spreading."""
     target = container.target
-    if target.readout != "spread" or target.streamed or _free(container) is not None:
+    if target.spread_level is None or _free(container) is not None:
         return target
     return replace(target, readout="full")
 

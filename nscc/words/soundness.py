@@ -105,7 +105,7 @@ def _register_faults(container: Container) -> Iterator[str]:
     read = [readout.bucket for readout in container.readouts]
     if sorted(read) != sorted(container.buckets):
         yield "its readouts do not name every bucket once"
-    readable = target.taps if target.streamed else target.analog_registers
+    readable = target.taps or target.analog_registers
     for readout in container.readouts:
         if readout.register not in readable:
             yield f"it reads out {readout.register[:40]!a}, but {target.name} has no such register"
@@ -126,7 +126,7 @@ def _stream_faults(container: Container) -> Iterator[str]:
     """Yield errors of bit planes: a chip without logic has planes if pixels have codes, and no
     words."""
     target, sent = container.target, container.stream
-    if not target.streamed:
+    if target.has_logic:
         if sent is not None:
             yield f"it has bit planes for slots, but {target.name} uses words"
         return

@@ -48,19 +48,6 @@ class Stream(Record, eq=False):
         )
         return destinations
 
-    def shutters(self, buckets: int, cols: int) -> Bits:
-        """Return the open slots of each pixel, uint8 (buckets, rows, cols, ceil(N / 8)), as in a
-        frame file.
-
-        They are packed with the first slot in the lowest bit."""
-        shape = self.planes.shape[1], cols
-        packed = np.zeros((buckets, *shape, -(-self.slots // 8)), np.uint8)
-        for slot in range(self.slots):
-            place = self.place(slot, cols)
-            for bucket in range(buckets):
-                packed[bucket, :, :, slot // 8] |= (place == bucket).view(np.uint8) << slot % 8
-        return packed
-
 
 class Loading(Record):
     """The times, in microseconds from the start of the frame, at which a slot's plane is sent and

@@ -46,12 +46,10 @@ from nscc_runtime.python_arguments import (
     refuse_removed,
     sensor_of,
 )
-from nscc_runtime.scenes.colour import Transfer
-from nscc_runtime.scenes.exposure import ExposureLevel
-from nscc_runtime.scenes.placement import Fit
-from nscc_runtime.scenes.scene import FramesAre, Scene
+from nscc_runtime.request import Fidelity, Request
+from nscc_runtime.scene_settings import Fit, FramesAre, Scene, Transfer
 from nscc_runtime.sensor.file import load_sensor
-from nscc_runtime.simulate import Fidelity, Listener, Request
+from nscc_runtime.simulate import Listener
 
 
 @refuse_removed
@@ -276,7 +274,7 @@ def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
 def scene(
     name: str | Path,
     *,
-    exposure: str | float | ExposureLevel | None = Scene.exposure,
+    exposure: str | float | None = Scene.exposure,
     transfer: Transfer | None = Scene.transfer,
     fps: float | None = Scene.fps,
     crop: str | tuple[int, int] | None = Scene.crop,
@@ -297,7 +295,7 @@ def scene(
     name : str or Path
         A picture, clip or array file, a folder of pictures, or `builtin:hdr`, `builtin:motion`,
         `builtin:flat:E`, `builtin:dark`.
-    exposure : str, float or ExposureLevel, optional
+    exposure : str or float, optional
         Electrons over the frame at percentile 99 of the scene, or text such as "30000@70" for
         another percentile.
     transfer : {"linear", "srgb", "pq", "hlg"}, optional

@@ -19,7 +19,9 @@ from nscc_runtime.python_arguments import (
     laid_of,
     sensor_of,
 )
-from nscc_runtime.simulate import Listener, Request
+from nscc_runtime.request import Request
+from nscc_runtime.run_kinds import KINDS
+from nscc_runtime.simulate import Listener
 
 
 def film(
@@ -66,7 +68,7 @@ def film(
     given = locals()
     call = "nscc_runtime.film"
     container = container_of(call, program)
-    if not container.pictures.outputs:
+    if not KINDS.of(container).takes_films:
         raise wrong_argument(
             f"{call} takes a program with images or planes",
             helps=("nscc_runtime.captures(program, lights) captures other programs",),

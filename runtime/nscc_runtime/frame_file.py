@@ -51,6 +51,7 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals
 from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256
 
 SCHEMA = "nscc-frame-1"
@@ -255,7 +256,7 @@ def meta(
         **({"image_unit": unit} if container and (unit := image_unit(container)) else {}),
         **(
             {"frame_us": float(sum(container.slot_us))}
-            if container and container.machine.stages
+            if container and not KINDS.of(container).open_times_known
             else {}
         ),
         "invalid_pixels": frame.valid.size - int(np.count_nonzero(frame.valid)),
@@ -275,7 +276,7 @@ def image_unit(container: Container) -> dict[str, float]:
 
 def open_us(container: Container) -> list[float] | None:
     """Return the open time of each bucket in microseconds; None if pixels differ or look."""
-    if container.pixel_codes is None or container.machine.stages:
+    if container.pixel_codes is None or not KINDS.of(container).open_times_known:
         return None
     lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])
     times = container.table.shutters[lanes] @ np.array(container.slot_us, np.float64)

@@ -13,19 +13,24 @@ saturation."""
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Leak, Well, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import OnDevice
 from nscc_runtime.execution.program import AnalysedProgram, analysed
+from nscc_runtime.frame_file import Frame
 from nscc_runtime.reference.words import Marked, WordPixels
 from nscc_runtime.response import converter_e2, shutter_response
+from nscc_runtime.run_kinds import Sent
 
 Values = NDArray[np.float64]
 
@@ -138,3 +143,12 @@ class _SteadyPixels(WordPixels):
             (self.reset if word.resets else self.bus)(word, word.lanes[lanes])
         self.hold(max(0.0, float(start_s[-1]) - now_s))
         return self.read_out()
+
+
+def marked_frame(container: Container, frame: Frame, sent: Sent) -> Frame:
+    """Return the frame of a chip with saturation marks by the codes, unless it sent electrons."""
+    saturated_by = frame.saturated_by
+    if not sent.exact:
+        with suppress(Rejected):  # NS0442: words that open no shutters
+            saturated_by = saturated_by | marked_by_codes(frame.frame, container, sent.sensor)
+    return replace(frame, saturated_by=saturated_by)

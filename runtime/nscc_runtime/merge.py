@@ -55,7 +55,7 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Buc
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
     most_e = response.electrons(np.full_like(frame.frame, container.target.top_code))
-    if container.machine.stages:
+    if LIGHT in frame.told:
         # The open time of pixels that looked is known, so neighbours are not used.
         window = (1, 1)
         open_s = np.maximum(open_us_of(container, frame.told), 0.0) * 1e-6

@@ -18,7 +18,6 @@ import numpy as np
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
-from nscc.words.pictures import Pictures
 from nscc.words.reach import Reach, RegisterReaches, reaches_of_frames
 from nscc_runtime.frame_file import Frame, joined
 from nscc_runtime.kept_plans import KeptPlans, Turn
@@ -26,10 +25,11 @@ from nscc_runtime.light import Light
 from nscc_runtime.neighbours.plane_summary import reported, summary_of
 from nscc_runtime.planless import reason_without_plan
 from nscc_runtime.progress import unseen
+from nscc_runtime.request import Request
 from nscc_runtime.response import Response, response_of
 from nscc_runtime.scenes import PlacedLight, Placement
 from nscc_runtime.sensor import Sensor
-from nscc_runtime.simulate import Listener, Request, Simulated, digest_of, simulate
+from nscc_runtime.simulate import Listener, Simulated, digest_of, simulate
 
 COLOURS = ("red", "green", "blue")
 
@@ -76,7 +76,7 @@ def simulate_scene(
     options that support one exposure only."""
     listener = listener or Listener()
     placement, exposed = scene[0].placement, container
-    if container.pictures.outputs and not (len(scene) == 1 and placement.fits_one_array):
+    if not (len(scene) == 1 and placement.fits_one_array):
         placement = overlapping(container, placement)
         exposed = with_planes_for_reports(container)
     lights = [piece for laid in scene for piece in placement.pieces(laid.light)]
@@ -122,8 +122,7 @@ def _joined(
         joined(frames[k : k + piece_count], placement.joined)
         for k in range(0, len(pieces), piece_count)
     ]
-    if container.pictures.outputs:
-        frames = [with_reports(frame, container, placement) for frame in frames]
+    frames = [with_reports(frame, container, placement) for frame in frames]
     worst = max(pieces, key=lambda piece: (piece.plan.predicted_e or 0.0) if piece.plan else 0.0)
     broken = next((piece.broken for piece in pieces if piece.broken), None)
     frame = frames[0] if colours == 1 else joined(frames, np.stack)
@@ -165,7 +164,7 @@ def overlapping(container: Container, placement: Placement) -> Placement:
     """Return the placement whose arrays overlap by the reach of the program's outputs.
 
     Raises Rejected (NS0542) if the parts cannot be joined to the images of one large array."""
-    pictures, codes = _pictures(container), container.pixel_codes
+    pictures, codes = container.pictures, container.pixel_codes
     words = (op for op, _ in picture_words(container))
     reaches = RegisterReaches(container.target, words)
     reach = Reach().joined(*(reaches.of(pictures.registers[name]) for name in pictures.outputs))
@@ -190,7 +189,9 @@ def overlapping(container: Container, placement: Placement) -> Placement:
 
 def with_planes_for_reports(container: Container) -> Container:
     """Return the program with reported planes read out in place of its reports."""
-    pictures = _pictures(container)
+    pictures = container.pictures
+    if not pictures.reports:
+        return container
     return replace(container, pictures=replace(pictures, reads=pictures.outputs, reports=()))
 
 
@@ -198,7 +199,7 @@ def with_reports(frame: Frame, container: Container, placement: Placement) -> Fr
     """Return the joined frame of `with_planes_for_reports` as a frame of `container`.
 
     The arrays of the frame have the size of the picture, and repeats a leading axis."""
-    pictures = _pictures(container)
+    pictures = container.pictures
     shape = container.target.rows, container.target.cols
     hidden = {f"plane_{report.plane}" for report in pictures.reports}
     hidden -= {f"plane_{name}" for name in pictures.reads}
@@ -216,7 +217,3 @@ def with_reports(frame: Frame, container: Container, placement: Placement) -> Fr
         for key, values in arrays[0].items():
             told[key] = values if planes.ndim == 2 else np.stack([each[key] for each in arrays])
     return replace(frame, told=told)
-
-
-def _pictures(container: Container) -> Pictures:
-    return container.pictures

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
+from nscc_runtime.run_kinds import KINDS
 
 
 def reason_without_plan(container: Container) -> str:
     """Return the reason why frames of a program are simulated slot by slot; "" if plans apply."""
-    if container.target.streamed:
-        return "bit planes assign the light to buckets slot by slot"
-    if container.pictures.outputs:
-        return "images and planes depend on the neighbours of every pixel"
-    return ""
+    return KINDS.of(container).without_plan
 
 
 def refuse_planless(container: Container, subject: str) -> None:

@@ -26,10 +26,10 @@ from nscc.words.container import Container
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
+from nscc_runtime.scene_settings import Scene
 from nscc_runtime.scenes.errors import refuse_no_light
 from nscc_runtime.scenes.load import PlacedLight, laid_lights, light_of_array
 from nscc_runtime.scenes.placement import Placement
-from nscc_runtime.scenes.scene import Scene
 from nscc_runtime.sensor.file import default_sensor, load_sensor
 
 P = ParamSpec("P")

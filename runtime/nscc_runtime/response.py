@@ -40,6 +40,7 @@ from nscc_runtime.effects.parts import Response as PixelGain
 from nscc_runtime.frame_file import FrameFile
 from nscc_runtime.reference.trace import analog_words, retention_us
 from nscc_runtime.reference.weights import Backward, WeightModel, backward
+from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.sensor import Sensor, default_sensor
 
 Values = NDArray[np.float64]
@@ -91,7 +92,7 @@ def shutter_response(container: Container, sensor: Sensor, effects: Selection) -
     """Return the response of a program whose pixels do not look, cached for its arguments. Raises
     Rejected (NS0442) for words that open no shutters."""
     kept_us = retention_us(effects, sensor)
-    words = () if container.target.streamed else analog_words(container, kept_us)
+    words = analog_words(container, kept_us)
     weights = backward(container, words, WeightModel.of(effects, sensor))
     return ShutterResponse.of_weights(weights, container.slot_s, sensor, effects)
 
@@ -141,7 +142,7 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
     open_s = container.table.shutters @ container.slot_s
     by_pixel = open_s[lanes].transpose(2, 0, 1)
     plain = Response(by_pixel, np.ones(by_pixel.shape), np.zeros(by_pixel.shape), sensor)
-    if container.machine.stages:
+    if not KINDS.of(container).open_times_known:
         return replace(plain, open_s=np.full(by_pixel.shape, np.nan))
     try:
         response = shutter_response(container, sensor, effects)
@@ -180,7 +181,7 @@ def decode_arrays(
     `decode_variance_e2` float32 (shutters, buckets): an exposure is bias + gain * (sum of the light
     of open slots), with this variance plus the variance of photon counts. `plan`: the plan in a
     frame's meta; None for frames of a chip, which has every effect."""
-    if container.pixel_codes is None or container.machine.stages:
+    if container.pixel_codes is None or not KINDS.of(container).open_times_known:
         return {}
     kept_effects = everything()
     if plan is not None:

@@ -103,9 +103,7 @@ def frame_lines(container: Container, frame: Frame) -> list[str]:
             text += f", electrons {values.min():.6g} to {values.max():.6g}"
             text += f", mean {values.mean():.6g}"
         lines.append(text + (f", {invalid} invalid" if invalid else ""))
-    if container.pictures.outputs:
-        lines += picture_lines(container.pictures, first)
-    return lines
+    return [*lines, *picture_lines(container.pictures, first)]
 
 
 def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
@@ -131,8 +129,9 @@ def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
             overflow_note = ", and there are more" if told_arrays[f"{key}_overflow"] else ""
             text = f"{told_arrays[f'{key}_count']} coordinates{overflow_note}"
         lines.append(f"report {report.kind} {report.plane}  {text}")
-    margin = np.count_nonzero(told_arrays["margin"])
-    lines.append(f"margin  {margin} pixels depend on what is beyond the array")
+    if "margin" in told_arrays:
+        margin = np.count_nonzero(told_arrays["margin"])
+        lines.append(f"margin  {margin} pixels depend on what is beyond the array")
     return lines
 
 

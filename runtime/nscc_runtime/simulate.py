@@ -8,26 +8,22 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from hashlib import sha256
-from math import inf
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.diagnostics.rejection import rejected
-from nscc.toml.kinds import SEED, FilePath, Flag, Instance, Integer, TextKind
-from nscc.toml.schema import key
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime import frame_file, run_messages
 from nscc_runtime.caches import OfContainer
-from nscc_runtime.effects import Selection, selected
+from nscc_runtime.effects import Selection
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.frame_series import gathered
-from nscc_runtime.kept_plans import Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import reason_without_plan, refuse_planless
-from nscc_runtime.planning.tolerance import DEFAULT, Tolerance, ToleranceInput, check_tolerance
+from nscc_runtime.planning.tolerance import check_tolerance
 from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.request import Request
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
 
@@ -36,115 +32,6 @@ if TYPE_CHECKING:  # a frame without effects starts without planning
     from nscc_runtime.planning.audit import Audit
     from nscc_runtime.planning.plan import Plan
     from nscc_runtime.planning.planned_scene import PlannedScene
-
-Fidelity = Literal["planned", "reference"]
-_NONE = type(None)
-
-
-class _PlanOrFile(FilePath):
-    """A plan, or the path of a plan file."""
-
-    phrase = "a plan or a plan file"
-
-    def read(self, value: Any) -> Any:
-        from nscc_runtime.planning.plan import Plan
-
-        return value if isinstance(value, Plan) else super().read(value)
-
-
-@dataclass(frozen=True)
-class Request:
-    """How to expose a scene.
-
-    With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal,
-    0.15noise of the frame's own noise, or electrons). The plan is the given `plan`, read from a
-    file, or made now; if `plan` names a file that does not exist, its text is returned. Otherwise
-    words are executed slot by slot, without effects or with all of `effects` exactly. `audit`
-    compares frames under a plan with this reference. With a `turn`, the plan of an earlier scene is
-    reused if it covers this scene. `repeat`: number of frames, None for a single frame. Results do
-    not depend on `threads` (None: all processors)."""
-
-    effects: Selection = key(
-        Instance(
-            (str, Selection, _NONE), "text",
-            ("for instance effects='auto', 'all', 'none' or 'shot,read'",),
-        ),
-        "Sensor effects: auto, all, none (the default), or names; +NAME turns one on, -NAME off",
-    )  # fmt: skip
-    tolerance: ToleranceInput = key(
-        Instance((str, int, float, Tolerance, _NONE), "text or a number"),
-        "Largest RMS error of a plan; %: of the mean signal. Default: 0.15noise, a fraction of the "
-        "frame's own noise",
-        DEFAULT, notation="5e|0.1lsb|1%", default_text="",
-    )  # fmt: skip
-    fidelity: Fidelity = key(
-        TextKind(get_args(Fidelity)),
-        "reference: simulate effects slot by slot, exactly (slow). planned (default): within a "
-        "tolerance",
-        "planned", default_text="",
-    )  # fmt: skip
-    audit: bool = key(
-        Flag(),
-        "Compare with the reference; exit with status 1 if the error exceeds the tolerance", False,
-    )  # fmt: skip
-    plan: Plan | Path | None = key(
-        _PlanOrFile(), "Use this plan; if it does not exist, write it", None
-    )
-    seed: int = key(SEED, "Seed of a frame's noise", 0)
-    device_seed: int = key(SEED, "Seed of fixed patterns", 0)
-    repeat: int | None = key(Integer(1, 10_000), "Expose K frames", None)
-    threads: int | None = key(Integer(1, inf), "Number of threads", None)
-    planned: bool = True
-    turn: Turn | None = None
-    next_lights: tuple[Light, ...] = ()
-    """Lights of all frames after the first, for images and planes; empty for equal lights."""
-
-    @classmethod
-    def of(
-        cls,
-        *,
-        effects: str | Selection | None = None,
-        tolerance: ToleranceInput | None = None,
-        plan: Plan | Path | None = None,
-        audit: bool = False,
-        fidelity: Fidelity = "planned",
-        mark: str = "",
-        **options: Any,
-    ) -> Request:
-        """Return the request for a user's options: no effects, or `auto` if a plan or a tolerance
-        is requested.
-
-        `fidelity` "reference" simulates `effects` slot by slot. `mark`: prefix of option names in
-        messages. Raises Rejected: NS0739 (status 2) for options that exclude each other, NS0756 for
-        unknown effects."""
-        given_options = {
-            "tolerance": tolerance is not None, "audit": audit, "plan": plan is not None
-        }  # fmt: skip
-        planning_options = [name for name, present in given_options.items() if present]
-        text = effects if effects is not None else "auto" if planning_options else "none"
-        chosen = selected(text) if isinstance(text, str) else text
-        reference = fidelity == "reference"
-        if reference and (planning_options or chosen.auto):
-            named = ", ".join(mark + name for name in planning_options) or f"{mark}effects auto"
-            raise _contradiction(
-                f"{named} with {mark}fidelity reference",
-                "the reference simulates the selected effects without a plan",
-                f"leave {named} out, or {mark}fidelity reference",
-            )
-        file = plan if isinstance(plan, Path) else None
-        plan_exists = file.exists() if file is not None else plan is not None
-        if plan_exists and (effects is not None or tolerance is not None):
-            named = f"{mark}{'effects' if effects is not None else 'tolerance'}"
-            plan_name = "a plan" if file is None else f"the plan '{file}'"
-            raise _contradiction(
-                f"{named} with {plan_name}",
-                "an existing plan already fixes the effects and the tolerance",
-                f"leave {named} out, or name a file that does not exist to write a new plan",
-            )
-        planned = not reference and (bool(planning_options) or not chosen.noiseless)
-        if tolerance is not None:
-            options["tolerance"] = tolerance
-        return cls(chosen, planned=planned, plan=plan, audit=audit, fidelity=fidelity, **options)
 
 
 @dataclass(frozen=True)
@@ -364,12 +251,6 @@ def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listen
 
 digest_of = OfContainer(lambda container: sha256(to_bytes(container)).hexdigest())
 """The SHA-256 digest that identifies a program in frames and plans."""
-
-
-def _contradiction(options: str, note: str, help_text: str) -> Rejected:
-    return rejected(
-        "NS0739", f"{options}: these options exclude each other", notes=(note,), helps=(help_text,)
-    )
 
 
 def _say_compiling(listener: Listener, loop: Loop[Any], subject: str) -> None:

@@ -2,7 +2,7 @@
 
 Each program's runs are one test: no run may break its promise or keep an effect that the tolerance
 can spare, and of the errors that are large enough to be judged nine in ten must have been foreseen.
-The oracle is the reference, compared here without `nscc_runtime.planning.audit`.
+The oracle is the loop over words on whole frames, without `nscc_runtime.planning.audit`.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def runs(
     sensor = sensor_of(container, **values)
     found = {}
     for name, light in lights:
-        full = full_frames(container, light, sensor, pool(light), seed=3, device_seed=5)
+        full = full_frames(container, light, sensor, pool(light))
         for tolerance in tolerances:
             found[name, tolerance] = outcome(container, light, sensor, tolerance, full)
     return found
@@ -50,10 +50,7 @@ def check(found: dict[tuple[str, float], Outcome], least_judged: int = 1) -> Non
     assert [said[at] for at, each in found.items() if not each.kept] == []
     assert {at: each.needless for at, each in found.items() if each.needless} == {}
     judged = [at for at, each in found.items() if each.counts]
-    if all(each.plan.slot_loop == "reference" for each in found.values()):
-        assert {each.err for each in found.values()} == {0.0}
-    else:
-        assert len(judged) >= least_judged
+    assert len(judged) >= least_judged
     wrong = {at: said[at] for at in judged if not found[at].foreseen}
     assert len(wrong) <= 0.1 * len(judged), wrong
 
@@ -121,12 +118,12 @@ def test_noise_of_resets_where_few_pixels_saturate(slots: int, name: str) -> Non
     check(runs("c edges", [(name, light)], slots, tolerances=(0.5,)), least_judged=0)
 
 
-def test_seeds_of_devices_and_frames_are_all_alike() -> None:
+def test_all_devices_are_alike() -> None:
     slots = 8
     container = case("d edges", slots, rows=ROWS, cols=COLS)
     light, sensor = scene("fast", slots, ROWS, COLS), sensor_of(container)
-    for seed, device_seed in ((0, 0), (11, 7), (2**40, 2**62)):
-        full = full_frames(container, light, sensor, pool(light), seed, device_seed)
-        found = outcome(container, light, sensor, 5.0, full, seed, device_seed)
+    for device_seed in (0, 7, 2**62):
+        full = full_frames(container, light, sensor, pool(light), device_seed)
+        found = outcome(container, light, sensor, 5.0, full, device_seed)
         assert found.kept
         assert found.foreseen

@@ -42,7 +42,7 @@ def measured(path: Path, program: str, electrons: float, tolerances: tuple[float
     )  # fmt: skip
     frames = np.ascontiguousarray(whole.dense()[:, 64:128, 64:128])
     light = Light.of_clip(frames)
-    full = full_frames(container, light, sensor, math.ceil(POOLED / (ROWS * COLS)), 3, 5)
+    full = full_frames(container, light, sensor, math.ceil(POOLED / (ROWS * COLS)))
     return [
         (f"{path.name}, {program}, {electrons:g} e, {tolerance} e", found)
         for tolerance in tolerances

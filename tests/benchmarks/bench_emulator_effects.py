@@ -55,7 +55,7 @@ from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.scenes import light_of_array, load_scene
 from nscc_runtime.scenes.exposure import parse_exposure
 from nscc_runtime.sensor import default_sensor
-from nscc_runtime.tradeoff.study import unknown
+from nscc_training.tradeoff.emulator import unknown
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "examples"

@@ -51,12 +51,10 @@ ROOMS = (
     ("syntax",),
     ("installation", "program"),
     ("lower",),
-    ("checks",),
+    ("checks", "options"),
     ("pipeline",),
     ("container_proof", "emit", "limits"),
-    ("fixed",),
     ("looks", "neighbours", "stream"),
-    ("tradeoff",),
     ("compiler",),
     ("compare", "containers", "editing"),
     ("shutter_program",),
@@ -219,14 +217,14 @@ OF_SOME_PROGRAMS = (
     "nscc.logic.encodings",
     "nscc.logic.events",
     "nscc.looks.passes",
-    "nscc.looks.proof",
+    "nscc.looks.looks_proof",
     "nscc.neighbours.passes",
-    "nscc.neighbours.proof",
+    "nscc.neighbours.pictures_proof",
     "nscc.stream.passes",
 )
 _GATES = ["nscc.logic.encodings"]
-_LOOKS = ["nscc.looks.passes", "nscc.looks.proof"]
-_IMAGES = ["nscc.neighbours.passes", "nscc.neighbours.proof"]
+_LOOKS = ["nscc.looks.passes", "nscc.looks.looks_proof"]
+_IMAGES = ["nscc.neighbours.passes", "nscc.neighbours.pictures_proof"]
 
 
 @pytest.mark.parametrize(

@@ -16,14 +16,14 @@ CALLED_BY_LIBRARIES = [
     "__getattr__", "__dir__", "__init_subclass__", "_repr_html_", "_render_traceback_",
     "closure",  # of an optimizer's step in torch
     "setup_context", "A_dagger", "A_A_adjoint",  # torch, DeepInverse
-    "stdio",  # click
+    "stdio", "command_class",  # click
     "find_class",  # pickle
     "thread_type",  # PyAV
     "external_attr", "linkage",  # read by zipfile and llvmlite
 ]  # fmt: skip
 DECLARED_AS_TEXT = [
     "StillUNet", "ClipUNet", "Refined", "Divided", "Classifier",  # decoders
-    "Images", "Looks", "BitPlanes",  # kinds of programs
+    "Images", "Looks", "BitPlanes", "ImagesRun", "LooksRun", "BitPlanesRun",  # kinds of programs
 ]  # fmt: skip
 """Classes, which a table names as MODULE:CLASS."""
 
@@ -41,7 +41,7 @@ OF_THE_PROTOCOL = [
 """Numbers and fields that loaders send and hosts need not look at."""
 
 EXCEPTIONS = [*CALLED_BY_LIBRARIES, *DECLARED_AS_TEXT, *KEPT, *OF_THE_PROTOCOL]
-DECORATED = ["@command.command*", "@click.command", "@server.feature"]
+DECORATED = ["@command.command*", "@click.command", "@common_command", "@server.feature"]
 """Commands of click, and answers of the language server."""
 
 

@@ -397,13 +397,15 @@ def test_frames_of_every_program_are_reconstructed(name: str, effects: str, tmp_
     assert made.status == 0, made.err
     light = np.load(tmp_path / "f.npz")["light"]
     arrays = dict(np.load(tmp_path / "o.npz"))
-    assert arrays.pop("method") == "network"
+    assert arrays.pop("method") == ("network" if name == "stops" else "gap-tv")
     [(key, found)] = arrays.items()
     assert key == ("image" if name == "stops" else "video")
     truth = light.sum(axis=0) if key == "image" else light
     assert found.shape == truth.shape
     peak = float(np.percentile(truth, 99.9))
-    assert psnr_db(found / peak, np.clip(truth / peak, 0, 1)) > (24 if effects == "none" else 20)
+    assert psnr_db(found / peak, np.clip(truth / peak, 0, 1)) > (
+        24 if effects == "none" or name != "stops" else 20
+    )
 
 
 def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -> None:

@@ -5,21 +5,27 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable
-from typing import Any
+from pathlib import Path
+from typing import Any, get_args
 
 import click
 import pytest
+from nscc_command import invoke
 
 import nscc
 import nscc_runtime
 from nscc.diagnostics.arguments import WrongArgument
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import Options
-from nscc.toml.arguments import checked, declared
+from nscc.program.program import Codes
+from nscc.toml.arguments import checked
 from nscc.toml.kinds import Flag, Kind, Number, TextKind
+from nscc.toml.schema import declared
 from nscc_cli.build import command as build
 from nscc_cli.run import command as run
+from nscc_runtime.planning.tolerance import DEFAULT
+from nscc_runtime.request import Request
 from nscc_runtime.scenes import Scene
-from nscc_runtime.simulate import Request
 
 CALLS: list[tuple[Callable[..., Any], type, set[str]]] = [
     (nscc.compile, Options, {"source", "folder"}),
@@ -81,6 +87,14 @@ def test_commands_have_the_declared_options(
             assert str(options[key.name].help).startswith(key.meaning), name
 
 
+def test_what_declarations_write_again_is_the_same() -> None:
+    """They import neither the compiler nor the planner."""
+    keys = declared(Options)
+    assert keys["codes"].kind == TextKind(get_args(Codes))
+    assert keys["lowering"].kind == TextKind(("auto", *LOWERINGS))
+    assert Request.tolerance == DEFAULT
+
+
 @pytest.mark.parametrize("settings", [Options, Scene, Request])
 def test_defaults_are_values_of_their_kinds(settings: type) -> None:
     for name in declared(settings):
@@ -115,3 +129,21 @@ def test_numbers_of_numpy_are_numbers() -> None:
     assert type(values["seed"]) is int
     assert checked("call", Scene, {"crop": np.array([3, 5]).tolist()}) == {"crop": "3,5"}
     assert checked("call", Scene, {"exposure": np.float32(2.5)}) == {"exposure": "2.5"}
+
+
+@pytest.mark.parametrize(
+    ("option", "words"),
+    [
+        ("--first=99999999999999999999999", "too large"),
+        ("--max-words-per-slot=99999999999999999999999", "too large"),
+        ("--seed=9223372036854775808", "not in the range"),
+        ("--repeat=0", "not in the range"),
+        ("--patience=nan", "not a number"),
+        ("--fit=scales", "not one of"),
+    ],
+)
+def test_invalid_options_are_explained(option: str, words: str, tmp_path: Path) -> None:
+    outcome = invoke(["run", "p.nsl", "--scene", "builtin:hdr", option], tmp_path)
+    assert outcome.status == 2
+    assert outcome.codes == ["NS0783"]
+    assert words in outcome.err

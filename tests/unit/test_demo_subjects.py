@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.io import savemat
 
-from nscc_runtime.scenes.scene import Scene
+from nscc_runtime.scene_settings import Scene
 from nscc_training.demo.subject import subject
 
 

@@ -19,10 +19,11 @@ from nscc_runtime import capture
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
+from nscc_runtime.request import Request
 from nscc_runtime.response import response_of
 from nscc_runtime.scenes import Scene, laid_lights
 from nscc_runtime.sensor import default_sensor
-from nscc_runtime.simulate import Request, simulate
+from nscc_runtime.simulate import simulate
 from nscc_training.baselines.hdr import merged
 from nscc_training.design import Frame, design_looks, design_pattern, design_tile
 from nscc_training.design.chip import Curve, DesignChip

@@ -23,8 +23,9 @@ from nscc.source import Source  # noqa: E402
 from nscc.words.container import Container  # noqa: E402
 from nscc_runtime.effects.crosstalk import smeared  # noqa: E402
 from nscc_runtime.light import Light  # noqa: E402
+from nscc_runtime.request import Request  # noqa: E402
 from nscc_runtime.sensor import default_sensor, sensor_sha256  # noqa: E402
-from nscc_runtime.simulate import Request, simulate  # noqa: E402
+from nscc_runtime.simulate import simulate  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, emulated_sensor  # noqa: E402

@@ -18,7 +18,7 @@ import nscc_runtime
 from nscc.chips.load import builtin_target
 from nscc_cli.run import command
 from nscc_runtime.frame_file import KEEP
-from nscc_runtime.simulate import Request
+from nscc_runtime.request import Request
 
 ROWS, COLS = 8, 6
 TARGET = replace(builtin_target("scamp5"), rows=ROWS, cols=COLS)

@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc_runtime.scene_settings import FITS
 from nscc_runtime.scenes import Scene, laid_scene, pages
 from nscc_runtime.scenes.exposure import BUILTIN
 from nscc_runtime.scenes.picture_files import open_pages, read_picture
 from nscc_runtime.scenes.picture_light import reduced
-from nscc_runtime.scenes.placement import FITS
 
 ROWS, COLS = 60, 90
 

@@ -25,8 +25,9 @@ from nscc_runtime.planning.make import measured_again, served_plan
 from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
 from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.request import Request
 from nscc_runtime.sensor import default_sensor
-from nscc_runtime.simulate import Listener, Request, Simulated, simulate
+from nscc_runtime.simulate import Listener, Simulated, simulate
 
 SIDE, SLOTS = 96, 32
 TEXT = f"""nsl 2

@@ -20,7 +20,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.editing.complete import complete
 from nscc.editing.document import Document
 from nscc.editing.hover import hover
-from nscc.neighbours.report import picture_report
+from nscc.neighbours.picture_report import picture_report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc.syntax.format import format_source

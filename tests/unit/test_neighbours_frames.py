@@ -13,7 +13,7 @@ import nscc
 import nscc_runtime
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.neighbours.report import picture_report
+from nscc.neighbours.picture_report import picture_report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc.words.assembly import assemble

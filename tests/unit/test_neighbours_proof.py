@@ -13,7 +13,7 @@ from nscc_command import invoke
 
 import nscc
 from nscc.chips.load import builtin_target
-from nscc.neighbours.proof import pictures_fault
+from nscc.neighbours.pictures_proof import pictures_fault
 from nscc.operations import NEIGHBOURS, Op, op
 from nscc.pipeline import Options, run_passes
 from nscc.prove import diagrams

@@ -24,7 +24,6 @@ import nscc
 from nscc.chips.load import builtin_target
 from nscc.compiler import compile_file
 from nscc.pipeline import KINDS, Options
-from nscc.tradeoff.points import Point
 from nscc.words.container import Container, DecodeTable
 from nscc_runtime.effects import selected
 from nscc_runtime.merge import BucketReadout
@@ -32,15 +31,15 @@ from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.gate_sheet import gate_sheet
 from nscc_runtime.pictures.images import Image, frame_sheet, image_plane_sheet, image_sheet
 from nscc_runtime.pictures.looking_chart import course_sheet
-from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
+from nscc_runtime.pictures.precision import Guide, Panel, Point, PointReading, precision_diagram
 from nscc_runtime.pictures.sheet import MARKERS, THEMES, Theme, contrast, theme, themed
 from nscc_runtime.pictures.shutter_sheet import shutter_sheet
-from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 from nscc_runtime.planning.plan import Choice, Decision, Plan
+from nscc_runtime.request import Request
 from nscc_runtime.scenes import load_scene
 from nscc_runtime.sensor import default_sensor
-from nscc_runtime.simulate import Request, simulate
-from nscc_runtime.tradeoff.study import (
+from nscc_runtime.simulate import simulate
+from nscc_training.tradeoff.emulator import (
     DRAWN,
     ELECTRONS,
     LSB,
@@ -49,9 +48,10 @@ from nscc_runtime.tradeoff.study import (
     REFERENCE,
     SUMMED,
     WITH_PLANNING,
+    EmulatorStudy,
     MeasuredPlan,
-    Study,
 )
+from nscc_training.tradeoff.emulator_diagrams import budget_diagram, promise_diagram, study_diagram
 
 RNG = np.random.default_rng(0)
 
@@ -112,8 +112,8 @@ def plan(tolerance_e: float, predicted_e: float, effects: int = 4) -> Plan:
     return Plan(text, tolerance_e, predicted_e, 9.0, 99.0, False, (), 1.0, 2.0, 3.0, 4.0, decisions)
 
 
-def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[Study]:
-    def study(name: str) -> Study:
+def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[EmulatorStudy]:
+    def study(name: str) -> EmulatorStudy:
         methods = [(REFERENCE, "all", 0.0, 200.0), (OTHER_DRAWS, "all", 300.0, 200.0),
                    (SUMMED, "none", 25e3, 2.0), (DRAWN, "shot", 24e3, 30.0)]  # fmt: skip
         for number, t in enumerate(tolerances):
@@ -128,7 +128,7 @@ def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[
             MeasuredPlan(f"{t:g}e", plan(t, 0.8 * t), 0.9 * t if number else 2e-12)
             for number, t in enumerate(tolerances)
         )
-        return Study(name, points, asked, 300.0, 2.5, 5e-3, plan(5.0, 3.3, effects), ())
+        return EmulatorStudy(name, points, asked, 5e-3, plan(5.0, 3.3, effects), ())
 
     return [study(f"builtin:scene number {i}") for i in range(scenes)]
 
@@ -196,8 +196,10 @@ CHARTS: dict[str, Callable[[], Figure]] = {
     "many lines": diagram(3, 16, 4),
     "decibels": diagram(2, 9, 5, linear=True),
     "ends": at_the_ends,
-    "a study": partial(study_diagram, studies(1, (5.0,)), 1, "a card"),
-    "studies": partial(study_diagram, studies(3, TOLERANCES), 5, "a card"),
+    "a study": partial(study_diagram, studies(1, (5.0,)), "one run", "a card"),
+    "studies": partial(
+        study_diagram, studies(3, TOLERANCES), "median and range of 5 runs", "a card"
+    ),
     "a promise": partial(promise_diagram, studies(1, (5.0,))),
     "promises": partial(promise_diagram, studies(8, TOLERANCES)),
     "a budget": partial(budget_diagram, studies(1, (5.0,))),

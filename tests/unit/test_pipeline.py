@@ -12,14 +12,13 @@ from nscc_command import invoke
 from nscc import pipeline
 from nscc.checks import Inconsistent
 from nscc.emit.listing import print_tree
-from nscc.fixed.kind import FixedShutters
-from nscc.looks.kind import Looks
+from nscc.looks.looks_kind import Looks
 from nscc.lower.exposure_plan import LOWERINGS
 from nscc.operations import Op, WordEffect
-from nscc.pipeline import PASSES, Options, run_passes
+from nscc.pipeline import PASSES, Options, ProgramKind, run_passes
 from nscc.prove.proof import Failure
 from nscc.source import Source
-from nscc.stream.kind import BitPlanes
+from nscc.stream.planes_kind import BitPlanes
 from nscc.syntax.parse import parse, read_source
 
 ROOT = Path(__file__).parents[2]
@@ -139,7 +138,7 @@ def test_a_value_that_is_wrong_is_a_fault_of_the_compiler(
 
     for owner, attribute in (
         (pipeline, "_READING"),
-        (FixedShutters, "passes"),
+        (ProgramKind, "passes"),
         (pipeline, "_WRITING"),
     ):
         monkeypatch.setattr(owner, attribute, tuple(map(spoilt, getattr(owner, attribute))))

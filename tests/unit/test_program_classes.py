@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from program_oracle import program_of
 
-from nscc.emit.listing import print_program
+from nscc.emit.listing import program_text
 from nscc.emit.summary import summary
 from nscc.pipeline import Options, run_passes
 from nscc.program.limits import bits_needed
@@ -123,14 +123,14 @@ def test_unused_codes_are_counted() -> None:
 
 
 def test_printing() -> None:
-    text = print_program(program_of(FRAME + "code s : 6..7 open when n < s pixels s = 6 + x % 2"))
+    text = program_text(program_of(FRAME + "code s : 6..7 open when n < s pixels s = 6 + x % 2"))
     assert re.search(r"^field +s : 6\.\.7$", text, re.MULTILINE)
     assert re.search(r"^ +0  11111100  1 code$", text, re.MULTILINE)
     assert re.search(r"^ +1  11111110  1 code$", text, re.MULTILINE)
 
 
 def test_printing_cuts_long_tables() -> None:
-    text = print_program(program_of("nsl 1 frame 300 slots of 1us code s : 0..N open when n < s"))
+    text = program_text(program_of("nsl 1 frame 300 slots of 1us code s : 0..N open when n < s"))
     assert "(44 slots more)" in text
     assert "... 237 shutters more" in text
     assert max(map(len, text.splitlines())) < 300

@@ -14,6 +14,7 @@ from nscc_command import invoke
 
 import nscc
 from nscc.chips.load import builtin_target
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.emit.products import SUFFIXES
 
 ROWS, COLS = 6, 5
@@ -197,3 +198,14 @@ def test_repr_is_a_line(made: str, tmp_path: Path) -> None:
     for text in (repr(values[made]), repr(p)):
         assert "\n" not in text
         assert len(text) < 250
+
+
+def test_the_report_of_pixels_that_look_is_of_their_own_words() -> None:
+    """It has the words of the state machine, not those of the shutters in the dark."""
+    looking = nscc.compile(Path(__file__).parents[2] / "examples/auto_exposure.nsl", level=0)
+    report = looking.report
+    assert report["words_total"] == looking.words_per_frame
+    assert report["looks"]["boundaries"] == list(looking.container.machine.looks)
+    with pytest.raises(Rejected) as caught:
+        looking.shutters()
+    assert [each.code for each in caught.value.diagnostics] == ["NS0444"]

@@ -20,7 +20,7 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.emit.products import emitted
 from nscc.shutter_program import ShutterProgram
-from nscc.stream.proof import prove_planes
+from nscc.stream.planes_proof import prove_planes
 from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc.words.readout import converter_of

@@ -21,12 +21,13 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.emit.report import report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
+from nscc_training.experiments.engine import PointRow, rows_in
 from nscc_training.scene_files import files_in
 from nscc_training.sweep import compiling, run_sweep
 from nscc_training.sweep.grid import read_grid
 from nscc_training.sweep.kinds import key_of
-from nscc_training.sweep.point import GridPoint, PointRow
-from nscc_training.sweep.run_sweep import POINTS, rows_in, store_in
+from nscc_training.sweep.point import GridPoint
+from nscc_training.sweep.run_sweep import store_in
 
 STOPS = """
 [stops]
@@ -131,7 +132,7 @@ def test_it_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     )
     rows = kept(tmp_path)
     with store_in(tmp_path / "out") as store:
-        store.forget(POINTS, *list(rows)[2:])
+        store.forget(*list(rows)[2:])
     assert swept(tmp_path) == whole
     assert len(calls) == 2
     assert kept(tmp_path) == rows
@@ -440,12 +441,12 @@ def test_two_sweeps_share_the_work(tmp_path: Path) -> None:
     whole = swept(tmp_path)
     known = list(kept(tmp_path).values())
     with store_in(tmp_path / "out") as store:
-        store.forget(POINTS, *(row.key for row in known))
+        store.forget(*(row.key for row in known))
     claims = (
         "import sys, time; from pathlib import Path\n"
-        "from nscc_training.sweep.run_sweep import POINTS, store_in\n"
+        "from nscc_training.sweep.run_sweep import store_in\n"
         "store = store_in(Path('out'))\n"
-        "print([store.claim(POINTS, k) for k in sys.argv[1:]], flush=True)\n"
+        "print([store.claim(k) for k in sys.argv[1:]], flush=True)\n"
         "time.sleep(60)"
     )
     other = subprocess.Popen(

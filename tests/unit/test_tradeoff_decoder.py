@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from dataclasses import replace
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -21,15 +22,20 @@ from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
 from nscc_training.decoders.declared import DECODERS, DecoderTask  # noqa: E402
-from nscc_training.evaluation.methods import CLIPS  # noqa: E402
+from nscc_training.evaluation.methods import CLIPS, CapturedScene  # noqa: E402
+from nscc_training.experiments.study import StudyPoint, measure  # noqa: E402
 from nscc_training.loop.decoding import decoded_frame  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.protocol_scenes.file_scenes import protocol_of, some_scenes  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.tradeoff import decoder  # noqa: E402
-from nscc_training.tradeoff.decoder import DecoderStudySettings, cases, measure  # noqa: E402
+from nscc_training.tradeoff.decoder import (  # noqa: E402
+    DecoderStudySettings,
+    decoder_points,
+    decoder_study,
+)
 
-TINY = DecoderStudySettings(None, 2, 32, 2, 1e6, 0)
+TINY = DecoderStudySettings(None, 2, 32, 0)
 
 
 def trained(out: Path, name: str, protocol: str, slots: int) -> Path:
@@ -51,29 +57,34 @@ def clip_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """The dictionary and filters take a minute to learn: their methods have tests of their own."""
-    kept = decoder.ways_of
+    kept = decoder.untrained
 
-    def few(kind: Any) -> list[decoder.Way]:
-        return [way for way in kept(kind) if way.method not in ("dictionary", "sparse-coding")]
+    def few(kind: Any) -> list[decoder.Decoder]:
+        return [way for way in kept(kind) if way[0] not in ("dictionary", "sparse-coding")]
 
-    monkeypatch.setattr(decoder, "ways_of", few)
+    monkeypatch.setattr(decoder, "untrained", few)
+
+
+def captures_of(point: StudyPoint) -> list[CapturedScene]:
+    """The captures that a decoder is scored on."""
+    assert isinstance(point.figures, partial)
+    return [*point.figures.args[0]]
 
 
 def test_every_method_of_clips_that_sees_the_capture_is_there() -> None:
-    methods = [way.method for way in decoder.ways_of("clips")]
+    methods = [method for method, *_ in decoder.untrained("clips")]
     assert set(methods) == {name for name, each in CLIPS.items() if each.sees == "capture"}
-    assert [way.setting for way in decoder.ways_of("clips") if way.method == "gap-tv"] == [
+    assert [way[1] for way in decoder.untrained("clips") if way[0] == "gap-tv"] == [
         "5", "10", "20", "40", "80"
     ]  # fmt: skip
 
 
 def test_points_are_scores_of_the_captures(quick: None) -> None:
-    [case, _] = cases([], TINY)
-    case = replace(case, ways=tuple(w for w in case.ways if w.method == "adjoint"))
-    points, repeats = measure([case], TINY)
-    assert repeats == 2
+    study = decoder_study([], TINY, 2, 1e6)
+    [asked] = [each for each in study.points if each.method == "adjoint"]
+    points = measure(replace(study, points=[asked])).points
     values = []
-    for taken in case.captures:
+    for taken in captures_of(asked):
         light = taken.scene.light_e
         mask = taken.masks[0]
         opened = mask.sum(axis=0)
@@ -91,21 +102,20 @@ def test_points_are_scores_of_the_captures(quick: None) -> None:
 
 
 def test_the_budget_ends_repeats_but_nothing_is_left_out(quick: None) -> None:
-    tight = replace(TINY, budget_s=0.0, repeats=50)
-    todo = cases([], tight)
-    points, repeats = measure(todo, tight)
-    assert repeats == 1
-    assert len(points) == 2 * sum(len(case.ways) for case in todo)
+    tight = decoder_study([], TINY, 50, 0.0)
+    found = measure(tight)
+    assert found.repeats == 1
+    assert len(found.points) == 2 * len(tight.points)
 
 
 def test_scores_do_not_depend_on_the_day(quick: None) -> None:
-    first, second = (
-        [(p.case, p.method, p.setting, p.error) for p in measure(cases([], TINY), TINY)[0]]
-        for _ in range(2)
-    )
+    first, second, other = (
+        [(p.case, p.method, p.setting, p.error)
+         for p in measure(decoder_study([], replace(TINY, seed=seed), 1, 1e6)).points]
+        for seed in (0, 0, 1)
+    )  # fmt: skip
     assert first == second
-    other = replace(TINY, seed=1)
-    assert [row[-1] for row in first] != [p.error for p in measure(cases([], other), other)[0]]
+    assert [row[-1] for row in first] != [row[-1] for row in other]
 
 
 def test_a_part_of_a_frame_is_decoded_by_its_own_shutters(clip_run: Path) -> None:
@@ -127,28 +137,28 @@ def test_runs_decode_their_own_code(quick: None, clip_run: Path, tmp_path: Path)
         trained(tmp_path / "s", "unet2d", "hdr-v1", 16),
     ]
     runs = [load_run(path) for path in made]
-    todo = cases(runs, replace(TINY, count=1))
-    assert [case.name for case in todo] == ["clips, code of f", "stills, code of s"]
-    methods = {(way.method, way.setting) for way in todo[0].ways}
+    study = decoder_study(runs, replace(TINY, count=1), 1, 1e6)
+    names = [each.case for each in study.points]
+    assert [*dict.fromkeys(names)] == ["clips, code of f", "stills, code of s"]
+    methods = {(each.method, each.setting) for each in study.points if each.case == names[0]}
     assert {("unet3d small", "f32"), ("unet3d small", "bf16")} <= methods
     assert {("fcnet small", f"x{k} {d}") for k in (1, 2, 4) for d in ("f32", "bf16")} <= methods
     tile = runs[0].setup.encoder.hard().numpy()
-    assert np.array_equal(todo[0].captures[0].masks[0, :, :4, :4], tile)
-    points, _ = measure(todo, replace(TINY, count=1, repeats=1))
-    assert all(np.isfinite(p.error) for p in points)
+    assert np.array_equal(captures_of(study.points[0])[0].masks[0, :, :4, :4], tile)
+    assert all(np.isfinite(p.error) for p in measure(study).points)
 
 
 def test_a_network_is_the_runs_own(clip_run: Path) -> None:
     folder = load_run(clip_run)
-    case = cases([folder], replace(TINY, count=1))[0]
-    exact, rough = (way for way in case.ways if way.method == "unet3d small")
-    taken = case.captures[0]
+    points = decoder_points([folder], replace(TINY, count=1))
+    exact, rough = (each for each in points if each.method == "unet3d small")
+    [taken] = captures_of(exact)
     with torch.no_grad():
         frame = torch.from_numpy(taken.codes) / 255
         wanted = folder.setup.decoder(frame, torch.from_numpy(taken.masks[0]))[0].numpy()
-    assert np.allclose(exact.run(taken), wanted * (30000 / 4), rtol=1e-4, atol=0.1)
-    error = np.abs(rough.run(taken) - exact.run(taken)).max()
-    assert 0 < error < 0.1 * np.abs(exact.run(taken)).max() + 10
+    assert np.allclose(exact.run()[0], wanted * (30000 / 4), rtol=1e-4, atol=0.1)
+    error = np.abs(rough.run()[0] - exact.run()[0]).max()
+    assert 0 < error < 0.1 * np.abs(exact.run()[0]).max() + 10
 
 
 def test_blocks_apart_are_the_blocks_by_themselves() -> None:
@@ -216,7 +226,8 @@ def test_data_that_a_run_has_seen_is_refused(clip_run: Path, tmp_path: Path) -> 
     savemat(tmp_path / "d/c.mat", {"orig": np.moveaxis(frames, 0, 2) * 255})
     folder = load_run(clip_run)
     asked = replace(TINY, data=tmp_path / "d", count=1)
-    assert cases([folder], asked)[0].captures[0].scene.file.name == "c.mat"
+    [taken] = captures_of(decoder_points([folder], asked)[0])
+    assert taken.scene.file.name == "c.mat"
     digest = sha256((tmp_path / "d/c.mat").read_bytes()).hexdigest()
     with pytest.raises(Rejected, match="NS0820"):
-        cases([replace(folder, seen_digests=frozenset({digest}))], asked)
+        decoder_points([replace(folder, seen_digests=frozenset({digest}))], asked)

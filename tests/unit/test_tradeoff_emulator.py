@@ -23,7 +23,8 @@ from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.sensor import default_sensor
-from nscc_runtime.tradeoff.study import (
+from nscc_training.experiments.study import measure as measure_study
+from nscc_training.tradeoff.emulator import (
     DRAWN,
     ELECTRONS,
     LSB,
@@ -32,16 +33,16 @@ from nscc_runtime.tradeoff.study import (
     REFERENCE,
     SUMMED,
     WITH_PLANNING,
+    EmulatorStudy,
     Naive,
     NamedLight,
-    Study,
     StudySettings,
     copy_gb_per_s,
     error,
     floor_ms,
-    measure,
 )
-from nscc_runtime.tradeoff.study_text import keeps_promise, studies_text
+from nscc_training.tradeoff.emulator_study import EmulatorBenches
+from nscc_training.tradeoff.emulator_text import keeps_promise, studies_text
 
 ROWS, COLS, SLOTS = 48, 32, 4
 TEXT = f"""nsl 1
@@ -83,6 +84,13 @@ def opened() -> np.ndarray:
     return np.arange(SLOTS)[:, None, None] < stop
 
 
+def measure(
+    program: AnalysedProgram, scenes: list[NamedLight], settings: StudySettings
+) -> tuple[EmulatorStudy, ...]:
+    benches = EmulatorBenches.of(program, scenes, settings)
+    return benches.results(measure_study(benches.study()))
+
+
 def rms(away: np.ndarray) -> float:
     return float(np.sqrt(np.mean(away.astype(np.float64) ** 2)))
 
@@ -90,17 +98,8 @@ def rms(away: np.ndarray) -> float:
 def test_errors_are_those_of_the_frames(program: AnalysedProgram) -> None:
     light = clip()
     settings = StudySettings((2.0, 40.0), 10.0, 2, 3, seed=5, device_seed=6)
-    turns = []
-
-    def progress(work):
-        for item in work:
-            turns.append(item)
-            yield item
-
-    first, second = measure(
-        program, [NamedLight("a", light), NamedLight("b", clip(30.0))], settings, 10.0, progress
-    )
-    assert turns == turns[:2] * 4, "errors first, then the repeats go round"
+    scenes = [NamedLight("a", light), NamedLight("b", clip(30.0))]
+    first, second = measure(program, scenes, settings)
     assert (first.scene, second.scene) == ("a", "b")
 
     container, sensor = program.container, program.sensor
@@ -127,23 +126,15 @@ def test_errors_are_those_of_the_frames(program: AnalysedProgram) -> None:
 
     is_found((REFERENCE, "all"), 0.0, 0.0)
     is_found((OTHER_DRAWS, "all"), rms(exposures[1:] - exposures[:-1]), rms(codes[1:] - codes[:-1]))
-    assert first.resolution_e == found[OTHER_DRAWS, "all", ELECTRONS].error
-    assert first.resolution_lsb == found[OTHER_DRAWS, "all", LSB].error
+    assert first.resolution(ELECTRONS) == found[OTHER_DRAWS, "all", ELECTRONS].error
+    assert first.resolution(LSB) == found[OTHER_DRAWS, "all", LSB].error
     plain = (light.frames * opened()).sum(axis=0)
     plain_codes = np.clip(np.rint(plain / sensor.electrons_per_lsb), 0, 255)
     is_found((SUMMED, "none"), rms(exposures - plain), rms(codes - plain_codes))
     for tolerance, asked in zip((2.0, 40.0), first.measured_plans, strict=True):
-        taken = capture(
-            container,
-            light,
-            sensor=sensor,
-            plan=asked.plan,
-            seed=5,
-            device_seed=6,
-            repeat=POOLED,
-        )
-        away_e = rms(taken.exposure_e[:, 0] - exposures)
-        is_found((PLANNED, f"{tolerance:g}e"), away_e, rms(taken.frame[:, 0] - codes))
+        taken = capture(container, light, sensor=sensor, plan=asked.plan, device_seed=6, audit=True)
+        away_e = taken.audit.measured_rms_e
+        is_found((PLANNED, f"{tolerance:g}e"), away_e, away_e / sensor.electrons_per_lsb)
         assert asked.tolerance_e == tolerance
         assert asked.measured_e == pytest.approx(away_e)
         assert keeps_promise(asked)
@@ -161,7 +152,7 @@ def test_errors_are_those_of_the_frames(program: AnalysedProgram) -> None:
 @pytest.mark.parametrize(("frames", "repeats"), [(1, 1), (2, 0)])
 def test_too_few_to_measure(program: AnalysedProgram, frames: int, repeats: int) -> None:
     with pytest.raises(ValueError, match=f"{frames} frames, {repeats} repeats"):
-        measure(program, [], StudySettings(frames=frames, repeats=repeats), 1.0)
+        measure(program, [], StudySettings(frames=frames, repeats=repeats))
 
 
 def test_naive_ways(program: AnalysedProgram, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -175,7 +166,7 @@ def test_naive_ways(program: AnalysedProgram, monkeypatch: pytest.MonkeyPatch) -
     assert abs((away**2).mean() - 1) < 5 * np.sqrt(2.2 / away.size), "and its variance"
     assert np.array_equal(drawn.exposure_e, np.rint(drawn.exposure_e))
     assert not np.array_equal(drawn.exposure_e, ready.drawn(2).exposure_e)
-    monkeypatch.setattr("nscc_runtime.tradeoff.study._MOST_BYTES", 0)
+    monkeypatch.setattr("nscc_training.tradeoff.emulator._MOST_BYTES", 0)
     by_slot = Naive(program, light)
     np.testing.assert_array_equal(by_slot.summed().exposure_e, summed.exposure_e)
     np.testing.assert_array_equal(by_slot.drawn(1).exposure_e, drawn.exposure_e)
@@ -195,13 +186,13 @@ def test_each_bucket_has_its_own_shutter(folder: Path) -> None:
 
 def test_light_that_numpy_cannot_draw(program: AnalysedProgram) -> None:
     settings = StudySettings((5.0,), repeats=1)
-    [study] = measure(program, [NamedLight("bright", clip(1e25))], settings, 1.0)
-    [(method, why)] = study.missing
-    assert method == DRAWN
+    [study] = measure(program, [NamedLight("bright", clip(1e25))], settings)
+    [refused] = study.refused
+    assert refused.method == DRAWN
     assert {p.method for p in study.points} == {
         REFERENCE, OTHER_DRAWS, SUMMED, PLANNED, WITH_PLANNING,
     }  # fmt: skip
-    assert f"no {DRAWN}: {why}" in studies_text([study], 1.0)
+    assert f"no {DRAWN}: {refused.reason}" in studies_text([study], 1.0)
 
 
 def frame(exposure: list[list[float]], codes: list[list[int]], valid: list[list[bool]]) -> Frame:
@@ -234,12 +225,12 @@ def test_memory() -> None:
 
 
 @pytest.fixture
-def study(program: AnalysedProgram) -> Study:
-    [found] = measure(program, [NamedLight("s", clip())], StudySettings((5.0,), repeats=1), 1.0)
+def study(program: AnalysedProgram) -> EmulatorStudy:
+    [found] = measure(program, [NamedLight("s", clip())], StudySettings((5.0,), repeats=1))
     return found
 
 
-def test_a_broken_promise_is_told(study: Study, folder: Path, monkeypatch) -> None:
+def test_a_broken_promise_is_told(study: EmulatorStudy, folder: Path, monkeypatch) -> None:
     [asked] = study.measured_plans
     assert keeps_promise(asked)
     assert keeps_promise(replace(asked, measured_e=5.49))
@@ -247,7 +238,7 @@ def test_a_broken_promise_is_told(study: Study, folder: Path, monkeypatch) -> No
     broken = replace(study, measured_plans=(replace(asked, measured_e=5.51),))
     assert not keeps_promise(broken.measured_plans[0])
     assert "PROMISE BROKEN" in studies_text([broken], 1.0)
-    monkeypatch.setattr("nscc_runtime.tradeoff.study.measure", lambda *_: (broken,))
+    monkeypatch.setattr(EmulatorBenches, "results", lambda *_: (broken,))
     done = invoke(["tradeoff", "emulator", "p.nsl", "-o", "out"], folder)
     assert done.status == 1
     assert (folder / "out.csv").exists(), "what was measured is there to be looked at"

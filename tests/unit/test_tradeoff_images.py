@@ -9,10 +9,11 @@ import pytest
 from nscc_command import invoke
 from PIL import Image
 
-from nscc.neighbours.report import picture_report
+from nscc.neighbours.picture_report import picture_report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
-from nscc.tradeoff.images import image_points
+from nscc_training.experiments.study import measure
+from nscc_training.tradeoff.images import images_study
 
 TEXT = (
     "nsl 3\nframe 1 slots of 1ms\nopen when true\n"
@@ -23,7 +24,7 @@ TEXT = (
 def test_the_compiler_takes_the_fewest_words(tmp_path: Path) -> None:
     file = tmp_path / "p.nsl"
     file.write_text(TEXT)
-    points = image_points(file, 1)
+    points = measure(images_study(file, 1)).points
     assert len(points) > 2
     container = run_passes(Source("p.nsl", TEXT), Path(), Options(level=1, cache=False)).container
     assert container is not None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -15,18 +16,25 @@ from PIL import Image
 from nscc.chips.load import builtin_target, target_toml
 from nscc.compiler import compile_source
 from nscc.containers import with_pixels
-from nscc.experiment_store import Rows
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.tradeoff.points import COLUMNS, STAGES, Point
-from nscc.tradeoff.slots import NotJoined, in_fewer, with_slot_us
 from nscc_runtime import capture
-from nscc_runtime.kept_plans import KeptPlans, Turn
+from nscc_runtime.effects import selected
 from nscc_runtime.pictures import sheet
-from nscc_runtime.scenes import Scene
-from nscc_training.tradeoff.bench import Bench, JointRequest, rms_percent, scaled_text
-from nscc_training.tradeoff.diagrams import joint_diagram
-from nscc_training.tradeoff.joint import Joint, advised, measure, si_seconds
+from nscc_runtime.pictures.precision import Point
+from nscc_runtime.planning.audit import audit
+from nscc_runtime.planning.make import make_plan
+from nscc_runtime.planning.plan_request import PlanRequest
+from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.scenes import Scene, scene_light
+from nscc_runtime.sensor import default_sensor
+from nscc_training.experiments.study import NotMeasured, StudyResult
+from nscc_training.experiments.study import measure as measure_study
+from nscc_training.experiments.study_table import COLUMNS
+from nscc_training.tradeoff import STAGES
+from nscc_training.tradeoff.joint import Joint, advised, joint_diagram, joint_study, si_seconds
+from nscc_training.tradeoff.joint_bench import Bench, JointRequest, rms_percent, scaled_text
+from nscc_training.tradeoff.slots import in_fewer, with_slot_us
 
 SIDE, SLOTS = 32, 8
 QUICK = Options(level=0)
@@ -49,21 +57,25 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
+def measure(request: JointRequest) -> tuple[Joint, StudyResult]:
+    study = joint_study(request)
+    assert isinstance(study.text, partial)
+    return study.text.args[0], measure_study(study)
+
+
 def point(error: float, time_ms: float) -> Point:
     return Point("effects", "m", f"{error}", error, "percent", (time_ms,))
 
 
 def test_advice_is_the_fastest_within_the_target() -> None:
     points = [point(0.1, 30), point(0.9, 8), point(1.0, 6), point(1.1, 2)]
-    found = advised("effects", points, 1.0)
-    assert (found.point, found.reached) == (points[2], True)
+    assert advised(points, 1.0) == (points[2], True)
 
 
 def test_without_one_it_is_the_fastest_of_the_best() -> None:
     points = [point(5.0, 30), point(5.2, 8), point(5.3, 2)]
-    found = advised("effects", points, 1.0)
-    assert (found.point, found.reached) == (points[1], False)
-    assert advised("effects", [], 1.0).point is None
+    assert advised(points, 1.0) == (points[1], False)
+    assert advised([], 1.0) == (None, False)
 
 
 def test_errors_are_of_the_worst_bucket() -> None:
@@ -107,16 +119,15 @@ def test_what_is_advised_is_to_be_read_however_crowded_the_picture_is() -> None:
             for stage in STAGES
             for i, (error, time_ms) in enumerate(crowd)
         ]
-        joint = Joint("p.nsl", "s", "1%", STAGES, 1.1, 1.2, 1e3, tuple(points), (), (), ())
+        joint = Joint(JointRequest(Path("p.nsl"), Scene("s"), "1%"), 1.1, 1.2, 1e3)
         with sheet.style():
-            figure = joint_diagram(joint, 1, "a card")
+            figure = joint_diagram(joint, StudyResult(tuple(points)), "a card")
         beside = {text.get_text() for text in figure.axes[0].texts}
         [legend] = figure.legends
         told = {text.get_text() for text in legend.get_texts()}
-        for each in joint.advice:
-            assert each.point is not None
-            setting = f"{each.point.method}, {each.point.setting}"
-            assert f"{each.stage}: {setting}" in beside | told
+        for stage, (each, _) in joint.advice(points).items():
+            assert each is not None
+            assert f"{stage}: {each.method}, {each.setting}" in beside | told
 
 
 def test_other_slot_times_change_the_frame_alone() -> None:
@@ -129,21 +140,21 @@ def test_other_slot_times_change_the_frame_alone() -> None:
 
 def test_fewer_slots_are_open_where_half_of_them_was(folder: Path) -> None:
     own = with_pixels(compile_source(Source("p.nsl", TEXT), folder, QUICK).container, "p.nsl")
-    text, codes = in_fewer(own, 4)
+    source, codes = in_fewer(own, 4, Source("few.nsl", TEXT))
     y, x = np.mgrid[:SIDE, :SIDE]
     stop = np.array([[1, 4], [6, 8]])[y % 2, x % 2]
     opened = np.arange(SLOTS)[:, None, None] < stop
     wanted = opened.reshape(2, 4, SIDE, SIDE).mean(axis=1) >= 0.5
     options = Options(level=0, target=own.target)
-    fewer = compile_source(Source("few.nsl", text), folder, options).container
-    fewer = with_pixels(fewer, "few.nsl", {"id": codes})
+    fewer = compile_source(source, folder, options).container
+    fewer = with_pixels(fewer, "few.nsl", codes)
     found = fewer.table.shutters[fewer.table.shutter_of_code[fewer.pixel_codes]][:, :, 0]
     np.testing.assert_array_equal(found.transpose(2, 0, 1), wanted)
     assert fewer.slot_us == (4000.0, 4000.0)
-    with pytest.raises(NotJoined, match="8 slots are not a multiple of 3"):
-        in_fewer(own, 3)
-    with pytest.raises(NotJoined, match="fewer than 2 of 8 slots"):
-        in_fewer(own, 8)
+    with pytest.raises(NotMeasured, match="8 slots are not a multiple of 3"):
+        in_fewer(own, 3, source)
+    with pytest.raises(NotMeasured, match="fewer than 2 of 8 slots"):
+        in_fewer(own, 8, source)
 
 
 def test_fewer_slots_that_cannot_be_had_are_listed_with_the_reason(folder: Path) -> None:
@@ -151,9 +162,9 @@ def test_fewer_slots_that_cannot_be_had_are_listed_with_the_reason(folder: Path)
     asked = JointRequest(
         folder / "p.nsl", Scene("builtin:flat:9000"), "2%", stages=("slots",), options=QUICK
     )
-    joint = measure(asked)
-    assert {point.method for point in joint.points} == {"6 slots", "3 slots"}
-    assert [(each.setting, each.reason) for each in joint.misfits] == [
+    _, found = measure(asked)
+    assert {point.method for point in found.points} == {"6 slots", "3 slots"}
+    assert [(each.setting, each.reason) for each in found.refused] == [
         ("quarters", "6 slots are not a multiple of 4")
     ]
 
@@ -162,8 +173,8 @@ def test_parts_of_a_target_that_are_no_tolerance_are_the_least_there_is(folder: 
     asked = JointRequest(
         folder / "p.nsl", Scene("builtin:flat:9000"), "2e-9e", stages=("effects",), options=QUICK
     )
-    joint = measure(asked)
-    planned = [point.setting for point in joint.points if point.method == "planned"]
+    joint, found = measure(asked)
+    planned = [point.setting for point in found.points if point.method == "planned"]
     assert planned == ["auto 1e-09e", "auto 2e-09e", "auto 6e-09e", "all 2e-09e"]
     assert joint.notes == (
         "effects: no plan is made for 2e-10e: 1e-09e stands for it",
@@ -174,9 +185,7 @@ def test_parts_of_a_target_that_are_no_tolerance_are_the_least_there_is(folder: 
 @pytest.mark.parametrize("scene", ["builtin:hdr", "builtin:motion", "builtin:flat:9000"])
 def test_less_light_falls_in_a_shorter_frame(folder: Path, scene: str) -> None:
     said: list[object] = []
-    bench = Bench(
-        JointRequest(folder / "p.nsl", Scene(scene), "2%", options=QUICK), Rows(), said.append
-    )
+    bench = Bench(JointRequest(folder / "p.nsl", Scene(scene), "2%", options=QUICK), said.append)
     for part, slots in ((0.25, 8), (2.0, 8), (0.5, 2)):
         text = TEXT.replace("8 slots of 1ms", f"{slots} slots of 1ms")
         source = with_slot_us(Source("p.nsl", text), [part * 8000 / slots] * slots)
@@ -186,7 +195,7 @@ def test_less_light_falls_in_a_shorter_frame(folder: Path, scene: str) -> None:
         assert whole_e == pytest.approx(part, rel=1e-4)
 
 
-def test_errors_of_plans_are_those_of_their_frames(folder: Path) -> None:
+def test_errors_of_plans_are_those_of_their_audits(folder: Path) -> None:
     asked = JointRequest(
         folder / "p.nsl",
         Scene("builtin:flat:9000"),
@@ -195,19 +204,22 @@ def test_errors_of_plans_are_those_of_their_frames(folder: Path) -> None:
         options=QUICK,
         repeats=1,
     )
-    joint = measure(asked)
+    joint, found = measure(asked)
     container = compile_source(Source("p.nsl", TEXT), folder, QUICK).container
     exact = capture(container, "builtin:flat:9000")
     assert joint.signal_e == pytest.approx(float(exact.exposure_e.mean()))
-    full = capture(container, "builtin:flat:9000", effects="all", fidelity="reference")
-    for tolerance in ("0.2%", "2%", "6%"):
-        turn = Turn(KeptPlans(), 0)  # of a long film
-        planned = capture(container, "builtin:flat:9000", tolerance=tolerance, turn=turn)
-        away = planned.exposure_e - full.exposure_e
-        percent = 100 * float(np.sqrt((away**2).mean())) / joint.signal_e
-        first, again = (p.error for p in joint.points if p.setting == f"auto {tolerance}")
+    light = Scene("builtin:flat:9000")
+    scene = planning_of(
+        container, default_sensor(container.target),
+        scene_light(light, container.slot_us, container.target),
+    )  # fmt: skip
+    for tolerance in (0.2, 2.0, 6.0):
+        plan = make_plan(scene, PlanRequest(selected("auto"), f"{tolerance:g}%"))
+        percent = 100 * audit(scene, plan).measured_rms_e / joint.signal_e
+        first, again = (p.error for p in found.points if p.setting == f"auto {tolerance:g}%")
         assert first == again == pytest.approx(percent)
-    [reference] = [p for p in joint.points if p.method == "reference"]
+        assert percent <= 1.1 * tolerance
+    [reference] = [p for p in found.points if p.method == "reference"]
     assert reference.error == 0.0
     assert joint.target_percent == pytest.approx(2.0)
 
@@ -216,7 +228,7 @@ def test_errors_of_the_chip_are_those_of_its_frames(folder: Path) -> None:
     """A frame with every effect, what words are known to do taken off, beside the exact sums."""
     scene = "builtin:flat:20000"
     asked = JointRequest(folder / "p.nsl", Scene(scene), "2%", stages=("lowering",), options=QUICK)
-    found = {p.method: p for p in measure(asked).points}
+    found = {p.method: p for p in measure(asked)[1].points}
     for lowering in ("accumulate", "edges"):
         options = Options(level=0, lowering=lowering)
         container = compile_source(Source("p.nsl", TEXT), folder, options).container

@@ -1,4 +1,4 @@
-"""Measured points: medians, who dominates whom, the CSV file, the table."""
+"""StudyResult points: medians, who dominates whom, the CSV file, the table."""
 
 from __future__ import annotations
 
@@ -8,9 +8,16 @@ from dataclasses import replace
 
 import pytest
 
-from nscc.tradeoff import stopwatch
-from nscc.tradeoff.points import COLUMNS, Point, Refused, csv_text, dominated, table_text
-from nscc.tradeoff.stopwatch import processor_name
+from nscc_runtime.pictures.precision import Point, dominated
+from nscc_training.experiments import stopwatch
+from nscc_training.experiments.stopwatch import processor_name
+from nscc_training.experiments.study_table import (
+    COLUMNS,
+    Refused,
+    csv_text,
+    refusals_text,
+    table_text,
+)
 
 
 def point(case: str, setting: str, error: float, *times_ms: float, bound: float | None = None):
@@ -59,6 +66,15 @@ def test_csv_says_what_was_refused_and_where_a_point_is_from() -> None:
         ["a, m", "1", "2", "words_per_frame", "0.002100", "0.000", "a card", "no"],
         ["a, m", "2", "", "NS0412", "", "", "chip", ""],
     ]
+
+
+def test_settings_that_are_refused_for_one_reason_share_a_line() -> None:
+    refused = [
+        Refused("a", "m", "-O1", "NS0412", "too many bits"),
+        Refused("b", "", "", "", "it has none"),
+        Refused("a", "m", "-O2", "NS0412", "too many bits"),
+    ]
+    assert refusals_text(refused) == ["a, m, -O1, -O2: too many bits (NS0412)", "b: it has none"]
 
 
 def test_csv_has_the_columns_of_the_contract() -> None:

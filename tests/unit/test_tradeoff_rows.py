@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import errno
+import json
+import math
 import os
 import signal
 import sqlite3
@@ -10,60 +12,85 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 from unittest.mock import Mock
 
 import pytest
 from nscc_command import invoke
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.experiment_store import ExperimentStore, Rows
+from nscc.experiment_store import ExperimentStore
 from nscc.source import Source
-from nscc.tradeoff import synthesis
-from nscc.tradeoff.synthesis import SynthesisCase, every_way
+from nscc_training.experiments.engine import Done, PointRow, results, rows_in
+from nscc_training.experiments.study import measure
+from nscc_training.tradeoff.synthesis import StudiedProgram, synthesis_study
 
 TEXT = "nsl 1 frame 8 slots of 1ms code stop : 0..7 open when n < stop "
 
 
+@dataclass(frozen=True)
+class Item:
+    """A task whose figures are those of `run`."""
+
+    key: str
+    run: Callable[[], dict[str, Any]]
+    label: str = ""
+
+
+def once(store: ExperimentStore, key: str, run: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+    """The figures of one task."""
+
+    def execute(tasks: Iterable[Item]) -> Iterator[Done]:
+        return (Done(task, PointRow(task.key, task.run())) for task in tasks)
+
+    for _ in results(store, [Item(key, run)], execute):
+        pass
+    return rows_in(store)[key].figures
+
+
 def values(file: Path, of: str = "digest") -> dict[str, object]:
-    with ExperimentStore(file) as store:
-        return store.values(of)
+    with ExperimentStore(file, of) as store:
+        return store.values()
 
 
 def test_a_measurement_is_on_the_disk_when_it_is_measured(tmp_path: Path) -> None:
     file = tmp_path / "x.sqlite"
-    with Rows(file, "digest") as rows:
-        assert rows.once("a", lambda: {"ms": (1.5, 2)}) == {"ms": [1.5, 2]}
+    figures = {"ms": [1.5, 2], "inf": math.inf, "text": "a"}
+    with ExperimentStore(file, "digest") as store:
+        assert once(store, "a", lambda: figures) == figures
         with sqlite3.connect(file) as other:
-            assert other.execute("SELECT experiment, name, value FROM measurement").fetchall() == [
-                ("digest", "a", '{"ms": [1.5, 2]}')
-            ]
+            [(of, name, value)] = other.execute("SELECT experiment, name, value FROM measurement")
+            assert (of, name) == ("digest", "a")
+            assert json.loads(value)["figures"] == {**figures, "inf": "inf"}
         other.close()
-        assert rows.once("a", lambda: pytest.fail("it is known")) == {"ms": [1.5, 2]}
-    with Rows(file, "digest") as rows:
-        assert rows.once("a", lambda: pytest.fail("it is known")) == {"ms": [1.5, 2]}
-        rows.remove()
+        assert once(store, "a", lambda: pytest.fail("it is known")) == figures
+    with ExperimentStore(file, "digest") as store:
+        assert once(store, "a", lambda: pytest.fail("it is known")) == figures
+        store.remove()
     assert not any(tmp_path.iterdir())
 
 
 def test_measurements_of_another_experiment_do_not_count(tmp_path: Path) -> None:
     file = tmp_path / "rows"
-    with Rows(file, "one") as rows:
-        rows.once("a", lambda: 1)
-    with Rows(file, "other") as rows:
-        assert rows.once("a", lambda: 2) == 2
-    assert (values(file, "one"), values(file, "other")) == ({"a": 1}, {"a": 2})
+    for number, of in enumerate(("one", "other")):
+        with ExperimentStore(file, of) as store:
+            assert once(store, "a", lambda number=number: {"n": number}) == {"n": number}
+    assert len(values(file, "one")) == len(values(file, "other")) == 1
 
 
 def test_without_a_file_everything_is_measured() -> None:
-    assert [Rows().once("a", lambda: 1), Rows().once("a", lambda: 2)] == [1, 2]
+    found = [once(ExperimentStore(), "a", lambda n=n: {"n": n}) for n in (1, 2)]
+    assert found == [{"n": 1}, {"n": 2}]
 
 
 @pytest.mark.parametrize("bad", [float("nan"), float("inf"), None])
 def test_bad_numbers_are_not_kept(tmp_path: Path, bad: object) -> None:
-    with ExperimentStore(tmp_path / "s") as store, pytest.raises(ValueError):  # noqa: PT011
-        store.keep("e", "a", bad)
+    with ExperimentStore(tmp_path / "s", "e") as store, pytest.raises(ValueError):  # noqa: PT011
+        store.keep("a", bad)
     assert values(tmp_path / "s", "e") == {}
 
 
@@ -75,9 +102,9 @@ def test_what_is_no_store(tmp_path: Path) -> None:
     with sqlite3.connect(tmp_path / "other") as other:
         other.execute("CREATE TABLE measurement (a)")
     with ExperimentStore(tmp_path / "other") as store, pytest.raises(Rejected, match="NS0834"):
-        store.get("e", "a")
+        store.get("a")
     with pytest.raises(Rejected, match="choose a folder that you may write to"):
-        Rows(tmp_path / "s" / "rows", "x")
+        ExperimentStore(tmp_path / "s" / "rows")
 
 
 def test_a_store_that_another_process_holds_is_waited_for(
@@ -85,21 +112,21 @@ def test_a_store_that_another_process_holds_is_waited_for(
 ) -> None:
     monkeypatch.setattr("nscc.experiment_store._PATIENCE_S", 0.05)
     reports: list[str] = []
-    with ExperimentStore(tmp_path / "s", reports.append) as store:
-        store.keep("e", "a", 1)
+    with ExperimentStore(tmp_path / "s", "e", reports.append) as store:
+        store.keep("a", 1)
         other = sqlite3.connect(tmp_path / "s", isolation_level=None, check_same_thread=False)
         other.execute("BEGIN IMMEDIATE")
         end = threading.Timer(0.5, other.execute, ["COMMIT"])
         end.start()
-        store.keep("e", "b", 2)
+        store.keep("b", 2)
         end.join()
-        assert store.values("e") == {"a": 1, "b": 2}
+        assert store.values() == {"a": 1, "b": 2}
         assert len(reports) == 1
         assert "waiting for another process" in reports[0]
         monkeypatch.setattr("nscc.experiment_store._BUSY_S", 0.1)
         other.execute("BEGIN IMMEDIATE")
         with pytest.raises(Rejected, match="end the other process") as caught:
-            store.keep("e", "c", 3)
+            store.keep("c", 3)
         other.close()
     assert (caught.value.diagnostics[0].code, caught.value.status) == ("NS0784", 2)
 
@@ -126,17 +153,26 @@ def test_a_full_disk_is_told_from_a_folder_without_permission(
 
 WRITER = """
 import sys, time
+from dataclasses import dataclass
 from pathlib import Path
 from nscc.experiment_store import ExperimentStore
+from nscc_training.experiments.engine import Done, PointRow, results
 
-with ExperimentStore(Path(sys.argv[1])) as store:
-    for number in range(int(sys.argv[2])):
-        def measure(number=number):
-            with open(sys.argv[3], "a") as log:
-                log.write(f"{number}\\n")
-            time.sleep(0.002)
-            return {"number": number, "text": "x" * 3000}
-        store.once("e", str(number), measure)
+@dataclass(frozen=True)
+class Item:
+    key: str
+    label: str = ""
+
+def execute(tasks):
+    for task in tasks:
+        with open(sys.argv[3], "a") as log:
+            log.write(f"{task.key}\\n")
+        time.sleep(0.002)
+        yield Done(task, PointRow(task.key, {"number": int(task.key), "text": "x" * 3000}))
+
+with ExperimentStore(Path(sys.argv[1]), "e") as store:
+    for _ in results(store, [Item(str(number)) for number in range(int(sys.argv[2]))], execute):
+        pass
 """
 
 
@@ -157,7 +193,10 @@ def test_two_processes_share_a_store_and_nothing_is_lost(tmp_path: Path) -> None
     writers = [writer(tmp_path, 150) for _ in range(2)]
     assert [process.wait(timeout=120) for process in writers] == [0, 0]
     known = values(tmp_path / "s", "e")
-    assert known == {str(n): {"number": n, "text": "x" * 3000} for n in range(150)}
+    row = {"code": "", "error": ""}
+    assert known == {
+        str(n): {"figures": {"number": n, "text": "x" * 3000}, **row} for n in range(150)
+    }
     made = (tmp_path / "log").read_text().split()
     assert sorted(map(int, made)) == list(range(150))
 
@@ -174,7 +213,7 @@ def test_killed_at_any_moment_every_measurement_is_whole(tmp_path: Path) -> None
         process.send_signal(signal.SIGKILL)
         process.wait()
         known = values(tmp_path / "s", "e")
-        assert [each["number"] for each in known.values()] == list(range(len(known)))  # type: ignore[index]
+        assert [each["figures"]["number"] for each in known.values()] == list(range(len(known)))  # type: ignore[index]
         assert len(known) >= before
         before = len(known)
     assert before >= 20
@@ -183,44 +222,40 @@ def test_killed_at_any_moment_every_measurement_is_whole(tmp_path: Path) -> None
 def test_a_measurement_that_was_ended_goes_on(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    ways = [
-        *every_way(
-            [SynthesisCase("p", Source("p.nsl", TEXT), Path(), "open")], ("latch", "edges"), (0,)
-        )
-    ]
+    program = StudiedProgram("p", Source("p.nsl", TEXT), Path(), "open")
     compiled = []
-    real = synthesis.compiled_or_not
+    real = StudiedProgram.compiled
     monkeypatch.setattr(
-        synthesis, "compiled_or_not", lambda way: (compiled.append(way), real(way))[1]
+        StudiedProgram, "compiled", lambda *way: (compiled.append(way), real(*way))[1]
     )
 
-    def until(turns):
-        for number, way in enumerate(turns):
-            if number == 3:
-                raise KeyboardInterrupt
-            yield way
+    study = synthesis_study([program], ("latch", "edges"), (0,), "all", 3)
 
-    with Rows(tmp_path / "rows", "x") as rows, pytest.raises(KeyboardInterrupt):
-        synthesis.measure(ways, 3, "all", until, rows)
-    before = [value["ms"] for value in values(tmp_path / "rows", "x").values()]  # type: ignore[index]
+    def until(items, _label, _total):
+        for number, item in enumerate(items):
+            yield item
+            if number == 2:
+                raise KeyboardInterrupt
+
+    told = r"stored in '.*rows'; the same command continues"
+    with (
+        pytest.raises(KeyboardInterrupt, match=told),
+        ExperimentStore(tmp_path / "rows", "x") as rows,
+    ):
+        measure(study, rows, until)
+    before = [value["figures"]["ms"] for value in values(tmp_path / "rows", "x").values()]  # type: ignore[index]
     assert len(before) == 3
     compiled.clear()
-    with Rows(tmp_path / "rows", "x") as rows:
-        found = synthesis.measure(ways, 3, "all", rows=rows)
-    assert len(compiled) == 2 * 2 + 3, "each way untimed, and those that were not known"
+    with ExperimentStore(tmp_path / "rows", "x") as rows:
+        found = measure(study, rows)
+    # Each way is compiled untimed, timed twice the first time, for it is short, then once.
+    assert len(compiled) == 3 + 1 + 3
     latch, edges = found.points
     assert [latch.times_ms[0], edges.times_ms[0], latch.times_ms[1]] == before
 
 
-def test_who_interrupts_is_told_where_measurements_are_kept(tmp_path: Path) -> None:
-    file = tmp_path / "rows"
-    told = r"stored in '.*rows'; the same command continues"
-    rows = Rows(file, "x")
-    rows.once("a", lambda: 1)
-    with pytest.raises(KeyboardInterrupt, match=told), rows:
-        raise KeyboardInterrupt
-    assert values(file, "x") == {"a": 1}
-    for nothing in (Rows(), Rows(tmp_path / "none", "x")):
+def test_without_a_measurement_an_interrupt_says_nothing(tmp_path: Path) -> None:
+    for nothing in (ExperimentStore(), ExperimentStore(tmp_path / "none", "x")):
         with pytest.raises(KeyboardInterrupt) as found, nothing:
             raise KeyboardInterrupt
         assert found.value.args == ()

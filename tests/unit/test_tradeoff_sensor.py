@@ -15,23 +15,29 @@ from PIL import Image
 
 torch = pytest.importorskip("torch")
 
-from nscc_training.tradeoff.readouts import measure_readouts  # noqa: E402
-from nscc_training.tradeoff.sensor import SensorStudySettings, configurations, measure  # noqa: E402
+
+from nscc_training.experiments.study import StudyResult  # noqa: E402
+from nscc_training.experiments.study import measure as measure_study  # noqa: E402
+from nscc_training.tradeoff.sensor import sensor_points, sensor_study  # noqa: E402
 
 SMALL: dict[str, Any] = {
     "classes": ("c",), "slots": (4, 8), "stop_slots": (8,), "looks": (), "codes": ("fixed",),
     "lowerings": ("edges",), "target": "scamp5", "level": 0, "effects": "none", "slot_us": None,
-    "data": None, "count": 1, "seed": 0,
+    "data": None, "count": 1, "seed": 0, "readouts": (),
 }  # fmt: skip
 
 
-def settings(**changes: Any) -> SensorStudySettings:
-    return SensorStudySettings(**{**SMALL, **changes})
+def settings(**changes: Any) -> dict[str, Any]:
+    return {**SMALL, **changes}
+
+
+def measure(options: dict[str, Any]) -> StudyResult:
+    return measure_study(sensor_study(options))
 
 
 def test_every_configuration_once() -> None:
     asked = settings(classes=("b", "e"), codes=("fixed", "open"), lowerings=("accumulate", "edges"))
-    found = configurations(asked)
+    found = [(each.case, each.method, each.setting) for each in sensor_points(asked)]
     assert len(found) == len(set(found)) == (2 * 2 + 1) * 2 * 2
 
 
@@ -138,6 +144,14 @@ def test_wrong_usage(tmp_path: Path, arguments: list[str], code: str) -> None:
     assert not list(tmp_path.iterdir())
 
 
+def measured_readouts(options: dict[str, Any]) -> tuple[list[Any], list[Any]]:
+    """Only the points and refused settings of readouts."""
+    found = measure({**options, "stop_slots": ()})
+    return tuple(
+        [p for p in each if p.case == "readouts"] for each in (found.points, found.refused)
+    )
+
+
 def test_more_readouts_take_longer(tmp_path: Path) -> None:
     """Where a chip has few registers, the searched bits of one readout do not fit."""
     text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
@@ -146,14 +160,14 @@ def test_more_readouts_take_longer(tmp_path: Path) -> None:
     lines = [changes.get(line.split(" =")[0], line) for line in text.splitlines()]
     (tmp_path / "mine.toml").write_text("\n".join(lines))
     asked = settings(target=str(tmp_path / "mine.toml"))
-    points, refused = measure_readouts(asked, (1, 3))
+    points, refused = measured_readouts({**asked, "readouts": (1, 3)})
     assert [(p.method, round(p.time_ms, 3)) for p in points] == [
         ("burst", 16.7), ("burst", 50.1), ("coded", 50.1)
     ]  # fmt: skip
     assert [(each.method, each.setting, each.code) for each in refused] == [
         ("coded", "1", "NS0412")
     ]
-    points, refused = measure_readouts(settings(effects="auto", frames=16), (2,))
+    points, refused = measured_readouts(settings(effects="auto", readouts=(2,)))
     burst, coded = points
     assert not refused
     assert coded.error > burst.error
@@ -179,4 +193,4 @@ def test_a_chip_of_ones_own(tmp_path: Path) -> None:
     found = measure(asked)
     assert [each.code for each in found.refused] == ["NS0412"]
     assert [point.case for point in found.points] == ["stills"]
-    assert found.target == "mine"
+    assert sensor_study(asked).device == "mine"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import re
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,47 +13,60 @@ from PIL import Image
 
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.lower.exposure_plan import LOWERINGS
+from nscc.lower.exposure_plan import LOWERINGS, Lowering
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.tradeoff.synthesis import SynthesisCase, builtin_cases, every_way, measure
+from nscc_training.experiments.study import StudyResult, measure
+from nscc_training.tradeoff.synthesis import (
+    Count,
+    StudiedProgram,
+    builtin_programs,
+    synthesis_study,
+)
 
 STOPS = "nsl 1 frame 8 slots of 1ms code stop : 0..7 open when n < stop "
 BUMPS = "nsl 1 frame 8 slots of 1ms code a : 0..7 code b : 1..8 require a < b open when a <= n < b "
 
 
-def case(text: str, name: str = "p") -> SynthesisCase:
-    return SynthesisCase(name, Source("p.nsl", text), Path(), "open")
+def program(text: str, name: str = "p") -> StudiedProgram:
+    return StudiedProgram(name, Source("p.nsl", text), Path(), "open")
+
+
+def measured(text: str, lowering: Lowering, count: Count, level: int = 1) -> StudyResult:
+    return measure(synthesis_study([program(text)], [lowering], [level], count, 1))
 
 
 def test_points_are_what_the_compiler_gives(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NSCC_CACHE_DIR", str(tmp_path / "cache"))
-    cases = [case(STOPS, "b"), case(BUMPS, "d")]
-    ways = list(every_way(cases, LOWERINGS, (0, 1)))
+    programs = [program(STOPS, "b"), program(BUMPS, "d")]
+    study = synthesis_study(programs, LOWERINGS, (0, 1), "all", 3)
+    ways = [(point.case, point.method, point.setting) for point in study.points]
     assert len(ways) == len(set(ways)) == 2 * 3 * 2
     seen = []
 
-    def progress(turns):
-        for way in turns:
-            seen.append(way)
-            yield way
+    def track(turns, _label, total):
+        assert total == 3 * len(ways)
+        for done in turns:
+            seen.append((done.task.point.case, done.task.point.method, done.task.point.setting))
+            yield done
 
-    found = measure(ways, 3, "all", progress)
+    found = measure(study, track=track)
     kept = {path.name for path in (tmp_path / "cache").glob("*")}
     assert kept <= {"grammar"}, "what is measured is not read from the cache"
-    assert seen == ways * 3, "the repeats go round"
-    served = [w for w in ways if (w.case.name, w.lowering) != ("d", "latch")]
-    assert [way for way, _ in found.refused] == [w for w in ways if w not in served]
-    assert all("NS0414" in reason for _, reason in found.refused)
-    assert len(found.points) == len(served)
-    for way, point in zip(served, found.points, strict=True):
-        assert (point.case, point.method) == (way.case.name, way.lowering)
-        assert point.setting == f"-O{way.level}"
+    served = [way for way in ways if way[:2] != ("d", "latch")]
+    assert seen == ways + 2 * served, "the repeats go round"
+    refused = [(each.case, each.method, each.setting) for each in found.refused]
+    assert refused == [way for way in ways if way not in served]
+    assert {each.code for each in found.refused} == {"NS0414"}
+    assert [(p.case, p.method, p.setting) for p in found.points] == served
+    sources = {each.name: each.source for each in programs}
+    for point in found.points:
         assert point.error_unit == "words_per_frame"
         assert len(point.times_ms) == 3
         assert min(point.times_ms) > 0
-        options = Options(level=way.level, lowering=way.lowering, codes="open", cache=False)
-        compiled = compile_source(way.case.source, Path(), options)
+        level = int(point.setting[2:])
+        options = Options(level=level, lowering=point.method, codes="open", cache=False)
+        compiled = compile_source(sources[point.case], Path(), options)
         assert point.error == compiled.lowered.schedule.words_total
 
 
@@ -64,32 +76,31 @@ def test_bounds_are_those_of_the_logic_and_the_plan() -> None:
     for the reference; nobody is open in the last slot, and nobody reads at boundary 0."""
     slots = 20
     text = STOPS.replace("frame 8", f"frame {slots}").replace("0..7", f"0..{slots - 1}")
-    [way] = every_way([case(text)], ["accumulate"], [1])
-    [logic] = measure([way], 1, "logic").points
+    [logic] = measured(text, "accumulate", "logic").points
     assert logic.error_unit == "logic_words_per_frame"
     assert logic.bound == 2 * (slots - 1) - 13
     assert logic.error >= logic.bound
-    [words] = measure([way], 1, "all").points
+    [words] = measured(text, "accumulate", "all").points
     lit = slots - 1
     assert words.bound == logic.bound + 2 + 3 + 2 + lit * 2 + (lit - 1) * 3
     assert words.error >= words.bound
-    [other] = measure([replace(way, lowering="edges")], 1, "all").points
+    [other] = measured(text, "edges", "all").points
     assert other.bound is None
 
 
 def test_a_program_that_is_wrong_is_rejected() -> None:
     with pytest.raises(Rejected):
-        measure(list(every_way([case("nsl 1 frame")], LOWERINGS, [1])), 1, "all")
+        measured("nsl 1 frame", "edges", "all")
 
 
-def test_builtin_cases_have_all_classes() -> None:
+def test_builtin_programs_have_all_classes() -> None:
     classes = {
         compile_source(c.source, c.base, Options(level=0, codes=c.codes)).program.class_name
-        for c in builtin_cases()
+        for c in builtin_programs()
     }
     assert classes == {"b", "c", "d", "e", "codebook"}
-    assert len({c.name for c in builtin_cases()}) == len(builtin_cases())
-    book = re.findall(r"\b[01]{16}\b", builtin_cases()[-1].source.text)
+    assert len({c.name for c in builtin_programs()}) == len(builtin_programs())
+    book = re.findall(r"\b[01]{16}\b", builtin_programs()[-1].source.text)
     assert len(set(book)) == len(book) == 64
     assert 0.4 < "".join(book).count("1") / (64 * 16) < 0.6
 
@@ -145,7 +156,7 @@ def test_nothing_that_fits(folder: Path) -> None:
     arguments = ["tradeoff", "synthesis", "d.nsl", "--lowerings", "latch", "--repeats", "1"]
     done = invoke([*arguments, "-o", "out"], folder)
     assert done.status == 1
-    assert "d, latch, -O0 -O1 -O2 -O3: " in done.out
+    assert "d, latch, -O0, -O1, -O2, -O3: " in done.out
     assert not (folder / "out.csv").exists()
 
 

@@ -12,13 +12,19 @@ from matplotlib.figure import Figure
 
 pytest.importorskip("torch")
 
-from nscc.tradeoff.points import Point
+
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.precision import images_diagram, synthesis_diagram
+from nscc_runtime.pictures.precision import Point
 from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
-from nscc_training.tradeoff.diagrams import decoder_diagram, joint_diagram, sensor_diagram
-from nscc_training.tradeoff.joint import STAGES, Joint
-from nscc_training.tradeoff.sensor import SensorStudyResult
+from nscc_runtime.scenes import Scene
+from nscc_training.experiments.study import StudyResult
+from nscc_training.tradeoff import STAGES
+from nscc_training.tradeoff.decoder import decoder_diagram
+from nscc_training.tradeoff.images import images_diagram
+from nscc_training.tradeoff.joint import Joint, joint_diagram
+from nscc_training.tradeoff.joint_bench import JointRequest
+from nscc_training.tradeoff.sensor import sensor_diagram
+from nscc_training.tradeoff.synthesis import synthesis_diagram
 from nscc_training.views import result_sheet, run_sheet, sensor_sheet
 
 METRICS = """step,split,psnr_db,correct
@@ -89,31 +95,32 @@ KINDS: dict[str, Callable[[Path], Figure]] = {
     "a sweep of many lines": lambda _: sweep_diagram(
         [Lines("", "x", "y", {f"line {n}": [(1, n), (9, 2.0 * n)] for n in range(8)})], "t", ""
     ),
-    "kernels": lambda _: images_diagram(points(("sobel", "mean"), ("sum", "tree"), "e")),
+    "kernels": lambda _: images_diagram(
+        StudyResult(tuple(points(("sobel", "mean"), ("sum", "tree"), "e"))), ""
+    ),
     "synthesis": lambda _: synthesis_diagram(
-        points(("class b", "class d"), ("edges", "latch"), "words"), "words a frame", 3, "a card"
+        "words a frame",
+        StudyResult(tuple(points(("class b", "class d"), ("edges", "latch"), "words")), repeats=3),
+        "a card",
     ),
     "decoders": lambda _: decoder_diagram(
-        [*points(("hdr",), ("merge", "net"), "psnr_db"), *points(("hdr",), ("merge",), "ssim")],
-        1,
+        StudyResult((
+            *points(("hdr",), ("merge", "net"), "psnr_db"), *points(("hdr",), ("merge",), "ssim"),
+        )),
         "a card",
     ),
     "shortest slots": lambda _: sensor_diagram(
-        SensorStudyResult(
-            (
-                *points(("stills",), ("b-8, edges", "float-3"), "psnr_db"),
-                *points(("clips",), ("d-16, latch",), "psnr_db"),
-            ),
-            (), "scamp5",
-        ),
-        None,
+        [
+            *points(("stills",), ("b-8, edges", "float-3"), "psnr_db"),
+            *points(("clips",), ("d-16, latch",), "psnr_db"),
+        ],
+        "scamp5", None,
     ),
     "stages": lambda _: joint_diagram(
         Joint(
-            "p.nsl", "folder/s.hdr", "1%", tuple(STAGES)[:2], 32.0, 1.2, 1e3,
-            tuple(points(tuple(STAGES)[:2], ("short", "long"), "percent")), (), (), (),
+            JointRequest(Path("p.nsl"), Scene("folder/s.hdr"), "1%", STAGES[:2]), 32.0, 1.2, 1e3
         ),
-        2,
+        StudyResult(tuple(points(STAGES[:2], ("short", "long"), "percent")), repeats=2),
         "a card",
     ),
 }  # fmt: skip

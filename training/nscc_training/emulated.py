@@ -20,8 +20,9 @@ from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import Exchange
 from nscc_runtime.light import Light
+from nscc_runtime.request import Request
 from nscc_runtime.sensor import Sensor
-from nscc_runtime.simulate import Request, simulate
+from nscc_runtime.simulate import simulate
 from nscc_training.draws import normal, uniform
 from nscc_training.gradients import rounded, saturated
 from nscc_training.sensor_model import SensorModel, laid

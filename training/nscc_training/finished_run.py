@@ -24,7 +24,7 @@ from nscc_runtime import exposing
 from nscc_runtime.captured import Capture
 from nscc_runtime.frame_file import last_codes
 from nscc_runtime.python_arguments import LightLike
-from nscc_runtime.scenes.scene import Scene
+from nscc_runtime.scene_settings import Scene
 from nscc_training import run_folder
 from nscc_training.code_choices import LOOKS
 from nscc_training.encoders import Encoder

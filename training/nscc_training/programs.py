@@ -16,13 +16,15 @@ from nscc.chips.target import Target
 from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.arguments import require_type
 from nscc.diagnostics.diagnostic import Rejected, Severity
-from nscc.pipeline import Compiled, Options
+from nscc.options import Options
+from nscc.pipeline import Compiled
 from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.toml.arguments import argument
 from nscc.toml.kinds import ANY_NUMBER
 from nscc.words.legality import refuse_pictures
+from nscc_runtime.run_kinds import KINDS
 from nscc_training.code_choices import ShutterSpec, over_array
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import LookSchedule
@@ -178,7 +180,7 @@ def begun_with(
         moments = np.array([[comparison.boundary for comparison in comparisons]])
         levels = np.array([[comparison.level for comparison in comparisons]])
         return {"at": moments, "level": levels}, None
-    if container.machine.stages:
+    if not KINDS.of(container).open_times_known:
         raise ValueError(f"its pixels look at the light, but those of class {spec.kind} do not")
     if container.pixel_codes is None:
         raise ValueError("the program has no pixels")

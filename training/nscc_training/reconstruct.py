@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
-from nscc.pipeline import LEVELS, Options
+from nscc.options import Options
+from nscc.pipeline import LEVELS
 from nscc.program.problems import counted
 from nscc.source import Source
 from nscc.words.file import to_bytes

@@ -31,8 +31,8 @@ from nscc_training.array_files import (
     real_array,
     refused,
 )
-from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.baselines.hdr import merge_neighbours
+from nscc_training.left_out import best_weight, prediction_error, with_weight
 from nscc_training.measured import Measured
 from nscc_training.problems import listed
 
@@ -47,7 +47,8 @@ class Reconstruction:
     `light` is float32, a picture (rows, cols) in electrons over the frame, or a clip (T, rows,
     cols) in electrons per slot; with `colour` the last axis is red, green, blue. `messages` are
     warnings about the frame. `decode_s` is the decoding time in seconds. `method` names the method
-    of the decoder for any code, else it is empty. `unit` is "e", or "" for own measurements."""
+    of the decoder for any code, else it is empty. `unit` is "e", or "" for own measurements.
+    `reason` says why GAP-TV was chosen instead of the network."""
 
     light: NDArray[np.float32]
     still: bool
@@ -56,6 +57,7 @@ class Reconstruction:
     decode_s: float
     method: str = ""
     unit: str = "e"
+    reason: str = ""
 
     @property
     def content(self) -> Content:
@@ -87,6 +89,9 @@ def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]
 Method = Literal["network", "merge", "gap-tv"]
 _ITERATIONS = 40
 _WHITE = 0.995
+_CLEARLY = 0.95
+"""The network is chosen if its error is below this fraction of that of GAP-TV. Where both predict
+equally well, GAP-TV is closer to the truth."""
 
 
 def method_for(still: bool, method: Method | None = None) -> Method:
@@ -101,13 +106,39 @@ def gap_tv_clip(
 ) -> NDArray[np.float32]:
     """Return the clip (N, rows, cols) that GAP-TV reconstructs from a batch of one, in its unit.
 
-    The weight of total variation assumes that white is 1. The 99.5 % quantile of the light of
-    opened pixels counts as white."""
+    The weight of total variation is the one that predicts pixels best that are left out."""
+    relative, white = _relative(measured)
+    weight, _ = best_weight(relative, iterations)
+    clip = with_weight(weight, iterations)(relative)
+    return np.asarray(clip[0].clip(min=0) * white, np.float32)
+
+
+def _relative(measured: Measured[NDArray[Any]]) -> tuple[Measured[NDArray[Any]], float]:
+    """Return a measurement in units of white, and white: the 99.5 % quantile of the light of opened
+    pixels."""
     opened = np.broadcast_to(measured.mask.sum(axis=(1, 2)) > 0, measured.mean().shape)
     light = measured.mean()[opened]
-    white = np.quantile(light, _WHITE).clip(min=1e-6) if light.size else 1.0
-    clip, _ = gap_tv_of(measured.over(np.array([white], np.float32)), iterations)
-    return np.asarray(clip[0].clip(min=0) * white, np.float32)
+    white = float(np.quantile(light, _WHITE).clip(min=1e-6)) if light.size else 1.0
+    return measured.over(np.array([white], np.float32)), white
+
+
+def chosen_for_clip(measured: Measured[NDArray[Any]]) -> tuple[Method, str]:
+    """Return the method that predicts pixels of a clip best that are left out, and why it is not
+    the network."""
+    from nscc_training.any_code.decode import decoded_clip
+
+    relative, _ = _relative(measured)
+    _, gap_tv_error = best_weight(relative, _ITERATIONS)
+    network_error = prediction_error(
+        relative, lambda without: np.asarray(decoded_clip(without.tensors()).numpy())
+    )
+    if network_error < _CLEARLY * gap_tv_error:
+        return "network", ""
+    return "gap-tv", (
+        "the network does not clearly predict pixels that are left out better than GAP-TV (RMS "
+        f"error {100 * network_error:.4g} % and {100 * gap_tv_error:.4g} % of white), so GAP-TV "
+        "found the clip; --method network uses the network"
+    )
 
 
 def merged_still(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
@@ -142,13 +173,16 @@ def reconstruct_any(
     doubts: list[Diagnostic] = []
     coded_frames = read_coded_frames(frame, program, dark, doubts.append)
     still = (kind or ("image" if coded_frames[0].is_still else "video")) == "image"
-    method = method_for(still, method)
-    begin = working_s()
+    begin, reason = working_s(), ""
+    given, method = method, method_for(still, method)
+    if given is None and method == "network" and not still:
+        method, reason = chosen_for_clip(coded_frames[0].clip())
     lights = [_light(coded, still, method, progress) for coded in coded_frames]
     light = np.stack(lights, axis=-1) if len(lights) > 1 else lights[0]
     full = np.stack([coded.saturated for coded in coded_frames])
     messages = (*doubts, *overexposed(str(frame), full))
-    return Reconstruction(light, still, len(lights) > 1, messages, working_s() - begin, method)
+    decode_s = working_s() - begin
+    return Reconstruction(light, still, len(lights) > 1, messages, decode_s, method, reason=reason)
 
 
 def _light(
@@ -294,7 +328,8 @@ def reconstruct_measurement(
     progress: Progress = unseen,
 ) -> Reconstruction:  # fmt: skip
     """Reconstruct the clip (K * slots, rows, cols), in the unit of the measurement per slot."""
-    method, begin = method_for(still=False, method=method), working_s()
+    begin, reason = working_s(), ""
+    given, method = method, method_for(still=False, method=method)
     # The decoders are made for masks up to 1.
     most = measurement.mask.max()
     opened = np.asarray(measurement.mask / most, np.float32)[None, None]
@@ -304,6 +339,10 @@ def reconstruct_measurement(
         scaled = (values / most, np.minimum(variance / most**2, MOST**2))
         value, spread = (np.asarray(array, np.float32)[None, None] for array in scaled)
         measured = Measured(value, opened, spread, np.zeros(value.shape, bool))
+        if given is None and method == "network" and not clips:
+            method, reason = chosen_for_clip(measured)
         clips.append(_clip(measured, method, progress))
     light = np.concatenate(clips)
-    return Reconstruction(light, False, False, (), working_s() - begin, method, unit="")
+    return Reconstruction(
+        light, False, False, (), working_s() - begin, method, unit="", reason=reason
+    )

@@ -9,7 +9,7 @@ from pathlib import Path
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
 from nscc.words.container import Container
-from nscc_runtime.scenes.colour import Transfer
+from nscc_runtime.scene_settings import Transfer
 from nscc_training.config import load_config
 from nscc_training.design.text import SLOT_DECIMALS
 from nscc_training.programs import SENSOR_FILE, TARGET_FILE

@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes import picture_files
-from nscc_runtime.scenes.colour import Colours, Transfer, grey
+from nscc_runtime.scenes.colour import Colours, grey
 from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, clip_white, mat_shapes, read_mat
 from nscc_runtime.scenes.picture_files import PICTURES, open_pages, read_frames
 

@@ -28,9 +28,10 @@ from nscc_runtime.light import Light
 from nscc_runtime.pictures.images import Image, image_plane_sheet, image_sheet
 from nscc_runtime.pictures.sheet import head, panels, png_of, theme
 from nscc_runtime.pictures.tone import fitted
+from nscc_runtime.request import Request
 from nscc_runtime.scenes.picture_files import CLIPS, PICTURES, open_pages, read_frames
 from nscc_runtime.sensor import load_sensor
-from nscc_runtime.simulate import Request, simulate
+from nscc_runtime.simulate import simulate
 from nscc_training.demo.expose import camera
 from nscc_training.measures import METRIC_NAMES
 from nscc_training.run_files import run_path

@@ -62,7 +62,7 @@ class EmulatedChip:
         if self._light is None or self._light[0] != container.slot_us:
             self._light = (container.slot_us, self.scene(container.slot_us))
         light = self._light[1]
-        if not container.pictures.outputs:
+        if not container.pictures.launches:
             if looks(container):
                 from nscc_runtime.reference.capture import executed
 

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from hashlib import sha256
 from random import SystemRandom
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import state_registers
 from nscc.words.file import to_bytes
 from nscc.words.reach import Reach, beyond_reaches
@@ -39,9 +36,9 @@ from nscc_runtime.device.objects import (
     upload_of,
 )
 from nscc_runtime.effects import Selection, everything, selected
-from nscc_runtime.frame_file import Frame, joined, last_codes
-from nscc_runtime.looked_light import told_by
+from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.run_kinds import KINDS, Sent
 from nscc_runtime.sensor import Sensor, default_sensor
 
 if TYPE_CHECKING:
@@ -153,7 +150,7 @@ class DeviceChip:
     def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
         host = self.link.host
         self._number += 1
-        if container is not None and container.pictures.outputs and container.keeps_states:
+        if container is not None and container.pictures.states:
             self._reaches = beyond_reaches(container, self._reaches)
         request = FrameRequest(self._number, 0, program, target.rows * target.cols)
         program_lost = False
@@ -212,53 +209,25 @@ def frame_of(
         data, summaries = split_reports(reports, data)
         sent = [name for name in state_registers(container) if name not in reports]
         planes = _planes_at_end(data, sent, target)
-    return frame_of_readouts(
-        codes, exposure, planes, sensor, target, container, reaches=reaches, summaries=summaries
-    )
+    sent_beside = Sent(sensor, exposure is not None, planes, reaches, summaries)
+    return frame_of_readouts(codes, exposure, target, container, sent_beside)
 
 
 def frame_of_readouts(
-    codes: NDArray[np.uint8], exposure_e: NDArray[np.float64] | None,
-    planes: Mapping[str, NDArray[np.bool_]], sensor: Sensor, target: Target,
-    container: Container | None, *, reaches: Mapping[str, Reach] | None = None,
-    summaries: Mapping[str, PlaneSummary] = MappingProxyType({}),
+    codes: NDArray[np.uint8], exposure_e: NDArray[np.float64] | None, target: Target,
+    container: Container | None, sent: Sent,
 ) -> Frame:  # fmt: skip
     """Return the frame of what a chip sent.
 
     `codes` (readouts, rows, cols): converter codes of buckets, then of images. `exposure_e`: the
-    electrons before the converter, or None to compute them from the codes. `planes`: bits (rows,
-    cols) by digital register. `reaches`, `summaries`: see `told_of_planes`."""
-    saturated_by, exact = last_codes(codes, target), exposure_e is not None
-    plain = container is None or not (container.machine.stages or container.pictures.outputs)
-    electrons = exposure_e
+    electrons before the converter, or None to compute them from the codes."""
+    electrons, sensor = exposure_e, sent.sensor
     if electrons is None:
         electrons = np.asarray(
             (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb, np.float64
         )
-        if container is not None and plain:
-            from nscc_runtime.full_codes import marked_by_codes
-
-            with suppress(Rejected):  # NS0442: words that open no shutters
-                saturated_by |= marked_by_codes(codes, container, sensor)
-    frame = Frame(codes, electrons, np.isfinite(electrons), saturated_by)
-    if container is None or plain:
-        return frame
-    if not container.pictures.outputs:
-        simulated = selected("none") if exact else everything()
-        return replace(frame, told=told_by(container, planes, frame, sensor, simulated))
-    from nscc_runtime.neighbours.pictured_program import image_sensor, told_of_planes
-
-    told: dict[str, NDArray[Any]] = {}
-    buckets = len(container.buckets_read)
-    converter = image_sensor(sensor, container.target)
-    for place, name in enumerate(container.pictures.images_read, buckets):
-        image_codes, image_e = frame.frame[place], frame.exposure_e[place]
-        if not exact:
-            image_e = (image_codes - float(converter.adc_offset_lsb)) * converter.electrons_per_lsb
-        told[f"image_{name}"], told[f"image_codes_{name}"] = image_e, image_codes
-        told[f"image_saturated_by_{name}"] = frame.saturated_by[place]
-    told |= told_of_planes(container, planes, reaches, summaries)
-    return replace(joined([frame], lambda arrays: arrays[0][:buckets]), told=told)
+    frame = Frame(codes, electrons, np.isfinite(electrons), last_codes(codes, target))
+    return frame if container is None else KINDS.of(container).sent_frame(container, frame, sent)
 
 
 def _planes_at_end(

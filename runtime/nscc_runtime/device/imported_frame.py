@@ -26,6 +26,7 @@ from nscc.words.readout import converter_of
 from nscc_runtime.device.device_chip import frame_of_readouts
 from nscc_runtime.frame_file import FrameFile, Provenance, check_adc, meta
 from nscc_runtime.response import with_table
+from nscc_runtime.run_kinds import Sent
 from nscc_runtime.sensor import Sensor, default_sensor
 
 PICTURES = (".bmp", ".png", ".tif", ".tiff", ".npy", ".csv")
@@ -132,7 +133,7 @@ def frame_of_pictures(
             raise _refused(pictures[name][0], f"it {reason}")
         codes[number] = laid[name]
     planes = {register: _bits(pictures[name][0], laid[name]) for name, register in digital.items()}
-    frame = frame_of_readouts(codes, None, planes, sensor, target, container)
+    frame = frame_of_readouts(codes, None, target, container, Sent(sensor, False, planes))
     digest = sha256(to_bytes(container)).hexdigest()
     meta_values = meta(container, None, frame, Provenance(digest, sensor, None, None, "imported"))
     meta_values["imported"] = {
@@ -151,11 +152,10 @@ def readout_names(container: Container) -> tuple[tuple[str, ...], dict[str, str]
     Analog readouts are buckets, then images. Digital readouts are planes; of a program that reads
     states they are the registers of the states."""
     registers = state_registers(container)
-    if not container.pictures.outputs:
-        return container.buckets_read, {register: register for register in registers}
-    by_register = {container.pictures.registers[n]: n for n in container.pictures.outputs}
-    names = {by_register[register]: register for register in registers}
-    return (*container.buckets_read, *container.pictures.images_read), names
+    pictures = container.pictures
+    by_register = {pictures.registers[name]: name for name in pictures.outputs}
+    names = {by_register.get(register, register): register for register in registers}
+    return (*container.buckets_read, *pictures.images_read), names
 
 
 def _by_name(files: Sequence[Path] | Mapping[str, Path], names: Sequence[str]) -> dict[str, Path]:

@@ -5,15 +5,13 @@ from __future__ import annotations
 import select
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
 from random import SystemRandom
 from time import monotonic
 from typing import Any, Self, TypeVar
 
-from nscc.toml.kinds import Integer, Number
-from nscc.toml.schema import key
 from nscc_runtime.device.device_errors import explained, port_lost, port_trouble
 from nscc_runtime.device.host import Host, Task
+from nscc_runtime.device.link_settings import LinkSettings
 from nscc_runtime.device.port import Port, PortGone, PortTrouble, open_port
 
 Result = TypeVar("Result")
@@ -23,17 +21,6 @@ _LONGEST_REOPEN_S = 0.25
 _GOODBYE_S = 0.5
 _LONGEST_SLEEP_S = 0.25
 _WINDOW_BITS = 16384 * 10
-
-
-@dataclass(frozen=True)
-class LinkSettings:
-    """How a serial port is used."""
-
-    baud: int = key(Integer(1200, 12_000_000), "Speed of the device's port", 3_000_000)
-    patience_s: float = key(
-        Number(0.1, 3600), "Seconds without an answer after which a device counts as lost", 10.0,
-        name="patience",
-    )  # fmt: skip
 
 
 class SerialLink:

@@ -150,7 +150,7 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
     )
     check_codes(container)
     reported = device_reports(container) if reports else {}
-    container = with_picture_words(container)
+    pictures, container = container.pictures, with_picture_words(container)
     target, readouts = container.target, _readouts(container)
     rows = list(_rows(container))
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
@@ -197,7 +197,7 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
         report_bytes=sum(report_bytes(most) for most, _ in reported.values()),
         gains=any(gain != 1 for *_, gain in readouts),
         levels=sets_in,
-        pictures=bool(container.pictures.outputs),
+        pictures=bool(pictures.kernels),
         pixels=target.rows * target.cols,
     )
 
@@ -216,13 +216,10 @@ def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
 
 def _readouts(container: Container) -> list[tuple[int, bool, float]]:
     """Return for each register that a device converts: number, whether it is an image, gain."""
-    registers, by_bucket = container.target.analog_registers, container.readouts
-    if not container.pictures.outputs:
-        by_name = {readout.bucket: readout for readout in container.readouts}
-        by_bucket = tuple(by_name[bucket] for bucket in container.buckets)
+    registers, buckets = container.target.analog_registers, container.buckets
     return [
-        (registers.index(each.register), each.bucket not in container.buckets, each.gain)
-        for each in by_bucket
+        (registers.index(each.register), each.bucket not in buckets, each.gain)
+        for each in container.readouts
     ]
 
 

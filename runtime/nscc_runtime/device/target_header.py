@@ -40,7 +40,7 @@ def target_header(target: Target) -> str:
 
     Raises ValueError for a target with custom words, which the loader does not know, and for a
     target whose pixels have no logic."""
-    if target.streamed:
+    if not target.has_logic:
         raise ValueError(
             f"the loader's firmware runs words, but the pixels of {target.name} have no logic"
         )

@@ -13,7 +13,7 @@ from nscc_runtime.effects.parts import Converter
 
 
 def _of_words(target: Target, values: Mapping[str, float]) -> float:
-    spreads = target.conversion == "spread" and not target.streamed
+    spreads = target.spread_level is not None
     return values["analog_noise_lsb"] * SPREADING_ERRORS**0.5 if spreads else 0.0
 
 

@@ -14,10 +14,10 @@ import numpy as np
 
 from nscc_runtime.execution.layout import (
     BLOCK,
+    FixedPatterns,
     LoopProgram,
     LoopWord,
     Numbers,
-    FixedPatterns,
     PixelState,
     Readouts,
     Segments,

@@ -38,8 +38,8 @@ from nscc_runtime.execution.block_program import (
 from nscc_runtime.execution.count_loop import draw_deviations
 from nscc_runtime.execution.layout import (
     BLOCK,
-    Numbers,
     FixedPatterns,
+    Numbers,
     PixelState,
     Switches,
     WordKeys,

@@ -142,18 +142,17 @@ def _read_out(
     """Return codes and electrons (.., reads, rows, cols); no electrons if only reports are read.
 
     A 1 of a plane is the code 255 and one electron."""
-    pictures = container.pictures
-    if not pictures.outputs:
+    if container.reads == container.buckets:
         return frame.frame, frame.exposure_e
-    if not pictures.reads:
+    if not container.reads:
         return frame.frame, None
     codes, electrons = [], []
-    for name in pictures.reads:
+    for name in container.reads:
         if name in container.buckets_read:
             index = container.buckets_read.index(name)
             codes.append(frame.frame[..., index, :, :])
             electrons.append(frame.exposure_e[..., index, :, :])
-        elif name in pictures.planes:
+        elif name in container.pictures.planes:
             bits = frame.told[f"plane_{name}"]
             codes.append(bits * np.uint8(255))
             electrons.append(bits.astype(np.float64))

@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import chain, groupby
+from itertools import chain
 from operator import attrgetter
+from statistics import median
 from typing import TYPE_CHECKING, Any
 
-from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
 from nscc_runtime.pictures.sheet import theme
@@ -26,6 +26,53 @@ _EXACT = 1e-7
 """On a logarithmic axis, errors below this fraction of the largest error are drawn at the end of
 the axis, pointing down."""
 _COLUMNS = 2
+
+
+@dataclass(frozen=True)
+class Point:
+    """One method at one setting, measured several times on one problem.
+
+    Points with the same `case` and `error_unit` are comparable. A smaller `error` is better unless
+    `more_is_better`, as for PSNR. `bound` is a lower bound for all settings of the method, None if
+    unknown. `times_ms` are all measured times. `device` is their device if it differs from that of
+    most points."""
+
+    case: str
+    method: str
+    setting: str
+    error: float
+    error_unit: str
+    times_ms: tuple[float, ...]
+    bound: float | None = None
+    more_is_better: bool = False
+    device: str = ""
+
+    @property
+    def badness(self) -> float:
+        """The error, negated if a larger value is better."""
+        return -self.error if self.more_is_better else self.error
+
+    @property
+    def time_ms(self) -> float:
+        """The median time in milliseconds."""
+        return median(self.times_ms)
+
+    @property
+    def spread_ms(self) -> float:
+        """The difference between the longest and the shortest time in milliseconds."""
+        return max(self.times_ms) - min(self.times_ms)
+
+
+def dominated(points: Sequence[Point]) -> list[bool]:
+    """Return for each point whether another point of its case and unit dominates it.
+
+    A dominating point is no worse in error and time, and better in one of them."""
+    flags = []
+    for point in points:
+        mine, kind = (point.badness, point.time_ms), (point.case, point.error_unit)
+        rivals = ((p.badness, p.time_ms) for p in points if (p.case, p.error_unit) == kind)
+        flags.append(any(e <= mine[0] and t <= mine[1] and (e, t) != mine for e, t in rivals))
+    return flags
 
 
 @dataclass(frozen=True)
@@ -186,33 +233,3 @@ def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> None:
         axes.set_yscale("log")
         axes.set_ylim(least / margin, most * margin)
     sheet.round_ticks(axes.yaxis)
-
-
-def images_diagram(points: Sequence[Point]) -> Figure:
-    """Draw, for each image of `nscc.tradeoff.images`, noise against time, a line per kernel."""
-    groups = groupby(points, key=lambda point: point.case)
-    panels = [Panel(case, "errors of one word", list(group)) for case, group in groups]
-    return precision_diagram(
-        panels, "Programs of words for kernels",
-        "standard deviation of the error that the words add (numbers: words; hollow: dominated) "
-        "against their time",
-        PointReading("time, us", 1e3, text=lambda point: point.setting.partition(" ")[0]),
-    )  # fmt: skip
-
-
-def synthesis_diagram(points: Sequence[Point], words: str, repeats: int, device: str) -> Figure:
-    """Draw, for each program of `nscc.tradeoff.synthesis`, words against time, one line per
-    lowering.
-
-    `words` names the words that are counted. `repeats` compilations were timed on `device`."""
-    panels = [
-        Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
-    ]
-    levels = " ".join(sorted({point.setting for point in points}))
-    times = "one compilation" if repeats == 1 else f"median and range of {repeats} compilations"
-    return precision_diagram(
-        panels, "What compile time buys",
-        f"{words} at {levels} (numbers; hollow: dominated) against {times}, from text to proof, "
-        f"on {device}",
-        PointReading("time, s", 1e-3, text=lambda point: point.setting.removeprefix("-O")),
-    )  # fmt: skip

@@ -12,8 +12,8 @@ from nscc.words.container import Container
 from nscc.words.shutters import Shutters, shutters_of
 from nscc_runtime.merge import tile_of
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.data_flow import DataFlow
 from nscc_runtime.pictures.sheet import theme
+from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.scenes.shapes import Field
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     places = np.linspace(0.08, 0.9, count) if count > 1 else np.array([0.35])
     colours: Field = colormaps[sheet.SCALE](places)[:, :3]
     chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
-    flow = DataFlow(container, CHART_INCHES) if container.pictures.outputs else None
+    flow = KINDS.of(container).flow(container, CHART_INCHES)
     maps = [] if flow is not None and count == 1 else _maps(container, shutters, colours)
     top = _ABOVE + chart_height + _BELOW
     sizes = [sheet.zoomed(tile_map.colours.shape, _MAP) for tile_map in maps]

@@ -127,27 +127,23 @@ def audit(scene: PlannedScene, plan: Plan) -> Audit:
 def in_distribution(report: Audit, own_e: Values, loop_e: Values) -> Audit:
     """Return the audit with the difference in distribution of two series of independent frames,
     each of shape (buckets, frames, pixels), in the worst bucket."""
-    frames, worst = own_e.shape[1], None
-    for own, loop in zip(own_e, loop_e, strict=True):
-        known = np.isfinite(own).all(axis=0) & np.isfinite(loop).all(axis=0)
-        if not known.any():
-            continue
-        own, loop = own[:, known], loop[:, known]
-        own_variance, loop_variance = own.var(axis=0, ddof=1), loop.var(axis=0, ddof=1)
-        difference = own.mean(axis=0) - loop.mean(axis=0)
-        # The mean over frames has noise, whose variance is subtracted.
-        mean_e2 = difference**2 - (own_variance + loop_variance) / frames
-        variance_e2 = own_variance - loop_variance
-        path_e2 = max(float(mean_e2.mean()), 0.0) + abs(float(variance_e2.mean()))
-        error_e2 = math.hypot(mean_e2.std(), variance_e2.std()) / math.sqrt(len(difference))
-        noise_e2 = float(loop_variance.mean())
-        ratio = math.sqrt(own_variance.mean() / noise_e2) if noise_e2 > _NO_NOISE_E2 else None
-        if worst is None or path_e2 > worst[0]:
-            worst = path_e2, error_e2, float(difference.mean()), ratio
-    if worst is None:
-        return report
-    path_e2, error_e2, bias_e, ratio = worst
+    own_variance, loop_variance = own_e.var(axis=1, ddof=1), loop_e.var(axis=1, ddof=1)
+    difference = own_e.mean(axis=1) - loop_e.mean(axis=1)
+    known = np.isfinite(difference + own_variance + loop_variance)
+    # The mean over frames has noise, whose variance is subtracted.
+    mean_e2 = difference**2 - (own_variance + loop_variance) / own_e.shape[1]
+    parts = [mean_e2, own_variance - loop_variance, difference, own_variance, loop_variance]
+    mean_e2, variance_e2, difference, own_variance, loop_variance = (
+        np.where(known, part, 0.0) for part in parts
+    )
+    path_e2 = np.maximum(mean_e2.mean(axis=1), 0.0) + np.abs(variance_e2.mean(axis=1))
+    worst = int(path_e2.argmax())
+    spread_e2 = math.hypot(mean_e2[worst].std(), variance_e2[worst].std())
+    own_e2, loop_e2 = float(own_variance[worst].mean()), float(loop_variance[worst].mean())
     return replace(
-        report, path_e=math.sqrt(path_e2), path_mc_error_e2=error_e2, bias_e=bias_e,
-        std_ratio=ratio,
-    )  # fmt: skip
+        report,
+        path_e=math.sqrt(path_e2[worst]),
+        path_mc_error_e2=spread_e2 / math.sqrt(mean_e2.shape[1]),
+        bias_e=float(difference[worst].mean()),
+        std_ratio=math.sqrt(own_e2 / loop_e2) if loop_e2 > _NO_NOISE_E2 else None,
+    )

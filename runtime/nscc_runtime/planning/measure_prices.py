@@ -52,9 +52,7 @@ def measure_prices() -> list[Price]:
     wave = np.sin(np.arange(rows) / 7.0)[:, None] * np.sin(np.arange(cols) / 5.0)
     slot_s = np.array(container.slot_us) * 1e-6
     still = Light.of_still((250e3 + 220e3 * wave).astype(np.float32), slot_s)
-    film = Light.of_clip(np.repeat(still.frames, still.slots, axis=0), float(slot_s[0]))
-    scenes = [PlannedScene(container, sensor, light, threads=1) for light in (still, film)]
-    scene, all_effects = scenes[0], everything()
+    scene, all_effects = PlannedScene(container, sensor, still, threads=1), everything()
     work = Work.of(scene)
     places = np.linspace(0, scene.pixels - 1, _NEAR).astype(np.int64)
     laid = lay_out(container, sensor, still, all_effects, places, 0)
@@ -72,38 +70,26 @@ def measure_prices() -> list[Price]:
               1e9 / _NEAR * _least_s(lambda: expose_pixels(laid, 0, 0))),
         Price("reference", "a pixel and slot in the reference", "ns", SHIPPED.slot,
               reference_ns / (scene.pixels * still.slots)),
-        *_of_sums(scenes),
+        *_of_sums(scene),
     ]  # fmt: skip
 
 
-def _of_sums(scenes: list[PlannedScene]) -> list[Price]:
-    """Return prices of simulations by sums: a frame without effects, and the time saved by dropping
-    each effect, for a still scene and for each further frame of light."""
-    all_effects, nothing = everything(), selected("none")
-    frames = scenes[1].light.slots - 1
-    bare = [_frame_ns(scene, nothing) for scene in scenes]
-    every = [_frame_ns(scene, all_effects) for scene in scenes]
-    prices = [
-        Price("sums", "a pixel without effects", "ns", SHIPPED.frame, bare[0]),
-        Price("light", "a pixel and frame of light", "ns", SHIPPED.light,
-              max(0.0, bare[1] - bare[0]) / frames),
-    ]  # fmt: skip
-    for effect in all_effects.effects:
-        if not (effect.cost_ns and effect.sums):
-            continue
-        saved = [
-            max(0.0, with_ns - _frame_ns(scene, all_effects.without(effect.name)))
-            for scene, with_ns in zip(scenes, every, strict=True)
-        ]
-        prices.append(
-            Price(effect.name, "a pixel by sums over slots", "ns", effect.cost_ns, saved[0])
-        )
-        if effect.light_ns:
-            of_light = max(0.0, saved[1] - saved[0]) / frames
-            prices.append(
-                Price(effect.name, "a pixel and frame of light", "ns", effect.light_ns, of_light)
+def _of_sums(scene: PlannedScene) -> list[Price]:
+    """Return prices of a first frame by sums: without effects, and saved by dropping each."""
+    all_effects = everything()
+    every_ns = _frame_ns(scene, all_effects)
+    bare_ns = _frame_ns(scene, selected("none"))
+    return [
+        Price("sums", "a pixel without effects", "ns", SHIPPED.frame, bare_ns),
+        *(
+            Price(
+                effect.name, "a pixel by sums over slots", "ns", effect.cost_ns,
+                max(0.0, every_ns - _frame_ns(scene, all_effects.without(effect.name))),
             )
-    return prices
+            for effect in all_effects.effects
+            if effect.cost_ns and isinstance(effect.sums, tuple)
+        ),
+    ]  # fmt: skip
 
 
 def _frame_ns(scene: PlannedScene, effects: Selection) -> float:

@@ -13,7 +13,6 @@ from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.emulator import expose as expose_without_effects
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.block_program import block_program, lacks
 from nscc_runtime.execution.block_scene import PixelExposures, expose_pixels, lay_out
@@ -97,11 +96,8 @@ class PlannedScene:
 
     def signal_e(self) -> float:
         """Return the mean signal of a frame without effects, in electrons (see `mean_signal_e`)."""
-        if self.looks:
-            [frame] = self.frames(selected("none"), 0, 1)
-            return mean_signal_e(frame.exposure_e, self.sensor)
-        exact = expose_without_effects(self.container, self.light, threads=self.threads)
-        return mean_signal_e(exact.exposure_e, self.sensor)
+        [frame] = self.frames(selected("none"), 0, 1)
+        return mean_signal_e(frame.exposure_e, self.sensor)
 
     def noise_e(self) -> float:
         """Return the noise of a frame with every effect, including readout and rounding, in

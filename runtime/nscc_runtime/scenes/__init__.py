@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from nscc_runtime.scene_settings import FITS, Fit, Scene
 from nscc_runtime.scenes.exposure import ExposureLevel, parse_exposure
 from nscc_runtime.scenes.load import (
     PlacedLight,
@@ -11,8 +12,7 @@ from nscc_runtime.scenes.load import (
     load_scene,
     scene_light,
 )
-from nscc_runtime.scenes.placement import FITS, Fit, Placement, parse_crop
-from nscc_runtime.scenes.scene import Scene
+from nscc_runtime.scenes.placement import Placement, parse_crop
 
 __all__ = [
     "FITS",

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
-from nscc_runtime.scenes.colour import Colours, Transfer
+from nscc_runtime.scene_settings import Transfer
+from nscc_runtime.scenes.colour import Colours
 from nscc_runtime.scenes.pages import Pages
 from nscc_runtime.scenes.picture_folders import files_of, read_folder
 from nscc_runtime.scenes.pillow_pictures import exif_of

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-Transfer = Literal["linear", "srgb", "pq", "hlg"]
+from nscc_runtime.scene_settings import Transfer
+
 CURVES = {"linear": "no curve", "srgb": "the sRGB curve", "pq": "the PQ curve (SMPTE ST 2084)",
           "hlg": "the HLG curve (ITU-R BT.2100)"}  # fmt: skip
 """Descriptions of the transfer curves in messages."""

@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes.colour import (
     LUMINANCE,
     Colours,
     Curve,
-    Transfer,
     Weights,
     luminance_weights,
     srgb_to_linear,

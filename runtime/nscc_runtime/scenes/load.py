@@ -17,9 +17,10 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.files import reads
-from nscc.toml.arguments import declared
+from nscc.toml.schema import declared
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.scene_settings import Scene
 from nscc_runtime.scenes import exposure, light_arrays, timing
 from nscc_runtime.scenes.bracket import bracket_files, merged_bracket, parse_times
 from nscc_runtime.scenes.colour import Colours
@@ -42,7 +43,6 @@ from nscc_runtime.scenes.placement import (
     taken_for_srgb,
     white_used,
 )
-from nscc_runtime.scenes.scene import Scene
 
 Stored = tuple[NDArray[Any], Colours]
 """A picture as stored, and the meaning of its samples."""

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic
+from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes import pages
-from nscc_runtime.scenes.colour import Colours, Transfer, grey
+from nscc_runtime.scenes.colour import Colours, grey
 from nscc_runtime.scenes.errors import clamped, refuse_no_light
 from nscc_runtime.scenes.light_arrays import check_type
 

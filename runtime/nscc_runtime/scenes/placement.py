@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import prod
-from typing import Any, Literal, get_args
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +17,9 @@ from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc_runtime.light import Light
+from nscc_runtime.scene_settings import Fit
 from nscc_runtime.scenes.colour import white_of
 from nscc_runtime.scenes.errors import Path_or_name, size
-
-Fit = Literal["crop", "scale", "tiles"]
-FITS: tuple[Fit, ...] = get_args(Fit)
 
 MOST_PIXELS = 1 << 26
 """Largest number of pixels of a picture in pieces: a frame needs about 30 bytes per pixel."""

@@ -15,15 +15,16 @@ from nscc.containers import is_compiled, load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import InvalidArrays
-from nscc.pipeline import Options
+from nscc.options import Options
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.frame_file import meta
 from nscc_runtime.light import Light
+from nscc_runtime.request import Request
 from nscc_runtime.response import decode_arrays
 from nscc_runtime.sensor import Sensor, default_sensor
-from nscc_runtime.simulate import Request, Simulated, simulate
+from nscc_runtime.simulate import Simulated, simulate
 from nscc_training.frame_reading import are_lengths, no_frame, number_of, read_dark, undarkened
 from nscc_training.measured import Measured
 from nscc_training.problems import one_line, why_no_arrays

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import file_sha256
-from nscc_runtime.scenes.colour import Colours, Transfer, linear
+from nscc_runtime.scene_settings import Transfer
+from nscc_runtime.scenes.colour import Colours, linear
 from nscc_runtime.scenes.picture_files import (
     DISPLAY,
     LINEAR,

@@ -15,7 +15,7 @@ from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.examples import examples
-from nscc.pipeline import Options
+from nscc.options import Options
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
@@ -24,10 +24,11 @@ from nscc_runtime.frame_file import FrameFile, meta
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.machine_code import working_s
 from nscc_runtime.pieces import Taken, simulate_scene
+from nscc_runtime.request import Request
 from nscc_runtime.response import with_table
 from nscc_runtime.scenes import Fit, PlacedLight, Scene, laid_lights
 from nscc_runtime.sensor import Sensor, load_sensor
-from nscc_runtime.simulate import Listener, Request
+from nscc_runtime.simulate import Listener
 from nscc_training.demo.subject import Subject
 from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.scene import best_stop

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes import Scene
-from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, read_light, read_mat
 from nscc_runtime.scenes.load import ARRAYS
 from nscc_runtime.scenes.pages import Pages

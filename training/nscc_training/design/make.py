@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from nscc.chips.load import load_target
 from nscc.compiler import compile_source
-from nscc.pipeline import Compiled, Options
+from nscc.options import Options
+from nscc.pipeline import Compiled
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.sensor import Sensor, default_sensor

@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from nscc.words.container import Container
 from nscc_runtime.effects import everything
 from nscc_runtime.light import Light
+from nscc_runtime.request import Request
 from nscc_runtime.response import response_of
-from nscc_runtime.simulate import Request, simulate
+from nscc_runtime.simulate import simulate
 from nscc_training.baselines.hdr import merged
 from nscc_training.code_choices import RANKS, over_array
 from nscc_training.design.chip import DesignChip

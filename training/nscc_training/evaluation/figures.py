@@ -20,9 +20,10 @@ from nscc_runtime.light import Light
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.pictures.tone import fitted
+from nscc_runtime.request import Request
 from nscc_runtime.scenes import Scene as Shown
 from nscc_runtime.scenes import laid_lights
-from nscc_runtime.simulate import Request, simulate
+from nscc_runtime.simulate import simulate
 from nscc_training.demo import BUILTIN
 from nscc_training.demo.expose import RUNS, camera
 from nscc_training.encoders import make_encoder

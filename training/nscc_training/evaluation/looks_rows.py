@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from nscc.chips.load import builtin_target
 from nscc.chips.target import Target
 from nscc.compiler import compile_source
-from nscc.pipeline import Options
+from nscc.options import Options
 from nscc.program.looking import level_steps
 from nscc.source import Source
 from nscc.words.container import Container

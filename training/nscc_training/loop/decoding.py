@@ -15,8 +15,9 @@ from nscc_runtime import capture
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import OPEN
+from nscc_runtime.request import Request
 from nscc_runtime.sensor import Sensor
-from nscc_runtime.simulate import Request, simulate
+from nscc_runtime.simulate import simulate
 from nscc_training import programs
 from nscc_training.code_choices import LOOKS
 from nscc_training.looking_model import looked

@@ -18,8 +18,8 @@ from nscc.source import Source
 from nscc.syntax.format import format_source
 from nscc.words.container import Container
 from nscc_runtime.light import Light
+from nscc_runtime.request import Request
 from nscc_runtime.sensor import Sensor
-from nscc_runtime.simulate import Request
 from nscc_training.any_code.decode import decoded_clip
 from nscc_training.any_code.frames import exposed_frame
 from nscc_training.code_choices import RANKS, ShutterSpec

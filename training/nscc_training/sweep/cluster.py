@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from itertools import islice
 from multiprocessing import resource_tracker
@@ -12,14 +12,12 @@ from signal import SIG_BLOCK, SIG_SETMASK, SIGINT, pthread_sigmask
 from typing import TYPE_CHECKING
 
 from nscc.diagnostics.rejection import rejected
+from nscc_training.experiments.engine import Done, Executor
 from nscc_training.sweep.point import PointTask
-from nscc_training.sweep.work import Done, failure, work
+from nscc_training.sweep.work import failure, work
 
 if TYPE_CHECKING:
     from distributed import Client, Future
-
-Executor = Callable[[Iterable[PointTask]], Iterator[Done]]
-"""A function that computes tasks and yields their results in any order."""
 
 _TRIES = 2
 _POOLS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
@@ -30,7 +28,7 @@ _AHEAD = 2
 
 
 @contextmanager
-def local_workers(workers: int, threads: int) -> Iterator[Executor]:
+def local_workers(workers: int, threads: int) -> Iterator[Executor[PointTask]]:
     """Start `workers` processes on this machine, for the `with` block."""
     import dask
     from distributed import Client, LocalCluster
@@ -61,7 +59,7 @@ def local_workers(workers: int, threads: int) -> Iterator[Executor]:
 
 
 @contextmanager
-def scheduler_workers(scheduler: str) -> Iterator[Executor]:
+def scheduler_workers(scheduler: str) -> Iterator[Executor[PointTask]]:
     """Use the workers of a scheduler; raise NS0835 if it does not answer."""
     from distributed import Client
 
@@ -119,4 +117,4 @@ def _finished(future: Future, task: PointTask) -> Done:
     if isinstance(error, ModuleNotFoundError):
         raise error
     why = f"its worker ended while it was computed ({type(error).__name__})"
-    return Done(task, failure(task, why), 0.0, "", failed=True)
+    return Done(task, failure(task, why), failed=True)

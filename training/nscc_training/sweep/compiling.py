@@ -8,10 +8,12 @@ from typing import Any
 
 from nscc.limits.families import families
 from nscc.limits.survey import limit_of
-from nscc.pipeline import KINDS, Compiled, Options
+from nscc.options import Options
+from nscc.pipeline import KINDS, Compiled
 from nscc.toml.kinds import TextKind
 from nscc.toml.schema import Key
-from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
+from nscc_training.experiments.engine import Figures
+from nscc_training.sweep.point import PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import (
     axis,
     compiled_of,

@@ -7,10 +7,11 @@ from pathlib import Path
 
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.files import write_whole
-from nscc.pipeline import Options
+from nscc.options import Options
 from nscc.toml.kinds import Integer, Number, TextKind
 from nscc.toml.schema import Key
-from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
+from nscc_training.experiments.engine import Figures
+from nscc_training.sweep.point import PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import (
     axis,
     declared_axes,
@@ -99,4 +100,5 @@ DESIGN = PointKind(
     ("expected_mu_db",), _reads, _fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy"), leaves=".nsl",
+    folder="programs",
 )  # fmt: skip

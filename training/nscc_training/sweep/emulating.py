@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
-from nscc_training.sweep.point import Figures, PointFault, PointKind, Values
+from nscc_training.experiments.engine import Figures
+from nscc_training.sweep.point import PointFault, PointKind, Values
 from nscc_training.sweep.point_programs import (
     axis,
     compiled_of,
@@ -21,8 +21,6 @@ from nscc_training.sweep.point_programs import (
     program_keys,
     scene_keys,
     scene_of,
-    sensor_changes,
-    sensor_file,
     sensor_keys,
     sensor_of,
     silent,
@@ -123,25 +121,13 @@ def _capture(values: Values, threads: int) -> Figures:
 
 
 def _bench(values: Values) -> Figures:
-    from nscc_training.tradeoff.sensor import SensorStudySettings, measure
+    from nscc_training.sweep.bench import bench_figures
 
-    clips = values["bench"] == "clips"
-    slots = values["slots"]
-    settings = SensorStudySettings(
-        classes=(values["class"],) if clips else (), slots=(slots,) if clips else (),
-        stop_slots=() if clips else (slots,), looks=(), codes=(values["codes"],),
-        lowerings=(values["lowering"],), target=values["target"], level=values["level"],
-        effects=values["effects"], slot_us=values["at_us"],
-        data=Path(values["data"]) if values["data"] else None, count=values["scenes"],
-        seed=values["seed"], frames=values["frames"], sensor=sensor_file(values),
-        changes=sensor_changes(values), tile=values["tile"], init=values["init"],
-        length=values["length"], rows=values["rows"],
-    )  # fmt: skip
-    study = measure(settings)
-    if study.refused:
-        raise Rejected(Diagnostic(study.refused[0].code, study.refused[0].reason))
-    [point] = study.points
-    return {"psnr_db": point.error, "shortest_slot_us": round(point.time_ms * 1e3, 6)}
+    figures = bench_figures(values)
+    return {
+        "psnr_db": figures["psnr_db"],
+        "shortest_slot_us": round(figures["shortest_slot_us"], 6),
+    }
 
 
 EMULATE = PointKind(

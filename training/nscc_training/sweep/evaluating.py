@@ -10,9 +10,10 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import write_whole
 from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
+from nscc_training.experiments.engine import Figures
 from nscc_training.protocols import NAMES, PROCEDURAL, load_protocol
 from nscc_training.scene_files import folders_of
-from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
+from nscc_training.sweep.point import PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import axis, sensor_changes, sensor_keys
 
 RUN = "run"
@@ -116,5 +117,5 @@ EVALUATE = PointKind(
     _evaluate,
     ("psnr_db", "correct"), _reads, _fault, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
-    leaves=".json",
+    leaves=".json", folder="results",
 )  # fmt: skip

@@ -300,9 +300,7 @@ def _of_part(
     grid_part: str, kind: str, axes: Mapping[str, tuple[Any, ...]], called: str
 ) -> Iterator[GridPoint]:
     """Yield the points of a part; the first key varies slowest."""
-    defaults = {
-        key.name: key.default[0] for key in KINDS[kind].takes() if key.default is not MISSING
-    }
+    defaults = KINDS[kind].defaults()
     several = [name for name, values in axes.items() if len(values) > 1]
     for values in product(*axes.values()):
         chosen = {**defaults, **dict(zip(axes, values, strict=True))}

@@ -7,6 +7,7 @@ from functools import cache
 
 from nscc import __version__
 from nscc.cache.digest import content, digest, package_digest, version_digest
+from nscc.plugins import added, unusable
 from nscc.requirements import installed_version
 from nscc_training.sweep.compiling import COMPILE, LIMITS
 from nscc_training.sweep.designing import DESIGN
@@ -16,9 +17,20 @@ from nscc_training.sweep.moving_cells import CELL
 from nscc_training.sweep.point import GridPoint, PointKind
 from nscc_training.sweep.training import TRAIN
 
-KINDS: Mapping[str, PointKind] = {
-    kind.name: kind for kind in (COMPILE, LIMITS, EMULATE, TRAIN, EVALUATE, DESIGN, CELL)
-}
+SHIPPED = {kind.name: kind for kind in (COMPILE, LIMITS, EMULATE, TRAIN, EVALUATE, DESIGN, CELL)}
+
+
+def _added() -> dict[str, PointKind]:
+    """Return the kinds of installed packages; raise Rejected (NS0905) for other objects."""
+    kinds: dict[str, PointKind] = added("nscc.measurements", SHIPPED)
+    for name, kind in kinds.items():
+        if not isinstance(kind, PointKind) or kind.name != name:
+            reason = f"it must be a PointKind with the name {name}"
+            raise unusable("nscc.measurements", name, reason)
+    return kinds
+
+
+KINDS: Mapping[str, PointKind] = {**SHIPPED, **_added()}
 
 _SCHEMA = "nscc-point-1"
 

@@ -9,7 +9,8 @@ from typing import get_args
 from nscc.files import write_together
 from nscc.toml.kinds import Integer, Number, TextKind
 from nscc.toml.schema import Key
-from nscc_training.sweep.point import Figures, PointFault, PointKind, PointTask, Values
+from nscc_training.experiments.engine import Figures
+from nscc_training.sweep.point import PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import axis, program_files
 
 
@@ -74,5 +75,5 @@ CELL = PointKind(
     "cell", "a recurrent cell of bits in the pixels that tells the direction of motion", _keys,
     _train, ("tuned_accuracy", "effects_accuracy"), program_files, _fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
-    distributions=("lark", "networkx", "numba", "scipy", "torch"), leaves="",
+    distributions=("lark", "networkx", "numba", "scipy", "torch"), leaves="", folder="cells",
 )  # fmt: skip

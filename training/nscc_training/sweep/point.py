@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import MISSING, dataclass, field
 from pathlib import Path
 from typing import Any
 
 from nscc.toml.schema import Key
+from nscc_training.experiments.engine import Figures
 
 Values = Mapping[str, Any]
 """A point's values by key; keys with neither value nor default are absent."""
 
 OF_RUN = "run:"
 """Prefix of a value that names the run of another point."""
-
-Figures = dict[str, Any]
-"""Results by name: text, numbers, true, false or None."""
 
 
 @dataclass(frozen=True)
@@ -50,6 +48,8 @@ class PointKind:
         Packages of nscc and other distributions that compute the point.
     leaves : str or None
         The ending of the file or folder that a point writes at `PointTask.files`.
+    folder : str
+        The folder with named links to these files or folders.
     """
 
     name: str
@@ -62,6 +62,11 @@ class PointKind:
     packages: tuple[str, ...] = ("nscc",)
     distributions: tuple[str, ...] = ("lark", "networkx")
     leaves: str | None = None
+    folder: str = ""
+
+    def defaults(self) -> dict[str, Any]:
+        """Return the values of the keys that have a default."""
+        return {k.name: k.default[0] for k in self.takes() if k.default is not MISSING}
 
 
 @dataclass(frozen=True)
@@ -90,12 +95,6 @@ class PointTask:
     threads: int
     runs: Mapping[str, Path | None] = field(default_factory=dict)
 
-
-@dataclass(frozen=True)
-class PointRow:
-    """The result of a point: `figures`, or `code` and text of a message if there are none."""
-
-    key: str
-    figures: Figures = field(default_factory=dict, hash=False)
-    code: str = ""
-    error: str = ""
+    @property
+    def label(self) -> str:
+        return self.point.name

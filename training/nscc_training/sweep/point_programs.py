@@ -6,25 +6,26 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 from dataclasses import MISSING, replace
-from math import prod
+from math import ceil, prod
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.chips.target import SCHEMA, Target
 from nscc.limits.families import program_text
-from nscc.pipeline import Compiled, Options, run_passes
+from nscc.options import Options
+from nscc.pipeline import Compiled, run_passes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
-from nscc.toml.arguments import declared
 from nscc.toml.kinds import Axis, Integer, Number, Several, TextKind
-from nscc.toml.schema import Key
+from nscc.toml.schema import Key, declared
 from nscc_training.code_choices import STARTS
 from nscc_training.sweep.point import PointFault, Values
 
 if TYPE_CHECKING:
     from nscc_runtime.scenes import Scene
     from nscc_runtime.sensor import Sensor
+    from nscc_training.encoders import Encoder
 
 
 CLASSES = ("a", "b", "c", "d", "e", "codebook")
@@ -164,8 +165,15 @@ def _source(values: Values) -> tuple[Source, Path]:
     if "rule" in values:
         slot = f"{values['slot_us']:.6f}".rstrip("0").rstrip(".") + "us"
         return Source("rule.nsl", program_text(values["slots"], slot, values["rule"])), Path()
-    from nscc_training.encoders import ShutterSpec, make_encoder
     from nscc_training.programs import Chip, program_of
+
+    text = program_of(encoder_of(values), Chip(slot_us=values["slot_us"])).text
+    return Source(f"class_{values['class']}.nsl", text), Path()
+
+
+def encoder_of(values: Values) -> Encoder:
+    """Return the codes of a point's class."""
+    from nscc_training.encoders import ShutterSpec, make_encoder
 
     kind = values["class"]
     spec = ShutterSpec(
@@ -173,9 +181,12 @@ def _source(values: Values) -> tuple[Source, Path]:
         length=(values["length"] or max(1, values["slots"] // 4)) if kind == "c" else None,
         rows=values["rows"] if kind == "codebook" else None,
     )  # fmt: skip
-    encoder = make_encoder(spec, values["init"], values["seed"])
-    text = program_of(encoder, Chip(slot_us=values["slot_us"])).text
-    return Source(f"class_{kind}.nsl", text), Path()
+    return make_encoder(spec, values["init"], values["seed"])
+
+
+def whole_ticks(slot_us: float) -> float:
+    """Return the slot length rounded up to a multiple of 10 ns, so that programs are readable."""
+    return round(max(1, ceil(slot_us / 0.01 - 1e-6)) * 0.01, 6)
 
 
 _SENSOR, _FILE = "sensor.", "sensor.file"

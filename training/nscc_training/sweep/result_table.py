@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import csv
 import io
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from nscc_training.experiments.engine import PointRow
+from nscc_training.experiments.study_table import csv_of
 from nscc_training.sweep.grid import Grid
-from nscc_training.sweep.point import GridPoint, PointRow
+from nscc_training.sweep.point import GridPoint
 
 
 @dataclass(frozen=True)
@@ -60,15 +61,6 @@ def plain(value: Any) -> Any:
 def csv_text(table: Table) -> str:
     """Return the table as CSV."""
     return csv_of(table.columns, ([cell(value) for value in row] for row in table.rows()))
-
-
-def csv_of(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
-    """Return rows of cells as CSV, with the names of the columns in the first line."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(head)
-    writer.writerows(rows)
-    return text.getvalue()
 
 
 def cell(value: Any) -> str:

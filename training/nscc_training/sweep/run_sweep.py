@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, chdir, nullcontext, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from time import sleep
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
@@ -16,20 +15,19 @@ from nscc.experiment_store import STORE, ExperimentStore
 from nscc.files import Product, write_together
 from nscc.program.problems import counted
 from nscc_runtime.progress import Progress, unseen
+from nscc_training.experiments.engine import Done, Executor, PointRow, keep, results, rows_in
+from nscc_training.experiments.study_table import csv_of
 from nscc_training.sweep.grid import Grid, of_parts
 from nscc_training.sweep.kinds import KINDS, key_of
-from nscc_training.sweep.point import OF_RUN, GridPoint, PointRow, PointTask
-from nscc_training.sweep.result_table import Table, csv_of, csv_text, parquet_bytes, table_of
-from nscc_training.sweep.work import FAILED, Done, serially
+from nscc_training.sweep.point import OF_RUN, GridPoint, PointTask
+from nscc_training.sweep.result_table import Table, csv_text, parquet_bytes, table_of
+from nscc_training.sweep.work import FAILED, serially
 
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
 TIMES = "times.csv"
 POINTS = "points"
 """The folder of outputs, and the store's experiment that contains all rows."""
 _MOST_REASONS = 5
-_POLL_S = 0.2
-_NAMED = {"train": "runs", "evaluate": "results", "design": "programs", "cell": "cells"}
-"""Folders with named links to the outputs of points, by kind."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +57,7 @@ def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
     keys = _keys(grid, how.threads)
     if not out.is_dir():
         return len(keys), 0
-    with ExperimentStore(out / STORE) as store:
+    with store_in(out) as store:
         rows = rows_in(store)
     known_flags = (
         _is_known(rows.get(key), how, _output_path(out, p, key)) for p, key in keys.items()
@@ -88,7 +86,7 @@ def sweep(
 
     keys = _keys(grid, how.threads)
     points = of_parts(grid, grid_parts).points
-    with ExperimentStore(out / STORE, report) as store:
+    with store_in(out, report) as store:
         rows = rows_in(store)
         todo = {
             keys[point]: point
@@ -97,8 +95,7 @@ def sweep(
         }
         count = len({keys[point] for point in points})
         report(work_text(count, len(todo)))
-        for key in todo.keys() & rows.keys():  # points that failed before or lost their output
-            store.forget(POINTS, key)
+        store.forget(*(todo.keys() & rows.keys()))  # they failed before or lost their output
         tasks = [_task(point, keys, grid, out, how) for point in todo.values()]
         if tasks:
             _compute(tasks, keys, store, how, track)
@@ -191,6 +188,12 @@ def _compute(
         out.mkdir(exist_ok=True)
     with _executor(how, len(tasks)) as execute:
 
+        def checked(tasks: Iterable[PointTask]) -> Iterator[Done]:
+            for done in execute(tasks):
+                if done.other_key:
+                    raise _other_code(done)
+                yield done
+
         def all_results() -> Iterator[Done]:
             pending = {task.key: task for task in tasks}
             while pending:
@@ -199,63 +202,32 @@ def _compute(
                     task for task in pending.values()
                     if not any(keys[run] in pending for run in task.point.after)
                 ]  # fmt: skip
-                able = []
-                for task in ready:
-                    without = _without_run(task, keys, store)
-                    able += [] if without else [task]
-                    yield from [without] if without else []
-                yield from _shared(store, able, execute)
+                without = {task.key: _without_run(task, keys, store) for task in ready}
+                for done in filter(None, without.values()):
+                    keep(store, done)
+                    yield done
+                able = [task for task in ready if without[task.key] is None]
+                yield from results(store, able, checked)
                 for task in ready:
                     del pending[task.key]
 
-        for result in track(all_results(), "computing points", len(tasks)):
-            if result.other_key:
-                raise rejected(
-                    "NS0836",
-                    f"the worker {result.worker} has other code or data than the process that "
-                    f"requested {result.task.point.name}",
-                    notes=(
-                        "its nscc, its Python or the files of the grid differ from those of this "
-                        "process, or they changed during the sweep",
-                    ),
-                    helps=(
-                        "install the same versions on all machines, and use a shared file system",
-                    ),
-                    status=3,
-                )
-            row = result.row
-            value = {"figures": row.figures, "code": row.code, "error": row.error}
-            store.keep(POINTS, row.key, value, label=result.task.point.name,
-                       seconds=result.seconds, worker=result.worker)  # fmt: skip
+        for _ in track(all_results(), "computing points", len(tasks)):
+            pass
 
 
-def _shared(
-    store: ExperimentStore, tasks: Sequence[PointTask], execute: Callable[..., Iterator[Done]]
-) -> Iterator[Done]:
-    """Yield the results of tasks, also of those that another process claimed and dropped."""
-    waiting = [*tasks]
-    while waiting:
-        claimed_tasks: list[PointTask] = []
-
-        def claimed(
-            claimed_tasks: list[PointTask] = claimed_tasks, waiting: Sequence[PointTask] = waiting
-        ) -> Iterator[PointTask]:
-            for task in waiting:
-                if store.claim(POINTS, task.key):
-                    claimed_tasks.append(task)
-                    if store.get(POINTS, task.key) is None:
-                        yield task
-
-        for result in execute(claimed()):
-            yield result
-            store.release(POINTS, result.task.key)
-        for task in claimed_tasks:
-            store.release(POINTS, task.key)
-        mine = {task.key for task in claimed_tasks}
-        unclaimed = (task for task in waiting if task.key not in mine)
-        waiting = [task for task in unclaimed if store.get(POINTS, task.key) is None]
-        if waiting:
-            sleep(_POLL_S)
+def _other_code(done: Done) -> Rejected:
+    """Return the error (NS0836) for a worker that would compute another point."""
+    return rejected(
+        "NS0836",
+        f"the worker {done.worker} has other code or data than the process that "
+        f"requested {done.task.label}",
+        notes=(
+            "its nscc, its Python or the files of the grid differ from those of this "
+            "process, or they changed during the sweep",
+        ),
+        helps=("install the same versions on all machines, and use a shared file system",),
+        status=3,
+    )
 
 
 def _without_run(
@@ -263,15 +235,15 @@ def _without_run(
 ) -> Done | None:
     """Return the failure of a task if a run that it names failed, else None."""
     for run in task.point.after:
-        row = store.get(POINTS, keys[run])
+        row = store.get(keys[run])
         assert row is not None  # runs are computed first
         if row["code"]:
             error = f"its run {run.name} has none: {row['error']}"
-            return Done(task, PointRow(task.key, code=row["code"], error=error), 0.0, "")
+            return Done(task, PointRow(task.key, code=row["code"], error=error))
     return None
 
 
-def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iterator[Done]]]:
+def _executor(how: How, count: int) -> AbstractContextManager[Executor[PointTask]]:
     if how.scheduler is not None:
         from nscc_training.sweep.cluster import scheduler_workers
 
@@ -291,12 +263,12 @@ def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
         output_path = _output_path(out, point, key)
         if output_path is None or not output_path.exists():
             continue
-        link = out / _NAMED[point.kind] / (point.name + output_path.suffix)
+        link = out / KINDS[point.kind].folder / (point.name + output_path.suffix)
         if link in links:
             link = link.with_name(f"{link.stem}_{key[:8]}{output_path.suffix}")
         link.parent.mkdir(parents=True, exist_ok=True)
         links[link] = os.path.relpath(output_path, link.parent.resolve())
-    for name in _NAMED.values():
+    for name in filter(None, {kind.folder for kind in KINDS.values()}):
         for old in [path for path in (out / name).rglob("*") if path.is_symlink()]:
             if links.get(old) != os.readlink(old):
                 old.unlink(missing_ok=True)
@@ -305,14 +277,14 @@ def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
             os.symlink(target, link)
 
 
-def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
-    """Return all rows by key."""
-    return {key: PointRow(key, **value) for key, value in store.values(POINTS).items()}
+def store_in(folder: Path, report: Callable[[str], object] = lambda _text: None) -> ExperimentStore:
+    """Return the store of a sweep's points, created if needed."""
+    return ExperimentStore(folder / STORE, POINTS, report)
 
 
 def times_csv(store: ExperimentStore) -> str:
     """Return the time and worker of each point as CSV; times start with the first point."""
-    timings = store.timings(POINTS)
+    timings = store.timings()
     begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
     rows = (
         (timing.name[:12], timing.label, f"{timing.seconds:.3f}", f"{timing.ended - begin:.3f}",

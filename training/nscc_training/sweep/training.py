@@ -11,11 +11,12 @@ from nscc.toml.kinds import Axis, TextKind
 from nscc.toml.schema import Key
 from nscc.toml.toml_text import written
 from nscc_training.config import load_config, settings_of
+from nscc_training.experiments.engine import Figures
 from nscc_training.import_paths import is_import_path
 from nscc_training.run_files import run_path
 from nscc_training.scene_files import folders_of
 from nscc_training.settings import SCHEMA, RunSettings
-from nscc_training.sweep.point import Figures, PointKind, PointTask, Values
+from nscc_training.sweep.point import PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import axis, text_files
 
 _CONFIG = "config"
@@ -100,5 +101,5 @@ TRAIN = PointKind(
     "train", "a run of nscc train and its validation; the run is stored under runs", _keys, _train,
     ("psnr_db", "correct"), _reads, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
-    leaves="",
+    leaves="", folder="runs",
 )  # fmt: skip

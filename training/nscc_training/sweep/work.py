@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import math
 import os
 import socket
 import warnings
 from collections.abc import Iterable, Iterator
 from contextlib import chdir
-from dataclasses import dataclass
 from threading import Lock
 from time import perf_counter
 
 from nscc.diagnostics.diagnostic import Rejected, Severity
+from nscc_training.experiments.engine import Done, PointRow
 from nscc_training.sweep.kinds import KINDS, key_of
-from nscc_training.sweep.point import Figures, PointRow, PointTask
+from nscc_training.sweep.point import PointTask
 
 FAILED = "NS0833"
 """The code of a point that failed for reasons other than its values."""
@@ -24,19 +23,6 @@ _ONE = Lock()
 """Makes a worker with several threads compute one point at a time.
 
 The current folder, warnings and torch's thread count are shared by the process."""
-
-
-@dataclass(frozen=True)
-class Done:
-    """The result row of a task. It may be tried again if it `failed`; `other_key` is the worker's
-    key if it differs."""
-
-    task: PointTask
-    row: PointRow
-    seconds: float
-    worker: str
-    failed: bool = False
-    other_key: str = ""
 
 
 def serially(tasks: Iterable[PointTask]) -> Iterator[Done]:
@@ -79,7 +65,7 @@ def _row(task: PointTask) -> tuple[PointRow, bool]:
         raise
     except Exception as error:  # no exception of one point may stop the others
         return failure(task, f"{type(error).__name__}: {error}"), True
-    return PointRow(task.key, {name: _stored(figures[name]) for name in figures}), False
+    return PointRow(task.key, figures), False
 
 
 def _anywhere(text: str, task: PointTask) -> str:
@@ -87,13 +73,6 @@ def _anywhere(text: str, task: PointTask) -> str:
     for folder in (task.files.parents[1], task.folder):
         text = text.replace(f"{folder}{os.sep}", "")
     return text
-
-
-def _stored(value: Figures) -> object:
-    """Return a result as a JSON value; infinities and NaN become text."""
-    if isinstance(value, float) and not math.isfinite(value):
-        return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
-    return value
 
 
 def _worker() -> str:

@@ -1,1 +1,4 @@
-"""Measurements of accuracy against time: decoders, shutters, and single programs."""
+"""Studies of `nscc tradeoff`: error against time."""
+
+STAGES = ("compile", "lowering", "slots", "effects", "decoder")
+"""The stages of the joint tradeoff of one program, in order."""

@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass
 from functools import partial
+from itertools import groupby
 from pathlib import Path
-from time import perf_counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import torch
 
 from nscc.diagnostics.rejection import rejected
-from nscc.experiment_store import Rows
-from nscc.tradeoff.points import Point
-from nscc.tradeoff.stopwatch import Stopwatch
+from nscc_runtime.pictures.precision import Panel, PointReading, precision_diagram
 from nscc_training.decoders.blocks import BlockNet
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.evaluation.methods import CLIPS, STILLS, CapturedScene, Light, captured
 from nscc_training.evaluation.runs import check_unseen
+from nscc_training.experiments.engine import Figures
+from nscc_training.experiments.study import Study, StudyPoint, StudyResult
+from nscc_training.experiments.study_table import table_text
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
 from nscc_training.protocol_scenes.file_scenes import (
@@ -36,7 +37,12 @@ from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
 from nscc_training.sensor_model import SensorModel
 
-UNITS = ("psnr_db", "ssim")
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
+"""Axis titles of the units of a decoder's points."""
+_FORMATS = ("f32", "bf16")
 _WARM = 32
 """Side in pixels of the part of a capture that each method first decodes untimed."""
 _FRAMES = 16
@@ -47,43 +53,37 @@ _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
 
 @dataclass(frozen=True)
 class DecoderStudySettings:
-    """The settings of the measurement of decoders; no repeat starts after `budget_s` seconds."""
+    """The scenes for decoders: at most `count` of each kind, of `data` or synthetic."""
 
     data: Path | None
     count: int
     size: int
-    repeats: int
-    budget_s: float
     seed: int
 
 
-@dataclass(frozen=True, eq=False)
-class Way:
-    """A decoder with its settings; `loads` distinguishes settings that load and compile different
-    things."""
-
-    method: str
-    setting: str
-    run: Callable[[CapturedScene], Light]
-    device: str = ""
-    loads: str = ""
+Decoder = tuple[str, str, Callable[[CapturedScene], Light], str]
+"""A method, its setting, its function, and the device if it is not the processor."""
 
 
-@dataclass(frozen=True, eq=False)
-class Case:
-    """Captures with one code, and the decoders for them."""
+def decoder_study(
+    runs: Sequence[RunFolder], settings: DecoderStudySettings, repeats: int, budget_s: float
+) -> Study:
+    """Return the study of all decoders; raises Rejected as `decoder_points` does."""
 
-    name: str
-    captures: tuple[CapturedScene, ...]
-    ways: tuple[Way, ...]
+    def text(measured: StudyResult) -> str:
+        tables = (
+            table_text([p for p in measured.points if p.error_unit == unit],
+                       ("decoder", "setting", title))
+            for unit, title in TITLES.items()
+        )  # fmt: skip
+        return "\n".join(["\n\n".join(tables), *not_measured(runs)])
+
+    points = decoder_points(runs, settings)
+    return Study(points, text, {"png": decoder_diagram}, repeats, budget_s)
 
 
-Turn = tuple[Case, Way]
-Progress = Callable[[Sequence[Turn]], Iterable[Turn]]
-
-
-def cases(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[Case]:
-    """Return the codes of the runs, with runs of the same code together.
+def decoder_points(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[StudyPoint]:
+    """Return a point for each decoder of each code; runs of the same code are compared together.
 
     Without runs, the codes are random bits for clips and the 2 x 2 pattern for stills. Raises
     Rejected: NS0811 for a folder without scenes, NS0820 if a run has seen a scene, NS0821 for a run
@@ -97,7 +97,7 @@ def cases(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[Cas
             )
     if not runs:
         kinds = KINDS if settings.data is None else kinds_in(settings.data)
-        return [_fixed(kind, settings) for kind in kinds]
+        return [point for kind in kinds for point in _fixed(kind, settings)]
     by_code: dict[Any, list[RunFolder]] = {}
     for run in runs:
         tile = run.setup.encoder.hard().cpu()
@@ -109,92 +109,64 @@ def cases(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[Cas
     if len(set(names)) < len(names):
         names = [path.as_posix() for path in paths]
     return [
-        _learned(together, name, settings)
+        point
         for together, name in zip(by_code.values(), names, strict=True)
+        for point in _learned(together, name, settings)
     ]
 
 
-def measure(
-    todo: Sequence[Case],
-    settings: DecoderStudySettings,
-    progress: Progress = iter,
-    rows: Rows | None = None,
-) -> tuple[list[Point], int]:
-    """Return two points for each decoder of each case, and the number of repeats.
+def _points(
+    case: str, captures: Sequence[CapturedScene], decoders: Sequence[Decoder]
+) -> list[StudyPoint]:
+    """Return the points of decoders for captures with one code."""
+    corner = captures[0].corner(_WARM)
 
-    The time of a point is for one scene, averaged over the scenes. Each repeat measures all
-    decoders in turn. Measurements in `rows` are reused."""
-    rows = rows or Rows()
-    watch = Stopwatch()
-    turns = [(case, way) for case in todo for way in case.ways]
-    timed: list[list[dict[str, Any]]] = [[] for _ in turns]
-    begin = perf_counter()
-    for turn in range(settings.repeats):
-        before = perf_counter()
-        for index, (case, way) in enumerate(progress(turns)):
-            name = f"{case.name}, {way.method}, {way.setting}, {turn}"
-            timed[index].append(
-                rows.once(name, partial(_timed, watch, case, way, scores=turn == 0))
-            )
-        now = perf_counter()
-        if now - begin + (now - before) > settings.budget_s:
-            break
-    points = [
-        Point(
-            case.name, way.method, way.setting, score, unit, tuple(timing["ms"] for timing in runs),
-            more_is_better=True, device=way.device,
+    def decode_all(decode: Callable[[CapturedScene], Light]) -> list[Light]:
+        return [decode(frames) for frames in captures]
+
+    return [
+        StudyPoint(
+            case, method, setting, partial(decode_all, decode), partial(score_figures, captures),
+            partial(decode, corner), loads=setting if setting.endswith(_FORMATS) else "",
+            device=device, count=len(captures),
         )
-        for (case, way), runs in zip(turns, timed, strict=True)
-        for unit, score in zip(UNITS, runs[0]["scores"], strict=True)
+        for method, setting, decode, device in decoders
     ]  # fmt: skip
-    return points, len(timed[0]) if turns else 0
 
 
-def _timed(watch: Stopwatch, case: Case, way: Way, *, scores: bool) -> dict[str, Any]:
-    """Return the time that a decoder needs for one scene and, with `scores`, its scores."""
-
-    def decode_all() -> list[Light]:
-        return [way.run(frames) for frames in case.captures]
-
-    corner = partial(way.run, case.captures[0].corner(_WARM))
-    lights, taken_ms = watch.ms((case.name, way.method, way.loads), way.setting, decode_all, corner)
-    return {"ms": taken_ms / len(lights), "scores": scored(case, lights) if scores else None}
-
-
-def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:
+def score_figures(captures: Sequence[CapturedScene], lights: Sequence[Light]) -> Figures:
     """Return mean PSNR and SSIM of scenes; infinite PSNR is left out unless all scenes have it."""
-    pairs = zip(case.captures, lights, strict=True)
+    pairs = zip(captures, lights, strict=True)
     scene_scores = [frames.scene.scores(light) for frames, light in pairs]
     psnr_db = finite_mean(number(scores["psnr_db"]) for scores in scene_scores)
-    return psnr_db, float(np.mean([scores["ssim"] for scores in scene_scores]))
+    return {"psnr_db": psnr_db, "ssim": float(np.mean([scores["ssim"] for scores in scene_scores]))}
 
 
-def ways_of(kind: Kind) -> list[Way]:
+def untrained(kind: Kind) -> list[Decoder]:
     """Return the decoders that need no training."""
     return [
-        Way(name, setting, partial(method.decode, **options))
+        (name, setting, partial(method.decode, **options), "")
         for name, method in (CLIPS if kind == "clips" else STILLS).items()
         for setting, options in (method.settings or {}).items()
     ]
 
 
-def networks(folder: RunFolder, name: str) -> list[Way]:
+def networks(folder: RunFolder, name: str) -> list[Decoder]:
     """Return a run's decoder in both number formats, FC-net also with fewer blocks."""
     setup = folder.setup
     method = f"{setup.settings.decoder.name} {setup.settings.decoder.sized}{name}"
     device = torch.cuda.get_device_name(setup.device) if setup.device.type == "cuda" else ""
-    ways = []
-    for dtype in ("f32", "bf16"):
+    decoders: list[Decoder] = []
+    for dtype in _FORMATS:
         if not isinstance(setup.decoder, BlockNet):
-            run = _network(folder, setup.decoder, dtype)
-            ways.append(Way(method, dtype, run, device, loads=dtype))
+            decoders.append((method, dtype, _network(folder, setup.decoder, dtype), device))
             continue
         for blocks, overlapping in _OVERLAPS.items():
             net = copy(setup.decoder)
             net.overlapping = overlapping
             setting = f"x{blocks} {dtype}"
-            ways.append(Way(method, setting, _network(folder, net, dtype), device, loads=setting))
-    return ways
+            decoders.append((method, setting, _network(folder, net, dtype), device))
+    return decoders
 
 
 def _network(
@@ -213,7 +185,7 @@ def _network(
     return run
 
 
-def _fixed(kind: Kind, settings: DecoderStudySettings) -> Case:
+def _fixed(kind: Kind, settings: DecoderStudySettings) -> list[StudyPoint]:
     protocol = protocol_of(kind, settings.size, _FRAMES)
     if kind == "clips":
         name, spec, start = "clips, random bits", ShutterSpec("e", _FRAMES, (8, 8)), "random"
@@ -221,10 +193,12 @@ def _fixed(kind: Kind, settings: DecoderStudySettings) -> Case:
         name, spec, start = "stills, 2 x 2 stops", ShutterSpec("b", _STOPS, (2, 2)), "quad"
     tile = make_encoder(spec, start, settings.seed).hard()
     frames = _captures(protocol, tile, SensorModel.of_protocol(protocol), settings)
-    return Case(name, frames, tuple(ways_of(kind)))
+    return _points(name, frames, untrained(kind))
 
 
-def _learned(runs: Sequence[RunFolder], name: str, settings: DecoderStudySettings) -> Case:
+def _learned(
+    runs: Sequence[RunFolder], name: str, settings: DecoderStudySettings
+) -> list[StudyPoint]:
     setup = runs[0].setup
     kind: Kind = "stills" if setup.still else "clips"
     protocol = protocol_of(kind, settings.size, setup.slots)
@@ -237,8 +211,8 @@ def _learned(runs: Sequence[RunFolder], name: str, settings: DecoderStudySetting
         f" ({folder.path.resolve().name})" if kinds.count(kind) > 1 else ""
         for folder, kind in zip(runs, kinds, strict=True)
     ]
-    ways = [way for run, tail in zip(runs, apart, strict=True) for way in networks(run, tail)]
-    return Case(f"{kind}, code of {name}", frames, (*ways_of(kind), *ways))
+    trained = [way for run, tail in zip(runs, apart, strict=True) for way in networks(run, tail)]
+    return _points(f"{kind}, code of {name}", frames, [*untrained(kind), *trained])
 
 
 def _captures(
@@ -259,3 +233,18 @@ def not_measured(folders: Sequence[RunFolder]) -> list[str]:
         return []
     return [f"not measured: {', '.join(names)}; an untrained network decodes nothing, so name a "
             "run of nscc train with --run"]  # fmt: skip
+
+
+def decoder_diagram(measured: StudyResult, device: str) -> Figure:
+    """Draw PSNR and SSIM against the time of a scene: a panel a case, a line a decoder."""
+    panels = [
+        Panel(case, title, [point for point in case_points if point.error_unit == unit])
+        for case, group in groupby(measured.points, key=lambda point: point.case)
+        for case_points in [list(group)]
+        for unit, title in TITLES.items()
+    ]
+    return precision_diagram(
+        panels, "What decoding time buys",
+        f"more is better; hollow: dominated; time of one scene, {measured.times}, on {device}",
+        PointReading("time of one scene, ms", linear=True),
+    )  # fmt: skip

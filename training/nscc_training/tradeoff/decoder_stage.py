@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.tradeoff.points import Point
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of
 from nscc_runtime.simulate import Simulated
+from nscc_training.experiments.engine import Figures
+from nscc_training.experiments.study import StudyPoint
 from nscc_training.reconstruct_any import gap_tv_clip
-from nscc_training.tradeoff.bench import PERCENT, Bench, StageResult, rms_percent
+from nscc_training.tradeoff.joint_bench import PERCENT, Bench, rms_percent
 
 Values = NDArray[Any]
 
@@ -25,46 +26,33 @@ TV_ITERATIONS = (10, 40)
 ANY_STAGES = (2, 8)
 
 
-class _Way(NamedTuple):
-    """A decoder with a setting: `run` gives what `truth` is, (T, rows, cols); `loads` differs with
-    what is loaded."""
-
-    method: str
-    setting: str
-    run: Callable[[], Values]
-    truth: Values
-    loads: str = ""
-
-
-def decoding(bench: Bench) -> StageResult:
-    """Measure decoders by iterations, stages and precision: seconds for a frame with all effects.
+def decoding(bench: Bench) -> Iterator[StudyPoint]:
+    """Yield decoders by iterations, stages and precision: seconds for a frame with all effects.
 
     The result is a picture if all shutters open at the start of the frame or pixels look, else a
     clip, as in `nscc reconstruct any`. Raises ModuleNotFoundError if torch is needed and missing.
     """
-    capture = bench.capture
-    container = bench.container
-    notes: list[str] = []
-    looks = container.machine.stages > 0
-    ways = _of_looks(bench, capture) if looks else _of_codes(bench, capture, notes)
+    if LIGHT in bench.capture.frame.told:
+        yield from _of_looks(bench, bench.capture)
+    else:
+        yield from _of_codes(bench, bench.capture)
 
-    def timed(way: _Way) -> dict[str, Any]:
-        kind = way.method, way.loads
-        light, taken_ms = bench.watch.made_and_ms(bench.request.repeats, kind, way.setting, way.run)
-        light_e, truth = np.asarray(light, np.float64), np.asarray(way.truth, np.float64)
+
+def _point(
+    method: str, setting: str, run: Callable[[], Values], truth: Values, loads: str = ""
+) -> StudyPoint:
+    """Return the point of a decoder; `run` returns an estimate of `truth` (T, rows, cols)."""
+
+    def figures(light: Values) -> Figures:
+        light_e, truth_e = np.asarray(light, np.float64), np.asarray(truth, np.float64)
         known = np.isfinite(light_e)
-        error = rms_percent(light_e[None], truth[None], known[None], float(truth.mean()))
-        return {"error": error, "ms": taken_ms}
+        signal_e = float(truth_e.mean())
+        return {PERCENT: rms_percent(light_e[None], truth_e[None], known[None], signal_e)}
 
-    points = []
-    for way in list(ways):
-        values = bench.once(f"decoder {way.method} {way.setting}", partial(timed, way))
-        error, taken_ms = values["error"], tuple(values["ms"])
-        points.append(Point("decoder", way.method, way.setting, error, PERCENT, taken_ms))
-    return StageResult(tuple(points), notes=tuple(notes))
+    return StudyPoint("decoder", method, setting, run, figures, loads=loads)
 
 
-def _of_looks(bench: Bench, capture: Simulated) -> Iterator[_Way]:
+def _of_looks(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
     frame_s = sum(bench.container.slot_us) * 1e-6
     arrays = capture.frame.told
     truth = np.asarray(bench.light.total_e())[None]
@@ -72,11 +60,11 @@ def _of_looks(bench: Bench, capture: Simulated) -> Iterator[_Way]:
     def run() -> Values:
         return merged_image(arrays[LIGHT], arrays[DEVIATION])[None] * frame_s
 
-    yield _Way("exposure over time", "", run, truth)
+    yield _point("exposure over time", "", run, truth)
     yield from _of_run(bench, capture, truth)
 
 
-def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_Way]:
+def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
     from nscc_training.any_code.decode import decoded_clip, decoded_still
     from nscc_training.any_code.frames import coded_capture
     from nscc_training.any_code.stages import STILL_STAGES
@@ -85,15 +73,15 @@ def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_W
     coded = coded_capture(container, light, bench.sensor, capture)
     if coded.is_still:
         truth = np.asarray(light.total_e())[None]
-        yield _Way("merged", "neighbours", partial(_merged, bench, capture), truth)
+        yield _point("merged", "neighbours", partial(_merged, bench, capture), truth)
         still = coded.still().tensors()
-        yield _Way("any", _stages(STILL_STAGES), lambda: decoded_still(still).numpy(), truth)
+        yield _point("any", _stages(STILL_STAGES), lambda: decoded_still(still).numpy(), truth)
         yield from _of_run(bench, capture, truth)
         return
     middle = _middle(coded.row.shape, container.slots)
     if coded.row[middle].size < coded.row.size:
         rows, cols = (side.stop - side.start for side in middle)
-        notes.append(f"clips were decoded on the middle {rows} x {cols} pixels")
+        bench.notes.append(f"decoder: clips were decoded on the middle {rows} x {cols} pixels")
     cropped, clip = coded.crop(*middle), np.asarray(light.part(*middle).dense())
     slots = (cropped.slot_us / cropped.slot_us.mean()).astype(np.float32)[:, None, None]
     measured = cropped.clip()
@@ -106,9 +94,9 @@ def _of_codes(bench: Bench, capture: Simulated, notes: list[str]) -> Iterator[_W
         return np.asarray(decoded_clip(tensors, stages)[0].numpy() * slots)
 
     for count in TV_ITERATIONS:
-        yield _Way("gap-tv", f"{count} iterations", partial(by_tv, count), clip)
+        yield _point("gap-tv", f"{count} iterations", partial(by_tv, count), clip)
     for count in ANY_STAGES:
-        yield _Way("any", _stages(count), partial(by_any, count), clip)
+        yield _point("any", _stages(count), partial(by_any, count), clip)
     yield from _of_run(bench, capture, clip, middle)
 
 
@@ -133,7 +121,7 @@ def _of_run(
     capture: Simulated,
     truth: Values,
     region: tuple[slice, slice] = (slice(None), slice(None)),
-) -> Iterator[_Way]:
+) -> Iterator[StudyPoint]:
     """Yield the decoder of the program's run, if any, in both number formats."""
     if bench.request.run is None:
         return
@@ -157,7 +145,7 @@ def _of_run(
         return decoded[None] if folder.setup.still else decoded
 
     for dtype in ("f32", "bf16"):
-        yield _Way(f"{chosen.name} {chosen.sized}", dtype, partial(run, dtype), truth, dtype)
+        yield _point(f"{chosen.name} {chosen.sized}", dtype, partial(run, dtype), truth, dtype)
 
 
 def _middle(shape: tuple[int, ...], slots: int) -> tuple[slice, slice]:

@@ -2,145 +2,121 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.experiment_store import Rows
-from nscc.tradeoff.points import Point, Refused, table_text
-from nscc_training.tradeoff.bench import Bench, JointRequest, StageResult, misfit
-from nscc_training.tradeoff.chip_stages import compiling, effects, lowering, slots
+from nscc_runtime.pictures.precision import Guide, Panel, Point, PointReading, precision_diagram
+from nscc_training.experiments.study import NotMeasured, Study, StudyPoint, StudyResult
+from nscc_training.experiments.study_table import refusals_text, table_text
 from nscc_training.tradeoff.decoder_stage import decoding
+from nscc_training.tradeoff.joint_bench import Bench, JointRequest
+from nscc_training.tradeoff.joint_stages import compiling, effects, lowering, refused, slots
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 NEAR = 1.05
 """If no setting reaches the target, settings within this factor of the least error are
 candidates."""
 
-STAGES: dict[str, tuple[str, str, Callable[[Bench], StageResult]]] = {
+_STAGES: dict[str, tuple[str, str, Callable[[Bench], Iterator[StudyPoint]]]] = {
     "compile": ("to compile", "the chip's frame", compiling),
     "lowering": ("shortest frame of the chip", "the chip's frame", lowering),
     "slots": ("a frame of the chip", "the chip's frame", slots),
     "effects": ("to emulate a frame", "from the reference, same draws", effects),
     "decoder": ("to decode a frame", "from the scene's light", decoding),
 }
-"""Stages by name: what their time measures, what their error measures, and the function."""
-
-
-@dataclass(frozen=True)
-class Advice:
-    """The fastest setting of a stage within the target, or near the least error; None if nothing
-    was measured."""
-
-    stage: str
-    point: Point | None
-    reached: bool
+"""Stages by name: what their time measures, what their error measures, and their points."""
 
 
 @dataclass(frozen=True)
 class Joint:
-    """The results of all stages: points, settings that could not be measured, and recommendations.
+    """A request, and numbers of its bench.
 
-    Errors are root mean squares in percent of the mean signal. `target` is the requested error and
-    `target_percent` its value in percent of the signal. `stages` were measured. `shot_percent` is
-    the light's own shot noise. `largest` are the effects with the largest errors in the chip's
-    frame."""
+    Errors are root mean squares in percent of the mean signal `signal_e`, as `target_percent`, the
+    requested error, and `shot_percent`, the light's own shot noise. `largest` are the effects with
+    the largest errors in the chip's frame."""
 
-    program: str
-    scene: str
-    target: str
-    stages: tuple[str, ...]
+    request: JointRequest
     target_percent: float
     shot_percent: float
     signal_e: float
-    points: tuple[Point, ...]
-    largest: tuple[tuple[str, float], ...]
-    misfits: tuple[Refused, ...]
-    notes: tuple[str, ...]
+    largest: tuple[tuple[str, float], ...] = ()
+    notes: tuple[str, ...] = ()
 
-    @property
-    def advice(self) -> tuple[Advice, ...]:
-        """The recommended setting of each stage."""
-        return tuple(
-            advised(stage, [p for p in self.points if p.case == stage], self.target_percent)
-            for stage in self.stages
-        )
+    def advice(self, points: Sequence[Point]) -> dict[str, tuple[Point | None, bool]]:
+        """Return the recommended point of each stage, and whether it reaches the target."""
+        return {
+            stage: advised([p for p in points if p.case == stage], self.target_percent)
+            for stage in self.request.stages
+        }
 
 
-Progress = Callable[[Sequence[str]], Iterable[str]]
-"""A function that yields the stages' names and may show progress."""
+def joint_study(
+    request: JointRequest, warn: Callable[[Diagnostic], None] = lambda _: None
+) -> Study:
+    """Return the study of the requested stages.
 
-
-def measure(
-    request: JointRequest,
-    rows: Rows | None = None,
-    warn: Callable[[Diagnostic], None] = lambda _: None,
-    progress: Progress = iter,
-) -> Joint:
-    """Measure the requested stages.
-
-    Raises Rejected for an invalid program, scene or target, before anything is timed. A setting or
-    stage that cannot be measured is recorded with its reason."""
-    bench = Bench(request, rows or Rows(), warn)
-    target = bench.target
-    points: list[Point] = []
-    misfits: list[Refused] = []
-    notes: list[str] = []
-    for name in progress(request.stages):
-        try:
-            stage_result = STAGES[name][2](bench)
-        except (Rejected, ModuleNotFoundError) as why:
-            misfits.append(misfit(name, "", why))
-            continue
-        points += stage_result.points
-        misfits += stage_result.misfits
-        notes += [f"{name}: {note}" for note in stage_result.notes]
-    return Joint(
-        request.program.name, request.scene.name, request.target_error, request.stages,
-        100 * target.electrons / bench.signal_e(), bench.shot_percent, bench.signal_e(),
-        tuple(points), bench.largest, tuple(misfits), tuple(notes),
+    Raises Rejected for an invalid program, scene or target. A setting or stage that cannot be
+    measured is recorded with its reason."""
+    bench = Bench(request, warn)
+    target_percent = 100 * bench.target.electrons / bench.signal_e()
+    points = [point for name in request.stages for point in _points(name, bench)]
+    joint = Joint(
+        request, target_percent, bench.shot_percent, bench.signal_e(), bench.largest,
+        tuple(bench.notes),
     )  # fmt: skip
+    text, diagram = partial(joint_text, joint), partial(joint_diagram, joint)
+    return Study(points, text, {"png": diagram}, request.repeats, refuses=("NS",))
 
 
-def advised(stage: str, points: Sequence[Point], target_percent: float) -> Advice:
-    """Return the recommended point of a stage."""
+def _points(stage: str, bench: Bench) -> list[StudyPoint]:
+    try:
+        return list(_STAGES[stage][2](bench))
+    except (Rejected, NotMeasured, ModuleNotFoundError) as why:
+        return [refused(stage, "", why)]
+
+
+def advised(points: Sequence[Point], target_percent: float) -> tuple[Point | None, bool]:
+    """Return the fastest point within the target, else near the least error; None without points.
+
+    The flag says whether a point reaches the target."""
     if not points:
-        return Advice(stage, None, reached=False)
+        return None, False
     within = [point for point in points if point.error <= target_percent]
     least = min(point.error for point in points)
     candidates = within or [point for point in points if point.error <= NEAR * least]
-    fastest = min(candidates, key=lambda point: (point.time_ms, point.error))
-    return Advice(stage, fastest, reached=bool(within))
+    return min(candidates, key=lambda point: (point.time_ms, point.error)), bool(within)
 
 
-def joint_text(joint: Joint) -> str:
+def joint_text(joint: Joint, measured: StudyResult) -> str:
     """Return the recommendations as text, then all points of all stages."""
+    request = joint.request
     head = (
-        f"{joint.program} on {joint.scene}: {joint.target} is {joint.target_percent:.3g} % of the "
+        f"{request.program.name} on {request.scene.name}: {request.target_error} is "
+        f"{joint.target_percent:.3g} % of the "
         f"mean signal, {joint.signal_e:.4g} e; the light's own noise is {joint.shot_percent:.3g} %"
     )
     rows = [("stage", "setting", "time", "error %", "time of", "error of", "")]
-    for advice in joint.advice:
-        time_of, error_of, _ = STAGES[advice.stage]
-        if advice.point is None:
-            rows.append(
-                (advice.stage, "none", "", "", time_of, error_of, "not measured: see below")
-            )
+    for stage, (point, reached) in joint.advice(measured.points).items():
+        time_of, error_of, _ = _STAGES[stage]
+        if point is None:
+            rows.append((stage, "none", "", "", time_of, error_of, "not measured: see below"))
             continue
-        point = advice.point
         setting = ", ".join(filter(None, (point.method, point.setting)))
-        remark = "" if advice.reached else "above the target: the best there is"
+        remark = "" if reached else "above the target: the best there is"
         time_text, error = si_seconds(point.time_ms), f"{point.error:.3g}"
-        rows.append((advice.stage, setting, time_text, error, time_of, error_of, remark))
+        rows.append((stage, setting, time_text, error, time_of, error_of, remark))
     if joint.largest:
         named = ", ".join(f"{name} {percent:.3g} %" for name, percent in joint.largest)
         head += f"\nthe largest errors of the chip's frame: {named} (`nscc effects NAME` says more)"
-    misfits = [
-        f"{', '.join(filter(None, (refusal.case, refusal.setting)))}: {refusal.reason}"
-        + (f" ({refusal.code})" if refusal.code else "")
-        for refusal in joint.misfits
-    ]
-    points = table_text(joint.points, ("method", "setting", "error %"))
+    misfits = refusals_text(measured.refused)
+    points = table_text(measured.points, ("method", "setting", "error %"))
     sections = [head, columns(rows, left_aligned=(0, 1, 4, 5, 6)), points]
     return "\n\n".join(
         [*sections, *("\n".join(lines) for lines in (misfits, joint.notes) if lines)]
@@ -155,3 +131,35 @@ def si_seconds(time_ms: float) -> str:
         ((unit, factor) for limit, unit, factor in reversed(steps) if time_ms >= limit), ("ns", 1e6)
     )
     return f"{time_ms * factor:.3g} {unit}"
+
+
+def joint_diagram(joint: Joint, measured: StudyResult, device: str) -> Figure:
+    """Draw the points of all stages, a line for each, and mark the recommended ones."""
+    advice = {
+        stage: point
+        for stage, (point, _) in joint.advice(measured.points).items()
+        if point is not None
+    }
+    names = {
+        stage: f"{stage}: {', '.join(filter(None, (point.method, point.setting)))}"
+        for stage, point in advice.items()
+    }
+    request = joint.request
+    guides = (
+        Guide(f"target, {request.target_error}", "--", error=joint.target_percent),
+        Guide("the light's own noise", ":", error=joint.shot_percent),
+    )
+    stages = request.stages
+    points = sorted(measured.points, key=lambda point: (stages.index(point.case), point.time_ms))
+    times = measured.times.replace("median and range", "medians")
+    return precision_diagram(
+        [Panel("", "RMS error, % of the mean signal", points, guides)],
+        f"{request.program.name} on {Path(request.scene.name).name}: what each stage's time buys",
+        "compile, lowering, slots: the chip's frame against the light that fell; effects: against "
+        "the reference; decoder: against the scene's light (names: the advised setting; hollow: "
+        f"dominated within its stage; pointing down: no error); {times} on {device}",
+        PointReading(
+            "time, s", 1e-3, lambda point: names[point.case],
+            lambda point: "advised" if point is advice.get(point.case) else "",
+        ),
+    )  # fmt: skip

@@ -4,53 +4,15 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from statistics import median
 
 from nscc.columns import columns
+from nscc_runtime.pictures.precision import Point, dominated
 
 COLUMNS = (
     "method", "setting", "error", "error_unit", "time_ms", "spread_ms", "device", "dominated",
 )  # fmt: skip
-
-STAGES = ("compile", "lowering", "slots", "effects", "decoder")
-"""The stages of the joint tradeoff of one program, in order."""
-
-
-@dataclass(frozen=True)
-class Point:
-    """One method at one setting, measured several times on one problem.
-
-    Points with the same `case` and `error_unit` are comparable. A smaller `error` is better unless
-    `more_is_better`, as for PSNR. `bound` is a lower bound for all settings of the method, None if
-    unknown. `times_ms` are all measured times. `device` is their device if it differs from that of
-    most points."""
-
-    case: str
-    method: str
-    setting: str
-    error: float
-    error_unit: str
-    times_ms: tuple[float, ...]
-    bound: float | None = None
-    more_is_better: bool = False
-    device: str = ""
-
-    @property
-    def badness(self) -> float:
-        """The error, negated if a larger value is better."""
-        return -self.error if self.more_is_better else self.error
-
-    @property
-    def time_ms(self) -> float:
-        """The median time in milliseconds."""
-        return median(self.times_ms)
-
-    @property
-    def spread_ms(self) -> float:
-        """The difference between the longest and the shortest time in milliseconds."""
-        return max(self.times_ms) - min(self.times_ms)
 
 
 @dataclass(frozen=True)
@@ -64,35 +26,43 @@ class Refused:
     reason: str
 
 
-def dominated(points: Sequence[Point]) -> list[bool]:
-    """Return for each point whether another point of its case and unit dominates it.
-
-    A dominating point is no worse in error and time, and better in one of them."""
-    flags = []
-    for point in points:
-        mine, kind = (point.badness, point.time_ms), (point.case, point.error_unit)
-        rivals = ((p.badness, p.time_ms) for p in points if (p.case, p.error_unit) == kind)
-        flags.append(any(e <= mine[0] and t <= mine[1] and (e, t) != mine for e, t in rivals))
-    return flags
-
-
 def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = ()) -> str:
     """Return the points, measured on `device`, as CSV with COLUMNS.
 
     The column `method` combines case and method; `spread_ms` is the longest minus the shortest
     time. The `refused` settings follow without numbers, with their code as unit."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(COLUMNS)
+    rows = []
     for point, beaten in zip(points, dominated(points), strict=True):
         name, error = f"{point.case}, {point.method}", f"{point.error:.10g}"
         times = _csv_ms(point.time_ms), _csv_ms(point.spread_ms)
         made_on, flag = point.device or device, "yes" if beaten else "no"
-        writer.writerow((name, point.setting, error, point.error_unit, *times, made_on, flag))
+        rows.append((name, point.setting, error, point.error_unit, *times, made_on, flag))
     for refusal in refused:
         name = f"{refusal.case}, {refusal.method}"
-        writer.writerow((name, refusal.setting, "", refusal.code, "", "", device, ""))
+        rows.append((name, refusal.setting, "", refusal.code, "", "", device, ""))
+    return csv_of(COLUMNS, rows)
+
+
+def csv_of(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+    """Return rows of cells as CSV, with the names of the columns in the first line."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(head)
+    writer.writerows(rows)
     return text.getvalue()
+
+
+def refusals_text(refused: Sequence[Refused]) -> list[str]:
+    """Return a line for each reason why settings of a method have no point."""
+    settings: dict[tuple[str, str], list[str]] = {}
+    for refusal in refused:
+        name = ", ".join(filter(None, (refusal.case, refusal.method)))
+        code = f" ({refusal.code})" if refusal.code else ""
+        settings.setdefault((name, f"{refusal.reason}{code}"), []).append(refusal.setting)
+    return [
+        f"{', '.join(filter(None, (name, ', '.join(named))))}: {reason}"
+        for (name, reason), named in settings.items()
+    ]
 
 
 def table_text(
@@ -115,8 +85,8 @@ def table_text(
                 point.setting,
                 f"{point.error:.6g}",
                 "" if point.bound is None else f"{point.bound:.6g}",
-                _three_digits(point.time_ms * time[1]),
-                _three_digits(point.spread_ms * time[1]),
+                three_digits(point.time_ms * time[1]),
+                three_digits(point.spread_ms * time[1]),
                 "dominated" if beaten else "",
             )
         )
@@ -126,7 +96,7 @@ def table_text(
     return columns(rows, left_aligned=(0, 1, 2, len(rows[0]) - 1))
 
 
-def _three_digits(time: float) -> str:
+def three_digits(time: float) -> str:
     """Format a time with three significant digits, or as a whole number from 100 on."""
     return f"{time:.0f}" if time >= 100 else f"{time:.3g}"
 

@@ -4,24 +4,21 @@ simple numpy implementations of an exposure."""
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
-from time import perf_counter
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cache, cached_property, partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.experiment_store import Rows
-from nscc.tradeoff.points import Point
-from nscc.tradeoff.stopwatch import Stopwatch
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.frame_file import Frame, read_out
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
+from nscc_runtime.pictures.precision import Point
 from nscc_runtime.planning.audit import audit
 from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan import Plan
@@ -30,6 +27,10 @@ from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.tolerance import Tolerance, tolerance_of
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_training.experiments.engine import Figures
+from nscc_training.experiments.stopwatch import timed_ms
+from nscc_training.experiments.study import NotMeasured, StudyPoint, StudyResult
+from nscc_training.experiments.study_table import Refused
 
 _MOST_BYTES = 1 << 28
 """Light and shutters of all slots are prepared as arrays before timing, unless they are larger than
@@ -58,11 +59,14 @@ class Naive:
         """Return a frame that sums numpy's Poisson counts over the open slots, without other
         effects.
 
-        Raises ValueError for light beyond the range of numpy, about 9e18 electrons per slot."""
+        Raises NotMeasured for light beyond the range of numpy, about 9e18 electrons per slot."""
         random = np.random.default_rng(seed)
         total = self._dark(np.float64)
         for light, opened in self._slots():
-            charge = random.poisson(light)
+            try:
+                charge = random.poisson(light)
+            except ValueError as wrong:
+                raise NotMeasured(f"numpy cannot draw this light: {wrong}") from wrong
             for bucket, open_pixels in zip(total, opened, strict=True):
                 np.add(bucket, charge, out=bucket, where=open_pixels)
         return self._read(total)
@@ -97,13 +101,9 @@ def copy_gb_per_s() -> float:
     """Return the memory traffic in GB/s of copying more than the caches hold, the best of some
     runs."""
     source = np.ones(_COPIED_BYTES // 8)
-    target = np.zeros_like(source)
-    best_s = np.inf
-    for _ in range(_COPIES):
-        begin = perf_counter()
-        np.copyto(target, source)
-        best_s = min(best_s, perf_counter() - begin)
-    return 2 * source.nbytes / best_s / 1e9
+    copy = partial(np.copyto, np.zeros_like(source), source)
+    best_ms = min(timed_ms(copy)[1] for _ in range(_COPIES))
+    return 2 * source.nbytes / best_ms / 1e6
 
 
 def floor_ms(light: Light, gb_per_s: float) -> float:
@@ -172,184 +172,131 @@ class MeasuredPlan:
 
 
 @dataclass(frozen=True)
-class Study:
+class EmulatorStudy:
     """The result of one scene: points in electrons and in LSB, plans by tolerance, and bounds.
 
-    `resolution_e`, `resolution_lsb`: RMS difference of two reference frames with different draws.
     `floor_ms`: time to read the scene from memory once. `budget`: the plan for the error budget.
-    `missing`: methods that could not run, with the reasons."""
+    `refused`: methods that could not run, with the reasons."""
 
     scene: str
     points: tuple[Point, ...]
     measured_plans: tuple[MeasuredPlan, ...]
-    resolution_e: float
-    resolution_lsb: float
     floor_ms: float
     budget: Plan
-    missing: tuple[tuple[str, str], ...]
+    refused: tuple[Refused, ...]
+
+    def resolution(self, unit: str) -> float:
+        """Return the RMS difference of two reference frames with different draws."""
+        return next(p.error for p in self.points if (p.method, p.error_unit) == (OTHER_DRAWS, unit))
 
 
-Progress = Callable[[Sequence["_Bench"]], Iterable["_Bench"]]
-"""A function that iterates over the work and may show progress."""
-
-
-def measure(
-    program: AnalysedProgram,
-    scenes: Sequence[NamedLight],
-    settings: StudySettings,
-    gb_per_s: float,
-    progress: Progress = iter,
-    rows: Rows | None = None,
-) -> tuple[Study, ...]:
-    """Measure the errors of every method on every scene, then the times in turn.
-
-    Timing in turn distributes disturbances of the machine over all methods. All random numbers have
-    the seeds of `settings`: plan and reference draw the same numbers. The time of analysing the
-    program is not included. Results in `rows` are not computed again; names of scenes must differ.
-    Before measuring, raises ValueError for less than 2 frames and Rejected (NS0746) for an invalid
-    tolerance."""
-    if settings.frames < 2 or settings.repeats < 1:
-        raise ValueError(f"{settings.frames} frames, {settings.repeats} repeats")
-    watch, rows = Stopwatch(), rows or Rows()
-    benches = [_Bench(program, scene, settings, rows, watch) for scene in scenes]
-    work = [*benches, *[bench for _ in range(settings.repeats) for bench in benches]]
-    for bench in progress(work):
-        if bench.errors:
-            bench.time()
-        else:
-            bench.compare()
-    return tuple(bench.study(gb_per_s) for bench in benches)
-
-
-_Key = tuple[str, str]
-"""Method and setting."""
-
-
-@dataclass(eq=False)
-class _Bench:
-    """The measurement of a scene: `plans` by setting; `errors`, `times_ms` by (method, setting)."""
+@dataclass(frozen=True, eq=False)
+class EmulatorBench:
+    """The methods for one scene, and their errors against frames of the reference."""
 
     program: AnalysedProgram
     scene: NamedLight
     settings: StudySettings
-    rows: Rows
-    watch: Stopwatch
-    plans: dict[str, Plan] = field(default_factory=dict)
-    errors: dict[_Key, tuple[float, float]] = field(default_factory=dict)
-    times_ms: dict[_Key, list[float]] = field(default_factory=dict)
-    missing: list[tuple[str, str]] = field(default_factory=list)
-    timed: int = 0
 
-    def __post_init__(self) -> None:
-        self.naive = Naive(self.program, self.scene.light)
+    def points(self) -> list[StudyPoint]:
+        """Return all methods, with a plan for each tolerance."""
         ((counting, _),) = everything().having(CountedLight)
-        self.counted = counting.name
-        on_light = self._on(self.scene.light)
-        self.budget, *allowed = (
-            tolerance_of(tolerance, on_light.sensor, on_light)
-            for tolerance in (self.settings.budget, *self.settings.tolerances)
-        )
+        naive, seed = Naive(self.program, self.scene.light), self.settings.seed
+        seeds = range(seed, seed + self.frames)
+        methods: list[tuple[str, str, Callable[[], Any], Callable[[], tuple[float, float]]]] = [
+            (SUMMED, "none", naive.summed, lambda: self.error([naive.summed()] * self.frames)),
+            (DRAWN, counting.name, partial(naive.drawn, seed),
+             lambda: self.error(list(map(naive.drawn, seeds)))),
+        ]  # fmt: skip
+        for tolerance in self.tolerances:
+            name, errors = tolerance.name, partial(self.plan_error, tolerance.name)
+            methods.append((PLANNED, name, partial(self.first_frame, name), errors))
+            methods.append((WITH_PLANNING, name, partial(self.first_planned, tolerance), errors))
+        scene = self.scene.name
+        return [
+            StudyPoint(scene, REFERENCE, "all", lambda: self._of_reference(0.0, 0.0)),
+            StudyPoint(scene, OTHER_DRAWS, "all", lambda: self._of_reference(
+                *error(self.truth[0][1:], self.truth[0][:-1]))),
+            *(
+                StudyPoint(scene, method, setting, run, partial(_error_figures, errors))
+                for method, setting, run, errors in methods
+            ),
+        ]  # fmt: skip
+
+    @cached_property
+    def tolerances(self) -> list[Tolerance]:
+        """The distinct tolerances in electrons, in ascending order."""
+        allowed = (self._tolerance(tolerance) for tolerance in self.settings.tolerances)
         by_name = {tolerance.name: tolerance for tolerance in allowed}
-        self.tolerances = sorted(by_name.values(), key=lambda tolerance: tolerance.electrons)
+        return sorted(by_name.values(), key=lambda tolerance: tolerance.electrons)
+
+    @cached_property
+    def frames(self) -> int:
+        """The number of frames for errors: more for small scenes."""
         rows, cols = self.scene.light.shape
-        pooled = math.ceil(_POOLED / max(1, rows * cols))
-        self.frames = max(self.settings.frames, min(pooled, _MOST_POOLED))
+        return max(
+            self.settings.frames, min(math.ceil(_POOLED / max(1, rows * cols)), _MOST_POOLED)
+        )
+
+    @cached_property
+    def plans(self) -> dict[str, Plan]:
+        return {tolerance.name: self._plan(tolerance) for tolerance in self.tolerances}
+
+    @cached_property
+    def truth(self) -> tuple[list[Frame], list[float]]:
+        """Frames of the reference, and the time of each in milliseconds."""
+        settings, light, program = self.settings, self.scene.light, self.program
+        drawn = iter(reference_frames(
+            program.container, light, program.sensor, selected("all"), seed=settings.seed,
+            device_seed=settings.device_seed, count=self.frames,
+        ))  # fmt: skip
+        # One row compiles and loads everything; each frame is then drawn once and timed.
+        reference = Reference.of(program.container, program.sensor, selected("all"))
+        reference.expose_rows(scene_of(program.container, light), range(1))
+        timed = [timed_ms(partial(next, drawn)) for _ in range(self.frames)]
+        return [frame for frame, _ in timed], [ms for _, ms in timed]
+
+    def error(self, frames: Sequence[Frame]) -> tuple[float, float]:
+        """Return the RMS difference from the reference in electrons and in codes."""
+        return error(frames, self.truth[0])
+
+    @cache  # noqa: B019  # a bench lives as long as the command
+    def plan_error(self, name: str) -> tuple[float, float]:
+        """Return the measured error of the plan for a tolerance, in electrons and in codes."""
+        rms_e = audit(self._on(self.scene.light), self.plans[name]).measured_rms_e
+        return rms_e, rms_e / self.program.sensor.electrons_per_lsb
+
+    def first_frame(self, name: str) -> Frame:
+        """Return a frame under the plan for a tolerance."""
+        return self._first(self.plans[name])
+
+    def first_planned(self, tolerance: Tolerance) -> Frame:
+        """Return a frame, with the plan made for it."""
+        return self._first(self._plan(tolerance))
+
+    def result(self, measured: StudyResult, gb_per_s: float) -> EmulatorStudy:
+        """Return the results of this scene, in the order of units and methods."""
+        name = self.scene.name
+        points = [point for point in measured.points if point.case == name]
+        points.sort(key=lambda p: (p.error_unit != ELECTRONS, _ORDER.index(p.method)))
+        errors_e = {p.setting: p.error for p in points[::-1] if p.method == PLANNED}
+        plans = (MeasuredPlan(n, plan, errors_e[n]) for n, plan in self.plans.items())
+        return EmulatorStudy(
+            name, tuple(points), tuple(plans), floor_ms(self.scene.light, gb_per_s),
+            self._plan(self._tolerance(self.settings.budget)),
+            tuple(refusal for refusal in measured.refused if refusal.case == name),
+        )  # fmt: skip
+
+    def _of_reference(self, error_e: float, error_lsb: float) -> Figures:
+        return {ELECTRONS: error_e, LSB: error_lsb, "ms": self.truth[1]}
 
     def _on(self, light: Light) -> PlannedScene:
         program, seed = self.program, self.settings.device_seed
         return PlannedScene(program.container, program.sensor, light, seed, threads=1)
 
-    def compare(self) -> None:
-        """Measure the errors of all methods, and the times of the reference's frames."""
-        self.plans = {tolerance.name: self._plan(tolerance) for tolerance in self.tolerances}
-        self.watch.ran(WITH_PLANNING, *((self.scene.name, setting) for setting in self.plans))
-        row = self.rows.once(f"{self.scene.name}, errors", self._compared)
-        self.errors = {(method, setting): (e, lsb) for method, setting, e, lsb in row["errors"]}
-        self.missing = [(method, why) for method, why in row["missing"]]
-        for method in (REFERENCE, OTHER_DRAWS):
-            self.times_ms[method, "all"] = row["ms"]
-
-    def _compared(self) -> dict[str, Any]:
-        settings, light, count = self.settings, self.scene.light, self.frames
-        frames = iter(
-            reference_frames(
-                self.program.container, light, self.program.sensor, selected("all"),
-                seed=settings.seed, device_seed=settings.device_seed, count=count,
-            )
-        )  # fmt: skip
-        # One row compiles and loads everything; each frame is then drawn once and timed.
-        scene = scene_of(self.program.container, light)
-        program = self.program
-        Reference.of(program.container, program.sensor, selected("all")).expose_rows(
-            scene, range(1)
-        )
-        self.watch.ran(REFERENCE, self.scene.name)
-        drawing = partial(self.watch.ms, REFERENCE, self.scene.name, partial(next, frames))
-        truth, times_ms = zip(*(drawing() for _ in range(count)), strict=True)
-        errors = {
-            (REFERENCE, "all"): (0.0, 0.0),
-            (OTHER_DRAWS, "all"): error(truth[1:], truth[:-1]),
-            (SUMMED, "none"): error([self.naive.summed()] * count, truth),
-        }
-        missing = []
-        try:
-            drawn = [self.naive.drawn(settings.seed + i) for i in range(count)]
-            errors[DRAWN, self.counted] = error(drawn, truth)
-        except ValueError as wrong:
-            missing.append((DRAWN, f"numpy cannot draw this light: {wrong}"))
-        for setting, plan in self.plans.items():
-            rms_e = audit(self._on(light), plan).measured_rms_e
-            plan_errors = rms_e, rms_e / self.program.sensor.electrons_per_lsb
-            errors[PLANNED, setting] = errors[WITH_PLANNING, setting] = plan_errors
-        for method, setting in errors:
-            self.watch.ran(method, (self.scene.name, setting))
-        rows = [(*key, *values) for key, values in errors.items()]
-        return {"errors": rows, "missing": missing, "ms": times_ms}
-
-    def time(self) -> None:
-        """Time one frame of every method except the reference."""
-        turn, self.timed = self.timed, self.timed + 1
-        for method, setting, ms in self.rows.once(f"{self.scene.name}, {turn}", self._times):
-            self.times_ms.setdefault((method, setting), []).append(ms)
-
-    def _times(self) -> list[tuple[str, str, float]]:
-        times = [self._timed(SUMMED, "none", self.naive.summed)]
-        if (DRAWN, self.counted) in self.errors:
-            drawn = partial(self.naive.drawn, self.settings.seed)
-            times.append(self._timed(DRAWN, self.counted, drawn))
-        for tolerance in self.tolerances:
-            name = tolerance.name
-            *_, planning_ms = self._timed(WITH_PLANNING, name, partial(self._plan, tolerance))
-            *_, frame_ms = self._timed(PLANNED, name, partial(self._first, self.plans[name]))
-            times.append((PLANNED, name, frame_ms))
-            times.append((WITH_PLANNING, name, planning_ms + frame_ms))
-        return times
-
-    def _timed(
-        self, method: str, setting: str, run: Callable[[], object]
-    ) -> tuple[str, str, float]:
-        return method, setting, self.watch.ms(method, (self.scene.name, setting), run)[1]
-
-    def study(self, gb_per_s: float) -> Study:
-        light, errors, rank = self.scene.light, self.errors, _ORDER.index
-        points = [
-            Point(self.scene.name, *key, errors[key][i], unit, tuple(self.times_ms[key]))
-            for i, unit in enumerate((ELECTRONS, LSB))
-            for key in errors
-        ]
-        measured_plans = (
-            MeasuredPlan(setting, plan, errors[PLANNED, setting][0])
-            for setting, plan in self.plans.items()
-        )
-        return Study(
-            self.scene.name,
-            tuple(sorted(points, key=lambda p: (p.error_unit != ELECTRONS, rank(p.method)))),
-            tuple(measured_plans),
-            *errors[OTHER_DRAWS, "all"],
-            floor_ms(light, gb_per_s),
-            self._plan(self.budget),
-            tuple(self.missing),
-        )
+    def _tolerance(self, tolerance: str | float) -> Tolerance:
+        scene = self._on(self.scene.light)
+        return tolerance_of(tolerance, scene.sensor, scene)
 
     def _plan(self, tolerance: Tolerance) -> Plan:
         light = unknown(self.scene.light)
@@ -359,6 +306,10 @@ class _Bench:
         """Return a frame under a plan without cached results: its time includes all sums."""
         light = unknown(self.scene.light)
         return next(iter(self._on(light).frames(plan.kept, self.settings.seed, 1)))
+
+
+def _error_figures(errors: Callable[[], tuple[float, float]], _frame: Frame) -> Figures:
+    return dict(zip((ELECTRONS, LSB), errors(), strict=True))
 
 
 def unknown(light: Light) -> Light:

@@ -63,27 +63,16 @@ class Stopwatch:
             else:
                 first()
                 self.ran(kind)
-        result, taken_ms = self._timed(run)
+        result, taken_ms = timed_ms(run, self._clock)
         if (kind, setting) not in self._seen:
             self.ran(kind, setting)
             if taken_ms < SHORT_MS:
-                result, taken_ms = self._timed(run)
+                result, taken_ms = timed_ms(run, self._clock)
         return result, taken_ms
 
-    def made_and_ms(
-        self, repeats: int, kind: Hashable, setting: Hashable, run: Callable[[], T]
-    ) -> tuple[T, list[float]]:
-        """Return the last result of `repeats` runs, and the time of each in milliseconds."""
-        timed_runs = [self.ms(kind, setting, run) for _ in range(repeats)]
-        return timed_runs[-1][0], [taken_ms for _, taken_ms in timed_runs]
 
-    def times_ms(
-        self, repeats: int, kind: Hashable, setting: Hashable, run: Callable[[], Any]
-    ) -> list[float]:
-        """Return the times of `repeats` runs in milliseconds."""
-        return self.made_and_ms(repeats, kind, setting, run)[1]
-
-    def _timed(self, run: Callable[[], T]) -> tuple[T, float]:
-        begin = self._clock()
-        result = run()
-        return result, (self._clock() - begin) * 1e3
+def timed_ms(run: Callable[[], T], clock: Callable[[], float] = perf_counter) -> tuple[T, float]:
+    """Call `run` and return its result and its time in milliseconds."""
+    begin = clock()
+    result = run()
+    return result, (clock() - begin) * 1e3

@@ -16,11 +16,11 @@ from nscc.toml.kinds import (
     TextOrNumbers,
 )
 from nscc.toml.schema import key
-from nscc_runtime.scenes.colour import Transfer
-from nscc_runtime.scenes.exposure import ExposureLevel
-from nscc_runtime.scenes.placement import FITS, Fit
 
 FramesAre = Literal["integrals", "samples"]
+Transfer = Literal["linear", "srgb", "pq", "hlg"]
+Fit = Literal["crop", "scale", "tiles"]
+FITS: tuple[Fit, ...] = get_args(Fit)
 
 
 @dataclass(frozen=True)
@@ -38,8 +38,8 @@ class Scene:
         "builtin:dark",
         name="scene", required=True,
     )  # fmt: skip
-    exposure: str | float | ExposureLevel | None = key(
-        TextOrNumbers(1, (ExposureLevel,)),
+    exposure: str | float | None = key(
+        TextOrNumbers(1),
         "Electrons over the frame at percentile P (99)",
         None,
         notation="E[@P]",

@@ -5,22 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, ClassVar
 
-import numpy as np
-from numpy.typing import NDArray
-
 from nscc import checks
-from nscc.diagnostics.rejection import rejected
-from nscc.fixed.kind import FixedShutters
 from nscc.lazy import LazyFunctions
 from nscc.looks.checks import check_looking_gates, check_looking_plan
 from nscc.looks.looking_plan import LookingPlan
+from nscc.looks.looks_proof import LookingReplay
 from nscc.looks.passes import LookingLowered, container_of, lowered_of, plan_of
-from nscc.looks.proof import LookingReplay
 from nscc.lower import fit
 from nscc.lower.exposure_plan import Misfit
 from nscc.lower.lowered import Choice
 from nscc.operations import Op
-from nscc.pipeline import Compiled, Found, Job, Pass
+from nscc.pipeline import Compiled, Found, Job, Pass, ProgramKind
 from nscc.program.problems import counted
 from nscc.program.program import Program
 from nscc.prove.pixels import ReplayPixels
@@ -29,7 +24,7 @@ from nscc.words.container import Container
 if TYPE_CHECKING:
     from networkx import DiGraph
 
-_REPORT = LazyFunctions("nscc.looks.report")
+_REPORT = LazyFunctions("nscc.looks.looks_report")
 
 
 def make_plan(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
@@ -43,12 +38,12 @@ def choose_encodings(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered],
 
 
 def lay_out_looking(layouts: Sequence[LookingLowered], job: Job) -> tuple[Choice, Found]:
-    """Choose the best words; errors are as for `nscc.fixed.kind.lay_out_words`."""
+    """Choose the best words; errors are as for `nscc.pipeline.lay_out_words`."""
     choice = Choice(tuple(layouts[:1]), {})
     return choice, fit.faults(choice, level=job.options.level)
 
 
-class Looks(FixedShutters):
+class Looks(ProgramKind):
     """A program with senses, or with states that step from slot to slot."""
 
     passes: ClassVar[tuple[Pass, ...]] = (
@@ -60,6 +55,7 @@ class Looks(FixedShutters):
         ),
     )  # fmt: skip
     shutters_known = False
+    one_lowering_for = "pixels that look"
     has_simpler_programs = False
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
@@ -67,21 +63,6 @@ class Looks(FixedShutters):
 
     def replay(self, container: Container, kernels: Sequence[Sequence[Op]]) -> ReplayPixels:
         return LookingReplay(container, kernels)
-
-    def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
-        self.refuse_unknown_shutters(name)
-        raise AssertionError
-
-    def refuse_unknown_shutters(self, name: str) -> None:
-        raise rejected(
-            "NS0444",
-            f"the shutters of {name} depend on the light: they are unknown before the exposure",
-            notes=(
-                "its pixels look at the light, and the answers decide when they open and close",
-            ),
-            helps=("`nscc run` writes how long each pixel was open: `open_slots`",),
-            status=1,
-        )
 
     def gates_text(self, lowered: Any) -> str:
         return str(_REPORT.looking_gates_text(lowered))

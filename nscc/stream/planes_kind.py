@@ -11,16 +11,15 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.emit.products import SUFFIXES
 from nscc.emit.summary import share_text
-from nscc.fixed.kind import FixedShutters
 from nscc.operations import Op
-from nscc.pipeline import Compiled, Found, Job, Pass
+from nscc.pipeline import Compiled, Found, Job, Pass, ProgramKind
 from nscc.program.problems import counted
 from nscc.program.program import Program
 from nscc.prove.proof import Proof
-from nscc.stream import report
+from nscc.stream import sending_report as texts
 from nscc.stream.checks import check_loadings, check_route
 from nscc.stream.passes import NoRoute, Sending, container_of, plan_of, timed, with_planes
-from nscc.stream.proof import prove_planes
+from nscc.stream.planes_proof import prove_planes
 from nscc.words.container import Container
 from nscc.words.legality import refuse_planes
 
@@ -30,14 +29,20 @@ def make_route(program: Program, job: Job) -> tuple[Sending | NoRoute, Found]:
     return plan_of(program, job.options.lowering, job.options.max_words_per_slot)
 
 
-class BitPlanes(FixedShutters):
+class BitPlanes(ProgramKind):
     """A program of a chip without logic: planes instead of words."""
 
     passes: ClassVar[tuple[Pass, ...]] = (
-        Pass("plan", make_route, check_route, report.sending_text),
-        Pass("schedule", lambda sending, _job: timed(sending), check_loadings, report.sending_text),
+        Pass("plan", make_route, check_route, texts.sending_text),
+        Pass(
+            "schedule",
+            lambda sending, _job: timed(sending),
+            check_loadings,
+            texts.sending_text,
+        ),
     )
     subject = "planes"
+    one_lowering_for = "a chip without logic"
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
         return container_of(layout), ()
@@ -63,9 +68,9 @@ class BitPlanes(FixedShutters):
         container, name = compiled.container, stem + SUFFIXES[product]
         assert container is not None
         if product == "planes":
-            return {name: report.planes_bytes(container)}
+            return {name: texts.planes_bytes(container)}
         if product == "schedule":
-            return {name: report.sending_text(compiled.layout).encode()}
+            return {name: texts.sending_text(compiled.layout).encode()}
         refuse_planes(
             container.target,
             f"--emit {product} does not apply to this program",
@@ -74,27 +79,20 @@ class BitPlanes(FixedShutters):
         raise ValueError(f"unknown product {product}")
 
     def words_text(self, container: Container) -> str:
-        return report.planes_text(container)
+        return texts.planes_text(container)
 
     def report(self, compiled: Compiled) -> dict[str, Any]:
         assert compiled.proof is not None
-        return report.stream_report(compiled.layout, compiled.proof)
+        return texts.stream_report(compiled.layout, compiled.proof)
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
-        return report.stream_rows(compiled.layout, compiled.proof) if compiled.proof else []
+        return texts.stream_rows(compiled.layout, compiled.proof) if compiled.proof else []
 
     def cost_text(self, compiled: Compiled) -> str:
-        return report.cost_text(compiled.layout)
+        return texts.cost_text(compiled.layout)
 
     def size_text(self, container: Container) -> str:
         return counted(container.slots, "plane")
-
-    def stored_row(self, container: Container) -> tuple[str, str]:
-        target = container.target
-        return "planes", f"{container.slots} of {target.rows} x {target.cols} bits"
-
-    def kept_text(self, container: Container) -> str:
-        return "nothing"
 
     def readout_us(self, container: Container) -> float:
         return container.target.readout_us  # all taps at once

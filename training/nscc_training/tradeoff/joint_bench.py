@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
@@ -17,24 +17,25 @@ from numpy.typing import NDArray
 from nscc.containers import is_compiled, load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.experiment_store import Rows
-from nscc.pipeline import Options
-from nscc.requirements import line_for
+from nscc.options import Options
+from nscc.pipeline import Compiled, run_passes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
-from nscc.tradeoff.points import STAGES, Point, Refused
-from nscc.tradeoff.stopwatch import Stopwatch
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
+from nscc_runtime.planless import reason_without_plan
 from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
+from nscc_runtime.request import Request
 from nscc_runtime.response import response_of
+from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.scenes import Scene, scene_light
 from nscc_runtime.sensor import load_sensor
-from nscc_runtime.simulate import Request, Simulated, simulate
+from nscc_runtime.simulate import Simulated, simulate
+from nscc_training.tradeoff import STAGES
 
 Values = NDArray[np.float64]
 
@@ -71,17 +72,34 @@ class JointRequest:
 
 @dataclass(frozen=True, eq=False)
 class Bench:
-    """Values that all stages share, computed when first needed; `warn` takes messages."""
+    """Values that all stages share, computed when first needed; `warn` takes messages.
+
+    `notes` collects remarks on the numbers of stages."""
 
     request: JointRequest
-    rows: Rows
-    warn: Callable[[Diagnostic], None]
-    watch: Stopwatch = field(default_factory=Stopwatch)
+    warn: Callable[[Diagnostic], None] = lambda _: None
+    notes: list[str] = field(default_factory=list)
+    known_errors: dict[str, float] = field(default_factory=dict)
 
     @cached_property
-    def source(self) -> Source | None:
-        """The program's text; None if it is already compiled."""
-        return None if is_compiled(self.request.program) else read_source(self.request.program)
+    def source(self) -> Source:
+        """The program's text; raises Rejected (NS0743) if the program is already compiled."""
+        if is_compiled(self.request.program):
+            raise rejected("NS0743", "the program is compiled already: give its text, FILE.nsl, to "
+                           "compare these")  # fmt: skip
+        return read_source(self.request.program)
+
+    def compiled(self, source: Source, **changes: Any) -> Compiled:
+        """Compile a text in place of the program, without the cache."""
+        options = replace(self.request.options, cache=False, **changes)
+        options = replace(options, target=options.target or self.container.target)
+        return run_passes(source, self.request.program.parent, options)
+
+    def with_codes(self, compiled: Compiled, codes: Any = None) -> Container:
+        """Return the container of a compiled program, with codes for its pixels."""
+        assert compiled.container is not None
+        pixels = self.request.pixels if codes is None else codes
+        return with_pixels(compiled.container, self.request.program, pixels)
 
     @cached_property
     def container(self) -> Container:
@@ -168,15 +186,6 @@ class Bench:
         """The shot noise of the ideal frame, in percent of the signal."""
         return 100 * math.sqrt(float(np.abs(self.ideal_e).mean())) / self.signal_e()
 
-    def once(self, name: str, measure: Callable[[], Any]) -> Any:
-        """Return the result of `measure`, stored under this name, program, scene and target."""
-        return self.rows.once(f"{name} {self._key}", measure)
-
-    @cached_property
-    def _key(self) -> str:
-        decides = to_bytes(self.container) + self.light.sha256().encode()
-        return sha256(decides + repr(self.target).encode()).hexdigest()[:16]
-
     @cached_property
     def largest(self) -> tuple[tuple[str, float], ...]:
         """The effects with the largest errors in the program's frame, in percent of the signal.
@@ -196,8 +205,10 @@ class Bench:
         has codes for its pixels. `original` is the program that it replaces, whose slots have the
         same total length. Known gains and offsets of words are corrected; pixels marked as
         saturated are left out."""
-        digest = sha256(to_bytes(container)).hexdigest()[:16]
-        return float(self.once(f"frame {digest}", lambda: self._error(container, original)))
+        digest = sha256(to_bytes(container)).hexdigest()
+        if digest not in self.known_errors:
+            self.known_errors[digest] = self._error(container, original)
+        return self.known_errors[digest]
 
     def _error(self, container: Container, original: Container | None) -> float:
         light = self._light_in(container)
@@ -205,7 +216,7 @@ class Bench:
         if original is not None:
             ideal_e = self._ideal_e(original, self._light_in(original))
         frame = self._captured(container, light).frame
-        if container.machine.stages:
+        if LIGHT in frame.told:
             light_e_per_s, sure = (frame.told[key] for key in (LIGHT, DEVIATION))
             counted = (np.isfinite(sure) & np.isfinite(light_e_per_s)).any(axis=0)[None]
             seen_e = merged_image(light_e_per_s, sure)[None] * (sum(container.slot_us) * 1e-6)
@@ -231,7 +242,7 @@ class Bench:
     def _captured(self, container: Container, light: Light) -> Simulated:
         """Simulate a frame with all effects."""
         tolerance = None
-        if not container.target.streamed:  # such a chip has no plans, and its simulation is exact
+        if not reason_without_plan(container):
             tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
         request = Request.of(
             effects="all", tolerance=tolerance, seed=self.request.seed,
@@ -240,7 +251,7 @@ class Bench:
         return simulate(container, light, self.sensor, request)
 
     def _ideal_e(self, container: Container, light: Light) -> Values:
-        if container.machine.stages:
+        if not KINDS.of(container).open_times_known:
             return np.asarray(light.total_e(), np.float64)[None]
         none = selected("none")
         exact = simulate(container, light, self.sensor, Request.of(effects="none")).frame
@@ -260,12 +271,6 @@ def rms_percent(
     return 100 * math.sqrt(max(mean_squares)) / signal_e
 
 
-def scaled(container: Container, frame_us: float) -> tuple[float, ...]:
-    """Return the slot lengths of a program, scaled to a frame of `frame_us` microseconds."""
-    total_us = sum(container.slot_us)
-    return tuple(us / total_us * frame_us for us in container.slot_us)
-
-
 def scaled_text(target: str, factor: float) -> str:
     """Return a tolerance multiplied by `factor`, as text in its unit: 3 % for 1 %."""
     match = re.fullmatch(r"\s*(.*?\d\.?)\s*(e|lsb|%|noise)\s*", target.lower())
@@ -273,28 +278,5 @@ def scaled_text(target: str, factor: float) -> str:
     return f"{float(match[1]) * factor:g}{match[2]}"
 
 
-def whole_ticks(slot_us: float) -> float:
-    """Return the slot length rounded up to a multiple of 10 ns, so that programs are readable."""
-    return round(max(1, math.ceil(slot_us / 0.01 - 1e-6)) * 0.01, 6)
-
-
 PERCENT = "percent"
 """The unit of all errors: percent of the mean signal."""
-
-
-def misfit(stage: str, setting: str, why: Diagnostic | Rejected | ModuleNotFoundError) -> Refused:
-    """Return the refusal of a setting, or with the setting "" of a whole stage."""
-    if isinstance(why, ModuleNotFoundError):
-        name = why.name or "a package"
-        return Refused(stage, "", setting, "NS0904", f"{name} is missing: {line_for(name)}")
-    diagnostic = why.diagnostics[0] if isinstance(why, Rejected) else why
-    return Refused(stage, "", setting, diagnostic.code, diagnostic.message)
-
-
-@dataclass(frozen=True)
-class StageResult:
-    """A stage's points, the settings that could not be measured, and notes on its numbers."""
-
-    points: tuple[Point, ...]
-    misfits: tuple[Refused, ...] = ()
-    notes: tuple[str, ...] = ()

@@ -13,9 +13,9 @@ from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, halo, place_labels
 from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
 from nscc_runtime.pictures.sheet import theme
-from nscc_runtime.tradeoff import study as studied
-from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, Study
-from nscc_runtime.tradeoff.study_text import SLACK
+from nscc_training.tradeoff import emulator as studied
+from nscc_training.tradeoff.emulator import ELECTRONS, PLANNED, EmulatorStudy
+from nscc_training.tradeoff.emulator_text import SLACK
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,21 +39,19 @@ _NAMES = {
 _ERRORS = {ELECTRONS: "RMS error, e", studied.LSB: "RMS error after the ADC, LSB"}
 
 
-def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure:
+def study_diagram(studies: Sequence[EmulatorStudy], times: str, device: str) -> Figure:
     """Draw the work-precision diagram: for each scene the error in electrons, and in LSB."""
     panels = []
     for study in studies:
         for unit, error in _ERRORS.items():
             points = [point for point in study.points if point.error_unit == unit]
             [truth] = [point for point in points if point.method == studied.REFERENCE]
-            apart = study.resolution_e if unit == ELECTRONS else study.resolution_lsb
             guides = (
                 Guide("reference (no error)", "-", time_ms=truth.time_ms),
-                Guide("two references, other draws", "--", error=apart),
+                Guide("two references, other draws", "--", error=study.resolution(unit)),
                 Guide("reading the scene", ":", time_ms=study.floor_ms),
             )
             panels.append(Panel(study.scene, error, points, guides))
-    times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
     plain = all(
         measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
         for study in studies
@@ -73,7 +71,7 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
     )  # fmt: skip
 
 
-def promise_diagram(studies: Sequence[Study]) -> Figure:
+def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
     """Draw predicted and measured errors against the tolerance. Raises ValueError without plans."""
     from matplotlib.lines import Line2D
 
@@ -132,7 +130,7 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
     return figure
 
 
-def budget_diagram(studies: Sequence[Study]) -> Figure:
+def budget_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
     """Draw, for each scene, the size of its effects, and the time that leaving each out saves.
     Effects of the readout are excluded. Raises ValueError without scenes."""
     from matplotlib.lines import Line2D

@@ -6,17 +6,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from nscc.fixed.kind import FixedShutters
 from nscc.lazy import LazyFunctions
 from nscc.neighbours.passes import with_pictures
-from nscc.pipeline import Compiled, Found, Job
+from nscc.pipeline import Compiled, Found, Job, ProgramKind
 from nscc.prove.proof import Failure
 from nscc.words.container import Container
 
-_REPORT = LazyFunctions("nscc.neighbours.report")
+_REPORT = LazyFunctions("nscc.neighbours.picture_report")
 
 
-class Images(FixedShutters):
+class Images(ProgramKind):
     """A program with images or planes; the exposure is that of another kind."""
 
     has_simpler_programs = False
@@ -28,7 +27,7 @@ class Images(FixedShutters):
         return container, [*found, *errors]
 
     def after_frame(self, container: Container) -> Failure | None:
-        from nscc.neighbours.proof import pictures_failure
+        from nscc.neighbours.pictures_proof import pictures_failure
 
         return super().after_frame(container) or pictures_failure(container)
 

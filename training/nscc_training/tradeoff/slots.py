@@ -9,10 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.limits.families import MOST_DIGITS, book_text
+from nscc.pipeline import KINDS
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import EqualSlots, ListedSlots
 from nscc.words.container import Container
+from nscc_training.experiments.study import NotMeasured
 
 
 def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
@@ -29,33 +31,32 @@ def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
     return Source(source.name, text[: spans[0].start] + frame + text[spans[0].end :])
 
 
-class NotJoined(ValueError):
-    """Raised if a program has no version with fewer slots; the text is the reason."""
-
-
-def in_fewer(container: Container, join: int) -> tuple[str, NDArray[np.int32]]:
-    """Return a program in which each slot joins `join` slots of the original, and its pixel codes.
+def in_fewer(
+    container: Container, join: int, source: Source
+) -> tuple[Source, dict[str, NDArray[np.int32]]]:
+    """Return a program in which each slot joins `join` slots of `source`, and its pixel codes.
 
     The codes `id` are (rows, cols). A joined slot is open if the pixel is open for at least half of
-    its time. Raises NotJoined if the slots cannot be joined, pixels have no codes, or there are too
-    many shutters for a codebook."""
+    its time. Raises NotMeasured if the slots cannot be joined, pixels have no codes, or there are
+    too many shutters for a codebook."""
     codes, slots = container.pixel_codes, container.slots
-    if container.machine.stages or codes is None:
-        raise NotJoined("programs with pixels that look keep their own slots")
+    if codes is None or not KINDS.of(container).shutters_known:
+        raise NotMeasured("programs with pixels that look keep their own slots")
     if slots % join:
-        raise NotJoined(f"{slots} slots are not a multiple of {join}")
+        raise NotMeasured(f"{slots} slots are not a multiple of {join}")
     if slots // join < 2:
-        raise NotJoined(f"fewer than 2 of {slots} slots would remain")
+        raise NotMeasured(f"fewer than 2 of {slots} slots would remain")
     slot_us = np.array(container.slot_us).reshape(-1, join)
     used, row = np.unique(container.table.shutter_of_code[codes], return_inverse=True)
     opened = container.table.shutters[used].reshape(len(used), -1, *slot_us.shape)
     share = (opened * slot_us).sum(axis=3) / slot_us.sum(axis=1)
     rows, same = np.unique(share >= 0.5, axis=0, return_inverse=True)
     if rows.size > MOST_DIGITS:
-        raise NotJoined(
+        raise NotMeasured(
             f"{len(rows)} shutters are a codebook of {rows.size} digits, more than {MOST_DIGITS}"
         )
     if (rows.sum(axis=1) > 1).any():
-        raise NotJoined("two buckets would be open in one slot, each for half of it")
+        raise NotMeasured("two buckets would be open in one slot, each for half of it")
     text = book_text(slot_us.sum(axis=1).tolist(), container.buckets, rows)
-    return text, same.reshape(-1)[row].reshape(codes.shape).astype(np.int32)
+    ids = same.reshape(-1)[row].reshape(codes.shape).astype(np.int32)
+    return Source(source.name, text), {"id": ids}

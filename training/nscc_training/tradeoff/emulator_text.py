@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nscc.columns import columns
-from nscc.tradeoff.points import Point, dominated
+from nscc_runtime.pictures.precision import Point, dominated
 from nscc_runtime.planning.plan import Decision, Plan
-from nscc_runtime.tradeoff.study import (
+from nscc_training.experiments.study_table import three_digits
+from nscc_training.tradeoff.emulator import (
     ELECTRONS,
+    LSB,
     PLANNED,
     REFERENCE,
     WITH_PLANNING,
+    EmulatorStudy,
     MeasuredPlan,
-    Study,
 )
 
 SLACK = 1.1
@@ -28,7 +30,7 @@ def keeps_promise(measured_plan: MeasuredPlan) -> bool:
     return measured_plan.measured_e <= SLACK * measured_plan.tolerance_e
 
 
-def studies_text(studies: Sequence[Study], gb_per_s: float) -> str:
+def studies_text(studies: Sequence[EmulatorStudy], gb_per_s: float) -> str:
     """Return all tables: for each scene the methods, then the plan of its error budget."""
     tables = [f"memory copies at {gb_per_s:.3g} GB/s, read and written"]
     for study in studies:
@@ -36,7 +38,7 @@ def studies_text(studies: Sequence[Study], gb_per_s: float) -> str:
     return "\n\n".join(tables)
 
 
-def _methods_text(study: Study) -> str:
+def _methods_text(study: EmulatorStudy) -> str:
     plans_by_setting = {
         measured_plan.setting: measured_plan for measured_plan in study.measured_plans
     }
@@ -54,18 +56,18 @@ def _methods_text(study: Study) -> str:
                 "" if mine is None else f"{mine.predicted_e:.3g}",
                 f"{point.error:.3g}",
                 f"{lsb[point.method, point.setting]:.3g}",
-                _ms(point.time_ms),
-                _ms(point.spread_ms),
+                three_digits(point.time_ms),
+                three_digits(point.spread_ms),
                 _remark(point, mine, beaten[id(point)]),
             )
         )
         before = point.method
     head = (
-        f"{study.scene}: two frames of the reference with other draws are {study.resolution_e:.3g} "
-        f"e, {study.resolution_lsb:.3g} LSB apart; to read the scene once takes "
-        f"{_ms(study.floor_ms)} ms"
+        f"{study.scene}: two frames of the reference with other draws are "
+        f"{study.resolution(ELECTRONS):.3g} e, {study.resolution(LSB):.3g} LSB apart; to read the "
+        f"scene once takes {three_digits(study.floor_ms)} ms"
     )
-    missing = [f"no {method}: {why}" for method, why in study.missing]
+    missing = [f"no {refusal.method}: {refusal.reason}" for refusal in study.refused]
     return "\n".join([head, columns(rows, (0, 1, 7), "  "), *missing])
 
 
@@ -86,7 +88,6 @@ def _remark(point: Point, measured_plan: MeasuredPlan | None, beaten: bool) -> s
 
 def _budget_text(plan: Plan) -> str:
     rows = [_BUDGET_HEAD, *(_decision(decision) for decision in plan.decisions)]
-    rows += [(name, "", "", "", "", _ms(cost_ms), work) for name, work, cost_ms in plan.costs]
     head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
     words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
     return "\n".join([head, columns(rows, (0, 1, 6), "  "), *words, plan.time_summary])
@@ -96,7 +97,7 @@ def _decision(decision: Decision) -> tuple[str, ...]:
     def number(value: float | None) -> str:
         return "" if value is None or decision.decision == "absent" else f"{value:.3g}"
 
-    saves = "" if decision.decision == "absent" else _ms(decision.cost_ms_model)
+    saves = "" if decision.decision == "absent" else three_digits(decision.cost_ms_model)
     return (
         decision.name,
         decision.decision,
@@ -106,8 +107,3 @@ def _decision(decision: Decision) -> tuple[str, ...]:
         saves,
         decision.reason,
     )
-
-
-def _ms(time_ms: float) -> str:
-    """Return milliseconds with three significant digits, or as a whole number from 100 on."""
-    return f"{time_ms:.0f}" if time_ms >= 100 else f"{time_ms:.3g}"

@@ -1,1 +1,0 @@
-"""Programs whose shutters depend on the code of a pixel only."""

@@ -1,1 +1,0 @@
-"""Measured tradeoffs of error against time, and their tables."""

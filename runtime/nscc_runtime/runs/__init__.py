@@ -1,0 +1,1 @@
+"""What the runtime does for kinds of programs; `nscc_runtime.run_kinds` lists them."""

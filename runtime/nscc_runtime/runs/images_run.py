@@ -1,0 +1,44 @@
+"""The kind of programs that compute images and planes after the exposure."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.frame_file import joined
+from nscc_runtime.neighbours.pictured_program import image_sensor, told_of_planes
+from nscc_runtime.run_kinds import RunKind, Sent
+
+
+class ImagesRun(RunKind):
+    """A program with images or planes."""
+
+    without_plan = "images and planes depend on the neighbours of every pixel"
+    takes_films = True
+
+    def flow(self, container: Container, width: float) -> Any:
+        from nscc_runtime.pictures.data_flow import DataFlow
+
+        return DataFlow(container, width)
+
+    def frame_sheet(self, container: Container, frame: Any, response: Any, title: str) -> Any:
+        from nscc_runtime.pictures.images import image_plane_sheet
+
+        return image_plane_sheet(frame, container.buckets_read, title)
+
+    def sent_frame(self, container: Container, frame: Any, sent: Sent) -> Any:
+        """Move the images behind the buckets of a frame, and the planes, to `told`."""
+        told: dict[str, NDArray[Any]] = {}
+        buckets = len(container.buckets_read)
+        converter = image_sensor(sent.sensor, container.target)
+        for place, name in enumerate(container.pictures.images_read, buckets):
+            codes, image_e = frame.frame[place], frame.exposure_e[place]
+            if not sent.exact:
+                image_e = (codes - float(converter.adc_offset_lsb)) * converter.electrons_per_lsb
+            told[f"image_{name}"], told[f"image_codes_{name}"] = image_e, codes
+            told[f"image_saturated_by_{name}"] = frame.saturated_by[place]
+        told |= told_of_planes(container, sent.planes, sent.reaches, sent.summaries)
+        return replace(joined([frame], lambda arrays: arrays[0][:buckets]), told=told)

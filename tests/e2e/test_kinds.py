@@ -1,0 +1,92 @@
+"""Only the tables of kinds, and what stores programs, ask of which kind a program is."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from nscc.kinds import KindTable
+
+ROOT = Path(__file__).parents[2]
+FOLDERS = ("nscc", "runtime/nscc_runtime", "training/nscc_training", "cli/nscc_cli")
+ASKS = re.compile(
+    r"\b(machine|pictures) is (not )?None|\.streamed\b|\bkind [!=]= \"(scamp|stream)\""
+    r"|(\bif|\bnot|\band|\bor|\bbool\()\s*\(?[\w.]*(machine\.stages|pictures\.outputs)"
+    r"|machine\.stages\s+(if|and|or|>|==)|pictures\.outputs\s+(if|and|or)\b"
+)
+"""Tests of what only some kinds of programs have. A machine without stages and pictures without
+outputs stand for "none": code that goes through them needs no test."""
+MAY_ASK = {
+    "nscc/kinds.py": "the table that recognises kinds",
+    "nscc/chips/target.py": "the chip's own description",
+    "nscc/words/container.py": "what a container has",
+    "nscc/words/file.py": "blocks of a file",
+    "nscc/words/disassembly.py": "blocks of a text",
+    "nscc/words/soundness.py": "consistency of a file",
+    "nscc/words/machine_soundness.py": "consistency of a file",
+    "nscc/words/legality.py": "the refusals that others call",
+    "runtime/nscc_runtime/emulator/capture.py": "chooses the simulator",
+    "runtime/nscc_runtime/execution/block_program.py": "chooses the simulator",
+    "runtime/nscc_runtime/planning/planned_scene.py": "chooses the simulator",
+    "runtime/nscc_runtime/reference/capture.py": "chooses the simulator",
+    "runtime/nscc_runtime/reference/trace.py": "chooses the simulator",
+    "runtime/nscc_runtime/reference/weights.py": "chooses the simulator",
+    "runtime/nscc_runtime/reference/words.py": "chooses the simulator",
+    "runtime/nscc_runtime/simulate.py": "chooses the simulator",
+}
+
+
+def test_no_other_file_asks_of_which_kind_a_program_is() -> None:
+    asking = [
+        f"{path.relative_to(ROOT)}:{number}: {line.strip()}"
+        for folder in FOLDERS
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        if str(path.relative_to(ROOT)) not in MAY_ASK
+        for number, line in enumerate(path.read_text().splitlines(), 1)
+        if ASKS.search(line)
+    ]
+    # Let the class of the kind do it, in the package's table: `nscc.kinds` explains how.
+    assert asking == []
+
+
+def test_files_that_may_ask_do() -> None:
+    assert [name for name in MAY_ASK if not ASKS.search((ROOT / name).read_text())] == []
+
+
+class Fixed:
+    def parts(self) -> list[str]:
+        return ["fixed"]
+
+
+class Looks(Fixed):
+    def parts(self) -> list[str]:
+        return ["looks", *super().parts()]
+
+
+class Images(Fixed):
+    def parts(self) -> list[str]:
+        return ["images", *super().parts()]
+
+
+@pytest.mark.parametrize(
+    ("outputs", "stages", "parts"),
+    [
+        ((), 0, ["fixed"]),
+        ((), 2, ["looks", "fixed"]),
+        (("p",), 0, ["images", "fixed"]),
+        (("p",), 2, ["images", "looks", "fixed"]),
+    ],
+)
+def test_kinds_combine(outputs: tuple[str, ...], stages: int, parts: list[str]) -> None:
+    """The images of a program follow its exposure, whatever its kind."""
+    table = KindTable(Fixed, looks=f"{__name__}:Looks", images=f"{__name__}:Images")
+    program = SimpleNamespace(
+        target=SimpleNamespace(kind="scamp"),
+        machine=SimpleNamespace(stages=stages),
+        pictures=SimpleNamespace(outputs=outputs),
+    )
+    assert table.of(program).parts() == parts
+    assert table.of(program) is table.of(program)

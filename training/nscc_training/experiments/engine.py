@@ -1,0 +1,118 @@
+"""The engine of all experiments: it computes the tasks that have no stored row, and stores rows."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from time import sleep
+from typing import Any, Protocol, TypeVar
+
+from nscc.experiment_store import ExperimentStore
+
+_POLL_S = 0.2
+
+Figures = dict[str, Any]
+"""Results by name: text, numbers, true, false or None. A name ends in the unit."""
+
+
+class Task(Protocol):
+    """A point to measure: the key of its row, and a label for people."""
+
+    @property
+    def key(self) -> str: ...
+
+    @property
+    def label(self) -> str: ...
+
+
+SomeTask = TypeVar("SomeTask", bound=Task)
+
+
+@dataclass(frozen=True)
+class PointRow:
+    """The result of a point: `figures`, or `code` and text of a message if there are none."""
+
+    key: str
+    figures: Figures = field(default_factory=dict, hash=False)
+    code: str = ""
+    error: str = ""
+
+
+@dataclass(frozen=True)
+class Done:
+    """The row of a task. It may be tried again if it `failed`; `other_key` is the worker's key if
+    it differs."""
+
+    task: Any
+    row: PointRow
+    seconds: float = 0.0
+    worker: str = ""
+    failed: bool = False
+    other_key: str = ""
+
+
+Executor = Callable[[Iterable[SomeTask]], Iterator[Done]]
+"""A function that computes tasks and yields their rows in any order."""
+
+
+def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
+    """Return all rows by key."""
+    return {
+        key: PointRow(key, **{**row, "figures": _numbers(row["figures"])})
+        for key, row in store.values().items()
+    }
+
+
+def keep(store: ExperimentStore, done: Done) -> None:
+    """Store the row of a task. JSON has no infinity and no NaN, so that they become text."""
+    row = done.row
+    figures = {name: _text(value) for name, value in row.figures.items()}
+    value = {"figures": figures, "code": row.code, "error": row.error}
+    store.keep(row.key, value, label=done.task.label, seconds=done.seconds, worker=done.worker)
+
+
+def results(
+    store: ExperimentStore, tasks: Sequence[SomeTask], execute: Executor[SomeTask]
+) -> Iterator[Done]:
+    """Compute and store the tasks without a row, and yield their rows.
+
+    Several processes share the tasks of a store: a task that another process has claimed is waited
+    for, and computed if that process drops it."""
+    waiting = [task for task in tasks if store.get(task.key) is None]
+    while waiting:
+        claimed_tasks: list[SomeTask] = []
+
+        def claimed(
+            claimed_tasks: list[SomeTask] = claimed_tasks, waiting: Sequence[SomeTask] = waiting
+        ) -> Iterator[SomeTask]:
+            for task in waiting:
+                if store.claim(task.key):
+                    claimed_tasks.append(task)
+                    if store.get(task.key) is None:
+                        yield task
+
+        try:
+            for done in execute(claimed()):
+                keep(store, done)
+                store.release(done.task.key)
+                yield done
+        finally:
+            for task in claimed_tasks:
+                store.release(task.key)
+        claimed_keys = {task.key for task in claimed_tasks}
+        unclaimed = (task for task in waiting if task.key not in claimed_keys)
+        waiting = [task for task in unclaimed if store.get(task.key) is None]
+        if waiting:
+            sleep(_POLL_S)
+
+
+def _text(value: Any) -> Any:
+    if isinstance(value, float) and not math.isfinite(value):
+        return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
+    return value
+
+
+def _numbers(figures: Figures) -> Figures:
+    numbers = {"nan": math.nan, "inf": math.inf, "-inf": -math.inf}
+    return {n: numbers.get(v, v) if isinstance(v, str) else v for n, v in figures.items()}

@@ -1,0 +1,221 @@
+"""Studies: a grid of points whose time is measured with their figures, a table and a diagram.
+
+Each repeat measures all points in turn, so that disturbances of the machine are spread over all of
+them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.experiment_store import ExperimentStore
+from nscc.requirements import line_for
+from nscc_runtime.pictures.precision import Point
+from nscc_runtime.progress import Progress, unseen
+from nscc_training.experiments.engine import Done, Figures, PointRow, results, rows_in
+from nscc_training.experiments.stopwatch import Stopwatch
+from nscc_training.experiments.study_table import Refused
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+DOES_NOT_FIT = ("NS04", "NS05", "NS06")
+"""Codes of programs that do not fit a chip, by their first characters."""
+_NO_CODE = "-"
+"""Code of the row of a setting that is refused without a message of its own."""
+_MORE_IS_BETTER = ("psnr_db", "ssim")
+
+
+class NotMeasured(Exception):
+    """Raised by `StudyPoint.run` if a setting cannot be measured; the text is the reason."""
+
+
+@dataclass(frozen=True, eq=False)
+class StudyPoint:
+    """One method at one setting on one case.
+
+    Attributes
+    ----------
+    case, method, setting : str
+        The names in the table. Together they are unique in a study.
+    run : callable
+        Runs what is timed. Without `figures` it returns the figures itself, with their time `ms`,
+        and is run once.
+    figures : callable, optional
+        Returns the figures of the first result of `run`. A figure is an error, named by its unit
+        ("words_per_frame", "psnr_db"). Some names have a meaning: `ms` is a time in milliseconds,
+        or a list of times, that replaces the measured time; `bound` is a lower bound of the error
+        for all settings of the method; `method` and `setting` replace the names.
+    first : callable, optional
+        Is run before the first run of points with the same `loads`, by default `run`.
+    loads : hashable
+        Differs with what the first run of a method compiles and loads.
+    device : str
+        The device, if it is not the processor.
+    count : int
+        How many times a run does what the time is of.
+    """
+
+    case: str
+    method: str
+    setting: str
+    run: Callable[[], Any]
+    figures: Callable[[Any], Figures] | None = None
+    first: Callable[[], Any] | None = None
+    loads: Hashable = ""
+    device: str = ""
+    count: int = 1
+
+
+@dataclass(frozen=True)
+class StudyResult:
+    """The points of a study, the settings that could not be measured, and the number of repeats."""
+
+    points: tuple[Point, ...]
+    refused: tuple[Refused, ...] = ()
+    repeats: int = 1
+
+    @property
+    def times(self) -> str:
+        """The meaning of the times, as text."""
+        return "one run" if self.repeats == 1 else f"median and range of {self.repeats} runs"
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """A grid of points, and the declaration of its table and diagrams.
+
+    Attributes
+    ----------
+    points : sequence of StudyPoint
+        The grid.
+    text : callable
+        Returns the table and further lines for the terminal.
+    diagrams : mapping
+        Functions that draw the results, given these and the device, by name of the picture; the
+        main diagram is `png`.
+    repeats : int
+        How often each point is timed.
+    budget_s : float
+        No repeat starts if it would end later than this after the first.
+    refuses : tuple of str
+        Codes of points that may be refused, by their first characters.
+    device : str
+        What the times are of, if not of this processor.
+    lists_refused : bool
+        Whether the CSV file lists refused settings.
+    csv_of : callable
+        Returns the points of the CSV file, by default all.
+    """
+
+    points: Sequence[StudyPoint]
+    text: Callable[[StudyResult], str]
+    diagrams: Mapping[str, Callable[[StudyResult, str], Figure]]
+    repeats: int = 1
+    budget_s: float = float("inf")
+    refuses: tuple[str, ...] = DOES_NOT_FIT
+    device: str = ""
+    lists_refused: bool = False
+    csv_of: Callable[[Sequence[Point]], Sequence[Point]] = tuple
+
+
+def measure(
+    study: Study, store: ExperimentStore | None = None, track: Progress = unseen
+) -> StudyResult:
+    """Measure a study; the rows in `store` are not measured again."""
+    rows_store, watch = store or ExperimentStore(), Stopwatch()
+    turns = [0]
+
+    def measured() -> Iterator[Done]:
+        begin = perf_counter()
+        for turn in range(study.repeats):
+            before, rows = perf_counter(), rows_in(rows_store)
+            tasks = [
+                _Turn(point, turn) for point in study.points if turn == 0 or _is_timed(point, rows)
+            ]
+            yield from results(rows_store, tasks, lambda tasks: _executed(tasks, study, watch))
+            turns[0] = turn + 1
+            now = perf_counter()
+            if now - begin + (now - before) > study.budget_s:
+                return
+
+    for _ in track(measured(), "measuring", len(study.points) * study.repeats):
+        pass
+    return _gathered(study.points, rows_in(rows_store), turns[0])
+
+
+@dataclass(frozen=True)
+class _Turn:
+    point: StudyPoint
+    turn: int
+
+    @property
+    def label(self) -> str:
+        return f"{self.point.case}, {self.point.method}, {self.point.setting}, {self.turn}"
+
+    key = label
+
+
+def _executed(tasks: Iterable[_Turn], study: Study, watch: Stopwatch) -> Iterator[Done]:
+    for task in tasks:
+        point, key = task.point, task.key
+        try:
+            if point.figures is None:
+                row = PointRow(key, point.run())
+            else:
+                kind = point.case, point.method, point.loads
+                result, ms = watch.ms(kind, point.setting, point.run, point.first)
+                figures = point.figures(result) if task.turn == 0 else {}
+                row = PointRow(key, {"ms": ms / point.count, **figures})
+        except (Rejected, NotMeasured, ModuleNotFoundError) as why:
+            code, text = _reason(why)
+            if code != _NO_CODE and not code.startswith(study.refuses):
+                raise
+            row = PointRow(key, code=code, error=text)
+        yield Done(task, row)
+
+
+def _reason(why: Exception) -> tuple[str, str]:
+    """Return the code and the text of the reason why a point cannot be measured."""
+    if isinstance(why, Rejected):
+        return why.diagnostics[-1].code, why.diagnostics[-1].message
+    if isinstance(why, ModuleNotFoundError):
+        name = why.name or "a package"
+        return "NS0904", f"{name} is missing: {line_for(name)}"
+    return _NO_CODE, str(why)
+
+
+def _is_timed(point: StudyPoint, rows: Mapping[str, PointRow]) -> bool:
+    """Return whether a point, whose first row is known, is measured again for its time."""
+    row = rows[_Turn(point, 0).key]
+    return point.figures is not None and not row.code and not isinstance(row.figures["ms"], list)
+
+
+def _gathered(
+    points: Sequence[StudyPoint], rows: Mapping[str, PointRow], turns: int
+) -> StudyResult:
+    """Return the rows of all turns as points of the table."""
+    made: list[Point] = []
+    refused = []
+    for point in points:
+        point_rows = [rows[key] for n in range(turns) if (key := _Turn(point, n).key) in rows]
+        names = {"method": point.method, "setting": point.setting, "bound": None}
+        figures: Figures = {**names, **point_rows[0].figures}
+        if code := point_rows[0].code:
+            reason = point_rows[0].error
+            refused.append(
+                Refused(point.case, point.method, point.setting, code.strip(_NO_CODE), reason)
+            )
+            continue
+        ms = figures.pop("ms")
+        times_ms = ms if isinstance(ms, list) else [row.figures["ms"] for row in point_rows]
+        method, setting, bound = (figures.pop(name) for name in names)
+        made += [
+            Point(point.case, method, setting, error, unit, tuple(times_ms), bound,
+                  more_is_better=unit in _MORE_IS_BETTER, device=point.device)
+            for unit, error in figures.items()
+        ]  # fmt: skip
+    return StudyResult(tuple(made), tuple(refused), turns)

@@ -1,0 +1,53 @@
+"""Choice between reconstructions of a clip by pixels that are left out of them.
+
+A method is better if it predicts better what those pixels measured. The choice is made on the
+middle of the frame, and needs no ground truth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training.baselines.gap_tv import gap_tv_of
+from nscc_training.measured import Measured
+
+Clips = NDArray[np.float32]
+Decoder = Callable[[Measured[NDArray[Any]]], Clips]
+"""A function of a measurement whose white is 1, for its clip (1, N, rows, cols)."""
+
+_WEIGHTS = (0.05, 0.1, 0.2, 0.5, 1.0)
+"""Weights of total variation to choose from: noise and motion decide which is best."""
+_SIDE = 128
+_BLOCK = 4
+"""One pixel of each square of this side is left out."""
+
+
+def with_weight(weight: float, iterations: int) -> Decoder:
+    """Return GAP-TV with a weight of total variation."""
+    return lambda measured: np.asarray(gap_tv_of(measured, iterations, weight=weight)[0])
+
+
+def best_weight(measured: Measured[NDArray[Any]], iterations: int) -> tuple[float, float]:
+    """Return the weight of total variation that predicts best, and the error of its predictions."""
+    errors = [prediction_error(measured, with_weight(w, iterations)) for w in _WEIGHTS]
+    return _WEIGHTS[int(np.argmin(errors))], min(errors)
+
+
+def prediction_error(measured: Measured[NDArray[Any]], decoder: Decoder) -> float:
+    """Return the RMS error of a decoder's predictions of pixels that are left out, in white."""
+    sides = measured.value.shape[-2:]
+    firsts = (max(0, (side - _SIDE) // 2) for side in sides)
+    part = measured.crop(*(slice(first, first + _SIDE) for first in firsts))
+    rows, cols = part.value.shape[-2:]
+    generator = np.random.default_rng(0)
+    chosen = generator.integers(_BLOCK, size=(2, -(-rows // _BLOCK), -(-cols // _BLOCK)))
+    at = np.indices(chosen.shape[1:]) * _BLOCK + chosen
+    down, across = at[:, (at[0] < rows) & (at[1] < cols)]
+    kept = np.ones((rows, cols), np.float32)
+    kept[down, across] = 0
+    without = Measured(part.value * kept, part.mask * kept, part.variance, part.saturated)
+    gap = part.missing(part.of(decoder(without)), part.value)[..., down, across]
+    return float(np.sqrt(np.mean(gap**2))) if gap.size else 0.0

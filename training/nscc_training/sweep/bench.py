@@ -1,0 +1,187 @@
+"""Scenes of a protocol, captured by the emulated chip and decoded without training."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.load import load_target
+from nscc.chips.target import Target
+from nscc.options import Options
+from nscc.pipeline import Compiled, run_passes
+from nscc.source import Source
+from nscc.words.container import Container
+from nscc_runtime.light import Light
+from nscc_runtime.request import Request
+from nscc_runtime.sensor import Sensor
+from nscc_runtime.simulate import simulate
+from nscc_training.design.chip import DesignChip
+from nscc_training.design.looking import LookModel, LookSchedule
+from nscc_training.design.scene import histogram
+from nscc_training.design.text import looking_text
+from nscc_training.encoders.base import Encoder
+from nscc_training.evaluation.looks_rows import ROWS as LOOKING_ROWS
+from nscc_training.evaluation.looks_rows import SLOTS, looked_light, row_of
+from nscc_training.evaluation.methods import CLIPS, STILLS, CapturedScene
+from nscc_training.experiments.engine import Figures
+from nscc_training.measures import number
+from nscc_training.metrics import finite_mean
+from nscc_training.programs import Chip
+from nscc_training.protocol_scenes.file_scenes import Kind, protocol_of, some_scenes
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
+from nscc_training.sensor_model import SensorModel
+from nscc_training.sweep.point import Values
+from nscc_training.sweep.point_programs import compiled_of, encoder_of, sensor_of, whole_ticks
+
+LONG_US = 1000.0
+"""A slot length that all words fit into."""
+_ITERATIONS = 20
+
+
+def bench_figures(values: Values) -> Figures:
+    """Return the PSNR of a class of shutters on scenes, its words and its shortest slot.
+
+    Words depend on the slot length only through refresh, which shorter slots need less often."""
+    slot_us = values["at_us"]
+    if slot_us is None:
+        longest = compiled_of({**values, "slot_us": LONG_US})
+        slot_us = whole_ticks(longest.shortest_slot_us)
+    compiled = compiled_of({**values, "slot_us": slot_us})
+    return scenes_of(values).figures(compiled, encoder_of(values))
+
+
+def looks_figures(values: Values) -> Figures:
+    """Return the same for pixels that look, with a number of `exposures`.
+
+    The looks are those of a method of hdr-v1, or with `designed` they are designed for the
+    scenes."""
+    scenes = scenes_of(values)
+    name = f"looks-{values['exposures']}"
+    looks = scenes.designed(values["exposures"]) if values["designed"] else (
+        row_of(name, scenes.target))  # fmt: skip
+    chip = Chip(values["target"])
+    named = chip.target if chip.file is None else None
+
+    def compiled(slot_us: float) -> Compiled:
+        text = looking_text(looks, SLOTS, slot_us, scenes.target, named, "")
+        options = Options(
+            level=values["level"], codes="open", lowering="edges", target=chip.file, cache=False
+        )
+        return run_passes(Source("shutter.nsl", text), Path(), options)
+
+    slot_us = values["at_us"] or whole_ticks(compiled(LONG_US).shortest_slot_us)
+    return scenes.figures(compiled(slot_us), looks)
+
+
+def is_looks_row(exposures: int) -> bool:
+    """Return whether hdr-v1 has a method with this number of exposures."""
+    return f"looks-{exposures}" in LOOKING_ROWS
+
+
+@dataclass(frozen=True, eq=False)
+class BenchScenes:
+    """Scenes of one kind, captured with one sensor; `known` caches scores of captures."""
+
+    scenes: tuple[ProtocolScene, ...]
+    target: Target
+    sensor: Sensor
+    model: SensorModel
+    effects: str
+    seed: int
+    known: dict[bytes, float] = field(default_factory=dict)
+
+    def designed(self, exposures: int) -> LookSchedule:
+        """Return looks that are designed for the scenes."""
+        lights = histogram([scene.light_e for scene in self.scenes])
+        model = LookModel(DesignChip.of(self.target, self.sensor), lights, [1.0] * SLOTS)
+        return model.best(exposures - 1, "linear")
+
+    def figures(self, compiled: Compiled, shutters: Encoder | LookSchedule) -> Figures:
+        """Return the PSNR, averaged over scenes, of a decoder that needs no training."""
+        container = compiled.container
+        assert container is not None
+        scores = (
+            self._looked_db(container, scene, index)
+            if isinstance(shutters, LookSchedule)
+            else self._decoded_db(shutters, container, scene, index)
+            for index, scene in enumerate(self.scenes)
+        )
+        return {
+            "psnr_db": finite_mean(scores),
+            "words": container.words_per_frame,
+            "shortest_slot_us": compiled.shortest_slot_us,
+        }
+
+    def request(self, index: int) -> Request:
+        """Return the effects and seeds of the frame of a scene."""
+        seed = 1000 * self.seed + index
+        return Request.of(effects=self.effects, seed=seed, device_seed=self.seed)
+
+    def _looked_db(self, container: Container, scene: ProtocolScene, index: int) -> float:
+        seeds = 1000 * self.seed + index, self.seed
+        light = looked_light(container, scene.light_e, self.sensor, self.effects, seeds)
+        return number(scene.scores(light)["psnr_db"])
+
+    def _decoded_db(
+        self, encoder: Encoder, container: Container, scene: ProtocolScene, index: int
+    ) -> float:
+        light = _light(scene, encoder.spec.slots)
+        shot = simulate(container, light, self.sensor, self.request(index)).frame
+        codes = (shot.frame[:1] - self.model.adc_offset_lsb).astype(np.float32)
+        tile = encoder.hard().numpy()[None]
+        frames = CapturedScene(scene, codes, tile, shot.saturated[:1], self.model)
+        # The words of open and of fixed codes often give the same frame.
+        digest = sha256(b"".join(a.tobytes() for a in (codes, frames.saturated, tile))).digest()
+        if digest not in self.known:
+            self.known[digest] = number(scene.scores(_decoded(frames))["psnr_db"])
+        return self.known[digest]
+
+
+def scenes_of(values: Values) -> BenchScenes:
+    """Return the scenes of a point, at the size of the target's array."""
+    names = ("bench", "target", "effects", "seed", "frames", "data", "scenes", "sensor.file")
+    changes = tuple((n, v) for n, v in values.items() if n.startswith("sensor."))
+    return _scenes(tuple((name, values[name]) for name in names) + changes)
+
+
+@lru_cache(maxsize=2)  # clips and stills
+def _scenes(items: tuple[tuple[str, Any], ...]) -> BenchScenes:
+    values: Mapping[str, Any] = dict(items)
+    target = load_target(values["target"], Path())
+    sensor = sensor_of(values, target)
+    kind: Kind = values["bench"]
+    size, data = max(target.rows, target.cols), values["data"]
+    protocol = protocol_of(kind, size, values["frames"], sensor.full_well_e)
+    scenes = tuple(
+        replace(scene, light_e=scene.light_e[..., : target.rows, : target.cols])
+        for scene in some_scenes(
+            protocol, Path(data) if data else None, values["scenes"], values["seed"]
+        )
+    )
+    model = SensorModel.of(sensor, target)
+    return BenchScenes(scenes, target, sensor, model, values["effects"], values["seed"])
+
+
+def _decoded(frames: CapturedScene) -> NDArray[Any]:
+    """Return the light of frames: neighbours merged for stills, GAP-TV for clips."""
+    if frames.is_still:
+        return STILLS["merged"].decode(frames)
+    decoded = CLIPS["gap-tv"].decode(frames, iterations=_ITERATIONS)
+    joined = len(frames.scene.light_e) // len(decoded)
+    return np.repeat(decoded / joined, joined, axis=0)
+
+
+def _light(scene: ProtocolScene, slots: int) -> Light:
+    """Return a scene's light in `slots` slots, which together last as long as all its frames."""
+    if scene.light_e.ndim == 2:
+        return Light.of_still(scene.light_e.astype(np.float32), np.full(slots, 1.0 / slots))
+    frames, rows, cols = scene.light_e.shape
+    summed = scene.light_e.reshape(slots, frames // slots, rows, cols).sum(axis=1)
+    return Light.of_clip(summed.astype(np.float32))

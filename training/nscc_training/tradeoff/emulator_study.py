@@ -1,0 +1,71 @@
+"""The study of the emulator: all methods on all scenes, with its tables and diagrams."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.pictures.precision import Point
+from nscc_training.experiments.study import Study, StudyResult
+from nscc_training.tradeoff.emulator import (
+    EmulatorBench,
+    EmulatorStudy,
+    NamedLight,
+    StudySettings,
+    copy_gb_per_s,
+)
+from nscc_training.tradeoff.emulator_diagrams import budget_diagram, promise_diagram, study_diagram
+from nscc_training.tradeoff.emulator_text import keeps_promise, studies_text
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class EmulatorBenches:
+    """The scenes of a study, and the speed of memory copies in GB/s."""
+
+    benches: tuple[EmulatorBench, ...]
+    gb_per_s: float
+
+    @classmethod
+    def of(
+        cls, program: AnalysedProgram, scenes: Sequence[NamedLight], settings: StudySettings
+    ) -> EmulatorBenches:
+        """Return the scenes of a program, whose names must differ.
+
+        The time of analysing the program is not included in times. Raises ValueError for less than
+        2 frames."""
+        if settings.frames < 2 or settings.repeats < 1:
+            raise ValueError(f"{settings.frames} frames, {settings.repeats} repeats")
+        benches = tuple(EmulatorBench(program, scene, settings) for scene in scenes)
+        return cls(benches, copy_gb_per_s())
+
+    def study(self) -> Study:
+        """Return the study; raises Rejected (NS0746) for an invalid tolerance."""
+        return Study(
+            [point for bench in self.benches for point in bench.points()],
+            lambda measured: studies_text(self.results(measured), self.gb_per_s),
+            {"png": self._diagram,
+             "calibration": lambda measured, _device: promise_diagram(self.results(measured)),
+             "budget": lambda measured, _device: budget_diagram(self.results(measured))},
+            self.benches[0].settings.repeats, csv_of=self._in_order,
+        )  # fmt: skip
+
+    def results(self, measured: StudyResult) -> tuple[EmulatorStudy, ...]:
+        """Return the results of each scene."""
+        return tuple(bench.result(measured, self.gb_per_s) for bench in self.benches)
+
+    def keep_promises(self, measured: StudyResult) -> bool:
+        """Return whether no plan exceeded its tolerance."""
+        results = self.results(measured)
+        return all(keeps_promise(plan) for scene in results for plan in scene.measured_plans)
+
+    def _diagram(self, measured: StudyResult, device: str) -> Figure:
+        return study_diagram(self.results(measured), measured.times, device)
+
+    def _in_order(self, points: Sequence[Point]) -> list[Point]:
+        results = self.results(StudyResult(tuple(points)))
+        return [point for scene in results for point in scene.points]

@@ -1,0 +1,133 @@
+"""The compile-time tradeoff: words per frame against time, for each level, lowering and program."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import groupby, product
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from nscc.limits.families import bits_rule, book_rule, bump_rule, program_text, start_rule
+from nscc.lower.exposure_plan import Lowering
+from nscc.options import Options
+from nscc.pipeline import KINDS, LEVELS, Compiled, run_passes
+from nscc.program.program import Codes
+from nscc.source import Source
+from nscc.syntax.parse import read_source
+from nscc_runtime.pictures.precision import Panel, PointReading, precision_diagram
+from nscc_training.experiments.engine import Figures
+from nscc_training.experiments.study import Study, StudyPoint, StudyResult
+from nscc_training.experiments.study_table import refusals_text, table_text
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Count = Literal["all", "logic"]
+"""Which words to count: all words of a frame, or only those that decode codes."""
+
+UNITS: dict[Count, str] = {"all": "words_per_frame", "logic": "logic_words_per_frame"}
+_WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a frame"}
+
+
+@dataclass(frozen=True)
+class StudiedProgram:
+    """A program to compile; paths in it are relative to `base`."""
+
+    name: str
+    source: Source
+    base: Path
+    codes: Codes
+
+    def compiled(self, lowering: Lowering, level: int) -> Compiled:
+        """Compile it from text to proof, without the cache."""
+        options = Options(level=level, codes=self.codes, lowering=lowering, cache=False)
+        return run_passes(self.source, self.base, options)
+
+
+def builtin_programs() -> tuple[StudiedProgram, ...]:
+    """Return programs of classes b to e and a random codebook, in sizes for a chip with 13
+    registers."""
+    rows = np.random.default_rng(1).integers(0, 2, (64, 16))
+    rules = {
+        **{f"b {n}": (n, f"code stop : 0..{n - 1}\nopen when n < stop") for n in (16, 64, 256)},
+        **{f"c (64, {length})": (64, start_rule(length)) for length in (8, 13)},
+        **{f"d {n}": (n, bump_rule()) for n in (16, 32)},
+        "e 12": (12, bits_rule()),
+        "codebook 64 x 16": (16, book_rule(["".join(map(str, row)) for row in rows])),
+    }
+    return tuple(
+        StudiedProgram(
+            name, Source(f"{name}.nsl", program_text(slots, "1ms", rule)), Path(), "open"
+        )
+        for name, (slots, rule) in rules.items()
+    )
+
+
+def programs_of(files: Sequence[Path]) -> tuple[StudiedProgram, ...]:
+    """Return the programs in these files, with their shortest distinct names."""
+    paths = list(dict.fromkeys(files))
+    short = len({path.stem for path in paths}) == len(paths)
+    return tuple(
+        StudiedProgram(
+            path.stem if short else path.as_posix(), read_source(path), path.parent, "fixed"
+        )
+        for path in paths
+    )
+
+
+def synthesis_study(
+    programs: Iterable[StudiedProgram], lowerings: Iterable[Lowering], levels: Iterable[int],
+    count: Count, repeats: int,
+) -> Study:  # fmt: skip
+    """Return the study of each combination of program, lowering and level."""
+    words = _WORDS[count]
+    points = [
+        StudyPoint(
+            program.name, lowering, f"-O{level}", partial(program.compiled, lowering, level),
+            partial(word_figures, count), partial(program.compiled, lowering, min(LEVELS)),
+        )
+        for program, lowering, level in product(programs, lowerings, levels)
+    ]  # fmt: skip
+
+    def text(measured: StudyResult) -> str:
+        table = table_text(measured.points, ("lowering", "level", words))
+        return "\n".join([table, *refusals_text(measured.refused)])
+
+    return Study(points, text, {"png": partial(synthesis_diagram, words)}, repeats)
+
+
+def word_figures(count: Count, compiled: Compiled) -> Figures:
+    """Return the number of words and its bound.
+
+    The bound is that of the logic, plus the analog words of the plan if all words count."""
+    lowered = compiled.lowered
+    assert lowered is not None
+    logic = KINDS.of(compiled.program).report(compiled)["logic"]
+    words, bound = logic["words"], logic["bound"]
+    if count == "all":
+        words = lowered.schedule.words_total
+        if bound is not None:
+            bound += sum(len(step.words) for step in lowered.plan.steps)
+    return {UNITS[count]: words, "bound": bound}
+
+
+def synthesis_diagram(words: str, measured: StudyResult, device: str) -> Figure:
+    """Draw words against time: a panel for each program, a line for each lowering.
+
+    `words` names the words that are counted."""
+    points = measured.points
+    panels = [
+        Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
+    ]
+    levels = " ".join(sorted({point.setting for point in points}))
+    times = measured.times.replace("run", "compilation")
+    return precision_diagram(
+        panels, "What compile time buys",
+        f"{words} at {levels} (numbers; hollow: dominated) against {times}, from text to proof, "
+        f"on {device}",
+        PointReading("time, s", 1e-3, text=lambda point: point.setting.removeprefix("-O")),
+    )  # fmt: skip
