@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,11 +17,13 @@ from nscc_cli.support import (
     CommonCommand,
     NumberRange,
     Subcommands,
+    progress,
     refuse_ignored,
     say_compiling,
     say_done,
     show,
 )
+from nscc_cli.tradeoff_files import kept_rows
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -80,7 +83,9 @@ def sci8(
         say_compiling(denoise, "the loop of total variation")
     else:
         refuse_ignored(f"{method[:60]} has no total variation", "iterations", "weight")
-    return _of_scenes(*evaluate_sci8(list(clips), method, iterations, weight), **outputs)
+    known = {"clips": clips, "method": method, "iterations": iterations, "weight": weight}
+    evaluate = partial(evaluate_sci8, list(clips), method, iterations, weight)
+    return _of_scenes(evaluate, known, **outputs)
 
 
 @command.command("of", cls=CommonCommand)
@@ -130,19 +135,21 @@ def of(
     predict classes."""
     if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
         raise click.UsageError("name --data and --protocol, or else --split val")
+    known = {"subject": subject, "data": data, "protocol": protocol, "split": split, "seed": seed,
+             "skip_seen": skip_seen, "shutter": shutter, "effects": effects}  # fmt: skip
     if data is None or protocol is None:
         from nscc_training.evaluation.runs import evaluate_validation
         from nscc_training.run_folder import load_run
 
         folder = load_run(Path(subject), trust_code=trust_code)
-        return _of_scenes(*evaluate_validation(folder), **outputs)
+        return _of_scenes(partial(evaluate_validation, folder), known, **outputs)
     from nscc_training.evaluation.runs import evaluate
 
-    evaluation = evaluate(
-        subject, data, protocol, seed, codes=shutter, effects=effects, skip_seen=skip_seen,
-        trust_code=trust_code,
+    named = partial(
+        evaluate, subject, data, protocol, seed, codes=shutter, effects=effects,
+        skip_seen=skip_seen, trust_code=trust_code,
     )  # fmt: skip
-    return _of_scenes(*evaluation, **outputs)
+    return _of_scenes(named, known, **outputs)
 
 
 @command.command("tables", cls=CommonCommand)
@@ -211,14 +218,23 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
 
 
 def _of_scenes(
-    evaluation: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, **outputs: Any
-) -> int:
-    """Print and write the scores of scenes; return 1 if a file could not be read, else 0."""
-    from nscc_training.evaluation.results import arrays_in, damaged_files, result_text
+    evaluate: Callable[..., tuple[dict[str, Any], dict[str, NDArray[Any]]]],
+    known: Mapping[str, Any], save: Path | None, **outputs: Any,
+) -> int:  # fmt: skip
+    """Score scenes, print and write the result; return 1 if a file could not be read, else 0.
 
-    products = {} if save is None else arrays_in(save, arrays)
-    _finish(evaluation, result_text(evaluation), products, **outputs)
-    damaged = damaged_files(evaluation)
+    With `-o` the scores are kept beside it until it is written, so that the same command continues
+    after an interrupt; reconstructions for `--save` are not kept. `known` are the options."""
+    from nscc_training.evaluation.results import Scorer, arrays_in, damaged_files, result_text
+
+    out = outputs["out"]
+    files = {} if out is None or save is not None else {"json": out}
+    with Scorer(partial(kept_rows, files, known), progress) as scorer:
+        result, arrays = evaluate(scorer=scorer)
+        products = {} if save is None else arrays_in(save, arrays)
+        _finish(result, result_text(result), products, **outputs)
+        scorer.store.remove()
+    damaged = damaged_files(result)
     show(damaged)
     return 1 if damaged else 0
 

@@ -167,10 +167,13 @@ class _Emitter:
         single = [cube[0] for cube in cubes if len(cube) == 1]
         wide = [cube for cube in cubes if len(cube) != 1]
         terms: list[str] = []
+        ones = {cube: sum(value << plane for plane, value in cube) for cube in wide}
+        read = {cube: sum(1 << plane for plane, _ in cube) for cube in wide}
         while wide:
             # The next cube is the one with the fewest inversions, which may also serve other cubes.
             if len(wide) <= _MOST_SORTED:
-                wide.sort(key=lambda c: sum(self.planes.inverted[p] != value for p, value in c))
+                now = sum(bit << plane for plane, bit in enumerate(self.planes.inverted))
+                wide.sort(key=lambda cube: ((ones[cube] ^ now) & read[cube]).bit_count())
             cube = wide.pop(0)
             # Make room first: inverting the plane in the masked register overwrites its mask, a
             # scratch register that may hold a term.

@@ -16,11 +16,11 @@ from nscc.plugins import Group, added, unusable
 from nscc.record import Record
 
 if TYPE_CHECKING:
-    from nscc.logic import cascade, encodings, events, folded_times
+    from nscc.logic import cascade, composed, encodings, events, folded_times
 else:  # `check` calls few of them
-    cascade, encodings, events, folded_times = (
+    cascade, composed, encodings, events, folded_times = (
         LazyFunctions(f"nscc.logic.{name}")
-        for name in ("cascade", "encodings", "events", "folded_times")
+        for name in ("cascade", "composed", "encodings", "events", "folded_times")
     )
 
 # Search steps of a generator at each level; a step is a cofactor of a truth vector of up to 512
@@ -93,6 +93,7 @@ GENERATORS: dict[str, Generator] = {
     "stored_predicates": _emitted("direct", encodings.stored_predicates),
     "one_hot": _emitted("direct", encodings.one_hot),
     "equalities": Generator("family", events.equalities),
+    "composed": Generator("equality", composed.composed),
     "gray_times": _emitted("equality", encodings.gray_times),
     "folded_times": _emitted("equality", folded_times.folded_times),
     "gray_index": _emitted("equality", encodings.gray_index),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from nscc.cache.results import Results
 from nscc.logic.generate import GeneratorFault
 from nscc.lower.decoding import Decoding, problem_of
@@ -10,6 +12,11 @@ from nscc.lower.gate_search import GateSearch
 from nscc.lower.lowered import Lowered, lay_out
 from nscc.program.program import Program
 from nscc.record import Record
+
+# A plan with more words a slot is compared with plans of more analog writes, and loses to one with
+# so many times fewer words, if the rule is composed.
+_MOST_WORDS_A_SLOT = 14
+_DEAR = 1.5
 
 
 class Gated(Record):
@@ -36,23 +43,34 @@ def find_gates(
 ) -> Gated:
     """Return the gates of all plans; without `price_all`, stop when no better plan can follow.
 
-    `most_words` is the largest allowed number of words at a boundary, None for any."""
+    A plan with fewer analog writes is better, except if it takes far more words than a composed
+    rule. `most_words` is the largest allowed number of words at a boundary, None for any."""
     lowerings: list[Lowered] = []
     misfits = dict(planned.misfits)
     faults: list[GeneratorFault] = []
     for plan in planned.plans:
         writes = plan.analog_writes[1]
-        if not price_all and any(t.fits and t.plan.analog_writes[1] < writes for t in lowerings):
-            break
+        better = [t for t in lowerings if t.fits and t.plan.analog_writes[1] < writes]
+        if better and not price_all:
+            slots = plan.slots * len(planned.opens)
+            words = min(t.schedule.words_total for t in better)
+            if words <= _MOST_WORDS_A_SLOT * slots or not _is_composed(planned, plan):
+                break
         outcome = lower(planned, plan, level, results, most_words, faults)
         if isinstance(outcome, Misfit):
             misfits[plan.lowering] = outcome
         else:
             lowerings.append(outcome)
-    # Best first: fits, or distance from fitting; analog writes of an open pixel; words; peak.
+    least = min(
+        (t.schedule.words_total for t in lowerings if t.fits and _is_composed(planned, t.plan)),
+        default=inf,
+    )
+    # Best first: fits, or distance from fitting; far more words than a composed rule; analog writes
+    # of an open pixel; words; peak.
     lowerings.sort(
         key=lambda lowered: (
-            *lowered.price[:2], lowered.plan.analog_writes[1], lowered.schedule.words_total,
+            *lowered.price[:2], lowered.schedule.words_total > _DEAR * least,
+            lowered.plan.analog_writes[1], lowered.schedule.words_total,
             max(lowered.words_per_boundary),
         )
     )  # fmt: skip
@@ -64,6 +82,14 @@ def find_gates(
         bool(lowerings) and lowerings[0].fits,
         tuple(faults),
     )
+
+
+def _is_composed(planned: Planned, plan: ExposurePlan) -> bool:
+    """Return whether a plan asks for the levels of a rule composed from parts."""
+    from nscc.logic.composed import composition  # few programs need it
+
+    problem, _ = problem_of(planned.program, plan, planned.time, planned.opens)
+    return composition(problem) is not None
 
 
 def lower(

@@ -1,7 +1,6 @@
 """The emulator with sensor effects against numpy, side by side in one run.
 
     python tests/benchmarks/bench_emulator_effects.py [--rounds 15] [--slots 16]
-    python tests/benchmarks/bench_emulator_effects.py --approximations
 
 256 x 256 pixels, float32 light, through `nscc_runtime.capture`. Every line prints its goal beside
 what was measured; times are the best of several rounds, taken in turn, of light that may lie in the
@@ -14,12 +13,8 @@ cache, and CPU time where one thread works:
   of 1024 x 1024 pixels, with all threads, against copying the scene in memory; each of 20 repeats
   against a single capture, of scenes that saturate many pixels, too; a pixel and slot of 4096 slots
   against 256;
-* planning against a whole run of at least 20 ms (a batch of frames of one scene is one run);
 * peak memory of a capture, its scene included, beyond that of a process that has captured a tiny
   scene, against the scene as float32.
-
-`--approximations` prints instead what approximations of sums do: the root mean square of exposures
-with all effects by sums minus those by the reference, in electrons and as a part of the noise.
 """
 
 from __future__ import annotations
@@ -32,26 +27,23 @@ import tempfile
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from math import ceil
 from pathlib import Path
 from statistics import median
 from time import perf_counter, process_time
 from typing import Any
 
 import numpy as np
-from nscc_runtime.planning.scenes import planning_of
 
 from nscc.compiler import compile_file
 from nscc.pipeline import Options
 from nscc.words.container import Container
 from nscc_runtime import capture
-from nscc_runtime.effects import selected
-from nscc_runtime.execution.frames import Execution, executed, near_pixels
-from nscc_runtime.execution.program import analysed
+from nscc_runtime.effects import everything, selected
 from nscc_runtime.light import Light
-from nscc_runtime.planning.make import PlanRequest, make_plan
+from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan import Plan
-from nscc_runtime.reference import frames as reference_frames
+from nscc_runtime.planning.plan_request import PlanRequest
+from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.scenes import light_of_array, load_scene
 from nscc_runtime.scenes.exposure import parse_exposure
 from nscc_runtime.sensor import default_sensor
@@ -62,16 +54,10 @@ EXAMPLES = ROOT / "examples"
 SIDE = 256
 QUIET_GOAL, BRIGHT_GOAL, DIM_GOAL = 1.5, 6.0, 15.0
 PER_SLOT_GOAL = 20.0
-PLANNING_GOAL, RUN_MS = 0.15, 20.0
 MEMORY_GOAL = 4.0
 WHOLE_GOALS = {"auto, 5 e": 0.25, "all": 0.35}
 COPIES_GOAL = 10.0
 REPEATS, REPEAT_GOAL = 20, 0.4
-APPROXIMATED = (
-    ("class_e", "builtin:hdr", "30000"), ("codebook", "builtin:motion", "30000"),
-    ("class_c", "builtin:hdr", "30000"), ("hdr_doubling", "builtin:hdr", "30000"),
-    ("class_b", "builtin:motion", "10000"), ("two_buckets", "builtin:motion", "30000"),
-)  # fmt: skip
 SATURATING = (
     ("class_c", "builtin:hdr", "300000"), ("flutter", "builtin:hdr", "300000"),
     ("flutter", "builtin:motion", "30000"), ("hdr_2x2", "builtin:hdr", "300000"),
@@ -227,9 +213,8 @@ def saturating(rounds: int) -> None:
             scene, slot_us=program.slot_us, rows=program.target.rows, cols=program.target.cols,
             exposure=parse_exposure(exposure),
         )  # fmt: skip
-        plan = plan_of(program, light, "all")
-        analysis = analysed(program, default_sensor(program.target))
-        part = len(near_pixels(analysis, light, 0, plan.execution))
+        scene_of = planning_of(program, default_sensor(program.target), light)
+        part = len(scene_of.near_pixels(everything()).places)
         one = partial(_fresh, program, light, threads=1, effects="all")
         runs: dict[str, Callable[[], object]] = {"one": one, "many": partial(one, repeat=REPEATS)}
         found = times_ms(runs, min(3, rounds), process_time)
@@ -262,34 +247,6 @@ def many_slots(rounds: int) -> None:
         f"a pixel and slot of {many[0]}: {many[1]:.3f} ns, x{ratio:5.2f} of {few[0]} "
         f"(goal x{SLOTS_GOAL:g}){verdict(ratio <= SLOTS_GOAL)}"
     )
-
-
-def planning(slots: int, rounds: int) -> None:
-    """Planning against batches of frames that take at least RUN_MS without it."""
-    program = container("4 stops", slots)
-    print(f"planning, 4 stops, {slots} slots, all effects of which a plan may leave some out")
-    for scene in ("builtin:hdr", "builtin:motion", "builtin:flat:300"):
-        light = load_scene(scene, slot_us=program.slot_us, rows=SIDE, cols=SIDE)
-        for tolerance_e in (1.0, 5.0, 50.0):
-            plan = plan_of(program, light, "auto", tolerance_e)
-
-            def run(count: int, light: Light = light, plan: Plan = plan) -> None:
-                capture(program, unknown(light), plan=plan, repeat=count)
-
-            def make(light: Light = light, tolerance_e: float = tolerance_e) -> Plan:
-                return plan_of(program, light, "auto", tolerance_e)
-
-            count, run_ms = 1, 0.0
-            while run_ms < RUN_MS:
-                count = max(count + 1, ceil(count * RUN_MS / run_ms)) if run_ms else 1
-                found = times_ms({"plan": make, "run": partial(run, count)}, min(3, rounds))
-                plan_ms, run_ms = found["plan"][0], found["run"][0]
-            share = plan_ms / (plan_ms + run_ms)
-            print(
-                f"  {scene:<18} {tolerance_e:4g} e   planning {plan_ms:6.1f} ms   "
-                f"frames: {count:3}, {run_ms:6.1f} ms   {share:4.0%} of the run "
-                f"(goal at most {PLANNING_GOAL:.0%}){verdict(share <= PLANNING_GOAL)}"
-            )
 
 
 _CHILD = """
@@ -345,44 +302,17 @@ def memories(slots: int) -> None:
             )
 
 
-def approximations() -> None:
-    """Exposures with all effects by sums beside those of the reference, of two frames."""
-    print(f"{'program':<14}{'scene':<18}{'exposure':>10}{'rms e':>9}{'of noise':>10}")
-    for name, scene, exposure in (*APPROXIMATED, *SATURATING):
-        program: Container | None = compile_file(EXAMPLES / f"{name}.nsl", Options()).container
-        assert program is not None
-        sensor, every = default_sensor(program.target), selected("all")
-        light = load_scene(
-            scene, slot_us=program.slot_us, rows=program.target.rows, cols=program.target.cols,
-            exposure=parse_exposure(exposure),
-        )  # fmt: skip
-        by_sums = executed(analysed(program, sensor), light, Execution("sums", *[every] * 3))
-        exact = reference_frames(program, light, sensor, every, count=2)
-        squares = [
-            (by_sums.expose(0, number).exposure_e - frame.exposure_e) ** 2
-            for number, frame in enumerate(exact)
-        ]
-        rms_e = float(np.sqrt(np.mean(squares, axis=(0, 2, 3)).max()))
-        noise_e = planning_of(program, sensor, light).noise_e()
-        print(f"{name:<14}{scene:<18}{exposure:>10}{rms_e:>9.2f}{rms_e / noise_e:>10.4f}")
-
-
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--rounds", type=int, default=15)
     parser.add_argument("--slots", type=int, default=16)
-    parser.add_argument("--approximations", action="store_true")
     arguments = parser.parse_args()
-    if arguments.approximations:
-        approximations()
-        return
     for name in PROGRAMS:
         frames(name, arguments.slots, arguments.rounds)
     whole(arguments.slots, arguments.rounds)
     saturating(arguments.rounds)
     many_slots(arguments.rounds)
-    planning(arguments.slots, arguments.rounds)
     memories(arguments.slots)
 
 

@@ -30,6 +30,7 @@ TABLES = {
     "sparse": np.random.default_rng(3).random((30, 12)) < 0.1,
     "buckets": [[stop > N, stop <= N] for stop in range(1, 12)],
     "two": [[1, 1, 0, 1], [0, 1, 1, 0]],
+    "short": [(a <= N[:6]) & (b > N[:6]) for a in range(6) for b in range(a + 1, min(a + 3, 7))],
 }
 MACHINES = {
     "scamp5": Machine(13, True, None, None, False),
@@ -172,11 +173,11 @@ def test_families_where_flag_is_lost_or_lasts(table, flag_kept):
 
 def test_every_generator_serves_something():
     served = set()
-    for table in TABLES:
+    for table, machine in ((t, m) for t in TABLES for m in ("scamp5", "small")):
         for lowering in ("accumulate", "edges"):
             for number, generator in enumerate(SINGLE):
                 try:
-                    generator.solve(problem(table, lowering), MACHINES["scamp5"], 400_000)
+                    list(generator.solve(problem(table, lowering), MACHINES[machine], 400_000))
                 except GaveUp:
                     continue
                 served.add(number)

@@ -238,3 +238,17 @@ def test_an_avif_with_the_pq_curve(tmp_path: Path) -> None:
     (tmp_path / "a.avif").write_bytes(data)
     light, _ = load_scene_with_notes(tmp_path / "a.avif", (64, 64))
     assert light[32, 48] / light[32, 16] == pytest.approx(0.01, rel=0.05)
+
+
+def test_adobe_rgb_by_exif_data(tmp_path: Path) -> None:
+    def directory(tag: int, kind: int, count: int, value: bytes) -> bytes:
+        return struct.pack("<HHHI", 1, tag, kind, count) + value + bytes(4)
+
+    exif = b"Exif\0\0II*\0" + struct.pack("<I", 8)
+    exif += directory(0x8769, 4, 1, struct.pack("<I", 26))
+    exif += directory(0xA005, 4, 1, struct.pack("<I", 44)) + directory(1, 2, 4, b"R03\0")
+    image = Image.fromarray(np.repeat(np.repeat(colours_and_white(np.uint8)[:1], 64, 0), 8, 1))
+    image.save(tmp_path / "a.jpg", exif=exif, quality=100, subsampling=0)
+    light, said = load_scene_with_notes(tmp_path / "a.jpg", (64, 72))
+    assert light[32, 12] / light[32, 4] == pytest.approx(ADOBE_Y[1] / ADOBE_Y[0], rel=0.05)
+    assert "Adobe RGB" in said[0].message

@@ -24,7 +24,7 @@ from small_runs import SMALL, clip, one_crop, trained  # noqa: E402
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
-from nscc_training.evaluation.baselines import BASELINES  # noqa: E402
+from nscc_training.evaluation.baselines import BASELINES, Baseline  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.protocol_scenes.hdr import Crop, exposed_crop  # noqa: E402
 from nscc_training.protocol_scenes.protocol_scene import Unusable  # noqa: E402
@@ -401,6 +401,33 @@ def test_a_small_clip_is_named_with_its_own_size(tmp_path: Path) -> None:
     (left_out,) = windows(tmp_path / "flat.mat", load_protocol("video-v1"))
     assert isinstance(left_out, Unusable)
     assert left_out.reason == "64 x 300 is smaller than 256 x 256"
+
+
+def test_an_interrupted_evaluation_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The scores of scenes are kept beside the result until it is written."""
+    for k in range(2):
+        clip(tmp_path / f"{k}.mat", 16, 256)
+    line = ["evaluate", "thin-out", "--protocol", "video-v1", "--data", ".", "-o", "r.json"]
+    decode = Baseline.decode
+    decoded: list[str] = []
+
+    def until(self: Baseline, frames: Any) -> Any:
+        if len(decoded) == 1:
+            raise KeyboardInterrupt
+        decoded.append(frames.scene.file.name)
+        return decode(self, frames)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Baseline, "decode", until)
+        ended = invoke(line, tmp_path)
+    assert ended.status == 130
+    assert "stored in 'r.measurements.sqlite'; the same command continues" in ended.err
+    done = invoke(line, tmp_path)
+    assert (done.status, decoded) == (0, ["0.mat"])
+    again = json.loads((tmp_path / "r.json").read_text())
+    whole = json.loads(invoke([*line[:-2], "--json"], tmp_path).out)
+    assert again["items"] == whole["items"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["0.mat", "1.mat", "r.json"]
 
 
 def test_a_damaged_file_is_named_and_the_others_are_scored(tmp_path: Path) -> None:

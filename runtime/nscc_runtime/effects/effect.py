@@ -121,9 +121,9 @@ class Effect:
     sums, words
         Its parts in sums over slots, and its fields in the loops over words.
     cost_ns, light_ns : float
-        Measured nanoseconds per pixel saved by leaving it out of sums, to a factor of about two,
-        and additional ones per frame of light. Other costs follow from its parts
-        (`nscc_runtime.planning.prices`).
+        Measured nanoseconds per pixel saved by leaving it out when the sums of a scene are
+        prepared, to a factor of about two, and additional ones per frame of light. The costs of
+        each frame follow from its parts (`nscc_runtime.planning.prices`).
     always : bool
         Whether it cannot be left out.
     marks : mapping
@@ -149,7 +149,7 @@ class Effect:
     marks: Mapping[str, Mark] = field_of(default_factory=dict)
 
     def summed_ns(self, frames: int) -> float:
-        """Return the nanoseconds per pixel saved by leaving the effect out of sums."""
+        """Return the nanoseconds per pixel saved by leaving the effect out of a scene's sums."""
         return self.cost_ns + self.light_ns * frames
 
     def parts_of_kind(self, kind: type[P]) -> list[P]:

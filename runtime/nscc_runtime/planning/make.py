@@ -32,7 +32,7 @@ from nscc_runtime.planning.prices import Work
 from nscc_runtime.planning.sample import SampledErrors
 from nscc_runtime.planning.tolerance import check_tolerance, tolerance_of, unit_of
 
-_WORTH = 1.5
+_WORTH = 2.0
 """Effects are measured if that is predicted to save this multiple of the time that it takes."""
 _SURE = 0.97
 """Effects are dropped while the measured error plus two standard errors is at most this fraction of
@@ -42,7 +42,7 @@ _OTHER_STATES = 0.5 * MOST_OTHER_STATES
 _BOUND, _SERVED_OTHER_STATES = 1.05, 0.7 * MOST_OTHER_STATES
 """A plan is reused while its bound on the new scene is at most `_BOUND` times the tolerance, and
 the measured fraction of pixels in other states at most `_SERVED_OTHER_STATES`."""
-_QUICK = SAMPLED // 2
+_QUICK = SAMPLED // 4
 """Number of pixels that are measured if no figures are requested."""
 
 
@@ -55,13 +55,12 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     check_tolerance(request.tolerance, scene.sensor)
     work, absent = Work.of(scene), absent_effects(scene)
     moves = _moves(work, request, absent)
-    count = SAMPLED if request.figures else _QUICK
-    trial_ms = 0.0 if request.figures else _WORTH * work.trials_ms(1, count)
+    trial_ms = 0.0 if request.figures else _WORTH * work.trials_ms(1, _QUICK)
     is_checked = request.effects.auto and bool(request.forced_off - absent)
     is_worth = request.figures or is_checked or sum(moves.values()) > 3.0 * trial_ms
     if scene.needs_reference(request.requested) or not is_worth:
         return _unmeasured(work, request, absent)
-    measuring = _Measuring(scene, request, count)
+    measuring = _Measuring(scene, request)
     alone = measuring.drop_each(absent) if request.figures else {}
     dropped = Names()
     together, _ = measuring.drop_together(dropped)
@@ -74,17 +73,15 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     return plan_of(choice)
 
 
-def measured_again(
-    scene: PlannedScene, plan: Plan, *, figures: bool = False, count: int = SAMPLED
-) -> Plan:
+def measured_again(scene: PlannedScene, plan: Plan, *, figures: bool = False) -> Plan:
     """Return a plan that was made for another scene, with its error and its relative tolerance
-    measured on about `count` pixels of this scene. `figures`: also measure each effect alone."""
+    measured on this scene. `figures`: also measure each effect alone, on more pixels."""
     work, absent = Work.of(scene), absent_effects(scene)
     request = PlanRequest(plan.requested_effects, plan.tolerance_input, figures=figures)
     dropped = frozenset(plan.names("dropped"))
     if scene.needs_reference(request.requested) or not (dropped or figures):
         return _unmeasured(work, request, absent)
-    measuring = _Measuring(scene, request, count)
+    measuring = _Measuring(scene, request)
     dropped -= request.forced_off
     together, _ = measuring.drop_together(dropped)
     alone = measuring.drop_each(absent) if figures else {}
@@ -99,7 +96,7 @@ def measured_again(
 def served_plan(scene: PlannedScene, plan: Plan) -> Plan | None:
     """Return a plan of an earlier scene with its error on this scene; None if the error is too
     large here."""
-    plan = measured_again(scene, plan, count=_QUICK)
+    plan = measured_again(scene, plan)
     tolerance_e = plan.tolerance_e or 0.0
     fits = not plan.measured or (
         (plan.predicted_e or 0.0) <= _SURE * tolerance_e
@@ -182,9 +179,9 @@ class _Measuring:
     `allowed`: the tolerance in electrons. `base`: the exposures with every effect that the user did
     not force off: the planner's own choice has to keep the tolerance relative to these."""
 
-    def __init__(self, scene: PlannedScene, request: PlanRequest, count: int) -> None:
+    def __init__(self, scene: PlannedScene, request: PlanRequest) -> None:
         self.requested, full = request.requested, full_effects(scene, request.requested)
-        self.trial = trial_of(scene, full, count)
+        self.trial = trial_of(scene, full, SAMPLED if request.figures else _QUICK)
         self.base = self.trial.truth
         if full.on != self.requested.on:
             self.base = self.trial.exposures(self.requested)
@@ -218,5 +215,8 @@ class _Measuring:
         effects = self.requested.without(*dropped)
         exposed = self.trial.exposures(effects) if dropped else self.base
         unseen_e2 = unseen_square_e2(self.trial, effects)
-        by_choice = self.trial.between(exposed, self.base).with_unseen(unseen_e2)
-        return self.trial.between(exposed, self.trial.truth).with_unseen(unseen_e2), by_choice
+        together, by_choice = (
+            replace(self.trial.between(exposed, true), unseen_e2=unseen_e2)
+            for true in (self.trial.truth, self.base)
+        )
+        return together, by_choice

@@ -104,8 +104,12 @@ class PlannedScene:
         electrons.
 
         The noise is the standard deviation over frames, as a root mean square over pixels and
-        buckets, measured on a sample."""
-        return trial_of(self, everything()).noise_e()
+        buckets, measured on a sample; on two frames if only the reference simulates them."""
+        if not self.needs_reference(everything()):
+            return trial_of(self, everything()).noise_e()
+        first, second = (frame.exposure_e for frame in self.frames(everything(), 0, 2))
+        noise_e = math.sqrt(float(np.nan_to_num(second - first).var()) / 2.0)
+        return with_readout_e(noise_e, self.sensor)
 
 
 def planning_of(

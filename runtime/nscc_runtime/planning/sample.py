@@ -6,7 +6,7 @@ these (`drawing_chances`). Pixels near saturation are a stratum of their own, or
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -91,10 +91,6 @@ class SampledErrors:
         with np.errstate(invalid="ignore"):
             size_e = np.where(np.isfinite(exposed_e), exposed_e - true_e, _NOT_FINITE_E)
         return cls(np.where(compared, size_e, 0.0), compared, weight)
-
-    def with_unseen(self, unseen_e2: float) -> SampledErrors:
-        """Return the errors with an allowance for rare pixels."""
-        return replace(self, unseen_e2=unseen_e2)
 
     def plus(self, other: SampledErrors) -> SampledErrors:
         """Return the errors if the errors of both add up."""

@@ -28,7 +28,8 @@ from nscc_runtime.scenes.pages import Note, Stated
 
 _TRANSFER = "--transfer selects another curve"
 _SRGB_D50 = (0.2225, 0.7169, 0.0606)
-"""Luminances of the primaries of sRGB, adapted to D50."""
+"""Luminances of the primaries of sRGB, adapted to D50; below, those of Adobe RGB."""
+_ADOBE_D50 = (0.3111, 0.6257, 0.0632)
 _NEAR = 3e-3
 """Curves and luminances that differ by less are equal: profiles store rounded numbers."""
 
@@ -197,6 +198,11 @@ def _of_gamma(gamma: float, primaries: Sequence[float] | None) -> Stated:
     if not 0.01 < gamma < 100:
         return Stated(None, ((f"names the impossible gamma {gamma:g} (gAMA)", _TRANSFER),))
     return _named((partial(_power, 1 / gamma),), weights, f"gamma {gamma:g} (gAMA)")
+
+
+def of_adobe_rgb() -> Stated:
+    """Return the colours of Adobe RGB (1998), which cameras name in EXIF data without a profile."""
+    return _named((partial(_power, 563 / 256),), _ADOBE_D50, "Adobe RGB, which its EXIF data name")
 
 
 def _png_numbers(path: Path) -> tuple[int, int] | None:

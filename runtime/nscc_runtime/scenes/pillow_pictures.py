@@ -11,14 +11,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.scenes.file_colours import of_numbers, of_pillow
+from nscc_runtime.scenes.file_colours import of_adobe_rgb, of_numbers, of_pillow
 from nscc_runtime.scenes.pages import Note, Pages, Stated, without_pillow_limit
 
 _GREY = ("1", "L", "LA", "La")
 _BAND_ROWS = 256
 _GAIN_MAPS = (b"hdrgm:Version", b"urn:iso:std:iso:ts:21496", b"tmap")
 _HEAD_BYTES = 1 << 16
-_EXIF_IFD = 0x8769
+_EXIF_IFD, _INTEROP = 0x8769, 0xA005
 _GAIN_MAP: Note = (
     "has a gain map for displays of high dynamic range, which is not used",
     "save it as .exr, or as .png or .avif with the PQ curve, if the highlights matter",
@@ -37,6 +37,8 @@ def pillow_pages(path: Path) -> Pages:
         first = int(bool(getattr(image, "default_image", False)))
         moving = bool(getattr(image, "is_animated", False)) and image.format != "MPO"
         size, mode, stated = (image.height, image.width), image.mode, of_pillow(path, image.info)
+        if stated == Stated() and _is_in_adobe_rgb(image):
+            stated = of_adobe_rgb()
         gain = any("gainmap" in str(kind).lower() for kind in image.info.get("aux", ()))
     with open(path, "rb") as file:
         head = file.read(_HEAD_BYTES)
@@ -55,6 +57,11 @@ def pillow_pages(path: Path) -> Pages:
         durations_s=(lambda: _durations_s(path, numbers)) if moving else None,
         has_8_bits=not mode.startswith(("I", "F")),
     )  # fmt: skip
+
+
+def _is_in_adobe_rgb(image: Any) -> bool:
+    """Return whether the EXIF data of a JPEG name Adobe RGB, by the number of its rules (DCF)."""
+    return image.format in ("JPEG", "MPO") and image.getexif().get_ifd(_INTEROP).get(1) == "R03"
 
 
 def pixels(image: Any, upright: bool = True) -> NDArray[np.uint8]:

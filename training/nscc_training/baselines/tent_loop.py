@@ -17,7 +17,7 @@ _LANES = 8
 
 
 @record
-class Lines:
+class AxisLines:
     """The lines along an axis of a picture: `count` lines of `length` pixels, which are `stride`
     elements apart; neighbouring lines begin `step` elements apart. `padded`: pixels of a line with
     the margins. Windows reach over `reach` - 1 pixels to both sides."""
@@ -52,7 +52,7 @@ def _boxes(count: int, reach: int, lanes: int, values: Floats, sums: Floats) -> 
 
 @loop
 def tent_lines(
-    lines: Lines, picture: Written[Annotated[Floats, "pixels"]],
+    lines: AxisLines, picture: Written[Annotated[Floats, "pixels"]],
     values: Written[Floats], sums: Written[Floats],
 ) -> None:  # fmt: skip
     """Replace a picture by its weighted sums along one axis. `values` and `sums` are working
@@ -95,7 +95,7 @@ def tent_sums(values: NDArray[np.float64], reach: int) -> NDArray[np.float64]:
     rows, cols = sums.shape
     for count, length, stride, step in ((cols, rows, cols, 1), (rows, cols, 1, cols)):
         padded = length + 2 * reach
-        lines = Lines(
+        lines = AxisLines(
             pixels=sums.size, count=count, length=length, stride=stride, step=step, padded=padded,
             reach=reach,
         )  # fmt: skip

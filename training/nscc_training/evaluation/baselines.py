@@ -17,10 +17,10 @@ from nscc_training.evaluation import methods
 from nscc_training.evaluation.methods import CapturedScene, Light, Method, captured
 from nscc_training.evaluation.results import (
     Scored,
+    Scorer,
     also_saturated,
     mean_score,
     result_of,
-    scored,
     usable_scenes,
 )
 from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
@@ -133,7 +133,12 @@ BASELINES: dict[str, dict[str, Baseline]] = {
 
 
 def evaluate_baseline(
-    protocol: Protocol, name: str, folder: Path, seed: int = 0, codes: str = ""
+    protocol: Protocol,
+    name: str,
+    folder: Path,
+    seed: int = 0,
+    codes: str = "",
+    scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a baseline on a folder of scenes, and its arrays by name.
 
@@ -141,6 +146,7 @@ def evaluate_baseline(
     only on the scene's index and `seed`."""
     from nscc_training.sensor_model import SensorModel
 
+    scorer = scorer or Scorer()
     baseline, model = BASELINES[protocol.name][name], SensorModel.of_protocol(protocol)
     choices = _choices(baseline, protocol, name, seed, codes)
     files = files_of(protocol, folder)
@@ -152,7 +158,7 @@ def evaluate_baseline(
             begin = perf_counter()
             return baseline.decode(frames), perf_counter() - begin
 
-        return list(scored(shown, decode))
+        return scorer.scored(shown, decode)
 
     attempts = [(tile, settings, decoded(tile, scenes)) for tile, settings in choices]
     metric = baseline.best_in or "psnr_db"
@@ -246,7 +252,11 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
 
 
 def evaluate_sci8(
-    paths: Sequence[Path], method: str, iterations: int, weight: float
+    paths: Sequence[Path],
+    method: str,
+    iterations: int,
+    weight: float,
+    scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a method on clips of the benchmark, and arrays; raise NS0809 for a file,
     NS0810 for a method."""
@@ -267,7 +277,7 @@ def evaluate_sci8(
         return chosen.decode(CapturedScene.of_benchmark(scene), **options), perf_counter() - begin
 
     scenes, left_out = usable_scenes(scenes_in(paths, protocol), protocol)
-    scored_scenes = list(scored(scenes, decode))
+    scored_scenes = (scorer or Scorer()).scored(scenes, decode)
     spent_ms = 1e3 * float(np.mean([entry.seconds for entry in scored_scenes]))
     return result_of(
         protocol,

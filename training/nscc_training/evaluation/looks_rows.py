@@ -32,9 +32,9 @@ from nscc_training.design.scene import histogram
 from nscc_training.design.text import looking_text
 from nscc_training.evaluation.results import (
     Scored,
+    Scorer,
     also_saturated,
     result_of,
-    scored,
     usable_scenes,
 )
 from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
@@ -65,13 +65,18 @@ def row_of(name: str, target: Target) -> LookSchedule:
 
 
 def evaluate_looks(
-    name: str, folder: Path, seed: int = 0, effects: str = "", changes: Sequence[str] = ()
+    name: str,
+    folder: Path,
+    seed: int = 0,
+    effects: str = "",
+    changes: Sequence[str] = (),
+    scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a method of LOOKING on a folder of panoramas, and its arrays by name.
 
     `effects` replace the protocol's noise and comparator noise; `changes` are sensor values, as for
     `nscc run`. Programs are designed for the sensor without these changes."""
-    protocol = load_protocol("hdr-v1")
+    protocol, scorer = load_protocol("hdr-v1"), scorer or Scorer()
     files = files_of(protocol, folder)
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
     size, well = int(protocol["crop_size"]), float(protocol["full_well_e"])
@@ -89,7 +94,7 @@ def evaluate_looks(
             seeds = 1000 * seed + index, 0
             return looked_light(program(crop), crop.light_e, sensor, chosen, seeds), 0.0
 
-        return list(scored(shown, decode))
+        return scorer.scored(shown, decode)
 
     if name in DESIGNED:
         method = {"exposures": DESIGNED[name], "designed": "for each crop by its own light"}

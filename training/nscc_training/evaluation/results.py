@@ -7,16 +7,21 @@ import json
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.experiment_store import ExperimentStore
 from nscc.files import Product, read_whole
 from nscc.program.problems import counted
+from nscc_runtime.progress import Progress, unseen
+from nscc_training.experiments.engine import Done, PointRow, results, rows_in
 from nscc_training.measures import number, stamp
 from nscc_training.metrics import finite_mean
 from nscc_training.protocol_scenes.file_scenes import scenes_in
@@ -34,11 +39,13 @@ Array = NDArray[Any]
 
 
 class Scored(NamedTuple):
-    """A scene, its items, its reconstruction in scored form, and the decoding time in seconds."""
+    """A scene, its items, its reconstruction in scored form, and the decoding time in seconds.
+
+    The reconstruction is None if the items were stored before."""
 
     scene: ProtocolScene
     items: list[Item]
-    reconstruction: Array
+    reconstruction: Array | None
     seconds: float
 
 
@@ -79,30 +86,88 @@ def damaged_files(result: Mapping[str, Any]) -> list[Diagnostic]:
     ]  # fmt: skip
 
 
-def scored(
-    scenes: Iterable[ProtocolScene | Unusable | None],
-    decode: Callable[[ProtocolScene, int], tuple[Array, float]],
-) -> Iterator[Scored]:
-    """Decode and score every scene.
+class Scorer:
+    """Decodes and scores scenes; stored scores are not computed again.
 
-    `decode` takes a scene and its index, which seeds the noise, and returns electrons and seconds.
-    Raises Rejected (NS0804) for a reconstruction with values that are not finite."""
-    for index, scene in enumerate(scenes):
-        if isinstance(scene, ProtocolScene):
-            result_e, seconds = decode(scene, index)
-            bad_count = int(np.count_nonzero(~np.isfinite(result_e)))
-            if bad_count:
-                raise rejected(
-                    "NS0804",
-                    f"{bad_count} of {result_e.size} values of the reconstruction of "
-                    f"'{scene.file.name}' are not finite",
-                    notes=("PSNR and SSIM of such values are meaningless",),
-                    helps=("check the decoder and its weights, which are the source of NaN and "
-                           "infinity",),
-                    data={"count": bad_count},
-                )  # fmt: skip
-            reconstruction = scene.result(result_e).astype(np.float32)
-            yield Scored(scene, scene.items(result_e), reconstruction, seconds)
+    `open_store` returns the store of the scores, when the first is needed. `track` shows
+    progress."""
+
+    def __init__(
+        self, open_store: Callable[[], ExperimentStore] = ExperimentStore, track: Progress = unseen
+    ) -> None:
+        self._open_store, self._track, self._passes = open_store, track, 0
+
+    @cached_property
+    def store(self) -> ExperimentStore:
+        return self._open_store()
+
+    def scored(
+        self, scenes: Iterable[ProtocolScene | None],
+        decode: Callable[[ProtocolScene, int], tuple[Array, float]],
+    ) -> list[Scored]:  # fmt: skip
+        """Decode and score every scene.
+
+        `decode` takes a scene and its index, which seeds the noise, and returns electrons and
+        seconds. Raises Rejected (NS0804) for a reconstruction with values that are not finite."""
+        self._passes += 1
+        tasks = [
+            _SceneTask(self._passes, index, scene)
+            for index, scene in enumerate(scenes)
+            if scene is not None
+        ]
+        reconstructions: dict[str, Array] = {}
+
+        def execute(tasks: Iterable[_SceneTask]) -> Iterator[Done]:
+            for task in tasks:
+                result_e, seconds = decode(task.scene, task.index)
+                _refuse_non_finite(result_e, task.scene.file.name)
+                reconstructions[task.key] = task.scene.result(result_e).astype(np.float32)
+                items = task.scene.items(result_e)
+                yield Done(task, PointRow(task.key, {"items": items, "seconds": seconds}))
+
+        for _ in self._track(results(self.store, tasks, execute), "scoring", len(tasks)):
+            pass
+        rows = rows_in(self.store)
+        return [
+            Scored(
+                task.scene, reconstruction=reconstructions.get(task.key), **rows[task.key].figures
+            )
+            for task in tasks
+        ]
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *raised: Any) -> None:
+        if "store" in vars(self):
+            self.store.__exit__(*raised)
+
+
+@dataclass(frozen=True, eq=False)
+class _SceneTask:
+    number: int
+    index: int
+    scene: ProtocolScene
+
+    @property
+    def label(self) -> str:
+        scene = self.scene
+        return f"{self.number}, {self.index}: {scene.file.name} {scene.crop} {scene.frame}"
+
+    key = label
+
+
+def _refuse_non_finite(result_e: Array, name: str) -> None:
+    bad_count = int(np.count_nonzero(~np.isfinite(result_e)))
+    if bad_count:
+        raise rejected(
+            "NS0804",
+            f"{bad_count} of {result_e.size} values of the reconstruction of '{name}' are not "
+            "finite",
+            notes=("PSNR and SSIM of such values are meaningless",),
+            helps=("check the decoder and its weights, which are the source of NaN and infinity",),
+            data={"count": bad_count},
+        )
 
 
 def mean_score(scored_scenes: Sequence[Scored], metric: str) -> float:
@@ -172,6 +237,8 @@ def result_of(
     }  # fmt: skip
     called, arrays = labels(files), {}
     for scene, _, reconstruction, _ in scored_scenes:
+        if reconstruction is None:
+            continue
         place = [*(scene.crop or ()), *([] if scene.frame is None else [scene.frame])]
         label = "_".join([called.get(scene.file.name, scene.file.name), *map(str, place)])
         truth = scene.truth_e

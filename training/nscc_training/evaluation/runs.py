@@ -25,9 +25,9 @@ from nscc_training.evaluation.baselines import BASELINES, evaluate_baseline
 from nscc_training.evaluation.looks_rows import LOOKING, evaluate_looks
 from nscc_training.evaluation.results import (
     Scored,
+    Scorer,
     also_saturated,
     result_of,
-    scored,
     usable_scenes,
 )
 from nscc_training.loop.validation import by_chip, by_model, validation_scenes
@@ -55,6 +55,7 @@ def evaluate_run(
     skip_seen: bool = False,
     effects: str = "",
     changes: Sequence[str] = (),
+    scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a run with its hard shutters, and its arrays by name.
 
@@ -89,14 +90,17 @@ def evaluate_run(
     left_out = [
         {"file": path.name, "reason": "the run has seen it"} for path in seen_files
     ] + unusable
-    scored_scenes = list(scored(scenes, decode))
-    extra_keys = also_saturated(files, protocol, lambda shown: list(scored(shown, decode)))
+    scorer = scorer or Scorer()
+    scored_scenes = scorer.scored(scenes, decode)
+    extra_keys = also_saturated(files, protocol, lambda shown: scorer.scored(shown, decode))
     if changes:
         extra_keys["sensor_changes"] = [*changes]
     return _run_result(folder, protocol, files, scored_scenes, left_out, seed, effects, extra_keys)
 
 
-def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+def evaluate_validation(
+    folder: RunFolder, scorer: Scorer | None = None
+) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a run on its validation scenes, with the run's effects.
 
     Its mean equals the PSNR in `metrics.csv` at the step that the run kept. Raises Rejected
@@ -115,7 +119,7 @@ def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, ND
         )  # fmt: skip
     shown = validation_scenes(folder.setup, scenes)
     effects = settings.sensor.effects
-    scored_scenes = list(scored(shown, _by_run(folder, 0, effects, ())))
+    scored_scenes = (scorer or Scorer()).scored(shown, _by_run(folder, 0, effects, ()))
     split = {"split": "val"}
     return _run_result(folder, shown[0].protocol, [], scored_scenes, [], 0, effects, split)
 
@@ -255,7 +259,7 @@ def check_unseen(folder: RunFolder, files: list[Path]) -> None:
 def evaluate(
     subject: str, data: Path, protocol: str, seed: int, *,
     trust_code: bool = False, skip_seen: bool = False, codes: str = "",
-    effects: str = "", changes: Sequence[str] = (),
+    effects: str = "", changes: Sequence[str] = (), scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:  # fmt: skip
     """Return the result of a baseline or of a run, and its arrays by name.
 
@@ -270,7 +274,7 @@ def evaluate(
     known = (*BASELINES.get(chosen.name, ()), *(LOOKING if chosen.still else ()))
     if subject in LOOKING and chosen.still:
         _refuse_codes(codes, subject)
-        return evaluate_looks(subject, data, seed, effects, changes)
+        return evaluate_looks(subject, data, seed, effects, changes, scorer)
     if subject in known:
         if effects or changes:
             raise rejected(
@@ -279,13 +283,20 @@ def evaluate(
                 notes=("its codes are exposed with the fixed sensor of the protocol",),
                 helps=("name a run folder of nscc train, or leave --effects out",),
             )  # fmt: skip
-        return evaluate_baseline(chosen, subject, data, seed, codes)
+        return evaluate_baseline(chosen, subject, data, seed, codes, scorer)
     run = run_path(Path(subject))
     if run.is_dir():
         _refuse_codes(codes, f"the run '{subject[:60]}'")
         folder = load_run(run, trust_code=trust_code)
         return evaluate_run(
-            folder, data, chosen, seed, skip_seen=skip_seen, effects=effects, changes=changes
+            folder,
+            data,
+            chosen,
+            seed,
+            skip_seen=skip_seen,
+            effects=effects,
+            changes=changes,
+            scorer=scorer,
         )
     raise rejected(
         "NS0810",

@@ -1,0 +1,363 @@
+"""Generator for rules composed by `and`, `or` and `xor` from parts that read different fields.
+
+The parts are found in the predicates: a rule `A and B` opens exactly the shutters that are open in
+the projections on the fields of A and of B. A part that only closes, or only opens, is a state that
+collects the shutters that have changed. Any other part is computed from cubes of its own planes.
+Each slot then joins the parts by one or more gates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.cubes import Budget, Cube, Standing, cover
+from nscc.logic.digits import Planes, binary_planes, gray
+from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.script_walk import Script, walk
+from nscc.truth import columns, rows
+
+Open = NDArray[np.bool_]
+"""Whether each shutter satisfies a part of the rule at each demand, (shutters, demands)."""
+Operator = Literal["and", "or", "xor"]
+Fields = dict[str, NDArray[np.int64]]
+Value = tuple[str, bool]
+"""A register, and whether it holds a value itself (true) or its inverse."""
+
+# Limits: fields of a rule, cubes of a part at one demand, and low bits of a counted part whose
+# cubes are submasks (more of them need fewer inversions, but a larger store).
+_MOST_FIELDS = 5
+_MOST_CUBES = 4
+_SUBMASK_BITS = (13, 4)
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a rule: what it opens, and the fields that it reads."""
+
+    open: Open
+    fields: Fields
+
+
+@dataclass(frozen=True)
+class Composition:
+    """Two parts that an operator joins."""
+
+    operator: Operator
+    first: Rule
+    second: Rule
+
+
+Rule = Part | Composition
+
+
+def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
+    """Yield the solutions of a composed rule; raise GaveUp for a rule that is not composed."""
+    rule = composition(problem)
+    if rule is None:
+        raise GaveUp("the rule is not composed from parts with different fields")
+    for submask_bits in _SUBMASK_BITS:
+        writer = _Writer(problem, machine, submask_bits)
+        yield from walk(problem, machine, writer.script(rule), steps)
+
+
+def composition(problem: Problem) -> Composition | None:
+    """Return the parts of a rule; None for events, and for a rule that is not composed."""
+    levels_only = all(demand.edge == "open" for demand in problem.demands)
+    if not (levels_only and problem.demands and 2 <= len(problem.values) <= _MOST_FIELDS):
+        return None
+    is_open = rows([demand.predicate for demand in problem.demands], problem.shutters)
+    rule = decomposed(is_open, dict(problem.values))
+    return rule if isinstance(rule, Composition) else None
+
+
+# --- parts ----------------------------------------------------------------------------------------
+
+
+def decomposed(is_open: Open, fields: Fields) -> Rule:
+    """Return a rule as a composition of parts with different fields, as deep as possible."""
+    names = sorted(fields)
+    for size in range(1, len(names)):
+        for chosen in combinations(names, size):
+            first = {name: fields[name] for name in chosen}
+            second = {name: fields[name] for name in names if name not in chosen}
+            if _number(first).max() < _number(second).max():
+                first, second = second, first
+            splits = [*_splits(is_open, _number(first), _number(second))]
+            # A part that only opens or closes is the cheapest.
+            splits.sort(key=lambda split: not (_only_opens(split[1]) or _only_opens(~split[1])))
+            for operator, a, b in splits[:1]:
+                return Composition(operator, decomposed(a, first), decomposed(b, second))
+    return Part(is_open, fields)
+
+
+def _number(fields: Fields) -> NDArray[np.intp]:
+    """Return the number of each shutter's values among all values of these fields (shutters,)."""
+    _, number = np.unique(np.stack([*fields.values()]), axis=1, return_inverse=True)
+    return number.reshape(-1)
+
+
+def _splits(
+    is_open: Open, first: NDArray[np.intp], second: NDArray[np.intp]
+) -> Iterator[tuple[Operator, Open, Open]]:
+    """Yield the operators that join a function of `first` and one of `second` to `is_open`.
+
+    `first` has the most values; it is a part that only opens or closes if that is possible."""
+    for operator, bits in (("and", is_open), ("or", ~is_open)):
+        a, b = _any_of(bits, first), _any_of(bits, second)
+        if np.array_equal(a & b, bits):
+            # Where the other part is closed in all shutters of a number, a part may be anything.
+            a = _filled(a, ~_any_of(b, first))
+            b = _filled(b, ~_any_of(a, second))
+            yield ("and", a, b) if operator == "and" else ("or", ~a, ~b)
+    # With a shutter for each pair of values, the first values determine an exclusive or, up to a
+    # constant at each demand.
+    if len(is_open) == (first.max() + 1) * (second.max() + 1):
+        a = is_open[second == 0][np.argsort(first[second == 0])][first]
+        b = is_open[first == 0][np.argsort(second[first == 0])][second] ^ a[first == 0][:1]
+        if np.array_equal(a ^ b, is_open):
+            constants = [a[first == number][:1] for number in (first.max(), 0)]
+            nested = [c for c in constants if _only_opens(a ^ c) or _only_opens(~(a ^ c))]
+            constant = nested[0] if nested else constants[0]
+            yield "xor", a ^ constant, b ^ constant
+
+
+def _only_opens(bits: Open) -> bool:
+    return not np.any(bits[:, :-1] & ~bits[:, 1:])
+
+
+def _any_of(bits: Open, number: NDArray[np.intp]) -> Open:
+    """Return for each shutter whether a bit is set in any shutter of the same number."""
+    order = np.argsort(number, kind="stable")
+    starts = np.flatnonzero(np.diff(number[order], prepend=-1))
+    joined: Open = np.logical_or.reduceat(bits[order], starts, axis=0)[number]
+    return joined
+
+
+def _filled(bits: Open, unknown: Open) -> Open:
+    """Return bits that only fall, or only rise, over the demands if the unknown ones allow this."""
+    later = np.logical_or.accumulate(bits[:, ::-1], axis=1)[:, ::-1]
+    earlier = np.logical_or.accumulate(bits, axis=1)
+    for nested in (later, earlier):
+        if np.array_equal(nested & ~unknown, bits & ~unknown):
+            return nested
+    return bits
+
+
+# --- gates ----------------------------------------------------------------------------------------
+
+
+@dataclass
+class _Counted:
+    """A part that only closes or only opens, as a state that collects changed shutters.
+
+    `changes` maps the demand of a change to its number. The NOR of the planes at which a number has
+    a 0 selects the number and its submasks, which have changed before. Higher planes are in Gray
+    code and inverted over time."""
+
+    state: str
+    closes: bool
+    changes: dict[int, int]
+    planes: range
+    low_bits: int
+
+
+@dataclass
+class _Covered:
+    """A part whose values are ORs of `cubes` at each demand, or inverses of an OR if `inverted`."""
+
+    cubes: list[list[Cube]]
+    inverted: list[bool]
+
+
+@dataclass
+class _Writer:
+    """The planes, states and gates of one frame, under construction."""
+
+    problem: Problem
+    machine: Machine
+    submask_bits: int
+    planes: Planes = field(default_factory=list)
+    states: int = 0
+
+    def script(self, rule: Rule) -> Script:
+        """Return the script that computes a rule at each demand."""
+        planned = self._planned(rule)
+        scratch = self.machine.registers - len(self.planes) - self.states
+        if scratch < 1:
+            raise GaveUp("the parts leave no register to compute with")
+        self.gates = Gates(self.machine)
+        self.standing = Standing(self.gates, len(self.planes))
+        opening = tuple((Gate("CLR", f"s{state}", ()),) for state in range(self.states))
+        before: dict[int, tuple[Segment, ...]] = {}
+        for index in range(len(self.problem.demands)):
+            self.free = [f"t{number}" for number in range(scratch)]
+            self.segments: list[Segment] = []
+            for leaf in _leaves(planned):
+                self._advance(leaf, index)
+            if not self.problem.answered(index):
+                terms = self._terms(planned, index)
+                self.gates.load_flag(terms, next((t for t in terms if t[0] == "t"), None))
+                self._end_segment()
+            before[index] = tuple(self.segments)
+        name = f"parts of the rule, {min(self.submask_bits, len(self.planes))} submask bits"
+        closing = self.standing.restore()
+        return Script(name, self.planes, self.states, opening, before, closing)
+
+    def _planned(self, rule: Rule) -> _Planned:
+        """Choose the planes and states of all parts."""
+        if isinstance(rule, Composition):
+            return rule.operator, self._planned(rule.first), self._planned(rule.second)
+        is_open, base = rule.open, len(self.planes)
+        text = " and ".join(rule.fields)
+        for closes in (True, False):
+            if _only_opens(~is_open if closes else is_open):
+                changed_at, numbers = np.unique(
+                    (is_open if closes else ~is_open).sum(axis=1), return_inverse=True
+                )
+                width = int(len(changed_at) - 1).bit_length()
+                low = min(self.submask_bits, width)
+                coded = gray(numbers >> low) << low | numbers & (1 << low) - 1
+                self.planes += binary_planes(f"{text}, change, bit", coded, width)
+                self.states += 1
+                changes = {int(demand): number for number, demand in enumerate(changed_at)}
+                planes = range(base, base + width)
+                return _Counted(f"s{self.states - 1}", closes, changes, planes, low)
+        order = np.lexsort([*rule.fields.values()][::-1])
+        _, first, kinds = np.unique(is_open[order], axis=0, return_index=True, return_inverse=True)
+        numbers = np.empty(len(order), dtype=np.int64)
+        numbers[order] = np.argsort(np.argsort(first))[kinds.reshape(-1)]
+        self.planes += binary_planes(
+            f"{text}, Gray bit", gray(numbers), int(numbers.max()).bit_length()
+        )
+        return self._covered(columns(is_open), base)
+
+    def _covered(self, predicates: Sequence[int], base: int) -> _Covered:
+        vectors, everything = [p for p, _ in self.planes[base:]], self.problem.everything
+        budget = Budget(20_000 * len(predicates))
+        known: dict[int, tuple[list[Cube], bool]] = {}
+        for predicate in dict.fromkeys(predicates):
+            covers = [
+                [tuple((base + plane, value) for plane, value in cube) for cube in found]
+                for found in (
+                    cover(predicate, vectors, everything, budget),
+                    cover(everything & ~predicate, vectors, everything, budget),
+                )
+            ]
+            inverted = len(covers[1]) < len(covers[0])
+            if len(covers[inverted]) > _MOST_CUBES:
+                raise GaveUp(f"a part of the rule takes more than {_MOST_CUBES} cubes")
+            known[predicate] = covers[inverted], inverted
+        chosen = [known[predicate] for predicate in predicates]
+        return _Covered([cubes for cubes, _ in chosen], [inverted for _, inverted in chosen])
+
+    def _end_segment(self) -> None:
+        if pending := self.gates.take():
+            self.segments.append(pending)
+
+    def _scratch(self) -> str:
+        if not self.free:
+            raise GaveUp("no register is left to compute with")
+        return self.free.pop(0)
+
+    def _advance(self, leaf: _Counted | _Covered, index: int) -> None:
+        """Invert the planes that a part reads at a demand first, and update its state."""
+        if isinstance(leaf, _Covered):
+            for cube in leaf.cubes[index][:1]:
+                self.segments += self.standing.turn(cube if len(cube) > 1 else ())
+        elif index in leaf.changes:
+            number = leaf.changes[index]
+            if number and not number & (1 << leaf.low_bits) - 1:
+                high = number >> leaf.low_bits
+                flipped = (high & -high).bit_length() - 1 + leaf.low_bits
+                self.segments.append(self.standing.flip(leaf.planes[flipped]))
+            sources = [
+                f"p{plane}"
+                for bit, plane in enumerate(leaf.planes)
+                if bit >= leaf.low_bits or not number >> bit & 1
+            ]
+            self.gates.nor(self.free[0], sources)
+            self.gates.or_(leaf.state, [leaf.state, self.free[0]])
+            self._end_segment()
+
+    def _terms(self, planned: _Planned, index: int) -> list[str]:
+        """Add gates for a rule; return registers whose OR is its value."""
+        if isinstance(planned, tuple) and planned[0] == "or":
+            return [*self._terms(planned[1], index), *self._terms(planned[2], index)]
+        if isinstance(planned, tuple) and planned[0] == "xor":
+            only_one, equal = self._difference([self._value(part, index) for part in planned[1:]])
+            return only_one if equal else [self._joined("NOR", only_one)]
+        register, positive = self._value(planned, index)
+        return [register] if positive else [self._joined("NOR", [register])]
+
+    def _joined(self, name: str, sources: Sequence[str]) -> str:
+        """Add the gate that joins registers, into free scratch or in place of a scratch source."""
+        spent = [source for source in dict.fromkeys(sources) if source[0] == "t"]
+        target = self.free.pop(0) if self.free else next(iter(spent), None)
+        if target is None:
+            raise GaveUp("no register is left to compute with")
+        (self.gates.nor if name == "NOR" else self.gates.or_)(target, sources)
+        self.free += [source for source in spent if source != target]
+        return target
+
+    def _value(self, planned: _Planned, index: int) -> Value:
+        """Add gates for a rule at a demand, and return its value."""
+        if isinstance(planned, _Counted):
+            return planned.state, not planned.closes
+        if isinstance(planned, _Covered):
+            return self._cubes(planned.cubes[index], not planned.inverted[index])
+        operator, first, second = planned
+        if operator == "or":
+            return self._joined("OR", self._terms(planned, index)), True
+        values = [self._value(first, index), self._value(second, index)]
+        if operator == "and":
+            inverses = [
+                self._joined("NOR", [register]) if positive else register
+                for register, positive in values
+            ]
+            return self._joined("NOR", inverses), True
+        only_one, equal = self._difference(values)
+        return self._joined("NOR", only_one), not equal
+
+    def _difference(self, values: Sequence[Value]) -> tuple[list[str], bool]:
+        """Add gates whose OR is the exclusive or of two registers.
+
+        The second result says whether that is the exclusive or of the values, not its inverse."""
+        (a, a_positive), (b, b_positive) = values
+        neither = self._scratch()
+        self.gates.nor(neither, [a, b])
+        only_a = b if b[0] == "t" and not self.free else self._scratch()
+        self.gates.nor(only_a, [neither, b])
+        only_b = self._joined("NOR", [neither, a])
+        return [only_a, only_b], a_positive == b_positive
+
+    def _cubes(self, cubes: Sequence[Cube], positive: bool) -> Value:
+        """Add gates for an OR of cubes, and return its value, or its inverse if not `positive`."""
+        if len(cubes) == 1 and len(cubes[0]) == 1:
+            ((plane, value),) = cubes[0]
+            return f"p{plane}", (value != self.standing.inverted[plane]) == positive
+        terms = [] if cubes else [self._joined("OR", [])]
+        for cube in cubes:
+            self._end_segment()
+            self.segments += self.standing.turn(cube)
+            target = self._scratch()
+            self.gates.nor(target, [f"p{plane}" for plane, _ in cube])
+            terms.append(target)
+            if len(terms) > 1:
+                terms = [self._joined("OR", terms)]
+        return terms[0], positive
+
+
+_Planned = _Counted | _Covered | tuple[Operator, "_Planned", "_Planned"]
+
+
+def _leaves(planned: _Planned) -> Iterator[_Counted | _Covered]:
+    if isinstance(planned, tuple):
+        yield from _leaves(planned[1])
+        yield from _leaves(planned[2])
+    else:
+        yield planned
