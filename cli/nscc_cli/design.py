@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nscc.options import Options
 from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import LEVEL, OUT
+from nscc_cli.options import OUT
 from nscc_cli.runtime_options import fit_option, placing_options
 from nscc_cli.support import (
     NumberRange,
@@ -62,8 +63,7 @@ _CLIP_PARTS = 16
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), default=125.0, show_default=True,
               help="The length of each slot in microseconds.")  # fmt: skip
 @shared.chip_option
-@click.option("-O", "level", type=LEVEL, default=2, show_default=True,
-              help="Effort of the search for fewer words.")  # fmt: skip
+@shared.declared(Options, "level", show=True)
 @placing_options
 @fit_option
 @shared.sensor_options

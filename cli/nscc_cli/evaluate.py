@@ -12,7 +12,7 @@ import click
 
 from nscc.files import Product, write_together, write_whole
 from nscc_cli.completion import EFFECTS, PROTOCOL, RUN_OR_ANY
-from nscc_cli.options import OUT, PATH, together, trust_code_option
+from nscc_cli.options import OUT, PATH, declared, together, trust_code_option
 from nscc_cli.support import (
     CommonCommand,
     NumberRange,
@@ -24,6 +24,7 @@ from nscc_cli.support import (
     show,
 )
 from nscc_cli.tradeoff_files import kept_rows
+from nscc_training.baselines.tv_settings import TvSettings
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -58,10 +59,7 @@ _save_option = click.option("--save", type=OUT, metavar="DIR",
 @click.option("--method", default="gap-tv", show_default=True, metavar="M",
               help="any, the decoder for any code; gap-tv, admm-tv, dictionary, adjoint; or an "
                    "oracle: bilinear, thin-out.")  # fmt: skip
-@click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True,
-              help="Iterations of total variation.")  # fmt: skip
-@click.option("--weight", type=NumberRange(0, 10, min_open=True), default=0.1,
-              show_default=True, help="Weight of total variation, for values 0..1.")  # fmt: skip
+@declared(TvSettings, show=True)
 @_save_option
 @_outputs
 def sci8(

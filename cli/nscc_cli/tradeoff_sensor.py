@@ -8,9 +8,10 @@ from typing import Any
 import click
 
 from nscc.lower.exposure_plan import LOWERINGS
+from nscc.options import Options
 from nscc_cli import options as shared
 from nscc_cli.completion import EFFECTS
-from nscc_cli.options import COUNT, LEVEL, some_option
+from nscc_cli.options import COUNT, some_option
 from nscc_cli.support import CommonCommand, NumberRange, say_compiling
 from nscc_cli.tradeoff_files import output_files, run_study
 
@@ -67,8 +68,7 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
              "Compile for the codes in use, for every legal one.")  # fmt: skip
 @some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
 @shared.chip_option
-@click.option("-O", "level", type=LEVEL, default=1, show_default=True,
-              help="Effort of the search for fewer words.")  # fmt: skip
+@shared.declared(Options, level=1)
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), metavar="T", help="Capture with slots of "
               "this length instead of each configuration's shortest.")  # fmt: skip
 @click.option("--effects", type=EFFECTS, default="auto", show_default=True, metavar="E",

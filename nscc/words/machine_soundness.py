@@ -63,7 +63,7 @@ def faults(container: Container) -> Iterator[str]:
         if not target.in_low <= comparison.level <= target.in_high:
             yield f"a comparison with {comparison.level} steps of IN"
     behaviours = len(container.encoding)
-    if not np.array_equal(np.unique(machine.behaviour), np.arange(behaviours)):
+    if {*machine.behaviour.tolist()} != {*range(behaviours)}:
         yield "its machine has other behaviours than its encoding"
     yield from _state_faults(container, machine)
     for launch in container.launches:

@@ -42,11 +42,14 @@ def test_case_33_a_row_is_a_column(effects: str) -> None:
 def test_case_33_every_effect(size: tuple[int, int]) -> None:
     container = program(ALONG_X.replace("x % 5", "(x + y) % 5"), "edges", *size)
     sensor = sensor_of(container)
-    (by_words,) = frames(container, flat(2000, *size), sensor, selected("all"))
-    found = capture(container, flat(2000, *size), sensor=sensor, effects="all")
+    assert capture(container, flat(2000, *size), sensor=sensor, effects="all").valid.all()
+    # Random effects draw other numbers.
+    fixed = "all,-shot,-dark,-read,-reset,-analog"
+    (by_words,) = frames(container, flat(2000, *size), sensor, selected(fixed))
+    found = capture(container, flat(2000, *size), sensor=sensor, effects=fixed)
     assert found.valid.all()
     error = found.exposure_e - by_words.exposure_e
-    assert np.sqrt(np.mean(error**2)) < 5
+    assert np.sqrt(np.mean(error**2)) < 0.01
     if size != (1, 1):
         crossing = capture(container, flat(2000, *size), sensor=sensor, effects="crosstalk")
         plain = capture(container, flat(2000, *size), sensor=sensor, effects="none")

@@ -4,12 +4,9 @@ them.
 Code outside of this package names no effect; it iterates over the registered effects. `effect`
 defines a declaration, `parts` the components that the fast paths support.
 
-Noise of many small errors (reads, resets, analog words) is drawn so that its sum is one keyed draw.
-Let e_i be independent normal errors and c_i their coefficients in the exposures. Then sum c_i e_i
-is L z with L L^T = sum c_i^2 sigma_i^2, and z is keyed by (seed, effect, frame, bucket). A plan
-that adds only the sum has the same numbers as the reference, which distributes it. The c_i use the
-sensor's analog gain and mean leakage even if these effects are off, so leaving one out changes no
-draw."""
+Errors of words (reads, resets, analog words) add up in an exposure with coefficients that follow
+from the words: their sum has the covariance sum over words of c c^T sigma^2, c the coefficients in
+the buckets. Simulators that do not run the words draw one normal number a bucket with it."""
 
 from __future__ import annotations
 

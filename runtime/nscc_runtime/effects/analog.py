@@ -56,8 +56,8 @@ ANALOG = Effect(
     model="A word with the exact result r leaves g r + e, e = bias + pattern z_pixel + sigma z. "
     "Sign: e is added after undoing the inversion, so a word that writes the scratch register, "
     "which holds inverted values, leaves g r - e; constant offsets of a pair of words add up.",
-    cost="a table for each code, one normal number a pixel and bucket; the reference adds one a "
-    "word",
+    cost="a table for each code, one normal number a pixel and bucket for all words; one a word "
+    "near saturation",
     applied="to every bus word, before the register saturates",
     absent="this sensor has none",
     parameters=(GAIN, NOISE, PATTERN, BIAS, ELECTRONS_PER_LSB),

@@ -39,7 +39,7 @@ DARK = Effect(
     "D exp(s z - s^2/2), s^2 = ln(1 + d^2), z a standard normal number of the device: "
     "lognormal with mean D and standard deviation d D. It is counted as light is, in counts "
     "of its own.",
-    cost="one Poisson number a pixel and group of slots",
+    cost="as for `shot`; none beside it for pixels that do not saturate",
     applied="with the light of every slot, open or not",
     absent="this sensor has none",
     parameters=(CURRENT, SPREAD),

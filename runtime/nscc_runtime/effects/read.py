@@ -14,9 +14,9 @@ READ = Effect(
     stream=4,
     kind="random",
     title="read noise of PIX",
-    model="Every word that reads PIX finds it off by sigma z. The reads of a frame are normal "
-    "numbers whose weighted sum in each bucket is one keyed draw (see the package's notes).",
-    cost="one normal number a pixel and bucket; the reference adds one a read",
+    model="Every word that reads PIX finds it off by sigma z. Reads are independent normal "
+    "numbers.",
+    cost="one normal number a pixel and bucket for all words; one a read near saturation",
     applied="to PIX as a source of an analog word",
     absent="this sensor has none",
     parameters=(SIGMA,),

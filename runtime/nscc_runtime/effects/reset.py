@@ -19,7 +19,7 @@ RESET = Effect(
     title="reset (kTC) noise of PIX",
     model="Every reset leaves PIX off by sigma z until the next one. What is read twice without "
     "a reset in between and subtracted is free of it.",
-    cost="one normal number a pixel and bucket; the reference adds one a reset",
+    cost="one normal number a pixel and bucket for all words; one a reset near saturation",
     applied="to PIX by every rpix",
     absent="this sensor has none",
     parameters=(SIGMA,),

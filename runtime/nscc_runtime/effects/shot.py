@@ -17,9 +17,8 @@ SHOT = Effect(
     kind="random",
     title="photon shot noise",
     model="The light of a slot is counted in whole electrons: count ~ Poisson(rate), rate the "
-    "slot's electrons. One count a pixel, source and group of slots (those open in the same "
-    "buckets), Poisson(sum of rates), is spread over the group's slots by binomial thinning.",
-    cost="one Poisson number a pixel and group of slots; the reference adds one binomial a slot",
+    "slot's electrons. Slots between two words of a pixel are one count, Poisson(sum of rates).",
+    cost="one Poisson number a pixel and bucket; one between two words for pixels near saturation",
     applied="when the charge of the slots is drawn, before it falls on PIX",
     reference={"count": _count},
     size="rms = sqrt(mean sum of w^2 E), w the weights of the slots' light E, neighbours' included",

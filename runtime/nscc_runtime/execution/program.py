@@ -21,7 +21,7 @@ from nscc_runtime.reference.weights import Backward, WeightModel, backward
 
 Values = NDArray[np.float64]
 
-_RECENT_MODELS, _RECENT_LARGE = 24, 4
+_RECENT_MODELS, _RECENT_LARGE = 24, 12
 """Number of cached results: planning compares a dozen models."""
 _MUCH = 1 << 20
 """If slots x lanes or the number of pixels is above this number, fewer results are cached."""

@@ -19,6 +19,7 @@ from nscc.operations import Op, WordEffect
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.reference.digital import Digital
@@ -114,8 +115,9 @@ def readout_waits_s(container: Container) -> NDArray[np.float64]:
     return np.array([order[b] * readout_us * 1e-6 for b in container.buckets], np.float64)
 
 
+@OfContainer
 def analog_words(container: Container, retention_us: float = inf) -> tuple[AnalogWord, ...]:
-    """Return every bus and reset word of a frame in the order of execution.
+    """Return every bus and reset word of a frame in the order of execution; cached.
 
     A digital register reads 0 if no word wrote it for more than `retention_us`. Raises Rejected
     like `nscc.words.legality.decoded`, and NS0442 if FLAG depends on the light."""

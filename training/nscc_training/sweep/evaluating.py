@@ -8,13 +8,14 @@ from typing import Any
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import write_whole
-from nscc.toml.kinds import Flag, Integer, Number, TextKind
+from nscc.toml.kinds import Flag, Integer, TextKind
 from nscc.toml.schema import Key
+from nscc_training.baselines.tv_settings import TvSettings
 from nscc_training.experiments.engine import Figures
 from nscc_training.protocols import NAMES, PROCEDURAL, load_protocol
 from nscc_training.scene_files import folders_of
 from nscc_training.sweep.point import PointFault, PointKind, PointTask, Values
-from nscc_training.sweep.point_programs import axis, sensor_changes, sensor_keys
+from nscc_training.sweep.point_programs import axis, declared_axes, sensor_changes, sensor_keys
 
 RUN = "run"
 """The key that names a part of kind train, all of whose runs are evaluated."""
@@ -33,8 +34,7 @@ def _keys() -> tuple[Key, ...]:
         axis("effects", TextKind(), "effects of the emulated chip that exposes the scenes", ""),
         *(key for key in sensor_keys() if key.name != "sensor.file"),
         axis("skip_seen", Flag(), "leave out files that the run was trained on", False),
-        axis("iterations", Integer(1, 10000), "of a method", 40),
-        axis("weight", Number(0, 10, low_excluded=True), "of total variation", 0.1),
+        *declared_axes(TvSettings, "iterations", "weight"),
     )  # fmt: skip
 
 
