@@ -13,9 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.rejection import rejected
 from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
-from nscc_runtime.planning.planned_scene import PlannedScene, full_effects, trial_of
+from nscc_runtime.planning.planned_scene import PlannedScene, trial_of
 
 Values = NDArray[np.float64]
 
@@ -99,16 +98,8 @@ class Audit:
 
 def audit(scene: PlannedScene, plan: Plan) -> Audit:
     """Measure the errors of a plan on all pixels of a scene."""
-    reasons = scene.needs_reference(plan.requested_effects)
-    if reasons:
-        raise rejected(
-            "NS0750",
-            "--audit does not apply to this program with these effects",
-            notes=(*reasons, "frames of the reference have every selected effect, exactly"),
-            helps=("leave --audit out",),
-        )
     repeats = min(-(-_POOLED // scene.pixels), _MOST_POOLED)
-    trial = trial_of(scene, full_effects(scene, plan.requested_effects), scene.pixels, repeats)
+    trial = trial_of(scene, scene.pixels, repeats)
     errors = trial.between(trial.exposures(plan.kept), trial.truth)
     rms_e, square_e2 = errors.rms_e, errors.size_e**2
     spread_e2 = float(square_e2.std(axis=(1, 2)).max()) / math.sqrt(square_e2[0].size)

@@ -24,7 +24,6 @@ from nscc_runtime.planning.plan_request import Names, PlanRequest, effects_of_ex
 from nscc_runtime.planning.planned_scene import (
     SAMPLED,
     PlannedScene,
-    full_effects,
     trial_of,
     unseen_square_e2,
 )
@@ -49,16 +48,15 @@ _QUICK = SAMPLED // 4
 def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     """Return the fastest plan whose error, measured on a sample of the scene, is within tolerance.
 
-    If measuring would take longer than it saves, or if only the reference simulates the requested
-    effects, the plan simulates every requested effect. Raises Rejected (NS0746) for an invalid
-    tolerance."""
+    If measuring would take longer than it saves, the plan simulates every requested effect. Raises
+    Rejected (NS0746) for an invalid tolerance."""
     check_tolerance(request.tolerance, scene.sensor)
     work, absent = Work.of(scene), absent_effects(scene)
     moves = _moves(work, request, absent)
     trial_ms = 0.0 if request.figures else _WORTH * work.trials_ms(1, _QUICK)
     is_checked = request.effects.auto and bool(request.forced_off - absent)
     is_worth = request.figures or is_checked or sum(moves.values()) > 3.0 * trial_ms
-    if scene.needs_reference(request.requested) or not is_worth:
+    if not is_worth:
         return _unmeasured(work, request, absent)
     measuring = _Measuring(scene, request)
     alone = measuring.drop_each(absent) if request.figures else {}
@@ -79,7 +77,7 @@ def measured_again(scene: PlannedScene, plan: Plan, *, figures: bool = False) ->
     work, absent = Work.of(scene), absent_effects(scene)
     request = PlanRequest(plan.requested_effects, plan.tolerance_input, figures=figures)
     dropped = frozenset(plan.names("dropped"))
-    if scene.needs_reference(request.requested) or not (dropped or figures):
+    if not (dropped or figures):
         return _unmeasured(work, request, absent)
     measuring = _Measuring(scene, request)
     dropped -= request.forced_off
@@ -180,10 +178,10 @@ class _Measuring:
     not force off: the planner's own choice has to keep the tolerance relative to these."""
 
     def __init__(self, scene: PlannedScene, request: PlanRequest) -> None:
-        self.requested, full = request.requested, full_effects(scene, request.requested)
-        self.trial = trial_of(scene, full, SAMPLED if request.figures else _QUICK)
+        self.requested = request.requested
+        self.trial = trial_of(scene, SAMPLED if request.figures else _QUICK)
         self.base = self.trial.truth
-        if full.on != self.requested.on:
+        if request.forced_off:
             self.base = self.trial.exposures(self.requested)
         self.allowed = tolerance_of(request.tolerance, scene.sensor, self.trial)
 
@@ -195,7 +193,7 @@ class _Measuring:
             if name in self.requested.on:
                 true, effects = self.base, self.requested.without(name)
                 errors[frozenset({name})] = self.trial.between(self.trial.exposures(effects), true)
-            elif name in self.trial.full.on:
+            else:
                 true = self.trial.exposures(self.requested.including(name))
                 errors[frozenset({name})] = self.trial.between(self.base, true)
         return errors

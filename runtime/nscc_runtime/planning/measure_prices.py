@@ -60,7 +60,7 @@ def measure_prices() -> list[Price]:
     request = PlanRequest(selected("auto"), 5.0, figures=True)
     planned_ms = make_plan(scene, request).planning_ms
     reference_ns = 1e9 * _least_s(lambda: reference.expose(light, 0, 0, 0, 1), 1)
-    trial = trial_of(scene, all_effects)
+    trial = trial_of(scene)
     return [
         Price("planning", f"a plan for {rows} x {cols} pixels", "ms", planned_ms,
               1e3 * _least_s(lambda: make_plan(scene, request))),

@@ -26,6 +26,7 @@ from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, drawing_chances
 from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
 from nscc_runtime.pool import threads_of
+from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.reference.trace import retention_us
 
 Values = NDArray[np.float64]
@@ -104,12 +105,8 @@ class PlannedScene:
         electrons.
 
         The noise is the standard deviation over frames, as a root mean square over pixels and
-        buckets, measured on a sample; on two frames if only the reference simulates them."""
-        if not self.needs_reference(everything()):
-            return trial_of(self, everything()).noise_e()
-        first, second = (frame.exposure_e for frame in self.frames(everything(), 0, 2))
-        noise_e = math.sqrt(float(np.nan_to_num(second - first).var()) / 2.0)
-        return with_readout_e(noise_e, self.sensor)
+        buckets, measured on a sample."""
+        return trial_of(self).noise_e()
 
 
 def planning_of(
@@ -182,31 +179,18 @@ class Trial:
         return with_readout_e(math.sqrt(float(mean_e2.mean())), self.scene.sensor)
 
 
-def full_effects(scene: PlannedScene, requested: Selection) -> Selection:
-    """Return every effect, except those that the user forced off and that only the reference has:
-    they cannot be measured."""
-    all_effects = everything()
-    unknown = (
-        name
-        for name in all_effects.on - requested.on
-        if scene.needs_reference(requested.including(name))
-    )
-    return all_effects.without(*unknown)
-
-
-def trial_of(
-    scene: PlannedScene, full: Selection, count: int = SAMPLED, repeats: int | None = None
-) -> Trial:
-    """Draw about `count` pixels of a scene, and expose them with the effects `full`. `repeats`:
-    number of frames with other noise; by default more than one for small scenes."""
-    full_well_e = scene.sensor.full_well_e
+def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = None) -> Trial:
+    """Draw about `count` pixels of a scene, and expose them with every effect. `repeats`: number of
+    frames with other noise; by default more than one for small scenes."""
+    full_well_e, full = scene.sensor.full_well_e, everything()
     chance = drawing_chances(scene.light, full_well_e)
     sample = draw_sample(scene.near_pixels(full), full_well_e, count, chance)
     repeats = repeats or min(-(-_ENOUGH // len(sample.places)), _MOST_REPEATS)
     expose = _sampled(scene, sample, full)
     begins: tuple[Places | None, ...] = (None,)
     truth = _exposures(expose, begins, repeats)
-    while scene.container.keeps_states and len(begins) < _MOST_FRAMES:
+    keeps_states = scene.container.keeps_states and not scene.needs_reference(full)
+    while keeps_states and len(begins) < _MOST_FRAMES:
         following = -1 - truth.endings[-1, 0].astype(np.int64)
         known = [following == before for before in begins if before is not None]
         new_weight = sample.weight[~np.any(known, axis=0)] if known else sample.weight
@@ -218,13 +202,28 @@ def trial_of(
 
 
 def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
-    """Prepare the sampled pixels for exposing with these effects."""
-    threads = threads_of(scene.threads)
-    laid = lay_out(
-        scene.container, scene.sensor, scene.light, effects, sample.places, scene.device_seed,
-        threads,
-    )  # fmt: skip
-    return lambda number, begins: expose_pixels(laid, SEED, number, threads, begins)
+    """Prepare the sampled pixels for exposing with these effects: by the loop over words, or if it
+    lacks an effect, always by the reference, whose random numbers are others."""
+    container, sensor, threads = scene.container, scene.sensor, threads_of(scene.threads)
+    if not scene.needs_reference(everything()):
+        laid = lay_out(
+            container, sensor, scene.light, effects, sample.places, scene.device_seed, threads
+        )
+        return lambda number, begins: expose_pixels(laid, SEED, number, threads, begins)
+    reference, light = Reference.of(container, sensor, effects), scene_of(container, scene.light)
+
+    def expose(number: int, _begins: Places | None) -> PixelExposures:
+        seeds = SEED, scene.device_seed
+        executed = reference.execute(light, container.planes(), seeds, number, threads=threads)
+        endings = np.zeros(scene.pixels, np.int32)
+        for bit, name in enumerate(sorted(executed.planes)):
+            endings += executed.planes[name].reshape(-1).astype(np.int32) << bit
+        exposure_e = executed.exposure.exposure_e
+        exposure_e = exposure_e.reshape(len(exposure_e), -1)[:, sample.places]
+        no_marks = np.zeros(exposure_e.shape, np.uint8)
+        return PixelExposures(exposure_e, no_marks, endings[sample.places])
+
+    return expose
 
 
 def _exposures(
