@@ -36,6 +36,7 @@ from nscc_runtime.reference.stream import expose_stream
 from nscc_runtime.reference.trace import RunningWord, analog_words, retention_us, running_words
 from nscc_runtime.reference.weights import backward
 from nscc_runtime.reference.words import START, Marked, WordPixels, converted_frames, in_rows
+from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.sensor import default_sensor
 
 Values = NDArray[np.float64]
@@ -62,7 +63,7 @@ class Reference:
         program without looks open no shutters."""
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
-        if not container.machine.stages:
+        if KINDS.of(container).open_times_known:
             backward(container, analog_words(container)).open()
         return cls(container, sensor, effects, tuple(running_words(container)))
 
@@ -181,8 +182,7 @@ def frames(
     run."""
     check(container, light)
     scene, seeds = scene_of(container, light), (seed, device_seed)
-    streamed = container.target.streamed
-    reference = None if streamed else Reference.of(container, sensor, effects)
+    reference = Reference.of(container, sensor, effects) if container.stream is None else None
 
     def expose(number: int) -> Exposure:
         if reference is None:
