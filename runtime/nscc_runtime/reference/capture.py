@@ -162,7 +162,8 @@ def executed(
     look."""
     check_size(container, light)
     sensor = sensor or default_sensor(converter_of(container))
-    reference = Reference.of(container, sensor, selected("none"))
+    # Only the words tell that the pixels of such a container look: it has no state machine.
+    reference = Reference(container, sensor, selected("none"), tuple(running_words(container)))
     return reference.execute(scene_of(container, light), container.planes(), (0, device_seed), 0)
 
 
