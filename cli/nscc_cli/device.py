@@ -13,7 +13,7 @@ from nscc_cli import options as shared
 from nscc_cli import support
 from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import OUT, PATH, given
+from nscc_cli.options import OUT, PATH, values_given
 from nscc_cli.programs import load_program
 from nscc_cli.runtime_options import link_options, placing_options
 from nscc_cli.support import NumberRange, Subcommands, progress, say, say_done
@@ -95,7 +95,7 @@ def info(port: str, as_json: bool, **options: Any) -> None:
     from nscc_runtime.device.link import SerialLink
     from nscc_runtime.device.messages import info_json, info_text
 
-    with SerialLink(port, **given(LinkSettings, options)) as link:
+    with SerialLink(port, **values_given(LinkSettings, options)) as link:
         device_info = DeviceChip(link).info()
         status = link.run(link.host.status)
     click.echo(
@@ -117,7 +117,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
 
     container, messages = load_program(program, options)
     say(list(messages))
-    with SerialLink(port, **given(LinkSettings, options)) as link:
+    with SerialLink(port, **values_given(LinkSettings, options)) as link:
         sent = DeviceChip(link, progress=progress).upload(container)
     say_done(f"{port} holds '{program.name}': {sent.words} words, {len(sent.stream)} bytes")
 
@@ -166,7 +166,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
             "--pixels needs a program, but none is named",
             helps=("name the program: `nscc device capture PORT FILE --pixels CODES.npz`",),
         )
-    with SerialLink(port, **given(LinkSettings, options)) as link:
+    with SerialLink(port, **values_given(LinkSettings, options)) as link:
         chip = DeviceChip(link, progress=progress)
         target = container.target if container else target_of(chip, options["target"])
         sensor = sensor_of(target, options)
@@ -199,7 +199,7 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
     from nscc_runtime.device.link import SerialLink
     from nscc_runtime.device.measured_times import measured
 
-    with SerialLink(port, **given(LinkSettings, options)) as link:
+    with SerialLink(port, **values_given(LinkSettings, options)) as link:
         target = target_of(DeviceChip(link), options["target"])
         times = measured(link, target)
     write_whole(out, target_toml(times.of(target)).encode())

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected, unknown_name
 from nscc.files import Product, refuse_inputs, refuse_same, write_together
-from nscc_cli.options import given
+from nscc_cli.options import values_given
 from nscc_cli.support import progress, refuse_ignored
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def scene_of(
             missing,
             helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
         )
-    return Scene(**given(Scene, options))
+    return Scene(**values_given(Scene, options))
 
 
 def refuse_swapped(program: Path, scene: str | None) -> None:

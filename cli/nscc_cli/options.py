@@ -104,7 +104,7 @@ def declared(
     return together(*(_option(key, defaults) for key in chosen))
 
 
-def given(settings: type, options: Mapping[str, Any]) -> dict[str, Any]:
+def values_given(settings: type, options: Mapping[str, Any]) -> dict[str, Any]:
     """Return those of a command's options that fields of a dataclass declare and that have a value,
     by the names of the fields."""
     named = ((key.attribute, options.get(key.name)) for key in keys_by_name(settings).values())

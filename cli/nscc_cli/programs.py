@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from nscc.diagnostics.rejection import rejected
 from nscc.options import Options
 from nscc.toml.schema import declared
-from nscc_cli.options import given
+from nscc_cli.options import values_given
 from nscc_cli.support import waiting
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) ->
 
 def compile_options(options: Mapping[str, Any], **overrides: Any) -> Options:
     """Return the compiler's options in those of a command; others keep their defaults."""
-    return Options(**given(Options, options), **overrides)
+    return Options(**values_given(Options, options), **overrides)
 
 
 def load_program(
@@ -50,7 +50,9 @@ def load_program(
 
     chosen = compile_options(options)
     keys = declared(Options)
-    names = ", ".join(keys[name].option for name in given(Options, options) if name != "cache")
+    names = ", ".join(
+        keys[name].option for name in values_given(Options, options) if name != "cache"
+    )
     if names and is_compiled(path):
         raise rejected(
             "NS0743",

@@ -21,7 +21,7 @@ from nscc_cli.frames import (
     summary,
     write_frame,
 )
-from nscc_cli.options import OUT, PATH, given
+from nscc_cli.options import OUT, PATH, values_given
 from nscc_cli.programs import load_program
 from nscc_cli.runtime_options import fit_option, link_options, placing_options
 from nscc_cli.support import (
@@ -135,7 +135,10 @@ def _run_on_emulator(
     from nscc_runtime.scenes import laid_lights
     from nscc_runtime.simulate import Listener
 
-    request, out = Request.of(**given(Request, options), mark="--"), frame_path(program, options)
+    request, out = (
+        Request.of(**values_given(Request, options), mark="--"),
+        frame_path(program, options),
+    )
     listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     timings = listener.timings
     with timings.measure("compile_s"):
@@ -229,7 +232,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     else:
         with (
             timings.measure("expose_s"),
-            SerialLink(place, **given(LinkSettings, options)) as link,
+            SerialLink(place, **values_given(LinkSettings, options)) as link,
         ):
             chip = DeviceChip(link, sensor, progress)
             frame, meta = exposed(chip, container, light, options["repeat"], progress)

@@ -187,11 +187,6 @@ class Target:
         return self.kind == "scamp"
 
     @property
-    def streamed(self) -> bool:
-        """Whether the pixels receive a bit for every slot."""
-        return not self.has_logic
-
-    @property
     def plane_load_us(self) -> float:
         """The time to load a bit plane, row by row, in microseconds."""
         return self.rows * self.row_load_us

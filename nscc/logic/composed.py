@@ -36,7 +36,7 @@ _SUBMASK_BITS = (13, 4)
 
 
 @dataclass(frozen=True)
-class Part:
+class RulePart:
     """A part of a rule: what it opens, and the fields that it reads."""
 
     open: Open
@@ -52,7 +52,7 @@ class Composition:
     second: Rule
 
 
-Rule = Part | Composition
+Rule = RulePart | Composition
 
 
 def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
@@ -92,7 +92,7 @@ def decomposed(is_open: Open, fields: Fields) -> Rule:
             splits.sort(key=lambda split: not (_only_opens(split[1]) or _only_opens(~split[1])))
             for operator, a, b in splits[:1]:
                 return Composition(operator, decomposed(a, first), decomposed(b, second))
-    return Part(is_open, fields)
+    return RulePart(is_open, fields)
 
 
 def _number(fields: Fields) -> NDArray[np.intp]:

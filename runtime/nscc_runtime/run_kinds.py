@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any
 
@@ -30,6 +30,17 @@ class Sent(Record):
     summaries: Mapping[str, Any] = MappingProxyType({})
 
 
+class Exposing(Record):
+    """How frames are exposed without a plan.
+
+    `run()` returns frames one after the other, or one frame with all repeats without effects.
+    `loop` is the compiled loop that it waits for, and `subject` names it in a message."""
+
+    run: Callable[[], Any]
+    loop: Any = None
+    subject: str = "emulator"
+
+
 class RunKind:
     """What the runtime does for a program with fixed shutters.
 
@@ -37,11 +48,30 @@ class RunKind:
 
     without_plan = ""
     """Why frames are simulated slot by slot, without a plan; empty if plans apply."""
+    note_without_plan = ""
+    """What is said if effects are chosen automatically, and there is no plan."""
+    is_fast = False
+    """Whether frames without a plan need the reference only if it is requested."""
     open_times_known = True
     """Whether the open time of every pixel is known before the exposure. If not, a frame contains
     the open times, and the light that follows from them."""
     takes_films = False
     """Whether each frame of a film may have its own light."""
+
+    def absent_effects(self, container: Container, effects: Any) -> Mapping[str, str]:
+        """Return why the chip does not have some of the requested effects, by effect."""
+        return {}
+
+    def exposing(
+        self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
+    ) -> Exposing:
+        """Return how frames are exposed slot by slot: without effects, or with the reference.
+
+        `effects`: the requested effects that the chip has."""
+        exposing: Exposing = LazyFunctions("nscc_runtime.runs.fixed_run").exposing(
+            container, light, sensor, effects, request
+        )
+        return exposing
 
     def sheet(self, container: Container, title: str) -> Any:
         """Return the figure of `nscc view`: when shutters are open."""

@@ -4,9 +4,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, field, replace
-from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -24,6 +23,7 @@ from nscc_runtime.planless import reason_without_plan, refuse_planless
 from nscc_runtime.planning.tolerance import check_tolerance
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.request import Request
+from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
 
@@ -97,80 +97,25 @@ def _simulated(
     if request.planned and not reason:
         return _planned(container, light, sensor, request, listener)
     noiseless = request.effects.noiseless
-    absent: Mapping[str, str] = {}
-    if container.pictures.outputs and request.effects.auto:
-        _say_once(listener, "images and planes: all effects are simulated, without a plan")
-    elif container.target.streamed and not noiseless:
-        from nscc_runtime.reference.stream import absent_effects
-
-        absent = absent_effects(container, request.effects)
+    kind = KINDS.of(container)
+    if kind.note_without_plan and request.effects.auto:
+        _say_once(listener, kind.note_without_plan)
+    absent = {} if noiseless else kind.absent_effects(container, request.effects)
     effects = request.effects.without(*absent) if absent else request.effects
-    expose = _exposing(container, light, sensor, effects, request, listener)
+    exposing = kind.exposing(container, light, sensor, effects, request)
+    if exposing.loop is not None:
+        _say_compiling(listener, exposing.loop, exposing.subject)
     with listener.timings.measure("expose_s"):
-        made = expose()
+        made = exposing.run()
         frame = made if isinstance(made, Frame) else _gathered(made, request.repeat, listener)
     plan = frame_file.unplanned(request.effects, light.motion is not None, absent)
     if reason:
         plan["slot_loop_reasons"] = [reason]
     origin = Provenance(
         digest_of(container), sensor, request.seed, request.device_seed,
-        "planned" if noiseless or (container.pictures and request.planned) else "reference", plan,
+        "planned" if noiseless or (kind.is_fast and request.planned) else "reference", plan,
     )  # fmt: skip
     return Simulated(frame, origin, effects)
-
-
-def _exposing(
-    container: Container,
-    light: Light,
-    sensor: Sensor,
-    effects: Selection,
-    request: Request,
-    listener: Listener,
-) -> Callable[[], Iterable[Frame] | Frame]:
-    """Return a function that exposes slot by slot, without effects or with the reference.
-
-    The function returns frames one after the other, or one frame with all repeats without effects.
-    `effects`: the requested effects that the chip has."""
-    from nscc_runtime.noise.noise_loops import fill_normals
-
-    noiseless, count, threads = request.effects.noiseless, request.repeat or 1, request.threads
-    if container.pictures.outputs:
-        from nscc_runtime.emulator.capture import check
-        from nscc_runtime.neighbours.pictured_program import PicturedProgram
-
-        lights = (light, *request.next_lights)
-        for frame_light in lights:
-            check(container, frame_light)
-        program = PicturedProgram(container, sensor, effects, threads, not request.planned)
-        if request.next_lights:
-            return partial(program.film, lights, request.seed, request.device_seed)
-        return partial(program.frames, light, request.seed, request.device_seed, count)
-    frames: Callable[..., Iterable[Frame]]
-    if container.machine.stages:
-        from nscc_runtime import looked_frames
-        from nscc_runtime.execution.block_loop import run_blocks
-
-        loop, frames = run_blocks, partial(looked_frames.frames, by_words=not noiseless)
-    elif noiseless:
-        from nscc_runtime.emulator.loops import expose_pixels
-
-        _say_compiling(listener, expose_pixels, "emulator")
-        return partial(_exact, container, light, sensor, request)
-    else:
-        from nscc_runtime.reference import frames
-    _say_compiling(listener, *((loop, "emulator") if noiseless else (fill_normals, "noise")))
-    return partial(
-        frames, container, light, sensor, effects, seed=request.seed,
-        device_seed=request.device_seed, count=count, threads=threads,
-    )  # fmt: skip
-
-
-def _exact(container: Container, light: Light, sensor: Sensor, request: Request) -> Frame:
-    from nscc_runtime.emulator import expose
-
-    exact = expose(container, light, device_seed=request.device_seed, threads=request.threads)
-    frame = frame_file.read_out(exact, container.target, sensor)
-    return frame_file.repeated(frame, request.repeat) if request.repeat else frame
 
 
 def _planned(

@@ -26,7 +26,8 @@ from unittest.mock import patch
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.logic.generate import GENERATORS, Generator
-from nscc.pipeline import Options, run_passes
+from nscc.options import Options
+from nscc.pipeline import run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.syntax.parse import read_source

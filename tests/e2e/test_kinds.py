@@ -28,14 +28,6 @@ MAY_ASK = {
     "nscc/words/soundness.py": "consistency of a file",
     "nscc/words/machine_soundness.py": "consistency of a file",
     "nscc/words/legality.py": "the refusals that others call",
-    "runtime/nscc_runtime/emulator/capture.py": "chooses the simulator",
-    "runtime/nscc_runtime/execution/block_program.py": "chooses the simulator",
-    "runtime/nscc_runtime/planning/planned_scene.py": "chooses the simulator",
-    "runtime/nscc_runtime/reference/capture.py": "chooses the simulator",
-    "runtime/nscc_runtime/reference/trace.py": "chooses the simulator",
-    "runtime/nscc_runtime/reference/weights.py": "chooses the simulator",
-    "runtime/nscc_runtime/reference/words.py": "chooses the simulator",
-    "runtime/nscc_runtime/simulate.py": "chooses the simulator",
 }
 
 

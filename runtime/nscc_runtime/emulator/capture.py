@@ -51,7 +51,7 @@ def expose(
     pixel codes (NS0741), for light of another size (NS0734), and for words that the target cannot
     run (`nscc.words.legality`). Raises ValueError for an inconsistent container or light."""
     check(container, light)
-    if container.target.streamed:
+    if container.stream is not None:
         return _sorted_light(container, light)
     from nscc_runtime.emulator.loops import PixelRange, expose_pixels
 

@@ -35,6 +35,7 @@ from nscc_runtime.reference.trace import (
 )
 from nscc_runtime.reference.weights import error_sign
 from nscc_runtime.reference.words import most_destinations
+from nscc_runtime.run_kinds import KINDS
 
 _WORD = np.dtype(LoopWord)
 AROUND_WORDS = {
@@ -84,7 +85,7 @@ def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str
         for effect in effects.effects
         if isinstance(effect.words, CannotHave) and not effect.reference.keys() <= AROUND_WORDS
     ]
-    if container.machine.stages:
+    if not KINDS.of(container).open_times_known:
         paths = paths_of(container, retention_us(effects, sensor))
         reasons += [f"the words run one by one: {paths}"] if isinstance(paths, str) else []
     return tuple(reasons)
@@ -98,7 +99,7 @@ def block_program(container: Container, kept_us: float, every_slot: bool = False
     that looks is a stretch, so that light is added in the order in which exposures are defined.
     Raises Rejected like `nscc_runtime.reference.trace.analog_words`, and ValueError where `lacks`
     has a reason."""
-    if not container.machine.stages:
+    if KINDS.of(container).open_times_known:
         return _of_codes(container, analog_words(container, kept_us))
     paths = paths_of(container, kept_us)
     if isinstance(paths, str):

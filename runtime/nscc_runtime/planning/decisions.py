@@ -25,7 +25,7 @@ FROM_EARLIER_PLAN = "taken from an earlier plan"
 
 
 @dataclass(frozen=True, eq=False)
-class Choice:
+class EffectChoice:
     """The choice of effects for a scene.
 
     `absent`: effects that change nothing. `allowed`: the tolerance; None if it is unknown.
@@ -42,7 +42,7 @@ class Choice:
     alone: Mapping[Names, SampledErrors] = field(default_factory=dict)
 
 
-def plan_of(choice: Choice) -> Plan:
+def plan_of(choice: EffectChoice) -> Plan:
     """Return the plan of a choice."""
     work, request, allowed, together = choice.work, choice.request, choice.allowed, choice.together
     effects, scene = request.requested.without(*choice.dropped), choice.work.scene
@@ -71,7 +71,7 @@ def plan_of(choice: Choice) -> Plan:
     )
 
 
-def _decision(effect: Effect, choice: Choice) -> Decision:
+def _decision(effect: Effect, choice: EffectChoice) -> Decision:
     """Return the decision on one effect."""
     name, request, work = effect.name, choice.request, choice.work
     if effect.kind == "after":
@@ -101,7 +101,7 @@ def _decision(effect: Effect, choice: Choice) -> Decision:
 
 
 def _reason(
-    choice: Choice, off: bool, saved_ms: float, alone: SampledErrors | None,
+    choice: EffectChoice, off: bool, saved_ms: float, alone: SampledErrors | None,
     then: SampledErrors | None,
 ) -> str:  # fmt: skip
     """Return the reason for simulating or dropping (`off`) an effect. `alone`: the error of
@@ -119,7 +119,7 @@ def _reason(
     return f"left out, the error could be {math.sqrt(then.square_e2(2.0)):.3g} e: few pixels tell"
 
 
-def _after_exposure(effect: Effect, choice: Choice) -> Decision:
+def _after_exposure(effect: Effect, choice: EffectChoice) -> Decision:
     """Return the decision on an effect of the readout. It is simulated unless the user forces it
     off, and the tolerance does not include its error."""
     request, sensor = choice.request, choice.work.scene.sensor

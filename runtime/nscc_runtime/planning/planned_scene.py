@@ -28,6 +28,7 @@ from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.reference.trace import retention_us
+from nscc_runtime.run_kinds import KINDS
 
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
@@ -57,7 +58,7 @@ class PlannedScene:
     @property
     def looks(self) -> bool:
         """Whether pixels look at their light."""
-        return self.container.machine.stages > 0
+        return not KINDS.of(self.container).open_times_known
 
     @property
     def pixels(self) -> int:

@@ -36,6 +36,7 @@ from nscc_runtime.reference.stream import expose_stream
 from nscc_runtime.reference.trace import RunningWord, analog_words, retention_us, running_words
 from nscc_runtime.reference.weights import backward
 from nscc_runtime.reference.words import START, Marked, WordPixels, converted_frames, in_rows
+from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.sensor import default_sensor
 
 Values = NDArray[np.float64]
@@ -62,7 +63,7 @@ class Reference:
         program without looks open no shutters."""
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
-        if not container.machine.stages:
+        if KINDS.of(container).open_times_known:
             backward(container, analog_words(container)).open()
         return cls(container, sensor, effects, tuple(running_words(container)))
 
@@ -161,7 +162,8 @@ def executed(
     look."""
     check_size(container, light)
     sensor = sensor or default_sensor(converter_of(container))
-    reference = Reference.of(container, sensor, selected("none"))
+    # Only the words tell that the pixels of such a container look: it has no state machine.
+    reference = Reference(container, sensor, selected("none"), tuple(running_words(container)))
     return reference.execute(scene_of(container, light), container.planes(), (0, device_seed), 0)
 
 
@@ -181,8 +183,7 @@ def frames(
     run."""
     check(container, light)
     scene, seeds = scene_of(container, light), (seed, device_seed)
-    streamed = container.target.streamed
-    reference = None if streamed else Reference.of(container, sensor, effects)
+    reference = Reference.of(container, sensor, effects) if container.stream is None else None
 
     def expose(number: int) -> Exposure:
         if reference is None:

@@ -108,7 +108,7 @@ def retention_us(effects: Selection, sensor: Sensor) -> float:
 def readout_waits_s(container: Container) -> NDArray[np.float64]:
     """Return the time (buckets,) in seconds from the end of the exposure to the readout: readouts
     happen one after the other. Exposures of which images are computed are not read out first."""
-    if container.pictures.outputs:
+    if container.pictures.launches:
         return np.zeros(len(container.buckets))
     order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
     readout_us = container.target.readout_us

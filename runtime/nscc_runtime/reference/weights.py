@@ -145,7 +145,7 @@ def backward(
     of its boundary run. With `lit_level`, words that read PIX after its reset at the same boundary
     also read this charge. Decay must already be contained in the words."""
     gain, leak_per_s, dead_time = model.gain, model.leak_per_s, model.dead_time
-    if container.target.streamed:
+    if container.target.taps:
         return _of_taps(container, leak_per_s, dead_time)
     lanes = len(words[0].lanes) if words else len(container.encoding)
     buckets = len(container.buckets)

@@ -310,7 +310,7 @@ class WordPixels(Pixels):
         """Return the exposures of the frame and their saturation marks."""
         exposures = np.empty((len(self.container.buckets), len(self.places)))
         marked = np.empty(exposures.shape, np.uint8)
-        stays = bool(self.container.pictures.outputs)  # readout follows the words of images
+        stays = bool(self.container.pictures.launches)  # readout follows the words of images
         waits_s = readout_waits_s(self.container)
         for readout in self.container.readouts:
             value = self.register[readout.register] * readout.gain

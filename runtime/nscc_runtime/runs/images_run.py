@@ -3,21 +3,38 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.frame_file import joined
-from nscc_runtime.neighbours.pictured_program import image_sensor, told_of_planes
-from nscc_runtime.run_kinds import RunKind, Sent
+from nscc_runtime.neighbours.pictured_program import PicturedProgram, image_sensor, told_of_planes
+from nscc_runtime.run_kinds import Exposing, RunKind, Sent
+from nscc_runtime.sensor import Sensor
 
 
 class ImagesRun(RunKind):
     """A program with images or planes."""
 
     without_plan = "images and planes depend on the neighbours of every pixel"
+    note_without_plan = "images and planes: all effects are simulated, without a plan"
+    is_fast = True
     takes_films = True
+
+    def exposing(
+        self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
+    ) -> Exposing:
+        from nscc_runtime.emulator.capture import check
+
+        lights, seeds = (light, *request.next_lights), (request.seed, request.device_seed)
+        for frame_light in lights:
+            check(container, frame_light)
+        program = PicturedProgram(container, sensor, effects, request.threads, not request.planned)
+        if request.next_lights:
+            return Exposing(partial(program.film, lights, *seeds))
+        return Exposing(partial(program.frames, light, *seeds, request.repeat or 1))
 
     def flow(self, container: Container, width: float) -> Any:
         from nscc_runtime.pictures.data_flow import DataFlow

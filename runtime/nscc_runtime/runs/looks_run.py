@@ -3,18 +3,35 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from nscc.words.container import Container
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.looked_light import told_by
-from nscc_runtime.run_kinds import RunKind, Sent
+from nscc_runtime.run_kinds import Exposing, RunKind, Sent
+from nscc_runtime.sensor import Sensor
 
 
 class LooksRun(RunKind):
     """A program whose shutters depend on the light."""
 
     open_times_known = False
+
+    def exposing(
+        self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
+    ) -> Exposing:
+        from nscc_runtime.execution.block_loop import run_blocks
+        from nscc_runtime.looked_frames import frames
+        from nscc_runtime.noise.noise_loops import fill_normals
+
+        noiseless = request.effects.noiseless
+        run = partial(
+            frames, container, light, sensor, effects, seed=request.seed,
+            device_seed=request.device_seed, count=request.repeat or 1, threads=request.threads,
+            by_words=not noiseless,
+        )  # fmt: skip
+        return Exposing(run, run_blocks) if noiseless else Exposing(run, fill_normals, "noise")
 
     def sheet(self, container: Container, title: str) -> Any:
         from nscc_runtime.pictures.looking_chart import course_sheet

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
+from nscc.words.container import Container
 from nscc_runtime.run_kinds import RunKind
 
 
@@ -9,3 +13,8 @@ class BitPlanesRun(RunKind):
     """A program whose bit planes assign the light."""
 
     without_plan = "bit planes assign the light to buckets slot by slot"
+
+    def absent_effects(self, container: Container, effects: Any) -> Mapping[str, str]:
+        from nscc_runtime.reference.stream import absent_effects
+
+        return absent_effects(container, effects)

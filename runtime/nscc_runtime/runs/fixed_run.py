@@ -1,0 +1,39 @@
+"""Frames of programs with fixed shutters, exposed slot by slot."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection
+from nscc_runtime.frame_file import Frame, read_out, repeated
+from nscc_runtime.light import Light
+from nscc_runtime.request import Request
+from nscc_runtime.run_kinds import Exposing
+from nscc_runtime.sensor import Sensor
+
+
+def exposing(
+    container: Container, light: Light, sensor: Sensor, effects: Selection, request: Request
+) -> Exposing:
+    """Return how frames are exposed: by the emulator without effects, else by the reference."""
+    if request.effects.noiseless:
+        from nscc_runtime.emulator.loops import expose_pixels
+
+        return Exposing(partial(_exact, container, light, sensor, request), expose_pixels)
+    from nscc_runtime.noise.noise_loops import fill_normals
+    from nscc_runtime.reference import frames
+
+    run = partial(
+        frames, container, light, sensor, effects, seed=request.seed,
+        device_seed=request.device_seed, count=request.repeat or 1, threads=request.threads,
+    )  # fmt: skip
+    return Exposing(run, fill_normals, "noise")
+
+
+def _exact(container: Container, light: Light, sensor: Sensor, request: Request) -> Frame:
+    from nscc_runtime.emulator import expose
+
+    exact = expose(container, light, device_seed=request.device_seed, threads=request.threads)
+    frame = read_out(exact, container.target, sensor)
+    return repeated(frame, request.repeat) if request.repeat else frame
