@@ -9,50 +9,29 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import combinations
-from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget, Cube, Standing, cover
 from nscc.logic.digits import Planes, binary_planes, gray
 from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.rule_parts import (
+    Composition,
+    Operator,
+    Rule,
+    composition,
+    only_opens,
+)
 from nscc.logic.script_walk import Script, walk
-from nscc.truth import columns, rows
+from nscc.truth import columns
 
-Open = NDArray[np.bool_]
-"""Whether each shutter satisfies a part of the rule at each demand, (shutters, demands)."""
-Operator = Literal["and", "or", "xor"]
-Fields = dict[str, NDArray[np.int64]]
 Value = tuple[str, bool]
 """A register, and whether it holds a value itself (true) or its inverse."""
 
-# Limits: fields of a rule, cubes of a part at one demand, and low bits of a counted part whose
+# Limits: cubes of a part at one demand, and low bits of a counted part whose
 # cubes are submasks (more of them need fewer inversions, but a larger store).
-_MOST_FIELDS = 5
 _MOST_CUBES = 4
 _SUBMASK_BITS = (13, 4)
-
-
-@dataclass(frozen=True)
-class RulePart:
-    """A part of a rule: what it opens, and the fields that it reads."""
-
-    open: Open
-    fields: Fields
-
-
-@dataclass(frozen=True)
-class Composition:
-    """Two parts that an operator joins."""
-
-    operator: Operator
-    first: Rule
-    second: Rule
-
-
-Rule = RulePart | Composition
 
 
 def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
@@ -63,92 +42,6 @@ def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solutio
     for submask_bits in _SUBMASK_BITS:
         writer = _Writer(problem, machine, submask_bits)
         yield from walk(problem, machine, writer.script(rule), steps)
-
-
-def composition(problem: Problem) -> Composition | None:
-    """Return the parts of a rule; None for events, and for a rule that is not composed."""
-    levels_only = all(demand.edge == "open" for demand in problem.demands)
-    if not (levels_only and problem.demands and 2 <= len(problem.values) <= _MOST_FIELDS):
-        return None
-    is_open = rows([demand.predicate for demand in problem.demands], problem.shutters)
-    rule = decomposed(is_open, dict(problem.values))
-    return rule if isinstance(rule, Composition) else None
-
-
-# --- parts ----------------------------------------------------------------------------------------
-
-
-def decomposed(is_open: Open, fields: Fields) -> Rule:
-    """Return a rule as a composition of parts with different fields, as deep as possible."""
-    names = sorted(fields)
-    for size in range(1, len(names)):
-        for chosen in combinations(names, size):
-            first = {name: fields[name] for name in chosen}
-            second = {name: fields[name] for name in names if name not in chosen}
-            if _number(first).max() < _number(second).max():
-                first, second = second, first
-            splits = [*_splits(is_open, _number(first), _number(second))]
-            # A part that only opens or closes is the cheapest.
-            splits.sort(key=lambda split: not (_only_opens(split[1]) or _only_opens(~split[1])))
-            for operator, a, b in splits[:1]:
-                return Composition(operator, decomposed(a, first), decomposed(b, second))
-    return RulePart(is_open, fields)
-
-
-def _number(fields: Fields) -> NDArray[np.intp]:
-    """Return the number of each shutter's values among all values of these fields (shutters,)."""
-    _, number = np.unique(np.stack([*fields.values()]), axis=1, return_inverse=True)
-    return number.reshape(-1)
-
-
-def _splits(
-    is_open: Open, first: NDArray[np.intp], second: NDArray[np.intp]
-) -> Iterator[tuple[Operator, Open, Open]]:
-    """Yield the operators that join a function of `first` and one of `second` to `is_open`.
-
-    `first` has the most values; it is a part that only opens or closes if that is possible."""
-    for operator, bits in (("and", is_open), ("or", ~is_open)):
-        a, b = _any_of(bits, first), _any_of(bits, second)
-        if np.array_equal(a & b, bits):
-            # Where the other part is closed in all shutters of a number, a part may be anything.
-            a = _filled(a, ~_any_of(b, first))
-            b = _filled(b, ~_any_of(a, second))
-            yield ("and", a, b) if operator == "and" else ("or", ~a, ~b)
-    # With a shutter for each pair of values, the first values determine an exclusive or, up to a
-    # constant at each demand.
-    if len(is_open) == (first.max() + 1) * (second.max() + 1):
-        a = is_open[second == 0][np.argsort(first[second == 0])][first]
-        b = is_open[first == 0][np.argsort(second[first == 0])][second] ^ a[first == 0][:1]
-        if np.array_equal(a ^ b, is_open):
-            constants = [a[first == number][:1] for number in (first.max(), 0)]
-            nested = [c for c in constants if _only_opens(a ^ c) or _only_opens(~(a ^ c))]
-            constant = nested[0] if nested else constants[0]
-            yield "xor", a ^ constant, b ^ constant
-
-
-def _only_opens(bits: Open) -> bool:
-    return not np.any(bits[:, :-1] & ~bits[:, 1:])
-
-
-def _any_of(bits: Open, number: NDArray[np.intp]) -> Open:
-    """Return for each shutter whether a bit is set in any shutter of the same number."""
-    order = np.argsort(number, kind="stable")
-    starts = np.flatnonzero(np.diff(number[order], prepend=-1))
-    joined: Open = np.logical_or.reduceat(bits[order], starts, axis=0)[number]
-    return joined
-
-
-def _filled(bits: Open, unknown: Open) -> Open:
-    """Return bits that only fall, or only rise, over the demands if the unknown ones allow this."""
-    later = np.logical_or.accumulate(bits[:, ::-1], axis=1)[:, ::-1]
-    earlier = np.logical_or.accumulate(bits, axis=1)
-    for nested in (later, earlier):
-        if np.array_equal(nested & ~unknown, bits & ~unknown):
-            return nested
-    return bits
-
-
-# --- gates ----------------------------------------------------------------------------------------
 
 
 @dataclass
@@ -215,7 +108,7 @@ class _Writer:
         is_open, base = rule.open, len(self.planes)
         text = " and ".join(rule.fields)
         for closes in (True, False):
-            if _only_opens(~is_open if closes else is_open):
+            if only_opens(~is_open if closes else is_open):
                 changed_at, numbers = np.unique(
                     (is_open if closes else ~is_open).sum(axis=1), return_inverse=True
                 )

@@ -86,7 +86,7 @@ def find_gates(
 
 def _is_composed(planned: Planned, plan: ExposurePlan) -> bool:
     """Return whether a plan asks for the levels of a rule composed from parts."""
-    from nscc.logic.composed import composition  # few programs need it
+    from nscc.logic.rule_parts import composition  # few programs need it
 
     problem, _ = problem_of(planned.program, plan, planned.time, planned.opens)
     return composition(problem) is not None

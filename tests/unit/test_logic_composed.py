@@ -8,8 +8,9 @@ import pytest
 from improve_oracle import chip, words_of
 from program_oracle import program_of
 
-from nscc.logic.composed import composed, composition
+from nscc.logic.composed import composed
 from nscc.logic.problem import GaveUp, Machine
+from nscc.logic.rule_parts import composition
 from nscc.lower.decoding import problem_of
 from nscc.lower.exposure_plan import frame_time, levels, plan_exposure
 
