@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -22,8 +23,10 @@ from nscc.logic.rule_parts import (
     composition,
     only_opens,
 )
-from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns
+
+if TYPE_CHECKING:  # few rules are composed, so checks do not wait for the search for covers
+    from nscc.logic.script_walk import Script
 
 Value = tuple[str, bool]
 """A register, and whether it holds a value itself (true) or its inverse."""
@@ -39,6 +42,8 @@ def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solutio
     rule = composition(problem)
     if rule is None:
         raise GaveUp("the rule is not composed from parts with different fields")
+    from nscc.logic.script_walk import walk
+
     for submask_bits in _SUBMASK_BITS:
         writer = _Writer(problem, machine, submask_bits)
         yield from walk(problem, machine, writer.script(rule), steps)
@@ -79,6 +84,8 @@ class _Writer:
 
     def script(self, rule: Rule) -> Script:
         """Return the script that computes a rule at each demand."""
+        from nscc.logic.script_walk import Script
+
         planned = self._planned(rule)
         scratch = self.machine.registers - len(self.planes) - self.states
         if scratch < 1:
