@@ -54,7 +54,7 @@ def type_text(kind: Kind) -> str | None:
     return None
 
 
-@pytest.mark.parametrize(("call", "settings", "others"), CALLS, ids=lambda value: str(value))
+@pytest.mark.parametrize(("call", "settings", "others"), CALLS, ids=lambda value: getattr(value, "__name__", ""))
 def test_a_signature_has_the_declared_options(
     call: Callable[..., Any], settings: type, others: set[str]
 ) -> None:
