@@ -54,7 +54,9 @@ def type_text(kind: Kind) -> str | None:
     return None
 
 
-@pytest.mark.parametrize(("call", "settings", "others"), CALLS, ids=lambda value: getattr(value, "__name__", ""))
+@pytest.mark.parametrize(
+    ("call", "settings", "others"), CALLS, ids=lambda value: getattr(value, "__name__", "")
+)
 def test_a_signature_has_the_declared_options(
     call: Callable[..., Any], settings: type, others: set[str]
 ) -> None:
