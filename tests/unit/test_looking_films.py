@@ -41,7 +41,7 @@ def test_frames_that_begin_in_other_states_keep_the_promise(frame_e: float) -> N
     light = np.full((program.slots, _SIDE, _SIDE), frame_e / program.slots)
     given = {"seed": 5, "device_seed": 3, "repeat": _FRAMES}
     planned = capture(program, light, effects="auto", tolerance="5e", **given)
-    exact = capture(program, light, effects="all", fidelity="reference", **given)
+    exact = capture(program, light, effects="all", **given)
     same = np.ones((_FRAMES, _SIDE, _SIDE), np.bool_)
     for name in ("states_stop", "states_was"):
         same &= planned.told[name] == exact.told[name]
@@ -58,7 +58,7 @@ def test_at_most_allows_for_frames_that_were_not_measured(scene: int) -> None:
     given = {"seed": scene, "device_seed": 3, "repeat": 24}
     made = nscc_runtime.plan(program, light, tolerance="0.5e", device_seed=3)
     planned = capture(program, light, plan=made, **given)
-    exact = capture(program, light, effects="all", fidelity="reference", **given)
+    exact = capture(program, light, effects="all", **given)
     same = planned.told["states_closed_at"] == exact.told["states_closed_at"]
     square = np.where(same[:, None], (planned.exposure_e - exact.exposure_e) ** 2, 0.0)
     assert np.sqrt(square.mean()) <= planned.plan.bound_e + 1e-9  # rounding

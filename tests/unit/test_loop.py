@@ -275,7 +275,7 @@ def test_every_loop_is_found():
     for name in (
         "emulator.loops",
         "noise.noise_loops",
-        "execution.pixel_loop",
+        "execution.block_loop",
         "execution.sum_loop",
     ):
         assert f"nscc_runtime.{name}" in found
