@@ -34,7 +34,7 @@ from nscc_runtime.simulate import Listener
               help="A run of nscc train, whose shutters and decoder are shown.")  # fmt: skip
 @declared(Request, "seed", show=True)
 def command(
-    scene: str | None, out: Path | None, fit: str, color: bool, exposure: str | None,
+    scene: str | None, out: Path | None, fit: str, color: bool | None, exposure: str | None,
     fps: float | None, tone: str | None, merge: bool, readouts: int | None, run: Path | None,
     seed: int,
 ) -> None:  # fmt: skip
@@ -55,7 +55,7 @@ def command(
     if run is not None and (merge or readouts):
         raise click.UsageError("--run has its own decoder and readout: leave out --merge and "
                                "--readouts")  # fmt: skip
-    settings = Settings(fit, color, exposure, tone, seed, readouts=readouts, run=run)  # type: ignore[arg-type]  # Choice
+    settings = Settings(fit, bool(color), exposure, tone, seed, readouts=readouts, run=run)  # type: ignore[arg-type]  # Choice
     if (merge or not settings.learned) and (readouts or 1) > 1:
         raise click.UsageError("several readouts are joined by a decoder: leave out --merge, or "
                                "install torch")  # fmt: skip

@@ -111,6 +111,8 @@ class Number(Kind):
         return f"{number} {self.range}{unit}"
 
     def read(self, value: Any) -> float | None:
+        if value is None:
+            raise ValueError
         return None if self._word and value == self._word else self.argument(value)
 
     def argument(self, value: Any) -> float | None:
