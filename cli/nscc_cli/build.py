@@ -35,8 +35,6 @@ from nscc_cli.support import common_command, say, say_done
 def command(file: Path, out: Path | None, kinds: str, after: str | None, **options: Any) -> None:
     """Compile FILE, prove the words, and write the container or the products that --emit names."""
     places_by_kind = _kinds(kinds)
-    if out is not None:
-        _check_container_name(out)
     compiled = compile_program(
         file,
         options,
@@ -46,6 +44,8 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
     if after == "gates":
         refused_option = "--print-after gates does not apply to this program"
         refuse_planes(compiled.program.target, refused_option, "its other passes can be printed")
+    if out is not None:
+        _check_container_name(out)
     say(compiled.diagnostics)
     container = out if out is not None else file.with_suffix(".icw")
     products: dict[Path, bytes] = {}
