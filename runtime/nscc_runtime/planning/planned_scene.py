@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,13 +16,15 @@ from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.block_program import block_program, lacks
-from nscc_runtime.execution.block_scene import PixelExposures, expose_pixels, lay_out
+from nscc_runtime.execution.block_scene import BlockScene, PixelExposures, expose_pixels, lay_out
 from nscc_runtime.execution.frames import frame_source, slow_effects
 from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation, near_saturation
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import frames as looked_frames
+from nscc_runtime.looked_frames import next_planes
+from nscc_runtime.looking.paths import paths_of
 from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, drawing_chances
 from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
@@ -32,6 +35,7 @@ from nscc_runtime.run_kinds import KINDS
 
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
+States = NDArray[np.int32]
 
 SAMPLED = 4000
 """Number of pixels on which a plan is measured."""
@@ -124,29 +128,31 @@ def planning_of(
 @dataclass(frozen=True, eq=False)
 class SampledExposures:
     """Exposures of sampled pixels. `exposure_e` (outputs, frames, pixels) in electrons, see
-    `SampledErrors`. `endings`, of the same shape: the state in which each pixel ended."""
+    `SampledErrors`. `endings`, of the same shape: the states in which each pixel ended, as the bits
+    of the state registers in alphabetical order."""
 
     exposure_e: Values
     endings: NDArray[np.int32]
 
 
-Expose = Callable[[int, Places | None], PixelExposures]
-"""A function of (frame number, first segments) that exposes the sampled pixels."""
+Expose = Callable[[int, States | None], PixelExposures]
+"""A function of (frame number, kept states) that exposes the sampled pixels. None: the states that
+the program starts with."""
 
 
 @dataclass(frozen=True, eq=False)
 class Trial:
     """Exposures of a sample of a scene with any set of effects, with equal random numbers.
 
-    `begins`: the first segments of the pixels in consecutive frames, for kept states; None for the
-    states that the program starts with. `repeats`: number of frames with other noise for each of
-    these. `full`: every effect; `expose_full` exposes the sample with these, and `truth` are the
-    exposures."""
+    `begins`: the kept states (see `SampledExposures.endings`) with which the pixels begin in
+    consecutive frames; None for the states that the program starts with. `repeats`: number of
+    frames with other noise for each of these. `full`: every effect; `expose_full` exposes the
+    sample with these, and `truth` are the exposures."""
 
     scene: PlannedScene
     sample: Sample
     repeats: int
-    begins: tuple[Places | None, ...]
+    begins: tuple[States | None, ...]
     full: Selection
     expose_full: Expose
     truth: SampledExposures
@@ -188,13 +194,15 @@ def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = No
     sample = draw_sample(scene.near_pixels(full), full_well_e, count, chance)
     repeats = repeats or min(-(-_ENOUGH // len(sample.places)), _MOST_REPEATS)
     expose = _sampled(scene, sample, full)
-    begins: tuple[Places | None, ...] = (None,)
+    begins: tuple[States | None, ...] = (None,)
     truth = _exposures(expose, begins, repeats)
     keeps_states = scene.container.keeps_states and not scene.needs_reference(full)
+    kept = _kept_bits(scene.container) if keeps_states else 0
+    initial = _packed(scene.container, scene.container.planes(), scene.pixels)[sample.places] & kept
     while keeps_states and len(begins) < _MOST_FRAMES:
-        following = -1 - truth.endings[-1, 0].astype(np.int64)
-        known = [following == before for before in begins if before is not None]
-        new_weight = sample.weight[~np.any(known, axis=0)] if known else sample.weight
+        following = truth.endings[-1, 0] & kept
+        known = [following == (initial if before is None else before) for before in begins]
+        new_weight = sample.weight[~np.any(known, axis=0)]
         if new_weight.sum() <= _SETTLED * sample.weight.sum():
             break
         begins = *begins, following
@@ -210,15 +218,15 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
         laid = lay_out(
             container, sensor, scene.light, effects, sample.places, scene.device_seed, threads
         )
-        return lambda number, begins: expose_pixels(laid, SEED, number, threads, begins)
+        if not scene.looks:
+            return lambda number, _: expose_pixels(laid, SEED, number, threads)
+        return _looking(scene, sample, laid)
     reference, light = Reference.of(container, sensor, effects), scene_of(container, scene.light)
 
-    def expose(number: int, _begins: Places | None) -> PixelExposures:
+    def expose(number: int, _begins: States | None) -> PixelExposures:
         seeds = SEED, scene.device_seed
         executed = reference.execute(light, container.planes(), seeds, number, threads=threads)
-        endings = np.zeros(scene.pixels, np.int32)
-        for bit, name in enumerate(sorted(executed.planes)):
-            endings += executed.planes[name].reshape(-1).astype(np.int32) << bit
+        endings = _packed(container, executed.planes, scene.pixels)
         exposure_e = executed.exposure.exposure_e
         exposure_e = exposure_e.reshape(len(exposure_e), -1)[:, sample.places]
         no_marks = np.zeros(exposure_e.shape, np.uint8)
@@ -227,8 +235,56 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
     return expose
 
 
+def _looking(scene: PlannedScene, sample: Sample, laid: BlockScene) -> Expose:
+    """Return a function that exposes sampled pixels that look. Segments and endings are numbered
+    differently for effects with other paths, so states are given and returned as bits."""
+    container, threads = scene.container, threads_of(scene.threads)
+    paths = paths_of(container, retention_us(laid.effects, scene.sensor))
+    assert not isinstance(paths, str)  # `lacks` says so
+    endings = len(next(iter(paths.endings.values()), [0]))
+    states = _packed(container, paths.endings, endings)
+    loaded = {n: bits.reshape(-1)[sample.places] for n, bits in container.planes().items()}
+
+    def expose(number: int, begins: States | None) -> PixelExposures:
+        first = None
+        if begins is not None:
+            registers = _state_registers(container)
+            planes = {n: (begins >> k & 1).astype(np.bool_) for k, n in enumerate(registers)}
+            first = paths.begins(next_planes(container, loaded, planes), begins.shape)
+        pixels = expose_pixels(laid, SEED, number, threads, first)
+        return replace(pixels, endings=states[pixels.endings])
+
+    return expose
+
+
+def _state_registers(container: Container) -> list[str]:
+    """Return the registers of all states in alphabetical order."""
+    return sorted({name for planes in container.state_planes.values() for name in planes.registers})
+
+
+def _kept_bits(container: Container) -> int:
+    """Return the bits of the kept states in `SampledExposures.endings`."""
+    if not container.keeps_states:
+        return 0
+    names = {state.name for state in container.machine.states if state.is_kept}
+    kept = {register for name in names for register in container.state_planes[name].registers}
+    return sum(1 << k for k, name in enumerate(_state_registers(container)) if name in kept)
+
+
+def _packed(
+    container: Container, bits: Mapping[str, NDArray[Any]], count: int
+) -> NDArray[np.int32]:
+    """Return `count` bits of each state register as numbers (see `SampledExposures.endings`);
+    registers without bits are 0."""
+    numbers = np.zeros(count, np.int32)
+    for k, name in enumerate(_state_registers(container)):
+        if name in bits:
+            numbers |= bits[name].reshape(-1).astype(np.int32) << k
+    return numbers
+
+
 def _exposures(
-    expose: Expose, begins: Sequence[Places | None], repeats: int, first_number: int = 0
+    expose: Expose, begins: Sequence[States | None], repeats: int, first_number: int = 0
 ) -> SampledExposures:
     """Return `repeats` frames for each element of `begins`, numbered from `first_number`."""
     exposed = [
