@@ -97,13 +97,14 @@ def test_a_slot_too_short_for_the_light_is_proved():
 
 
 def test_a_store_that_is_full_proves_nothing():
-    small = replace(TINY, store_words=40)
+    small = replace(TINY, store_words=24)
     limits = surveyed(small, "1ms")
     full = [limit for limit in limits.values() if "stored words" in limit.unknown_reason]
-    assert full
+    built = {limit.family.name: limit.built and limit.built.size for limit in full}
+    assert built == {"d": 3, "e": 3, "codebook, 16 rows": None}
     for limit in full:
         assert "[NS0501], but a longer search may succeed" in limit.unknown_reason
-        assert limit.built.figures["words_stored"] <= 40
+        assert limit.built is None or limit.built.figures["words_stored"] <= 24
 
 
 @pytest.mark.slow
