@@ -186,11 +186,12 @@ def test_a_damaged_picture_is_refused() -> None:
         replace(pictures, reads=("nothing",)),
         replace(pictures, weights=()),
         replace(pictures, registers={"i": "R99"}),
-        replace(pictures, outside=2),
         replace(pictures, limits_e={}),
     ):
         with pytest.raises(ValueError, match="unsound"):
             to_bytes(replace(container, pictures=wrong))
+    with pytest.raises(ValueError, match=r"`pictures\.outside` is 2, but 0 to 1 is allowed"):
+        to_bytes(replace(container, pictures=replace(pictures, outside=2)))
 
 
 def test_python_has_images_planes_and_reports(tmp_path: Path) -> None:
