@@ -89,7 +89,7 @@ def test_the_search_says_what_its_program_reaches(
     assert "frame 16 slots of 125us" in (tmp_path / "p.nsl").read_text()
     for line in (
         ["run", "p.nsl", "--scene", "clip.npz", "--effects", "all", "-o", "f.npz", *chip],
-        ["reconstruct", "any", "f.npz", "-o", "o.npz"],
+        ["reconstruct", "any", "f.npz", "--method", "network", "-o", "o.npz"],
     ):
         step = invoke(line, tmp_path)
         assert step.status == 0, step.err

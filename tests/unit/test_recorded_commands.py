@@ -76,7 +76,8 @@ SESSIONS: Mapping[str, tuple[str, ...]] = {
         "run open.nsl --scene builtin:flat:4000 --effects all --sensor s.toml -o g.npz",
     ),
     "masks": (
-        "import-mask m.npz -o m.nsl", "check m.nsl", "import-mask m.npz -o n.nsl --slot-us 2000",
+        "import-mask m.npz -o m.nsl --slots-axis last", "check m.nsl",
+        "import-mask m.npz -o n.nsl --slots-axis last --slot-us 2000",
     ),
 }  # fmt: skip
 SMALL = """nsl 1
