@@ -49,10 +49,19 @@ def some_reset(name: str) -> Container:
 def test_planned_frames_are_those_of_the_reference(name: str) -> None:
     container, light = some_reset(name), moving_light((8, *SHAPE), 900.0)
     planned, reference = (
-        nscc_runtime.capture(
-            container, light, effects=EFFECTS, fidelity=fidelity, sensor=sensor_of(container)
-        )
+        np.stack([
+            nscc_runtime.capture(
+                container, light, effects=EFFECTS, fidelity=fidelity, sensor=sensor_of(container),
+                seed=seed,
+            ).exposure_e
+            for seed in range(25)
+        ])
         for fidelity in ("planned", "reference")
+    )  # fmt: skip
+    assert reference[0].std() > 1000.0
+    # The simulators draw for themselves: means and standard deviations of pixels are equal.
+    error = (planned.mean(axis=0) - reference.mean(axis=0)) / np.sqrt(
+        (planned.var(axis=0) + reference.var(axis=0)) / len(planned)
     )
-    assert reference.exposure_e.std() > 1000.0
-    assert np.abs(planned.exposure_e - reference.exposure_e).max() < 1.0
+    assert np.sqrt(np.mean(error**2)) < 1.2
+    assert planned.std(axis=0).mean() == pytest.approx(reference.std(axis=0).mean(), rel=0.1)

@@ -107,12 +107,13 @@ def retention_us(effects: Selection, sensor: Sensor) -> float:
 
 def readout_waits_s(container: Container) -> NDArray[np.float64]:
     """Return the time (buckets,) in seconds from the end of the exposure to the readout: readouts
-    happen one after the other. Exposures of which images are computed are not read out first."""
+    happen one after the other. Exposures of which images are computed, and buckets that a loaded
+    container does not read, do not wait."""
     if container.pictures.launches:
         return np.zeros(len(container.buckets))
     order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
     readout_us = container.target.readout_us
-    return np.array([order[b] * readout_us * 1e-6 for b in container.buckets], np.float64)
+    return np.array([order.get(b, 0) * readout_us * 1e-6 for b in container.buckets], np.float64)
 
 
 @OfContainer
