@@ -180,7 +180,7 @@ def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: boo
     return turn.plans.plan(
         turn, key,
         lambda frames: make_plan(scene, replace(plan_request, frames=frames * repeat)),
-        lambda plan: served_plan(scene, plan),
+        lambda plan: served_plan(scene, plan, request.tolerance),
     )  # fmt: skip
 
 

@@ -29,7 +29,7 @@ from nscc_runtime.planning.planned_scene import (
 )
 from nscc_runtime.planning.prices import Work
 from nscc_runtime.planning.sample import SampledErrors
-from nscc_runtime.planning.tolerance import check_tolerance, tolerance_of, unit_of
+from nscc_runtime.planning.tolerance import ToleranceInput, check_tolerance, tolerance_of, unit_of
 
 _WORTH = 2.0
 """Effects are measured if that is predicted to save this multiple of the time that it takes."""
@@ -71,11 +71,19 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     return plan_of(choice)
 
 
-def measured_again(scene: PlannedScene, plan: Plan, *, figures: bool = False) -> Plan:
+def measured_again(
+    scene: PlannedScene,
+    plan: Plan,
+    *,
+    figures: bool = False,
+    tolerance: ToleranceInput | None = None,
+) -> Plan:
     """Return a plan that was made for another scene, with its error and its relative tolerance
-    measured on this scene. `figures`: also measure each effect alone, on more pixels."""
+    measured on this scene. `figures`: also measure each effect alone, on more pixels. `tolerance`:
+    replaces the plan's, for instance the electrons that a percentage has over several scenes."""
     work, absent = Work.of(scene), absent_effects(scene)
-    request = PlanRequest(plan.requested_effects, plan.tolerance_input, figures=figures)
+    allowed = plan.tolerance_input if tolerance is None else tolerance
+    request = PlanRequest(plan.requested_effects, allowed, figures=figures)
     dropped = frozenset(plan.names("dropped"))
     if not (dropped or figures):
         return _unmeasured(work, request, absent)
@@ -91,10 +99,10 @@ def measured_again(scene: PlannedScene, plan: Plan, *, figures: bool = False) ->
     return replace(made, decisions=tuple(decisions), reused=True)
 
 
-def served_plan(scene: PlannedScene, plan: Plan) -> Plan | None:
+def served_plan(scene: PlannedScene, plan: Plan, tolerance: ToleranceInput) -> Plan | None:
     """Return a plan of an earlier scene with its error on this scene; None if the error is too
-    large here."""
-    plan = measured_again(scene, plan)
+    large here for the requested `tolerance`."""
+    plan = measured_again(scene, plan, tolerance=tolerance)
     tolerance_e = plan.tolerance_e or 0.0
     fits = not plan.measured or (
         (plan.predicted_e or 0.0) <= _SURE * tolerance_e
