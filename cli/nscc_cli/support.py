@@ -14,7 +14,7 @@ from typing import Any, Literal, TypeVar
 
 import click
 
-from nscc.cache.folder import refusal
+from nscc.cache.folder import forget_refusal, refusal
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
@@ -132,6 +132,7 @@ def say_refused_cache(of: Session) -> None:
     if of.message_format == "human" and refusal():
         hint = "NSCC_CACHE_DIR names another folder, NSCC_CACHE=off none"
         click.echo(f"{refusal()} ({hint})", err=True)
+    forget_refusal()
 
 
 def say_compiling(loop: Any, part_name: str) -> None:

@@ -40,6 +40,11 @@ def refusal() -> str:
     return "".join(_refusal)
 
 
+def forget_refusal() -> None:
+    """Forget the reason of `refusal`, so that the next command does not say it again."""
+    _refusal.clear()
+
+
 def is_own(path: Path) -> bool:
     """Return whether a file or folder belongs to this user, and nobody else may write to it."""
     try:
