@@ -188,7 +188,7 @@ def test_a_damaged_picture_is_refused() -> None:
         replace(pictures, registers={"i": "R99"}),
         replace(pictures, limits_e={}),
     ):
-        with pytest.raises(ValueError, match="unsound|is allowed"):
+        with pytest.raises(ValueError, match=r"unsound|is allowed"):
             to_bytes(replace(container, pictures=wrong))
     with pytest.raises(ValueError, match=r"`pictures\.outside` is 2, but 0 to 1 is allowed"):
         to_bytes(replace(container, pictures=replace(pictures, outside=2)))

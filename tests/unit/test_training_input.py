@@ -138,7 +138,7 @@ def test_light_of_a_capture(value: complex, dtype: torch.dtype, words: str) -> N
 @pytest.mark.parametrize("values", [{"full_well_e": 0.0}, {"electrons_per_lsb": 0.0},
                                     {"full_well_e": np.nan}])  # fmt: skip
 def test_sensors_that_there_are_not(values: dict[str, float]) -> None:
-    with pytest.raises(ValueError, match="must be finite and above 0|is a finite number, not nan"):
+    with pytest.raises(ValueError, match=r"must be finite and above 0|is a finite number, not nan"):
         SensorModel(**{"full_well_e": 1.0, "electrons_per_lsb": 1.0, **values})
 
 
