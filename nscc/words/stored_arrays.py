@@ -40,11 +40,19 @@ def _arrays_of(kind: type) -> list[tuple[str, np.dtype[Any], list[str]]]:
     """Return the name, type and dimensions of each array of a record class."""
     arrays = []
     for name, hint in get_type_hints(kind, include_extras=True).items():
-        if get_origin(hint) is Annotated and get_origin(get_args(hint)[0]) is np.ndarray:
+        if get_origin(hint) is Annotated:
             array, dimensions = get_args(hint)
-            (scalar,) = get_args(get_args(array)[1])
-            arrays.append((name, np.dtype(scalar), dimensions.split()))
+            arrays.append((name, np.dtype(number_type(array)), dimensions.split()))
     return arrays
+
+
+def number_type(hint: Any) -> Any:
+    """Return the type of the numbers of `NDArray[type]`.
+
+    Up to numpy 2.4, it stands for `ndarray[shape, dtype[type]]`; from 2.5 on, an alias has the type
+    itself as its argument."""
+    last = get_args(hint)[-1]
+    return next(iter(get_args(last)), last)
 
 
 def array_faults(record: object, sizes: Mapping[str, int]) -> Iterator[str]:

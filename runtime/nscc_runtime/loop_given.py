@@ -8,6 +8,8 @@ from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 import numpy as np
 
+from nscc.words.stored_arrays import number_type
+
 WRITTEN = object()
 """The annotation of an array that a loop modifies."""
 
@@ -41,7 +43,7 @@ class LoopParameter:
         axes = [tuple(map(_axis, note.split())) for note in notes if isinstance(note, str)]
         return cls(
             name,
-            np.dtype(records[0] if records else _number_type(hint)),
+            np.dtype(records[0] if records else number_type(hint)),
             written=WRITTEN in notes,
             axes=axes[0] if axes else None,
         )
@@ -108,15 +110,6 @@ class ArrayGroup:
             for parameter, array in zip(self.arrays, value, strict=True)
             for address in parameter.addresses(array, axes)
         ]
-
-
-def _number_type(hint: Any) -> Any:
-    """Return the type of the numbers of `NDArray[type]`.
-
-    Up to numpy 2.4, it stands for `ndarray[shape, dtype[type]]`; from 2.5 on, an alias has the type
-    itself as its argument."""
-    last = get_args(hint)[-1]
-    return next(iter(get_args(last)), last)
 
 
 def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
