@@ -86,8 +86,8 @@ class ChipAtOnce(EmulatedChip):
         """Expose a program that a loader has checked."""
         self.frame = None
         with suppress(Exception):
-            container = held.container(self.target, channels)
-            executed = self.execute(container, held.board_channels(channels))
+            program = held.program(self.target, channels)
+            executed = self.execute(program, held.board_channels(channels))
             held.take(executed.planes, self.target)
             self.frame = executed.frame
 

@@ -31,7 +31,7 @@ class Preparation(Record):
 def preparation_of(container: Container) -> Preparation:
     """Return the words before the readout of a container's registers."""
     target = container.target
-    copy = _free(container)
+    copy = free_register(target, _read(container))
     # Readout would skip pixels without FLAG.
     everywhere = op("all")
     if target.spread_level is None or copy is None:
@@ -67,16 +67,19 @@ def converter_of(container: Container) -> Target:
     """Return the container's target with the conversion that is used.
 
     It is the converter's own if no register is free for spreading."""
-    target = container.target
-    if target.spread_level is None or _free(container) is not None:
+    return converter_of_registers(container.target, _read(container))
+
+
+def converter_of_registers(target: Target, read: Iterable[str]) -> Target:
+    """Return the target of a program that reads these registers, as `converter_of` does."""
+    if target.spread_level is None or free_register(target, read) is not None:
         return target
     return replace(target, readout="full")
 
 
-def _free(container: Container) -> str | None:
-    """Return a register that is not read out, or None."""
-    read = container.pictures.registers.values() or [each.register for each in container.readouts]
-    return free_register(container.target, read)
+def _read(container: Container) -> Iterable[str]:
+    """Return the registers that are read out."""
+    return container.pictures.registers.values() or [each.register for each in container.readouts]
 
 
 def free_register(target: Target, read: Iterable[str]) -> str | None:

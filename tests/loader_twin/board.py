@@ -20,9 +20,7 @@ class BackgroundChip:
         """Begin to expose a program that a loader has checked."""
         chip, self._held = self._chip, held
         self._exposing = in_background(
-            lambda: chip.execute(
-                held.container(chip.target, channels), held.board_channels(channels)
-            )
+            lambda: chip.execute(held.program(chip.target, channels), held.board_channels(channels))
         )
 
     def exposed(self) -> bytes | None:

@@ -24,7 +24,7 @@ from loader_twin.timing import (
 )
 from nscc.chips.target import Target
 from nscc.operations import Word
-from nscc.words.container import Container, Launch
+from nscc.words.container import Launch
 from nscc.words.encoding import matching
 from nscc.words.legality import picture_fault, split_pairs
 from nscc.words.soundness import MOST_SLOTS
@@ -41,7 +41,7 @@ from nscc_runtime.device.objects import (
     WORD,
     ObjectKind,
 )
-from nscc_runtime.device.recording import IMAGE, container_of
+from nscc_runtime.device.recording import IMAGE, BoardProgram, program_of
 
 
 @dataclass(eq=False)
@@ -216,15 +216,15 @@ class Held:
         reports = channels & Channel.REPORTS and self.reports
         return channels & ~Channel.REPORTS | (Channel.STATES if reports else 0)
 
-    def container(self, target: Target, channels: int) -> Container:
-        """The program for the emulator; without a decode table, which no loader needs."""
+    def program(self, target: Target, channels: int) -> BoardProgram:
+        """The program for the emulator."""
         states = self.states if channels & Channel.STATES else ()
         if channels & Channel.REPORTS:
             states += tuple(report.register for report in self.reports)
         assert self.readouts is not None
         assert self.kernels is not None
         assert self.runs is not None
-        return container_of(
+        return program_of(
             target,
             readouts=self.readouts,
             kernels=self.kernels,

@@ -22,15 +22,19 @@ from emulator_programs import bumps, target_of
 from nscc.chips.load import builtin_names, builtin_target, load_target, target_toml
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.encoding import decode
+from nscc.words.readout import converter_of
 from nscc_runtime.device import firmware
-from nscc_runtime.device.board import EmulatedChip
+from nscc_runtime.device.board import EmulatedChip, in_columns
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import upload_of
 from nscc_runtime.device.packets import MOST_DATA, VERSION, Packet, PacketKind
 from nscc_runtime.device.stand_in import loaded
 from nscc_runtime.device.target_header import refresh_words, target_header
 from nscc_runtime.device.tasks import FetchedFrame
+from nscc_runtime.emulator import expose
+from nscc_runtime.frame_file import read_out
 from nscc_runtime.light import Light
+from nscc_runtime.sensor import default_sensor
 
 pytestmark = pytest.mark.xdist_group("firmware")
 SCAMP5 = builtin_target("scamp5")
@@ -130,7 +134,9 @@ def test_every_chip_runs_a_program(tmp_path: Path) -> None:
         upload = upload_of(container, bytes(32))
         taken = Simulation(host, loader).run(host.lasting(uploaded_and_captured(host, upload, 1)))
     assert isinstance(taken, FetchedFrame)
-    assert taken.data == EmulatedChip(lambda _: light, target).execute(container, 3).frame
+    exact = expose(container, light)
+    codes = read_out(exact, target, default_sensor(converter_of(container))).frame
+    assert taken.data == in_columns(codes) + in_columns(exact.exposure_e.astype("<f8"))
 
 
 @pytest.fixture(

@@ -38,6 +38,7 @@ from nscc_runtime.device.firmware import RunningFirmware
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.objects import upload_of
+from nscc_runtime.device.recording import BoardProgram
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
@@ -114,9 +115,9 @@ class FilmedChip(ChipAtOnce):
         coming = iter(film)
         super().__init__(lambda _: next(coming), target)
 
-    def execute(self, container: Container, channels: int) -> ExecutedFrame:
+    def execute(self, program: BoardProgram, channels: int) -> ExecutedFrame:
         self._light = None
-        return super().execute(container, channels)
+        return super().execute(program, channels)
 
 
 @pytest.fixture(scope="module")

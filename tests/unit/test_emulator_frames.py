@@ -10,7 +10,7 @@ from emulator_programs import CLEAR, LEVEL, bumps, target_of
 
 from nscc.words.container import StoredKernel
 from nscc.words.encoding import encode
-from nscc_runtime.emulator import capture, expose
+from nscc_runtime.emulator import chip_program, expose
 from nscc_runtime.light import Light
 
 SHAPES = ((1, 1), (3, 5), (1, 65), (5, 13), (7, 129))
@@ -115,7 +115,7 @@ def test_blocks_change_no_bit(lowering, monkeypatch):
     light = Light.of_clip(over_exponents(random, (slots, *shape)))
     whole = expose(container, light, device_seed=9)
     for block in (64, 128, 192, 512, 65536):
-        monkeypatch.setattr(capture, "BLOCK", block)
+        monkeypatch.setattr(chip_program, "BLOCK", block)
         part = expose(container, light, device_seed=9)
         assert part.exposure_e.tobytes() == whole.exposure_e.tobytes()
 

@@ -10,7 +10,7 @@ from plan_cases import case, moving_light
 from reference_programs import sensor_of
 
 from nscc_runtime.effects import selected
-from nscc_runtime.emulator import capture as emulator
+from nscc_runtime.emulator import chip_program as emulator
 from nscc_runtime.emulator import expose
 from nscc_runtime.pool import in_strips
 from nscc_runtime.reference.capture import Reference, scene_of

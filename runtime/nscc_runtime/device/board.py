@@ -4,22 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from threading import Thread
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import WordEffect
-from nscc.words.encoding import decode
-from nscc.words.readout import converter_of
+from nscc.words.readout import converter_of_registers
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import packed_plane
+from nscc_runtime.device.recording import BoardProgram
 
 if TYPE_CHECKING:
     from nscc.chips.target import Target
-    from nscc.words.container import Container
     from nscc_runtime.light import Light
     from nscc_runtime.sensor import Sensor
 
@@ -37,9 +35,6 @@ class ExecutedFrame:
     planes: Mapping[str, bytes]
 
 
-Arrays = list[NDArray[Any]]
-
-
 @dataclass
 class EmulatedChip:
     """A chip that exposes frames of `scene` with the emulator; slots of equal lengths see equal
@@ -54,66 +49,45 @@ class EmulatedChip:
     report: Callable[[Exception], None] = lambda _: None
     _light: tuple[tuple[float, ...], Light] | None = field(default=None, init=False)
 
-    def execute(self, container: Container, channels: int) -> ExecutedFrame:
-        """Expose one frame of a container with the requested `channels`. The bytes are all codes,
+    def execute(self, program: BoardProgram, channels: int) -> ExecutedFrame:
+        """Expose one frame of a program with the requested `channels`. The bytes are all codes,
         then all exposures, by readout and column, then all planes of states."""
         from nscc_runtime.frame_file import read_out
+        from nscc_runtime.interface import Exposure
+        from nscc_runtime.neighbours.pictured_program import image_sensor
 
-        if self._light is None or self._light[0] != container.slot_us:
-            self._light = (container.slot_us, self.scene(container.slot_us))
-        light = self._light[1]
-        if not container.pictures.launches:
-            if looks(container):
-                from nscc_runtime.reference.capture import executed
-
-                looked = executed(container, light, self.sensor, self.device_seed)
-                exact, planes = looked.exposure, looked.planes
-            else:
-                from nscc_runtime.emulator import expose
-
-                exact = expose(container, light, device_seed=self.device_seed)
-                planes = container.planes()
-            frame = read_out(exact, self.target, self._converting(container))
-            codes, exposures = [*frame.frame], [*frame.exposure_e]
-            sent_planes = [planes[name] for name in container.state_planes]
-            kept = {name: planes[name] for name in container.code_registers}
-        else:
-            codes, exposures, sent_planes, kept = self._pictured(container, light)
+        if self._light is None or self._light[0] != program.slot_us:
+            self._light = (program.slot_us, self.scene(program.slot_us))
+        registers = [*(name for name, _ in program.readouts), *program.images]
+        digital = [*program.states, *program.chip.planes]
+        contents, bits = program.chip.run(
+            self._light[1], registers, digital, device_seed=self.device_seed
+        )
+        gains = np.array([gain for _, gain in program.readouts] + [1.0] * len(program.images))
+        exposure_e = contents * gains[:, None, None] + 0.0  # -0 + 0 is +0
+        sensor, full = self._converting(registers), replace(self.target, readout="full")
+        codes = [
+            read_out(Exposure(values, np.isfinite(values)), target, of_readouts).frame
+            for values, target, of_readouts in (
+                (exposure_e[: len(program.readouts)], self.target, sensor),
+                (exposure_e[len(program.readouts) :], full, image_sensor(sensor, self.target)),
+            )
+        ]
         chunks = [in_columns(values) for values in codes] if channels & Channel.CODES else []
         if channels & Channel.EXPOSURE:
-            chunks += [in_columns(values.astype("<f8")) for values in exposures]
+            chunks.append(in_columns(exposure_e.astype("<f8")))
+        planes = [packed_plane(plane) for plane in bits]
         if channels & Channel.STATES:
-            chunks += map(packed_plane, sent_planes)
-        return ExecutedFrame(
-            b"".join(chunks), {name: packed_plane(bits) for name, bits in kept.items()}
-        )
+            chunks += planes[: len(program.states)]
+        kept = zip(program.chip.planes, planes[len(program.states) :], strict=True)
+        return ExecutedFrame(b"".join(chunks), dict(kept))
 
-    def _pictured(
-        self, container: Container, light: Light
-    ) -> tuple[Arrays, Arrays, Arrays, dict[str, NDArray[np.bool_]]]:
-        """Return the codes and electrons of buckets and images, the planes that are read, and the
-        registers that are kept, of a frame whose images and planes are computed after the exposure.
-
-        States continue from the code registers."""
-        from nscc_runtime.effects import selected
-        from nscc_runtime.neighbours.pictured_program import PicturedProgram
-
-        program = PicturedProgram(container, self._converting(container), selected("none"))
-        exposure = program.exposing(light, self.device_seed)(0, 0)
-        frame, kept_bits = program.next_frame(exposure, {}, None, (0, self.device_seed), 0)
-        images, told = container.pictures.images_read, frame.told
-        return (
-            [*frame.frame, *(told[f"image_codes_{name}"] for name in images)],
-            [*frame.exposure_e, *(told[f"image_{name}"] for name in images)],
-            [bits for name, bits in told.items() if name.startswith("plane_")],
-            container.planes() | kept_bits,
-        )
-
-    def _converting(self, container: Container) -> Sensor:
-        """Return the sensor with this program's code scale, not spread if registers forbid it."""
+    def _converting(self, registers: Sequence[str]) -> Sensor:
+        """Return the sensor with the code scale of a program that reads these registers, not spread
+        if registers forbid it."""
         from nscc_runtime.sensor import default_sensor
 
-        program_sensor = default_sensor(converter_of(container))
+        program_sensor = default_sensor(converter_of_registers(self.target, registers))
         if self.sensor is None:
             return program_sensor
         common = default_sensor(self.target)
@@ -129,12 +103,6 @@ class EmulatedChip:
 def in_columns(frame: NDArray[Any]) -> bytes:
     """Return the bytes of values (.., rows, cols) column by column, as loaders send them."""
     return np.ascontiguousarray(frame.swapaxes(-2, -1)).tobytes()
-
-
-def looks(container: Container) -> bool:
-    """Return whether words compare analog values, so that each pixel has its own FLAG."""
-    words = (word for kernel in container.kernels for word in kernel.words)
-    return any(decode(word).operation.effect is WordEffect.FLAG_ANALOG for word in words)
 
 
 def in_background(work: Callable[[], ExecutedFrame]) -> Future[ExecutedFrame]:

@@ -219,7 +219,7 @@ class Firmware:
 
     def execute(self, job: BoardJob) -> ExecutedFrame:
         """Execute a job of the loader's board."""
-        return self.chip.execute(job.container, job.channels)
+        return self.chip.execute(job.program, job.channels)
 
     def answer(self, job: BoardJob, exposed: Callable[[], ExecutedFrame]) -> None:
         """Send the loader its frame, or the failure of the job."""

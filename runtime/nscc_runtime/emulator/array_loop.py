@@ -97,7 +97,7 @@ def _inside(shape: ArrayShape, g: int) -> np.uint64:
 
 
 @compiled
-def _clear_flag_outside(shape: ArrayShape, planes: Words, y: int) -> None:
+def clear_flag_outside(shape: ArrayShape, planes: Words, y: int) -> None:
     """Set FLAG to 0 beyond the array, in row y."""
     flag = plane_of(shape, shape.flag, y)
     for g in range(shape.cols // 64, shape.plane_words):
@@ -278,7 +278,7 @@ def _compare(
             if initial_e + values[a + 64 * g + j] + values[b + 64 * g + j] > 0.0:
                 above |= _ONE << np.uint64(j)
         planes[flag + g] = above & planes[flag + g] if shape.obeys_flag else above
-    _clear_flag_outside(shape, planes, y)
+    clear_flag_outside(shape, planes, y)
 
 
 @compiled
@@ -307,7 +307,7 @@ def _write_bits(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Word
             for g in range(shape.plane_words):
                 planes[out + g] = planes[bus + g] ^ flip
         if register == shape.flag:
-            _clear_flag_outside(shape, planes, y)
+            clear_flag_outside(shape, planes, y)
 
 
 @compiled

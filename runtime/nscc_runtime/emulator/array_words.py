@@ -30,7 +30,8 @@ class ArrayWords:
     """Words of a target as the loop reads them.
 
     `analog`, `digital`: the numbers of registers by name. The last two analog registers are PIX
-    and minus its reset level. SELECT contains zeros, because no address matches."""
+    and minus its reset level. SELECT contains zeros, because no address matches.
+    `reaches_neighbours`: whether a word does."""
 
     def __init__(self, target: Target) -> None:
         self.target = target
@@ -41,6 +42,7 @@ class ArrayWords:
         self._rows: list[tuple[float, ...]] = []
         self._operands: list[Operand] = []
         self._known: dict[Op, tuple[int, ...]] = {}
+        self.reaches_neighbours = False
 
     def append(self, words: Iterable[tuple[Op, float]]) -> int:
         """Append words, each with the value of IN in electrons. Return the number of all words."""
@@ -87,6 +89,9 @@ class ArrayWords:
         sources, destinations = self._of_effect(op)
         first = 3 * len(self._operands)
         self._operands += [*sources, *destinations]
+        self.reaches_neighbours |= any(
+            right or down for _, right, down in (*sources, *destinations)
+        )
         # "unknown" is taken as "yes": the chip that resets less.
         resets = effect is WordEffect.RESET_PIX
         return (

@@ -1,21 +1,7 @@
-"""One frame on the emulated chip, without sensor effects.
-
-Words take no time: all words of boundary n see PIX as it is after the slots before n. Then the
-light of slot n is added to PIX of every pixel. After boundary N the readouts follow.
-
-A frame starts with arbitrary values in PIX, FLAG, the analog registers and the digital registers
-without code. The reset level of PIX is a nonzero constant of each pixel. These values are
-determined by `device_seed`. Analog values are 1/4 to 3/4 of the pixel's light in the frame (1 to 2
-without light). That is large enough to reveal a program that forgets a reset or reads an unwritten
-register. It is small enough that a correct program, which subtracts the value, loses no accuracy,
-for any amount of light. PIX and the reset level are positive, registers have either sign.
-
-Not emulated, because no program of this project uses it: addresses (SELECT reads 0) and the global
-DAC (IN reads 0)."""
+"""One frame on the emulated chip, without sensor effects."""
 
 from __future__ import annotations
 
-from itertools import groupby
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,17 +10,12 @@ from nscc.diagnostics.rejection import rejected
 from nscc.words.legality import decoded
 from nscc.words.soundness import faults
 from nscc_runtime.caches import OfContainer
-from nscc_runtime.emulator.array_words import ArrayWords, packed
+from nscc_runtime.emulator.chip_program import ChipProgram
 from nscc_runtime.interface import Exposure
-from nscc_runtime.pool import in_parts, threads_of
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
-    from nscc_runtime.emulator.loops import EmulatedProgram
     from nscc_runtime.light import Light
-
-BLOCK = 8192
-"""Number of pixels exposed together, a multiple of 64. Their registers stay in the cache."""
 
 
 def expose(
@@ -53,55 +34,15 @@ def expose(
     check(container, light)
     if container.stream is not None:
         return _sorted_light(container, light)
-    from nscc_runtime.emulator.loops import PixelRange, expose_pixels
-
-    table, program = _decoded(container)
-    readouts = {readout.bucket: readout for readout in container.readouts}
-    ordered = [readouts[bucket] for bucket in container.buckets]
-    pixels = light.shape[0] * light.shape[1]
-    exposure = np.empty((len(ordered), pixels), np.float64)
-    block = min(BLOCK, (pixels + 63) // 64 * 64)
-    starts, index = light.row_start, light.frame_index
-    if starts[0] != 0 or np.any(np.diff(starts) < 0):
-        raise ValueError("the rows of the light's matrix are out of order")
-    if index.size and not (index.min() >= 0 and index.max() < len(light.frames)):
-        raise ValueError("the light's matrix names a frame that does not exist")
-    frames, registers = len(light.frames), len(table.analog)
-    readout_rows = np.array([table.analog[readout.register] for readout in ordered], np.int64)
-    readout_gain = np.array([readout.gain for readout in ordered], np.float64)
-
-    def fill(begin: int, end: int) -> None:
-        chosen = PixelRange(
-            slots=container.slots,
-            pixels=pixels,
-            begin=begin,
-            end=end,
-            block=block,
-            frames=frames,
-            code_registers=len(program.code_rows),
-            buckets=len(ordered),
-            seed=np.uint64(device_seed & 2**64 - 1),
-            pix=table.analog["PIX"],
-        )
-        expose_pixels(
-            chosen=chosen,
-            shape=table.shape(1, block, block, registers),
-            program=program,
-            light=light.matrix,
-            frame_weight=light.frame_weight,
-            readout_rows=readout_rows,
-            readout_gain=readout_gain,
-            planes=np.empty(len(table.digital) * (block // 64), np.uint64),
-            values=np.zeros((2 * registers + 5) * block),
-            marks=np.empty(0, np.uint8),
-            marked=np.zeros(1, np.int64),
-            charge=np.empty(block, np.float32),
-            exposure=exposure,
-        )
-
-    in_parts(fill, pixels, threads_of(threads), block)
-    shaped = exposure.reshape(len(ordered), *light.shape)
-    return Exposure(shaped, np.isfinite(shaped))
+    of_bucket = {readout.bucket: readout for readout in container.readouts}
+    readouts = [of_bucket[bucket] for bucket in container.buckets]
+    registers = [readout.register for readout in readouts]
+    exposure, _ = _chip_program(container).run(
+        light, registers, device_seed=device_seed, threads=threads
+    )
+    exposure *= np.array([readout.gain for readout in readouts])[:, None, None]
+    exposure += 0.0  # -0 + 0 is +0
+    return Exposure(exposure, np.isfinite(exposure))
 
 
 def _sorted_light(container: Container, light: Light) -> Exposure:
@@ -123,30 +64,11 @@ def _sorted_light(container: Container, light: Light) -> Exposure:
 
 
 @OfContainer
-def _decoded(container: Container) -> tuple[ArrayWords, EmulatedProgram]:
-    """Return a program's words and codes for the loop. The schedule must be sound
-    (`nscc.words.soundness`)."""
-    from nscc_runtime.emulator.loops import EmulatedProgram
-
-    assert container.pixel_codes is not None  # see `check_program`
-    table, codes = ArrayWords(container.target), container.planes()
-    pixels = container.pixel_codes.size
-    kernel_start = [0]
-    for kernel in decoded(container):
-        # No word reads its own result, so repeating a word changes nothing.
-        kernel_start.append(table.append((op, 0.0) for op, _ in groupby(kernel)))
-    instants = np.array([launch.instant for launch in container.launches], np.int64)
-    kernels = np.array([launch.kernel for launch in container.launches], np.int64)
-    launch_start = np.zeros(container.slots + 2, np.int64)
-    np.cumsum(np.bincount(instants, minlength=container.slots + 1), out=launch_start[1:])
-    return table, EmulatedProgram(
-        *table.table,
-        np.array(kernel_start, np.int64),
-        launch_start,
-        kernels[np.argsort(instants, kind="stable")],
-        packed(np.array([*codes.values()], np.bool_).reshape(len(codes), pixels)),
-        np.array([table.digital[name] for name in codes], np.int64),
-    )
+def _chip_program(container: Container) -> ChipProgram:
+    """Return the program of a container, whose schedule must be sound (`nscc.words.soundness`)."""
+    launches = sorted(container.launches, key=lambda launch: launch.instant)
+    kernels, planes = decoded(container), container.planes()
+    return ChipProgram(container.target, container.slots, kernels, launches, planes)
 
 
 _faults = OfContainer(faults)

@@ -2,7 +2,8 @@
 
 A block is a range of consecutive pixels that starts at a multiple of 64: an array of one row
 (`nscc_runtime.emulator.array_loop`). A pixel's result depends only on that pixel, so results do not
-depend on the block size."""
+depend on the block size. If words reach neighbours, the whole array is one block with all its
+rows."""
 
 from __future__ import annotations
 
@@ -14,6 +15,8 @@ from numpy.typing import NDArray
 from nscc_runtime.emulator.array_loop import (
     ArrayShape,
     ArrayWord,
+    clear_flag_outside,
+    plane_of,
     row_of,
     run_words,
 )
@@ -48,32 +51,34 @@ def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
 
 @compiled
 def _start(
-    shape: ArrayShape, pix: int, seed: np.uint64, first: int, values: Floats, planes: Words
+    shape: ArrayShape, pix: int, seed: np.uint64, first: int, y: int, values: Floats, planes: Words
 ) -> None:
-    """Set arbitrary initial values, as `nscc_runtime.emulator.capture` describes them.
+    """Set arbitrary initial values in row y, whose first pixel has number `first`, as
+    `nscc_runtime.emulator.chip_program` describes them.
 
     The row `shape.total` contains the light of the whole frame; the row `shape.part` is
     overwritten. The register after PIX is set to minus the reset level."""
-    words, pixels = shape.plane_words, 64 * shape.plane_words
-    for p in range(shape.flag + 1):
-        for g in range(words):
-            planes[p * words + g] = _hash(seed, p, first // 64 + g)
-    for i in range((shape.flag + 1) * words, (shape.flag + 3) * words):
-        planes[i] = np.uint64(0)
+    for p in range(shape.flag + 3):
+        for g in range(shape.plane_words):
+            bits = _hash(seed, p, first // 64 + g)
+            planes[plane_of(shape, p, y) + g] = bits if p <= shape.flag else np.uint64(0)
+    clear_flag_outside(shape, planes, y)
     # One random number u per pixel; the fractional part of K u serves as another for each large K.
     uniforms, light = shape.part, shape.total
-    for i in range(pixels):
+    for i in range(shape.cols):
         bits = _hash(seed, shape.flag + 1, first + i)
         values[uniforms + i] = float(np.int64(bits >> np.uint64(11))) * 2.0**-53
     for r in range(pix + 2):
-        row, lowest = row_of(shape, r, 0), -1.0 if r < pix else 1.0
+        row, lowest = row_of(shape, r, y), -1.0 if r < pix else 1.0
         sign = -1.0 if r > pix else 1.0
-        for i in range(pixels):
+        for i in range(shape.cols):
             turn = values[uniforms + i] * (16384.0 * (1.0 + r * _GOLDEN))
             spread = 2.0 * (turn - np.floor(turn)) - 1.0
             value = abs(spread) + 1.0
             if values[light + i] > 0.0:
                 value = values[light + i] * (0.25 + 0.5 * abs(spread))
+            # With few bits, sums with light are as exact as those of light alone.
+            value = float(np.float32(value))
             values[row + i] = sign * (value * lowest if spread < 0.0 else value)
 
 
@@ -103,113 +108,143 @@ def _add_frame(
         values[out + i] += factor * frames[frame + i]
 
 
-class EmulatedProgram(NamedTuple):
+class EmulatedWords(NamedTuple):
     """The words of kernel k are words[kernel_start[k] : kernel_start[k + 1]]. Boundary n launches
-    launch_kernel[launch_start[n] : launch_start[n + 1]], in that order. `code_planes`: initial
-    values of the planes numbered `code_rows`."""
+    launch_kernel[launch_start[n] : launch_start[n + 1]], in that order."""
 
     words: Annotated[NDArray[Any], ArrayWord]
     operands: Ints
     kernel_start: Ints
     launch_start: Annotated[Ints, "slots+2"]
     launch_kernel: Ints
-    code_planes: Annotated[Words, "code_registers code_words"]
-    code_rows: Annotated[Ints, "code_registers"]
+
+
+class Planes(NamedTuple):
+    """Rows of bits of digital registers. `loaded`: initial values of the planes numbered
+    `loaded_numbers`. `read`: final values of the planes numbered `read_numbers`."""
+
+    loaded: Annotated[Words, "loads block_rows row_words"]
+    loaded_numbers: Annotated[Ints, "loads"]
+    read: Written[Annotated[Words, "reads block_rows row_words"]]
+    read_numbers: Annotated[Ints, "reads"]
 
 
 @record
 class PixelRange:
     """The pixels `begin` (a multiple of 64) to `end` - 1 of `pixels`, which are exposed in blocks
-    of `block`, and sizes. `pix`: the number of the register PIX."""
+    of `block_rows` rows, and sizes. `row_words`: 64-bit words of a row of `Planes`. `pix`: the
+    number of the register PIX."""
 
     slots: int
     pixels: int
     begin: int
     end: int
-    block: int
+    block_rows: int
+    row_words: int
     frames: int
-    code_registers: int
-    buckets: int
+    loads: int
+    reads: int
+    registers: int
     seed: np.uint64
     pix: int
 
 
 @compiled
-def _expose_block(
-    chosen: PixelRange, first: int, length: int, shape: ArrayShape, program: EmulatedProgram,
-    light: LightMatrix, frame_weight: Floats, planes: Words, values: Floats, marks: Bytes,
-    marked: Ints, charge: Floats32,
+def _add_slot(
+    chosen: PixelRange, first: int, length: int, n: int, shape: ArrayShape, light: LightMatrix,
+    values: Floats, charge: Floats32,
 ) -> None:  # fmt: skip
-    """Expose `length` pixels from pixel number `first` on: run the words of all slots."""
-    slots, pixels = chosen.slots, chosen.pixels
-    pix, total = row_of(shape, chosen.pix, 0), shape.total
-    for i in range(64 * shape.plane_words):
-        values[total + i] = 0.0
-    for k in range(chosen.frames):
-        _add_frame(values, total, light.frames, k * pixels + first, length, frame_weight[k])
-    _start(shape, chosen.pix, chosen.seed, first, values, planes)
-    for c in range(chosen.code_registers):
-        source = c * ((pixels + 63) // 64) + first // 64
-        for g in range((length + 63) // 64):
-            planes[program.code_rows[c] * shape.plane_words + g] = program.code_planes[source + g]
-    for n in range(slots + 1):
+    """Add the light of slot n to PIX. The light of the last slot with other light is in `charge`,
+    row after row."""
+    start, stop, total = light.row_start[n], light.row_start[n + 1], shape.total
+    is_same, is_frame = _same_light(light, n), stop - start == 1 and light.weight[start] == 1.0
+    for y in range(shape.rows):
+        pix, pixel, at = row_of(shape, chosen.pix, y), first + y * shape.cols, y * shape.cols
+        if is_frame:
+            frame = light.frame_index[start] * chosen.pixels + pixel
+            for i in range(length):
+                values[pix + i] += light.frames[frame + i]
+            continue
+        if not is_same:
+            for i in range(length):
+                values[total + i] = 0.0
+            for k in range(start, stop):
+                frame = light.frame_index[k] * chosen.pixels + pixel
+                _add_frame(values, total, light.frames, frame, length, light.weight[k])
+            for i in range(length):
+                charge[at + i] = np.float32(values[total + i])
+        for i in range(length):
+            values[pix + i] += charge[at + i]
+
+
+@compiled
+def _expose_block(
+    chosen: PixelRange, first: int, length: int, shape: ArrayShape, program: EmulatedWords,
+    light: LightMatrix, frame_weight: Floats, bits: Planes, planes: Words, values: Floats,
+    marks: Bytes, marked: Ints, charge: Floats32,
+) -> None:  # fmt: skip
+    """Expose the block that begins with pixel number `first`: run the words of all slots. `length`:
+    number of pixels of a row of the block."""
+    words, total = (length + 63) // 64, shape.total
+    for y in range(shape.rows):
+        for i in range(shape.cols):
+            values[total + i] = 0.0
+        pixel = first + y * shape.cols
+        for k in range(chosen.frames):
+            frame = k * chosen.pixels + pixel
+            _add_frame(values, total, light.frames, frame, length, frame_weight[k])
+        _start(shape, chosen.pix, chosen.seed, pixel, y, values, planes)
+        for c in range(chosen.loads):
+            source = (c * shape.rows + y) * chosen.row_words + first // 64
+            out = plane_of(shape, bits.loaded_numbers[c], y)
+            for g in range(words):
+                planes[out + g] = bits.loaded[source + g]
+    for n in range(chosen.slots + 1):
         for at in range(program.launch_start[n], program.launch_start[n + 1]):
             kernel = program.launch_kernel[at]
             run_words(
                 shape, program.words, program.kernel_start[kernel],
                 program.kernel_start[kernel + 1], program.operands, values, marks, planes, marked,
             )  # fmt: skip
-        if n == slots:
-            break
-        start, stop = light.row_start[n], light.row_start[n + 1]
-        if stop - start == 1 and light.weight[start] == 1.0:
-            frame = light.frame_index[start] * pixels + first
-            for i in range(length):
-                values[pix + i] += light.frames[frame + i]
-            continue
-        if not _same_light(light, n):
-            for i in range(length):
-                values[total + i] = 0.0
-            for k in range(start, stop):
-                frame = light.frame_index[k] * pixels + first
-                _add_frame(values, total, light.frames, frame, length, light.weight[k])
-            for i in range(length):
-                charge[i] = np.float32(values[total + i])
-        for i in range(length):
-            values[pix + i] += charge[i]
+        if n < chosen.slots:
+            _add_slot(chosen, first, length, n, shape, light, values, charge)
+    for y in range(shape.rows):
+        for c in range(chosen.reads):
+            out = (c * shape.rows + y) * chosen.row_words + first // 64
+            source = plane_of(shape, bits.read_numbers[c], y)
+            for g in range(words):
+                bits.read[out + g] = planes[source + g]
 
 
 @loop
 def expose_pixels(
     chosen: PixelRange,
     shape: ArrayShape,
-    program: EmulatedProgram,
+    program: EmulatedWords,
     light: LightMatrix,
     frame_weight: Annotated[Floats, "frames"],
-    readout_rows: Annotated[Ints, "buckets"],
-    readout_gain: Annotated[Floats, "buckets"],
+    register_numbers: Annotated[Ints, "registers"],
+    bits: Planes,
     planes: Written[Words],
     values: Written[Floats],
     marks: Written[Bytes],
     marked: Written[Ints],
     charge: Written[Floats32],
-    exposure: Written[Annotated[Floats, "buckets pixels"]],
+    contents: Written[Annotated[Floats, "registers pixels"]],
 ) -> None:
-    """Expose pixels and write the results into `exposure`.
-
-    `frame_weight`: the weight of each frame in the light of the whole exposure. `planes` to
-    `charge` are working memory for a block; `values` is 0 at first."""
+    """Expose pixels, and write the `contents` of registers, in electrons, and the bits that are
+    read. `planes`, `values` and `charge` are working memory for a block."""
     first = chosen.begin
     while first < chosen.end:
-        length = min(chosen.block, chosen.end - first)
+        length = min(shape.cols, chosen.end - first)
         _expose_block(
-            chosen, first, length, shape, program, light, frame_weight, planes, values, marks,
+            chosen, first, length, shape, program, light, frame_weight, bits, planes, values, marks,
             marked, charge,
         )  # fmt: skip
-        for k in range(chosen.buckets):
-            row, gain = row_of(shape, readout_rows[k], 0), readout_gain[k]
-            out = k * chosen.pixels + first
-            for i in range(length):
-                # -0 + 0 is +0.
-                exposure[out + i] = values[row + i] * gain + 0.0
-        first += chosen.block
+        for k in range(chosen.registers):
+            for y in range(shape.rows):
+                row = row_of(shape, register_numbers[k], y)
+                out = k * chosen.pixels + first + y * shape.cols
+                for i in range(length):
+                    contents[out + i] = values[row + i]
+        first += shape.rows * shape.cols

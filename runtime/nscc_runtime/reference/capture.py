@@ -21,11 +21,10 @@ from numpy.typing import NDArray
 
 from nscc.operations import WordEffect
 from nscc.words.container import Container
-from nscc.words.readout import converter_of
-from nscc_runtime.effects import Selection, selected
+from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
-from nscc_runtime.emulator.capture import check, check_size
+from nscc_runtime.emulator.capture import check
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.light import Light
@@ -37,7 +36,6 @@ from nscc_runtime.reference.trace import RunningWord, analog_words, retention_us
 from nscc_runtime.reference.weights import backward
 from nscc_runtime.reference.words import START, Marked, WordPixels, converted_frames, in_rows
 from nscc_runtime.run_kinds import KINDS
-from nscc_runtime.sensor import default_sensor
 
 Values = NDArray[np.float64]
 Bits = NDArray[np.bool_]
@@ -153,18 +151,6 @@ def expose(
     check(container, light)
     scene = scene_of(container, light)
     return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame, threads)
-
-
-def executed(
-    container: Container, light: Light, sensor: Sensor | None = None, device_seed: int = 0
-) -> Executed:
-    """Return one frame without effects of a container that its loader has checked, whose pixels
-    look."""
-    check_size(container, light)
-    sensor = sensor or default_sensor(converter_of(container))
-    # Only the words tell that the pixels of such a container look: it has no state machine.
-    reference = Reference(container, sensor, selected("none"), tuple(running_words(container)))
-    return reference.execute(scene_of(container, light), container.planes(), (0, device_seed), 0)
 
 
 def frames(

@@ -1,0 +1,155 @@
+"""The words and the loaded registers of a chip during a frame, executed without sensor effects.
+
+Words take no time: all words of boundary n see PIX as it is after the slots before n. Then the
+light of slot n is added to PIX of every pixel. The words of boundary N follow the last slot.
+
+A frame starts with arbitrary values in PIX, FLAG, the analog registers and the digital registers
+that are not loaded. The reset level of PIX is a nonzero constant of each pixel. These values are
+determined by `device_seed`. Analog values are 1/4 to 3/4 of the pixel's light in the frame (1 to 2
+without light). That is large enough to reveal a program that forgets a reset or reads an unwritten
+register. It is small enough that a correct program, which subtracts the value, loses no accuracy,
+for any amount of light. PIX and the reset level are positive, registers have either sign.
+
+Not emulated, because no program of this project uses it: addresses (SELECT reads 0)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from itertools import groupby
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.operations import Op
+from nscc_runtime.emulator.array_words import ArrayWords, packed, unpacked
+from nscc_runtime.pool import in_parts, threads_of
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from nscc.chips.target import Target
+    from nscc.words.container import Launch
+    from nscc_runtime.emulator.loops import EmulatedWords
+    from nscc_runtime.light import Light
+
+Values = NDArray[np.float64]
+Bits = NDArray[np.bool_]
+
+BLOCK = 8192
+"""Number of pixels exposed together, a multiple of 64. Their registers stay in the cache."""
+
+
+class ChipProgram:
+    """A program as a chip executes it.
+
+    `kernels`: their words. `launches`: of these kernels, in order of the boundaries. `planes`:
+    digital registers (rows, cols) that are loaded before the frame, by name."""
+
+    def __init__(
+        self, target: Target, slots: int, kernels: Sequence[Sequence[Op]],
+        launches: Sequence[Launch], planes: Mapping[str, Bits],
+    ) -> None:  # fmt: skip
+        self.target, self.slots, self.planes = target, slots, planes
+        self._kernels, self._launches = kernels, launches
+
+    @cached_property
+    def _words(self) -> tuple[ArrayWords, EmulatedWords]:
+        """The words as arrays for the loop. A kernel occurs once for each value of IN."""
+        from nscc_runtime.emulator.loops import EmulatedWords
+
+        table, kernel_start, in_e = ArrayWords(self.target), [0], 0.0
+        numbers: dict[tuple[int, float], int] = {}
+        instants, launched = [], []
+        for launch in self._launches:
+            if launch.level is not None:
+                in_e = launch.level * self.target.electrons_per_step
+            if (launch.kernel, in_e) not in numbers:
+                numbers[launch.kernel, in_e] = len(numbers)
+                # No word reads its own result, so repeating a word changes nothing.
+                words = groupby(self._kernels[launch.kernel])
+                kernel_start.append(table.append((op, in_e) for op, _ in words))
+            instants.append(launch.instant)
+            launched.append(numbers[launch.kernel, in_e])
+        launch_start = np.zeros(self.slots + 2, np.int64)
+        np.cumsum(np.bincount(instants, minlength=self.slots + 1), out=launch_start[1:])
+        return table, EmulatedWords(
+            *table.table, np.array(kernel_start, np.int64), launch_start,
+            np.array(launched, np.int64),
+        )  # fmt: skip
+
+    def run(
+        self, light: Light, analog: Sequence[str], digital: Sequence[str] = (), *,
+        device_seed: int = 0, threads: int | None = None,
+    ) -> tuple[Values, Bits]:  # fmt: skip
+        """Execute a frame, and return the contents of registers at its end.
+
+        Parameters
+        ----------
+        light : Light
+        analog, digital : sequence of str
+            Names of the registers to return.
+        device_seed : int
+            Seed of the arbitrary values.
+        threads : int, optional
+            Results do not depend on it.
+
+        Returns
+        -------
+        tuple
+            Analog registers in electrons, float64 (analog, rows, cols), and digital registers, bool
+            (digital, rows, cols).
+
+        Raises
+        ------
+        ValueError
+            If the light's matrix is inconsistent.
+        """
+        from nscc_runtime.emulator.loops import PixelRange, Planes, expose_pixels
+
+        starts, index = light.row_start, light.frame_index
+        if starts[0] != 0 or np.any(np.diff(starts) < 0):
+            raise ValueError("the rows of the light's matrix are out of order")
+        if index.size and not (index.min() >= 0 and index.max() < len(light.frames)):
+            raise ValueError("the light's matrix names a frame that does not exist")
+        (table, words), (rows, cols), pixels = self._words, light.shape, light.frames[0].size
+        if table.reaches_neighbours:
+            block, length = (rows, cols), cols + 1
+        else:
+            rows, cols = 1, pixels
+            block = 1, min(BLOCK, (pixels + 63) // 64 * 64)
+            length = block[1]
+        registers = len(table.analog)
+        shape = table.shape(*block, length, registers)
+        loaded = packed(np.array([*self.planes.values()], np.bool_).reshape(-1, rows, cols))
+        bits = Planes(
+            loaded, np.array([table.digital[name] for name in self.planes], np.int64),
+            np.empty((len(digital), *loaded.shape[1:]), np.uint64),
+            np.array([table.digital[name] for name in digital], np.int64),
+        )  # fmt: skip
+        contents = np.empty((len(analog), pixels))
+        shared: dict[str, Any] = {
+            "shape": shape, "program": words, "light": light.matrix, "bits": bits,
+            "frame_weight": light.frame_weight, "contents": contents,
+            "register_numbers": np.array([table.analog[name] for name in analog], np.int64),
+        }  # fmt: skip
+
+        def fill(begin: int, end: int) -> None:
+            chosen = PixelRange(
+                slots=self.slots, pixels=pixels, begin=begin, end=end, block_rows=rows,
+                row_words=loaded.shape[-1], frames=len(light.frames), loads=len(self.planes),
+                reads=len(digital), registers=len(analog),
+                seed=np.uint64(device_seed & 2**64 - 1), pix=table.analog["PIX"],
+            )  # fmt: skip
+            expose_pixels(
+                chosen=chosen,
+                planes=np.empty(len(table.digital) * rows * shape.plane_words, np.uint64),
+                values=np.zeros((registers * (rows + 1) + 5) * length + 64),
+                marks=np.empty(0, np.uint8), marked=np.zeros(1, np.int64),
+                charge=np.empty(block[0] * block[1], np.float32), **shared,
+            )  # fmt: skip
+
+        in_parts(fill, pixels, threads_of(threads), block[0] * block[1])
+        read = unpacked(bits.read, cols).reshape(-1, *light.shape)
+        return contents.reshape(-1, *light.shape), read
