@@ -104,15 +104,15 @@ def read_out(
     more than 8 bits."""
     sensor = sensor or default_sensor(target)
     check_adc(target)
-    known = ~np.isnan(exposure.exposure_e)
-    (codes,) = everything().at("codes")
-    electrons = np.where(known, exposure.exposure_e, 0.0)
-    rounded_codes = codes(sensor, electrons, noise_lsb, target.top_code)
-    frame = np.where(known, rounded_codes, 0.0).astype(np.uint8)
+    (codes_of,) = everything().at("codes")
+    codes = codes_of(sensor, exposure.exposure_e, noise_lsb, target.top_code)
+    unknown = np.isnan(exposure.exposure_e)
+    codes[unknown] = 0.0
+    frame = codes.astype(np.uint8)
     saturated_by = last_codes(frame, target)
     if exposure.saturated_by is not None:
         saturated_by |= exposure.saturated_by
-    return Frame(frame, exposure.exposure_e, exposure.valid & known, saturated_by)
+    return Frame(frame, exposure.exposure_e, exposure.valid & ~unknown, saturated_by)
 
 
 def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
@@ -132,15 +132,15 @@ def converted(
     """Convert the exposure of frame number `frame` to codes, with the noise of the converter in
     `effects`. `seeds`: noise seed, device seed."""
     noise: NDArray[np.float64] | float = 0.0
-    shape = exposure.exposure_e.shape
-    places = np.arange(shape[1] * shape[2], dtype=np.int64)
     noise_effects = effects.acting("converter")
-    if noise_effects:
-        sigma_lsb = hypot(*(sigma(sensor) for _, sigma in noise_effects))
+    if noise_effects and exposure.exposure_e.size:
+        buckets, rows, cols = exposure.exposure_e.shape
+        places = np.arange(rows * cols, dtype=np.int64).reshape(rows, cols)
         # One draw with the first effect's stream: the sum of normal errors is normal.
         stream = noise_effects[0][0].stream
-        keys = [key(seeds[0], stream, frame=frame, group=k) for k in range(shape[0])]
-        noise = sigma_lsb * np.reshape([normals(k, places) for k in keys], shape)
+        keys = [key(seeds[0], stream, frame=frame, group=k) for k in range(buckets)]
+        noise = np.stack([normals(k, places, single=True) for k in keys])
+        noise *= hypot(*(sigma(sensor) for _, sigma in noise_effects))
     return read_out(exposure, target, sensor, noise)
 
 

@@ -33,9 +33,13 @@ OFFSET = parameter(
 
 
 def _codes(sensor: Sensor, exposure: Values, noise: Values | float, top: int) -> Values:
-    scaled = exposure / ELECTRONS_PER_LSB(sensor)
-    codes = np.clip(np.rint(scaled + noise) + OFFSET(sensor), 0, top)
-    return np.asarray(np.rint(codes))
+    # In place, because new arrays take most of the time.
+    codes = np.asarray(exposure / ELECTRONS_PER_LSB(sensor))
+    codes += noise
+    np.rint(codes, out=codes)
+    codes += OFFSET(sensor)
+    np.clip(codes, 0, top, out=codes)
+    return np.rint(codes, out=codes)
 
 
 ADC = Effect(

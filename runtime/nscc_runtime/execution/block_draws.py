@@ -1,4 +1,4 @@
-"""Counts and converter codes of a block of pixels, for the loops over the pixels of a frame.
+"""Counts of a block of pixels, for the loops over the pixels of a frame.
 
 Random numbers are keyed by place, the index of a pixel on the chip. `scratch`, `pending_rates` and
 `pending_pixels` are working memory of the loops."""
@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from nscc_runtime.loop import Bytes, Floats, Ints, compiled, inlined
+from nscc_runtime.loop import Floats, Ints, compiled, inlined
 from nscc_runtime.noise.gaussian import normal_fast
 from nscc_runtime.noise.keys import bits, unit
 from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
@@ -196,29 +196,3 @@ def counted(
         _raised(count, values, scratch, counts)
     for i in range(count):
         values[i] = scratch[counts + i]
-
-
-@inlined
-def _code(value: float, noise: float, lsb: float, offset: float, top: float) -> float:
-    code = np.rint(value / lsb + noise) + offset
-    code = code if code > 0.0 else 0.0
-    return float(np.rint(code if code < top else top))
-
-
-@inlined
-def read_out(
-    noisy: int, noise: float, stream: np.uint64, lsb: float, offset: float, top: float,
-    places: Ints, first: int, count: int, values: Floats, at: int, scratch: Floats, codes: Bytes,
-    out: int,
-) -> None:  # fmt: skip
-    """Set codes[out + i] to the converter code of the exposure values[at + i]; 0 for NaN. The noise
-    of the converter is drawn at places[first + i]."""
-    if noisy:
-        drawn_normals(stream, places, first, count, scratch)
-        for i in range(count):
-            scratch[i] *= noise
-    else:
-        for i in range(count):
-            scratch[i] = 0.0
-    for i in range(count):
-        codes[out + i] = np.uint8(np.int32(_code(values[at + i], scratch[i], lsb, offset, top)))

@@ -1,4 +1,4 @@
-"""Loops for frames by weighted sums: exposures from counts and noise, and converter codes.
+"""The loop for frames by weighted sums: exposures from counts and noise.
 
 `nscc_runtime.execution.summed` prepares the arguments that all frames of a scene share."""
 
@@ -6,9 +6,8 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from nscc_runtime.execution.block_draws import BLOCK, drawn_normals, read_out
+from nscc_runtime.execution.block_draws import BLOCK, drawn_normals
 from nscc_runtime.loop import (
-    Bytes,
     Floats,
     Floats32,
     Ints,
@@ -136,49 +135,3 @@ def add_up(
             for i in range(stop - first):
                 exposure[pixel_start + i] = total[at + i] + 0.0
         first = stop
-
-
-@record
-class Reading:
-    """Sizes for `convert` (pixels `begin` to `end` - 1), and parameters of the converter (see
-    `read_out`). `noisy`: whether to add readout noise. `last_bit`: saturation mark of the last
-    code."""
-
-    begin: int
-    end: int
-    pixels: int
-    buckets: int
-    noisy: int
-    last_bit: int
-    electrons_per_code: float
-    offset: float
-    top: float
-    readout_noise: float
-
-
-@loop
-def convert(
-    reading: Reading,
-    keys: Annotated[Words, "buckets"],
-    places: Annotated[Ints, "pixels"],
-    exposure: Annotated[Floats, "buckets pixels"],
-    scratch: Written[Floats],
-    frame: Written[Annotated[Bytes, "buckets pixels"]],
-    valid: Written[Annotated[Bytes, "buckets pixels"]],
-    marked: Written[Annotated[Bytes, "buckets pixels"]],
-) -> None:
-    """Convert exposures to codes (`frame`; 0 for NaN), and set `valid` where exposures are finite.
-    `scratch` is working memory for `BLOCK` pixels."""
-    for first in range(reading.begin, reading.end, BLOCK):
-        stop = min(first + BLOCK, reading.end)
-        for bucket in range(reading.buckets):
-            at = bucket * reading.pixels
-            read_out(
-                reading.noisy, reading.readout_noise, keys[bucket], reading.electrons_per_code,
-                reading.offset, reading.top, places, first, stop - first, exposure, at + first,
-                scratch, frame, at + first,
-            )  # fmt: skip
-            for p in range(at + first, at + stop):
-                value = exposure[p]
-                valid[p] = 1 if value - value == 0.0 else 0
-                marked[p] |= reading.last_bit if frame[p] == reading.top else 0

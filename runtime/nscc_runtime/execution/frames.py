@@ -1,7 +1,7 @@
 """Frames of a scene: sums for most pixels, words for pixels near saturation, or the reference.
 
     source = frame_source(container, sensor, light, effects, device_seed, threads)
-    frame = source.frame(seed, number)
+    frames = source.frames(seed, count)
 
 An exposure without saturation is a weighted sum, so it is drawn from the moments of the scene
 (`nscc_runtime.execution.moments`). Pixels that may saturate run through their words instead
@@ -21,7 +21,6 @@ from nscc_runtime.effects import CannotHave, Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.block_scene import BlockScene, expose_pixels, lay_out
-from nscc_runtime.execution.converter import FastConverter
 from nscc_runtime.execution.moments import scene_moments
 from nscc_runtime.execution.near_saturation import near_saturation
 from nscc_runtime.execution.program import analysed
@@ -32,7 +31,6 @@ from nscc_runtime.light import Light
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, scene_of
 
-Values = NDArray[np.float64]
 Places = NDArray[np.int64]
 
 
@@ -44,21 +42,22 @@ class FrameSource:
     ----------
     expose : callable
         (seed, number) -> Exposure: frame `number` before the converter.
-    frame : callable
-        (seed, number) -> Frame, with converter codes.
+    convert : callable
+        (exposure, seed, number) -> Frame, with converter codes.
     near : int64, shape (pixels,)
         Places of the pixels that run through their words because they may saturate.
     """
 
     expose: Callable[[int, int], Exposure]
-    frame: Callable[[int, int], Frame]
+    convert: Callable[[Exposure, int, int], Frame]
     near: Places
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
         """Yield frames 0 to `count` - 1. Raises ValueError if `count` < 1."""
         if count < 1:
             raise ValueError(f"{count} frames")
-        yield from (self.frame(seed, number) for number in range(count))
+        for number in range(count):
+            yield self.convert(self.expose(seed, number), seed, number)
 
 
 def slow_effects(effects: Selection) -> tuple[str, ...]:
@@ -111,59 +110,31 @@ def frame_source(
     check_size(container, light)
     check_adc(container.target)
     count = threads_of(threads)
+
+    def convert(exposure: Exposure, seed: int, number: int) -> Frame:
+        seeds = seed, device_seed
+        return converted(exposure, container.target, sensor, effects, seeds, number)
+
     if by_words or slow_effects(effects):
-        return _by_reference(container, sensor, light, effects, device_seed, count)
+        reference, scene = Reference.of(container, sensor, effects), scene_of(container, light)
+        return FrameSource(
+            lambda seed, number: reference.expose(scene, seed, device_seed, number, count),
+            convert, np.empty(0, np.int64),
+        )  # fmt: skip
     program = analysed(container, sensor)
     near = near_saturation(program, light, device_seed, effects).places
     moments = scene_moments(program, light, effects, device_seed, count)
     block: BlockScene | None = None
     if len(near):
         block = lay_out(container, sensor, light, effects, near, device_seed, count)
-    converter = FastConverter.of(container.target, sensor, effects)
 
-    def exposed(seed: int, number: int) -> tuple[Values, NDArray[np.uint8]]:
+    def expose(seed: int, number: int) -> Exposure:
         exposure_e = draw_exposures(moments, program.lane, seed, number, count)
         saturated_by = np.zeros(exposure_e.shape, np.uint8)
         if block is not None:
             pixels = expose_pixels(block, seed, number, count)
             exposure_e[:, near], saturated_by[:, near] = pixels.exposure_e, pixels.saturated_by
-        return exposure_e, saturated_by
+        whole = exposure_e.reshape(-1, *light.shape)
+        return Exposure(whole, np.isfinite(whole), saturated_by.reshape(whole.shape))
 
-    def expose(seed: int, number: int) -> Exposure:
-        return _on_array(*exposed(seed, number), light.shape)
-
-    def frame(seed: int, number: int) -> Frame:
-        exposure_e, saturated_by = exposed(seed, number)
-        if converter is not None:
-            return converter.frame(exposure_e, saturated_by, light.shape, (seed, number), count)
-        exposure = _on_array(exposure_e, saturated_by, light.shape)
-        seeds = seed, device_seed
-        return converted(exposure, container.target, sensor, effects, seeds, number)
-
-    return FrameSource(expose, frame, near)
-
-
-def _by_reference(
-    container: Container, sensor: Sensor, light: Light, effects: Selection, device_seed: int,
-    threads: int,
-) -> FrameSource:  # fmt: skip
-    """Return a source of frames by the reference."""
-    reference, scene = Reference.of(container, sensor, effects), scene_of(container, light)
-
-    def expose(seed: int, number: int) -> Exposure:
-        return reference.expose(scene, seed, device_seed, number, threads)
-
-    def frame(seed: int, number: int) -> Frame:
-        exposure, seeds = expose(seed, number), (seed, device_seed)
-        return converted(exposure, container.target, sensor, effects, seeds, number)
-
-    return FrameSource(expose, frame, np.empty(0, np.int64))
-
-
-def _on_array(
-    exposure_e: Values, saturated_by: NDArray[np.uint8], shape: tuple[int, int]
-) -> Exposure:
-    """Return exposures and marks (buckets, pixels) as an `Exposure` of an array of this shape."""
-    whole = len(exposure_e), *shape
-    valid = np.isfinite(exposure_e)
-    return Exposure(exposure_e.reshape(whole), valid.reshape(whole), saturated_by.reshape(whole))
+    return FrameSource(expose, convert, near)

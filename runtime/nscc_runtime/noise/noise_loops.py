@@ -10,7 +10,7 @@ from typing import Annotated
 import numpy as np
 
 from nscc_runtime.loop import Bytes, Floats, Ints, Written, compiled, inlined, loop, record
-from nscc_runtime.noise.gaussian import normal
+from nscc_runtime.noise.gaussian import normal, normal_fast
 from nscc_runtime.noise.keys import bits, unit
 from nscc_runtime.noise.poisson_law import (
     poisson_exact,
@@ -54,11 +54,26 @@ def fill_uniforms(draws: Draws, pixels: _Places, out: _Drawn) -> None:
         out[i] = uniform(draws.key, pixels[i])
 
 
+@record
+class NormalDraws:
+    """The number of draws, their key, and whether single precision suffices."""
+
+    count: int
+    key: np.uint64
+    single: int
+
+
 @loop
-def fill_normals(draws: Draws, pixels: _Places, out: _Drawn) -> None:
+def fill_normals(draws: NormalDraws, pixels: _Places, out: _Drawn) -> None:
     """Set out[i] to the standard normal number of the key at pixels[i]."""
     for i in range(draws.count):
-        out[i] = normal(uniform(draws.key, pixels[i]))
+        out[i] = uniform(draws.key, pixels[i])
+    if draws.single:
+        for i in range(draws.count):
+            out[i] = float(normal_fast(out[i]))
+        return
+    for i in range(draws.count):
+        out[i] = normal(out[i])
 
 
 @record
