@@ -1,14 +1,12 @@
 """Read scenes as arrays: `light` in electrons in .npz, .npy and .mat, `orig` clips in .mat.
 
-An .npz or .npy array is checked by its header before its data is read. It is read block by block
-into float32, so a clip needs little more memory than its float32 size."""
+An .npz or .npy array is checked by its header before its data is read."""
 
 from __future__ import annotations
 
-import math
 import zipfile
 import zlib
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from math import prod
 from pathlib import Path
 from typing import IO, Any
@@ -18,9 +16,8 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.npy import MOST_BYTES, check_size, npy_header
-from nscc_runtime.progress import Progress, unseen
-from nscc_runtime.scenes.errors import Census, damaged, size
+from nscc.npy import MOST_BYTES, check_size, npy_header, npy_values
+from nscc_runtime.scenes.errors import damaged, refuse_no_light, size
 
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _USER_BLOCKS = (0, 512, 1024, 2048, 4096)
@@ -157,7 +154,6 @@ def _check_chunks(stored: Any) -> None:
 
 KEY = "light"
 MAT_CLIP_KEY = "orig"
-_SLAB_BYTES = 1 << 24
 Check = Callable[[tuple[int, ...]], None]
 """A function that raises Rejected for a shape of light that does not fit the program."""
 
@@ -236,7 +232,7 @@ def _refuse_other_axes(
     )
 
 
-def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray[np.float32]:
+def read_light(path: Path, check: Check) -> NDArray[np.float32]:
     """Read the array `light` of an .npz or .npy file: float32, (T, rows, cols) or (rows, cols).
 
     Raises Rejected: NS0732 for a damaged file, NS0733 for a missing key or another kind of numbers,
@@ -244,13 +240,13 @@ def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray
     try:
         if path.suffix.lower() == ".npy":
             with open(path, "rb") as file:
-                return _read_npy(file, path, check, progress)
+                return _read_npy(file, path, check)
         with zipfile.ZipFile(path) as archive:
             names = archive.namelist()
             if f"{KEY}.npy" not in names:
                 raise missing_key(path, [name.removesuffix(".npy") for name in names], (KEY,))
             with archive.open(f"{KEY}.npy") as entry:
-                return _read_npy(entry, path, check, progress)
+                return _read_npy(entry, path, check)
     except Rejected:
         raise
     except Exception as error:  # zipfile and numpy raise a dozen types for damaged files
@@ -273,47 +269,20 @@ def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
     )
 
 
-def _read_npy(file: IO[bytes], path: Path, check: Check, progress: Progress) -> NDArray[np.float32]:
+def _read_npy(file: IO[bytes], path: Path, check: Check) -> NDArray[np.float32]:
     _, shape, fortran, dtype = npy_header(file)
     check_type(path, KEY, dtype)
     check(shape)
-    if fortran:  # one block: the first axis is strided over the whole file
-        flat = np.frombuffer(_exactly(file, dtype.itemsize * math.prod(shape)), dtype)
-        return _gather(path, shape, [flat.reshape(shape[::-1]).T])
-    slab_bytes = dtype.itemsize * math.prod(shape[1:])
-    step = max(1, _SLAB_BYTES // max(slab_bytes, 1))
-
-    def blocks() -> Iterator[NDArray[Any]]:
-        for start in range(0, shape[0], step):
-            count = min(step, shape[0] - start)
-            yield np.frombuffer(_exactly(file, count * slab_bytes), dtype).reshape(
-                count, *shape[1:]
-            )
-
-    return _gather(path, shape, progress(blocks(), "reading light", -(-shape[0] // step)))
+    values = npy_values(file, shape, fortran, dtype)
+    if values is None:
+        raise ValueError("its array is cut short or too long")
+    return _light_of(path, values)
 
 
-def _exactly(file: IO[bytes], count: int) -> bytes:
-    data = file.read(count)
-    if len(data) != count:
-        raise ValueError("the data of the array is incomplete")
-    return data
-
-
-def _gather(
-    path: Path, shape: tuple[int, ...], blocks: Iterable[NDArray[Any]]
-) -> NDArray[np.float32]:
-    """Join blocks to one float32 array, and check that every value is light."""
-    out = np.empty(shape, np.float32)
-    census = Census()
-    start = 0
-    for block in blocks:
-        census.look(block, start)
-        with np.errstate(over="ignore", invalid="ignore"):  # the census has seen these
-            out[start : start + len(block)] = block
-        start += len(block)
-    census.reject(path)
-    return out
+def _light_of(path: Path, values: NDArray[Any]) -> NDArray[np.float32]:
+    """Return values as float32. Raises NS0736 for values that are not light."""
+    refuse_no_light(values, path)
+    return np.require(values, np.float32, ["C"])
 
 
 def clip_white(clip: NDArray[Any]) -> float | None:
@@ -339,7 +308,7 @@ def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
     check_type(path, key, array.dtype)
     if key == KEY:
         check(array.shape)
-        return key, _gather(path, array.shape, [array])
+        return key, _light_of(path, array)
     if array.ndim != 3 or 0 in array.shape:
         raise rejected(
             "NS0733",

@@ -333,7 +333,7 @@ def _array(request: _Request, path: Path) -> PlacedLight:
             white = request.scene.white or light_arrays.clip_white(values)
             return _clip(replace(request, scene=replace(request.scene, white=white)), frames)
     else:
-        values = light_arrays.read_light(path, request.check_light, request.progress)
+        values = light_arrays.read_light(path, request.check_light)
     why = "`light` arrays hold electrons, slot by slot, for every pixel"
     _refuse(request, why, "fps", "crop", "first", "white")
     if values.ndim == 3:
