@@ -37,7 +37,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import hypot
 from types import MappingProxyType
-from typing import IO, Any
+from typing import IO, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -172,17 +172,24 @@ def repeated(frame: Frame, count: int) -> Frame:
     return joined([frame], lambda arrays: np.broadcast_to(arrays[0], (count, *arrays[0].shape)))
 
 
+class WrittenAsJson(Protocol):
+    """A value with a form for JSON."""
+
+    def as_json(self) -> dict[str, Any]: ...
+
+
 @dataclass(frozen=True)
 class Provenance:
     """The origin of a frame. `program_sha256`: digest of the container. Seeds are None if nothing
-    was simulated. `plan`, `audit`: JSON values."""
+    was simulated. `plan`: JSON values, or a plan, which is converted when it is written.
+    `audit`: JSON values."""
 
     program_sha256: str
     sensor: Sensor
     seed: int | None = 0
     device_seed: int | None = 0
     fidelity: str = "planned"
-    plan: Mapping[str, Any] | None = None
+    plan: Mapping[str, Any] | WrittenAsJson | None = None
     audit: Mapping[str, Any] | None = None
 
 
@@ -236,7 +243,7 @@ def meta(
 ) -> dict[str, Any]:
     """Return the `meta` of a frame file. `container`: None for a program on a device, whose buckets
     are numbered. `light`: None if the scene is unknown."""
-    sensor = origin.sensor
+    sensor, plan = origin.sensor, origin.plan
     numbered = [f"bucket{number}" for number in range(frame.frame.shape[-3])]
     return {
         "schema": SCHEMA,
@@ -260,7 +267,7 @@ def meta(
             else {}
         ),
         "invalid_pixels": frame.valid.size - int(np.count_nonzero(frame.valid)),
-        "plan": origin.plan,
+        "plan": plan if plan is None or isinstance(plan, Mapping) else plan.as_json(),
         "audit": origin.audit,
     }
 

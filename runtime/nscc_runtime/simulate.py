@@ -152,7 +152,7 @@ def _planned(
         if not report.holds:
             broken = run_messages.broken(plan, report, plan_given)
     origin = Provenance(
-        digest, sensor, seed, request.device_seed, "planned", plan.as_json(),
+        digest, sensor, seed, request.device_seed, "planned", plan,
         None if report is None else asdict(report),
     )  # fmt: skip
     text = plan_text(plan, digest, sensor) if is_new_file else None

@@ -18,7 +18,7 @@ WELL_E, COUNT = 30_000.0, 4000
 def near_at(places: np.ndarray) -> NearSaturation:
     """Pixels near saturation, with charges around a full well."""
     most_e = np.random.default_rng(8).uniform(0.5, 4.0, len(places)) * WELL_E
-    return NearSaturation(places, most_e, most_e, np.zeros(len(places), np.bool_))
+    return NearSaturation(places, most_e)
 
 
 def light(kind: str, rows: int = 128, cols: int = 160) -> Light:

@@ -37,21 +37,15 @@ class NearSaturation:
     ----------
     places : int64, shape (count,)
         Places of the pixels on the chip (row * cols + col), ascending.
-    most_e, own_e : float64, shape (count,)
-        Largest charge on PIX at a read including noise, with and without crosstalk, in electrons.
-    spilt : bool, shape (count,)
-        Whether a pixel is near saturation only because of the light of its neighbours.
+    most_e : float64, shape (count,)
+        Largest charge on PIX at a read including noise, in electrons.
     """
 
     places: Places
     most_e: Values
-    own_e: Values
-    spilt: NDArray[np.bool_]
 
 
-NO_PIXELS = NearSaturation(
-    np.empty(0, np.int64), np.empty(0), np.empty(0), np.empty(0, np.bool_)
-)  # fmt: skip
+NO_PIXELS = NearSaturation(np.empty(0, np.int64), np.empty(0))
 
 
 def near_saturation(
@@ -73,7 +67,7 @@ def near_saturation(
 class _Limits:
     """For each lane the weights of slots (kinds, N, lanes) on PIX and in registers, the seconds of
     dark charge in them (kinds, lanes), the smallest charge with which a pixel may saturate (kinds,
-    lanes), and the smallest mean charge (lanes,) that noise may raise to it."""
+    lanes), and the smallest mean charge (pixels,) that noise may raise to it."""
 
     weights: SlotWeights
     dark_s: Values
@@ -102,7 +96,7 @@ def _search(
     bound_e = limits.weights.of_frames(light).most_part.take(lanes) * total_e.reshape(-1)
     bound_e += current * float(program.slot_s.sum())
     bound_e += gained_e
-    places = np.flatnonzero(bound_e >= limits.mean_e.take(lanes))
+    places = np.flatnonzero(bound_e >= limits.mean_e)
     if not len(places):
         return NO_PIXELS
     lanes = lanes[places]
@@ -116,12 +110,10 @@ def _search(
     # Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours.
     given_fraction = exchanged * neighbour_count
     most_e = np.maximum(seen_e, (1.0 - given_fraction) * seen_e + gained_e[places])
-    dark_e = current[places] * limits.dark_s[:, lanes]
-    most_e, own_e = _reaching(most_e + dark_e), _reaching(seen_e + dark_e)
-    saturation_e = limits.saturation_e[:, lanes]
-    is_near = np.any(most_e >= saturation_e, axis=0)
-    spilt = ~np.any(own_e >= saturation_e, axis=0)
-    return NearSaturation(places[is_near], most_e[0, is_near], own_e[0, is_near], spilt[is_near])
+    most_e += current[places] * limits.dark_s[:, lanes]
+    most_e += _SIGMAS * np.sqrt(most_e)
+    is_near = np.any(most_e >= limits.saturation_e[:, lanes], axis=0)
+    return NearSaturation(places[is_near], most_e[0, is_near])
 
 
 def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
@@ -137,11 +129,8 @@ def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
         registers = saturation_e if reach.held_weights is None else saturation_e[1:]
         np.minimum(registers, reach.least_e, out=registers)
     least_e = np.maximum(_SLACK * saturation_e.min(axis=0), 0.0)
-    # The smallest mean charge whose upper bound (see `_reaching`) is the limit.
+    # The smallest mean charge that noise raises to the limit.
     mean_e = ((np.sqrt(_SIGMAS**2 + 4.0 * least_e) - _SIGMAS) / 2.0) ** 2
-    return _Limits(SlotWeights(weights), program.slot_s @ weights, saturation_e, mean_e)
-
-
-def _reaching(charge_e: Values) -> Values:
-    """Return an upper bound of counts whose mean is `charge_e`."""
-    return np.asarray(charge_e + _SIGMAS * np.sqrt(charge_e))
+    return _Limits(
+        SlotWeights(weights), program.slot_s @ weights, saturation_e, mean_e[program.lanes]
+    )
