@@ -19,14 +19,17 @@ from loader_twin.parsing import Held
 
 from nscc.chips.target import Target
 from nscc.words.container import Container, Readout
+from nscc.words.legality import decoded
 from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.firmware import RunningFirmware
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.objects import Upload, upload_of
+from nscc_runtime.device.recording import BoardProgram
 from nscc_runtime.device.serving import LineFaults
 from nscc_runtime.emulator import expose
+from nscc_runtime.emulator.chip_program import ChipProgram
 from nscc_runtime.light import Light
 
 SHAPE, SLOTS = (6, 10), 8
@@ -75,6 +78,16 @@ def emulated(container: Container, light: Light) -> bytes:
     codes = np.clip(np.rint(exposure / (30000 / 255)), 0, 255).astype(np.uint8)
     columns = [np.ascontiguousarray(each.swapaxes(1, 2)) for each in (codes, exposure)]
     return columns[0].tobytes() + columns[1].astype("<f8").tobytes()
+
+
+def board_program(container: Container) -> BoardProgram:
+    """What a loader's board executes for a container without images."""
+    chip = ChipProgram(
+        container.target, container.slots, decoded(container), container.launches,
+        container.planes(),
+    )  # fmt: skip
+    readouts = tuple((readout.register, readout.gain) for readout in container.readouts)
+    return BoardProgram(chip, container.slot_us, readouts, (), ())
 
 
 class ChipAtOnce(EmulatedChip):

@@ -105,7 +105,7 @@ def test_no_pixel_that_saturates_is_missed(name: str, effects: str) -> None:
 @pytest.mark.parametrize("name", ["b edges", "d accumulate", "two buckets"])
 def test_threads_change_no_bit(name: str) -> None:
     light = moving_light((8, 40, 50), 5000.0)
-    found = [[*source(name, "all", light, threads).frames(SEED, 1)][0] for threads in (1, 2, 5)]
+    found = [next(source(name, "all", light, n).frames(SEED, 1)) for n in (1, 2, 5)]
     assert len({each.exposure_e.tobytes() for each in found}) == 1
     assert len({each.frame.tobytes() for each in found}) == 1
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from device_sessions import ChipAtOnce, new_host
+from device_sessions import ChipAtOnce, board_program, new_host
 from device_simulation import Simulation
 from emulator_programs import bumps, target_of
 from loader_twin.loader import Loader
@@ -116,7 +116,7 @@ def test_a_program_that_leaves_no_register_is_converted_as_it_is() -> None:
     found = read_out(expose(container, light), target, sensor)
     assert found.frame.reshape(6, 3).tolist() == [list(CODES["full"])] * 6
     in_all = ChipAtOnce(lambda _: light, target, default_sensor(target))
-    sent = np.frombuffer(in_all.execute(container, Channel.CODES).frame, np.uint8)
+    sent = np.frombuffer(in_all.execute(board_program(container), Channel.CODES).frame, np.uint8)
     assert sent.reshape(6, 3).tolist() == found.frame.reshape(6, 3).tolist()
     np.testing.assert_allclose(
         (found.frame[0, 0] - sensor.adc_offset_lsb) * sensor.electrons_per_lsb,

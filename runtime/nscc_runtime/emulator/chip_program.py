@@ -106,7 +106,7 @@ class ChipProgram:
         ValueError
             If the light's matrix is inconsistent.
         """
-        from nscc_runtime.emulator.loops import PixelRange, Planes, expose_pixels
+        from nscc_runtime.emulator.loops import PixelRange, RegisterBits, expose_pixels
 
         starts, index = light.row_start, light.frame_index
         if starts[0] != 0 or np.any(np.diff(starts) < 0):
@@ -123,7 +123,7 @@ class ChipProgram:
         registers = len(table.analog)
         shape = table.shape(*block, length, registers)
         loaded = packed(np.array([*self.planes.values()], np.bool_).reshape(-1, rows, cols))
-        bits = Planes(
+        bits = RegisterBits(
             loaded, np.array([table.digital[name] for name in self.planes], np.int64),
             np.empty((len(digital), *loaded.shape[1:]), np.uint64),
             np.array([table.digital[name] for name in digital], np.int64),

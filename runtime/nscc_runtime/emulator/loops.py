@@ -119,7 +119,7 @@ class EmulatedWords(NamedTuple):
     launch_kernel: Ints
 
 
-class Planes(NamedTuple):
+class RegisterBits(NamedTuple):
     """Rows of bits of digital registers. `loaded`: initial values of the planes numbered
     `loaded_numbers`. `read`: final values of the planes numbered `read_numbers`."""
 
@@ -132,8 +132,8 @@ class Planes(NamedTuple):
 @record
 class PixelRange:
     """The pixels `begin` (a multiple of 64) to `end` - 1 of `pixels`, which are exposed in blocks
-    of `block_rows` rows, and sizes. `row_words`: 64-bit words of a row of `Planes`. `pix`: the
-    number of the register PIX."""
+    of `block_rows` rows, and sizes. `row_words`: 64-bit words of a row of `RegisterBits`. `pix`:
+    the number of the register PIX."""
 
     slots: int
     pixels: int
@@ -180,7 +180,7 @@ def _add_slot(
 @compiled
 def _expose_block(
     chosen: PixelRange, first: int, length: int, shape: ArrayShape, program: EmulatedWords,
-    light: LightMatrix, frame_weight: Floats, bits: Planes, planes: Words, values: Floats,
+    light: LightMatrix, frame_weight: Floats, bits: RegisterBits, planes: Words, values: Floats,
     marks: Bytes, marked: Ints, charge: Floats32,
 ) -> None:  # fmt: skip
     """Expose the block that begins with pixel number `first`: run the words of all slots. `length`:
@@ -224,7 +224,7 @@ def expose_pixels(
     light: LightMatrix,
     frame_weight: Annotated[Floats, "frames"],
     register_numbers: Annotated[Ints, "registers"],
-    bits: Planes,
+    bits: RegisterBits,
     planes: Written[Words],
     values: Written[Floats],
     marks: Written[Bytes],
