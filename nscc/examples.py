@@ -10,6 +10,7 @@ from typing import Any
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
+from nscc.record import Record
 
 _CELL = re.compile(r"^```\{code-cell\}[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _TAGS = re.compile(r"^:tags: *\[(.*)\]\n+")
@@ -90,6 +91,24 @@ def examples() -> Mapping[str, Path]:
 def _folder(installed: str, of_sources: str) -> Path:
     folder = Path(__file__).with_name(installed)
     return folder if folder.is_dir() else Path(__file__).resolve().parents[1] / of_sources
+
+
+class ExampleScene(Record):
+    """The scene that shows what an example does: its name, its exposure in electrons over the
+    frame, and the arguments of `nscc reconstruct`. Images and planes need no reconstruction."""
+
+    scene: str
+    exposure: int
+    reconstruct: str | None
+
+
+def tasks() -> dict[str, dict[str, ExampleScene]]:
+    """Return the scenes of all example programs, by task and by name."""
+    path = _folder("example_files", "examples") / "tasks.json"
+    return {
+        task: {name: ExampleScene(**shown) for name, shown in programs.items()}
+        for task, programs in json.loads(path.read_text(encoding="utf-8")).items()
+    }
 
 
 def contents(path: Path) -> tuple[str, bytes]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 GROUPS = {
     "Start": {
+        "play": "Try programs in a page of your browser.",
         "demo": "Expose and reconstruct a photo or a clip.",
         "examples": "List the programs that come with nscc, or copy one.",
         "new": "Write a first program, with comments.",

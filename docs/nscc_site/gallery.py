@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import io
 import shutil
-from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from PIL import Image
 
+from nscc.examples import ExampleScene, tasks
 from nscc_runtime.pictures.sheet import THEMES, themed
 from nscc_site.tool import block, grid, said
 
@@ -17,69 +17,9 @@ _THUMBNAIL = (440, 330)
 """Largest width and height of a thumbnail in pixels."""
 
 
-@dataclass(frozen=True)
-class _Shown:
-    """The scene and the reconstruction for an example.
-
-    `exposure` is in electrons over the frame. `how` are the arguments of `nscc reconstruct`; None
-    for images and planes, which need no reconstruction.
-    """
-
-    scene: str
-    exposure: int
-    how: str | None
-
-    @property
-    def kinds(self) -> dict[str, str]:
-        """Return the titles of the pictures of a frame, by file name."""
-        light = {} if self.how is None else {"light": "The reconstruction"}
-        return {"frame": "A frame", **light}
-
-
-_STILL = _Shown("builtin:hdr", 1_000_000, "any frame.npz --as image")
-_LOOKING = _Shown("builtin:hdr", 1_000_000, "frame.npz")
-
-
-def _clip(exposure: int) -> _Shown:
-    return _Shown("builtin:motion", exposure, "any frame.npz --method gap-tv")
-
-
-_TASKS: dict[str, dict[str, _Shown]] = {
-    "High dynamic range": {
-        "hdr_2x2": _STILL, "hdr_doubling": _STILL, "class_b": _STILL, "class_b_4096": _STILL,
-        "skip_one": _STILL,
-    },
-    "Pixels that look at the light": {
-        "float_pixel": _LOOKING, "spike": _LOOKING,
-        "auto_exposure": _Shown("builtin:hdr", 60_000, "frame.npz"),
-        "first_light": _Shown("builtin:motion", 1_000_000, "frame.npz"),
-    },
-    "A fast clip from one frame": {
-        "flutter": _clip(400_000), "class_c": _clip(240_000), "class_d": _clip(120_000),
-        "class_e": _clip(60_000), "codebook": _clip(60_000), "staggered": _clip(60_000),
-        "foveated": _clip(200_000), "searched_bits": _clip(60_000),
-    },
-    "A clip from several readouts of one exposure": {
-        name: _Shown("builtin:motion", 30_000, "any frame.npz")
-        for name in ("two_readouts", "three_readouts", "four_readouts")
-    },
-    "A sharp picture of a moving scene": {
-        "class_a": _Shown("builtin:motion", 30_000, "any frame.npz --as image"),
-        "deblur": _Shown("builtin:motion", 60_000, "any frame.npz --method gap-tv"),
-    },
-    "Images from the pixels": {
-        "edges": _Shown("builtin:hdr", 200_000, None),
-        "bright_spots": _Shown("builtin:hdr", 60_000, None),
-        "motion_in_a_frame": _Shown("builtin:motion", 60_000, None),
-        "local_contrast": _Shown("builtin:hdr", 200_000, None),
-        "grown_regions": _Shown("builtin:hdr", 60_000, None),
-        "direction": _Shown("builtin:motion", 30_000, None),
-    },
-    "Two exposures in one frame": {
-        "two_buckets": _clip(60_000), "coded_two_buckets": _clip(60_000),
-        "modulated": _clip(60_000),
-    },
-}  # fmt: skip
+def _kinds(shown: ExampleScene) -> dict[str, str]:
+    """Return the titles of the pictures of a frame, by file name."""
+    return {"frame": "A frame"} | ({"light": "The reconstruction"} if shown.reconstruct else {})
 
 
 def gallery_pages(examples: Path) -> dict[str, str | bytes]:
@@ -94,10 +34,10 @@ def gallery_pages(examples: Path) -> dict[str, str | bytes]:
         "and the light that was reconstructed from the frame. A click on a picture opens a page "
         "with the program, its shutters, its cost and the commands.\n",
     ]
-    missing = {path.stem for path in examples.glob("*.nsl")}.difference(*_TASKS.values())
+    missing = {path.stem for path in examples.glob("*.nsl")}.difference(*tasks().values())
     if missing:
         raise KeyError(f"the gallery has no task for {', '.join(sorted(missing))}")
-    for task, programs in _TASKS.items():
+    for task, programs in tasks().items():
         cards = []
         for name, shown in programs.items():
             path = examples / f"{name}.nsl"
@@ -109,7 +49,7 @@ def gallery_pages(examples: Path) -> dict[str, str | bytes]:
                 pages[f"gallery/{name}.md"] = _page(path, shown, folder)
             thumbnails = " ".join(
                 f"[![{what} of {name}](pictures/{name}_{kind}_small_light.png)](gallery/{name}.md)"
-                for kind, what in shown.kinds.items()
+                for kind, what in _kinds(shown).items()
             )
             cards.append(f"{thumbnails}\n\n[{name}](gallery/{name}.md): {_remark(path, 1)}")
         parts += [f"## {task}\n", grid(cards)]
@@ -118,19 +58,19 @@ def gallery_pages(examples: Path) -> dict[str, str | bytes]:
     return pages
 
 
-def _commands(program: str, shown: _Shown) -> list[str]:
+def _commands(program: str, shown: ExampleScene) -> list[str]:
     """Return the commands that draw the pictures of a page."""
     commands = [
         f"view {program} -o shutters.png",
         f"run {program} --scene {shown.scene} --exposure {shown.exposure} -o frame.npz "
         "--png frame.png",
     ]
-    if shown.how is not None:
-        commands.append(f"reconstruct {shown.how} -o light.npz --png light.png")
+    if shown.reconstruct is not None:
+        commands.append(f"reconstruct {shown.reconstruct} -o light.npz --png light.png")
     return commands
 
 
-def _pictures(program: str, shown: _Shown, folder: Path) -> dict[str, str | bytes]:
+def _pictures(program: str, shown: ExampleScene, folder: Path) -> dict[str, str | bytes]:
     """Draw the pictures of one example with its commands; return them with thumbnails."""
     view, run, *reconstruct = _commands(program, shown)
     view, run = (command.replace(program, f"{program} -O1") for command in (view, run))
@@ -141,7 +81,7 @@ def _pictures(program: str, shown: _Shown, folder: Path) -> dict[str, str | byte
             said(run, folder)
             for command in reconstruct:
                 said("view light.npz -o light.png" if number else command, folder)
-        for kind in ("shutters", *shown.kinds):
+        for kind in ("shutters", *_kinds(shown)):
             data = (folder / f"{kind}.png").read_bytes()
             stem = f"pictures/{Path(program).stem}_{kind}"
             pictures[f"{stem}_{name}.png"] = data
@@ -169,10 +109,10 @@ def _remark(path: Path, sentences: int | None = None) -> str:
     return text if sentences is None else text.replace(": ", ". ").partition(". ")[0] + "."
 
 
-def _page(path: Path, shown: _Shown, folder: Path) -> str:
+def _page(path: Path, shown: ExampleScene, folder: Path) -> str:
     text, name = path.read_text(), path.stem
     commands = "\n".join(f"$ nscc {command}" for command in _commands(path.name, shown))
-    light = () if shown.how is None else (
+    light = () if shown.reconstruct is None else (
         "Light that was reconstructed from the frame:\n",
         f"![The reconstruction](../pictures/{name}_light_light.png)\n",
     )  # fmt: skip

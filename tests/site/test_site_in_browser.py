@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -10,8 +9,6 @@ from typing import Any
 import pytest
 
 SITE = Path(__file__).resolve().parents[2] / "build" / "site"
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
-BROWSER = next(filter(None, map(shutil.which, BROWSERS)), None)
 PAGES = (
     "docs/index.html", "docs/start.html", "docs/language.html", "docs/emulator.html",
     "docs/python.html", "docs/reference/python.html", "docs/generated/gallery.html",
@@ -24,7 +21,6 @@ SCHEMES = ("light", "dark")
 
 pytestmark = [
     pytest.mark.site,
-    pytest.mark.skipif(BROWSER is None, reason="no Chromium: `.ci/browser` installs it"),
     pytest.mark.skipif(not SITE.is_dir(), reason="no site: `make docs` builds it"),
 ]
 
@@ -49,16 +45,6 @@ PICTURES = """() => [...document.querySelectorAll('article img')]
     return [e.getAttribute('src'), e.complete && e.naturalWidth > 0, Boolean(dark), Boolean(light),
             getComputedStyle(e).backgroundColor];
   })"""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as run:
-        found = run.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
-        yield found
-        found.close()
 
 
 @pytest.fixture

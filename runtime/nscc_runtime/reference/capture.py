@@ -116,7 +116,7 @@ class Reference:
 
         def run(part_rows: range, fallen: Fallen) -> Marked:
             array_rows = slice(part_rows.start, part_rows.stop)
-            pixels = _ProgramPixels(
+            pixels = ProgramPixels(
                 sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
                 places=places_of(part_rows, cols), container=container, effects=self.effects,
                 program=self,
@@ -185,7 +185,7 @@ def scene_of(container: Container, light: Light) -> Scene:
 
 
 @dataclass(eq=False, kw_only=True)
-class _ProgramPixels(WordPixels):
+class ProgramPixels(WordPixels):
     """Some pixels of a program during one frame. `code`: digital registers (pixels,) by name."""
 
     program: Reference
@@ -213,7 +213,7 @@ class _ProgramPixels(WordPixels):
             while word is not None and word.boundary == n:
                 if word.op.analog:
                     self._until(word, charge[min(number, len(charge) - 1)])
-                self._run(word)
+                self.run_word(word)
                 word = next(words, None)
             if n < slots:
                 self.fall(charge[number] * (1.0 - self.fallen) if self.fallen else charge[number])
@@ -230,7 +230,8 @@ class _ProgramPixels(WordPixels):
             self.fall(slot_charge * (now - self.fallen))
             self.fallen = now
 
-    def _run(self, word: RunningWord) -> None:
+    def run_word(self, word: RunningWord) -> None:
+        """Execute one word."""
         flag = self.digital.read("FLAG") == 1
         match word.op.operation.effect:
             case WordEffect.RESET_PIX:

@@ -1,0 +1,84 @@
+"""The registers of one pixel after every word of a frame, from the reference."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from nscc.words.container import Container
+from nscc.words.legality import refuse_planes
+from nscc_runtime.effects.selection import Selection
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.light import Light
+from nscc_runtime.reference.capture import ProgramPixels, Reference, scene_of
+from nscc_runtime.reference.charge import charge_of_rows
+from nscc_runtime.reference.trace import RunningWord
+
+_MOST_STEPS = 4096
+"""Number of words that a trace holds; a page with more of them is slow."""
+
+
+def traced(
+    container: Container, light: Light, sensor: Sensor, effects: Selection,
+    pixel: tuple[int, int], seed: int,
+) -> dict[str, Any]:  # fmt: skip
+    """Return the words of the exposure as steps with the contents of a pixel's registers after
+    them, as JSON values. `pixel`: row and column.
+
+    A step has the boundary, the time of the word's end in microseconds from the start of the frame,
+    the word, and the values of the registers that the program uses: electrons of PIX and the analog
+    registers, then bits. Raises Rejected like `Reference.of`, and NS0510 for chips without logic.
+    """
+    refuse_planes(container.target, "there are no words to follow", "see the shutters instead")
+    row, col = pixel
+    reference = Reference.of(container, sensor, effects)
+    seeds = seed, 0
+    rows = range(row, row + 1)
+    scene = scene_of(container, light)
+    fallen = charge_of_rows(scene, sensor, effects, seeds, 0, rows, reference.starts)
+    watched = _WatchedPixel(
+        sensor=sensor, seed=seed, device_seed=0, frame=0,
+        places=np.array([row * container.target.cols + col]), container=container, effects=effects,
+        program=reference,
+        code={name: plane[row, col : col + 1] for name, plane in container.planes().items()},
+    )  # fmt: skip
+    exposures, _ = watched.run(fallen.charge[:, 0, col : col + 1])
+    return {
+        "registers": watched.names,
+        "steps": watched.steps,
+        "words": len(reference.words),
+        "exposure_e": dict(zip(container.buckets, exposures[:, 0].tolist(), strict=True)),
+    }
+
+
+@dataclass(eq=False, kw_only=True)
+class _WatchedPixel(ProgramPixels):
+    """A pixel that records its registers after each word."""
+
+    steps: list[dict[str, Any]] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        ops = [word.op for word in self.program.words]
+        used = {name for op in ops for name in (*op.sources, *op.destinations)}
+        self.analog = [name for name in self.target.analog_registers if name in used]
+        digital = [name for name in self.target.digital_registers if name in used]
+        self.digital_names = [*digital, "FLAG"]
+        self.names = ["PIX", *self.analog, *self.digital_names]
+        self._start_us = np.concatenate(([0.0], np.cumsum(self.container.slot_us)))
+
+    def run_word(self, word: RunningWord) -> None:
+        super().run_word(word)
+        if len(self.steps) >= _MOST_STEPS:
+            return
+        electrons = (self.charge, *(self.register[name] for name in self.analog))
+        bits = (self.digital.read(name) for name in self.digital_names)
+        values = [round(float(value[0]), 1) + 0.0 for value in electrons]  # no -0
+        self.steps.append({
+            "boundary": word.boundary,
+            "us": round(float(self._start_us[word.boundary]) + word.after_us, 3),
+            "word": str(word.op),
+            "values": [*values, *(int(bit[0]) for bit in bits)],
+        })  # fmt: skip

@@ -1,0 +1,102 @@
+"""`nscc play` answers the page that it serves, and nobody else."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import pytest
+from nscc_command import invoke
+
+from nscc_cli.playground.page_files import PAGE
+
+PROGRAM = "nsl 1\nframe 8 slots of 1ms\nopen when n < 4\n"
+
+
+@pytest.fixture(scope="module")
+def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    folder = tmp_path_factory.mktemp("play")
+    (folder / "mine.nsl").write_text(PROGRAM)
+    command = [sys.executable, "-m", "nscc_cli", "play", "mine.nsl", "--no-browser"]
+    with subprocess.Popen(
+        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as server:
+        assert server.stdout is not None
+        yield urlsplit(server.stdout.readline().strip())
+        server.terminate()
+
+
+def ask(address: Any, method: str, path: str, body: str = "", **headers: str) -> tuple[int, Any]:
+    connection = http.client.HTTPConnection(address.hostname, address.port, timeout=60)
+    connection.request(method, path, body, headers)
+    response = connection.getresponse()
+    data = response.read()
+    connection.close()
+    is_json = response.headers["Content-Type"] == "application/json"
+    return response.status, json.loads(data) if is_json else data
+
+
+def test_the_address_is_this_computer_with_a_secret(address: Any) -> None:
+    assert address.hostname == "127.0.0.1"
+    assert len(address.path.strip("/")) == 24
+
+
+def test_the_page_and_all_its_files_are_served(address: Any) -> None:
+    status, page = ask(address, "GET", address.path)
+    assert status == 200
+    assert page == (PAGE / "index.html").read_bytes()
+    for file in PAGE.iterdir():
+        assert ask(address, "GET", address.path + file.name) == (200, file.read_bytes())
+    assert ask(address, "GET", f"{address.path}config.json") == (200, {"engine": "server"})
+
+
+@pytest.mark.parametrize("name", ["requests.py", "../requests.py", "%2e%2e/requests.py", "/etc"])
+def test_other_files_are_not_served(address: Any, name: str) -> None:
+    assert ask(address, "GET", address.path + name)[0] == 404
+
+
+def test_strangers_get_nothing(address: Any) -> None:
+    host = {"Host": "evil.example"}
+    for path, headers in (("/", {}), ("/guess/start", {}), (f"{address.path}start", host)):
+        for method in ("GET", "POST"):
+            status, text = ask(address, method, path, "{}", **headers)
+            assert status == 403
+            assert b"nscc play" in text
+
+
+def test_requests_are_answered(address: Any) -> None:
+    status, start = ask(address, "POST", f"{address.path}start", "{}")
+    assert status == 200
+    assert start["file"] == {"name": "mine.nsl", "text": PROGRAM}
+    status, answer = ask(address, "POST", f"{address.path}check", "{}")
+    assert status == 200
+    assert answer["messages"][0]["code"] == "NS0796"
+
+
+@pytest.mark.parametrize("body", ["", "[]", "{", "\xff"], ids=["none", "list", "cut", "letters"])
+def test_requests_that_are_no_objects_fail(address: Any, body: str) -> None:
+    assert ask(address, "POST", f"{address.path}check", body)[0] == 400
+
+
+def test_long_requests_are_not_read(address: Any) -> None:
+    status, _ = ask(address, "POST", f"{address.path}check", **{"Content-Length": "99999999"})
+    assert status == 413
+
+
+def test_wrong_arguments_teach(tmp_path: Path) -> None:
+    compiled = invoke(["play", "mine.icw"], tmp_path)
+    assert (compiled.status, compiled.codes) == (2, ["NS0796"])
+    assert "give the .nsl file" in compiled.err
+    assert invoke(["play", "missing.nsl"], tmp_path).status == 2
+
+
+def test_a_port_in_use_is_an_error(address: Any, tmp_path: Path) -> None:
+    outcome = invoke(["play", "--no-browser", "--port", str(address.port)], tmp_path)
+    assert (outcome.status, outcome.codes) == (2, ["NS0796"])
+    assert "leave --port out" in outcome.err

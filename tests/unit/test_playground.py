@@ -1,0 +1,199 @@
+"""The requests of the playground page: answers are those of the Python interface and of `check`."""
+
+from __future__ import annotations
+
+from base64 import b64decode, b64encode
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nscc
+import nscc_runtime
+from nscc.editing.document import Document
+from nscc.examples import examples, tasks
+from nscc_cli.playground.requests import Playground
+
+TILE = """nsl 1
+frame 16 slots of 1ms
+code stop : 1..16
+open when n < stop
+pixels stop = tile [[16, 4]]
+"""
+EDGES = examples()["edges"].read_text()
+SETTINGS = {
+    "program": TILE, "scene": "builtin:hdr", "picture": "", "exposure_e": 200_000.0,
+    "effects": "none", "seed": 3, "row": 40, "col": 7,
+}  # fmt: skip
+
+
+@pytest.fixture
+def playground(tmp_path: Path) -> Playground:
+    return Playground(tmp_path)
+
+
+def ask(playground: Playground, kind: str, **changes: Any) -> Any:
+    return playground.answer(kind, SETTINGS | changes)
+
+
+def codes(answer: Any) -> list[str]:
+    return [message["code"] for message in answer["messages"]]
+
+
+def grey(picture: Any) -> Any:
+    levels = np.frombuffer(b64decode(picture["grey"]), np.uint8)
+    return levels.reshape(picture["rows"], picture["cols"])
+
+
+def taken(**options: Any) -> nscc_runtime.Capture:
+    scene = nscc_runtime.scene("builtin:hdr", exposure=200_000.0)
+    return nscc_runtime.capture(nscc.compile(TILE, level=1), scene, seed=3, **options)
+
+
+def test_every_example_has_a_task_and_a_scene(playground: Playground) -> None:
+    start = playground.answer("start", {})
+    programs = {name for name, path in examples().items() if path.suffix == ".nsl"}
+    assert {example["name"] for example in start["examples"]} == programs
+    assert sorted(name for named in tasks().values() for name in named) == sorted(programs)
+    assert start["file"] is None
+    assert "kernel" in start["words"][3][0]
+    assert "kernel" not in start["words"][1][1]
+
+
+def test_a_message_has_its_place_and_a_fix_that_compiles(playground: Playground) -> None:
+    wrong = TILE.replace("n < stop", "n < stp")
+    answer = ask(playground, "check", program=wrong)
+    (message,) = answer["messages"]
+    assert message["location"] == {"row": 4, "column": 15}
+    (fix,) = message["fixes"]
+    lines = wrong.splitlines(keepends=True)
+    place, end = fix["location"], fix["end_location"]
+    line = lines[place["row"] - 1]
+    lines[place["row"] - 1] = (
+        line[: place["column"] - 1] + fix["replacement"] + line[end["column"] - 1 :]
+    )
+    assert "".join(lines) == TILE
+    assert "rows" not in answer
+
+
+def test_a_valid_program_has_a_report_a_chart_and_a_map(playground: Playground) -> None:
+    answer = ask(playground, "check")
+    assert answer["messages"] == []
+    assert dict(answer["rows"])["proved"] == "2 codes x 16 slots, 2 frames"
+    assert answer["array"] == [256, 256]
+    assert answer["chart"].startswith("<svg")
+    ranks = np.frombuffer(b64decode(answer["map"]), "<u2").reshape(256, 256)
+    assert (ranks[:, 0::2] != ranks[:, 1::2]).all()
+
+
+@pytest.mark.parametrize("effects", ["none", "auto", "all"])
+def test_a_frame_is_that_of_capture(playground: Playground, effects: str) -> None:
+    answer = ask(playground, "frame", effects=effects)
+    light, frame = answer["pictures"]
+    assert np.array_equal(grey(frame), taken(effects=effects).frame[0])
+    assert grey(light).min() < 50 < 200 < grey(light).max()
+    assert bool(answer["plan"]) == (effects != "none")
+    (merged,) = ask(playground, "merge", effects=effects)["pictures"]
+    assert merged["title"] == "merged: frame"
+    # Like the light, with the same tone curve.
+    error = np.abs(grey(merged).astype(int) - grey(light))
+    assert np.median(error) < 12
+
+
+def test_images_and_planes_are_shown_and_not_merged(playground: Playground) -> None:
+    answer = ask(playground, "frame", program=EDGES)
+    assert [picture["title"] for picture in answer["pictures"]] == ["the light", "plane edge"]
+    assert set(np.unique(grey(answer["pictures"][1]))) == {0, 255}
+    assert not answer["merges"]
+    assert codes(ask(playground, "merge", program=EDGES)) == ["NS0542"]
+
+
+@pytest.mark.parametrize("effects", ["none", "all"])
+def test_the_words_of_a_pixel_end_with_the_exposure_of_the_reference(
+    playground: Playground, effects: str
+) -> None:
+    for row, col in ((40, 7), (200, 100)):
+        answer = ask(playground, "words", effects=effects, row=row, col=col)
+        whole = taken(effects=effects, fidelity="reference").exposure_e[0, row, col]
+        assert answer["exposure_e"]["frame"] == pytest.approx(whole, rel=1e-12)
+        assert len(answer["steps"]) == answer["words"]
+        assert answer["registers"][0] == "PIX"
+        assert answer["registers"][-1] == "FLAG"
+        assert {len(step["values"]) for step in answer["steps"]} == {len(answer["registers"])}
+        times = [step["us"] for step in answer["steps"]]
+        assert times == sorted(times)
+
+
+def test_a_pixel_outside_of_the_array_is_refused(playground: Playground) -> None:
+    assert codes(ask(playground, "words", row=256)) == ["NS0796"]
+
+
+def test_a_picture_has_its_exposure_at_its_brightest_percent(playground: Playground) -> None:
+    levels = np.zeros((256, 256), np.uint8)
+    levels[:, 100:] = 255
+    picture = b64encode(levels.tobytes()).decode()
+    answer = ask(playground, "frame", picture=picture, exposure_e=16_000.0)
+    light, frame = map(grey, answer["pictures"])
+    assert light[0, 0] == 0
+    assert light[0, 200] == 255
+    # 16000 e over 16 slots: open columns see all of it, the others a quarter.
+    steps = nscc.compile(TILE).target.electrons_per_lsb
+    offset = int(frame[0, 0])
+    assert frame[0, 200] - offset == round(16_000 / steps)
+    assert frame[0, 201] - offset == round(4_000 / steps)
+    dark = b64encode(bytes(1 << 16)).decode()
+    assert np.ptp(grey(ask(playground, "frame", picture=dark)["pictures"][1])) == 0
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"picture": "AAAA"}, {"picture": "?"}, {"scene": "/etc/hostname"}, {"exposure_e": -1.0},
+        {"exposure_e": float("nan")}, {"effects": "some"}, {"seed": 0.5}, {"program": 3},
+        {"col": -1},
+    ],
+    ids=str,
+)  # fmt: skip
+def test_wrong_requests_are_refused(playground: Playground, changes: dict[str, Any]) -> None:
+    assert codes(ask(playground, "frame", **changes)) == ["NS0796"]
+
+
+def test_missing_values_and_unknown_kinds_are_refused(playground: Playground) -> None:
+    assert codes(playground.answer("frame", {})) == ["NS0796"]
+    assert codes(playground.answer("open", SETTINGS)) == ["NS0796"]
+
+
+def test_files_outside_of_the_folder_are_not_read(tmp_path: Path) -> None:
+    folder = tmp_path / "inside"
+    folder.mkdir()
+    codes_file = tmp_path / "codes.npz"
+    np.savez(codes_file, stop=np.full((256, 256), 4))
+    (folder / "link.npz").symlink_to(codes_file)
+    np.savez(folder / "own.npz", stop=np.full((256, 256), 4))
+    program = TILE.replace("stop = tile [[16, 4]]", 'from "{}"')
+    for name in ("../codes.npz", codes_file.as_posix(), "link.npz"):
+        answer = ask(Playground(folder), "check", program=program.format(name))
+        assert codes(answer) == ["NS0796"]
+        assert answer["messages"][0]["location"]["row"] == 5
+    assert codes(ask(Playground(folder), "check", program=program.format("own.npz"))) == []
+
+
+def test_a_file_is_saved_unless_another_program_changed_it(tmp_path: Path) -> None:
+    file = tmp_path / "mine.nsl"
+    file.write_text(TILE)
+    playground = Playground(tmp_path, file)
+    assert playground.answer("start", {})["file"] == {"name": "mine.nsl", "text": TILE}
+    better = TILE.replace("16, 4", "16, 8")
+    assert playground.answer("save", {"text": better, "before": TILE}) == {"saved": "mine.nsl"}
+    assert file.read_text() == better
+    assert codes(playground.answer("save", {"text": "", "before": TILE})) == ["NS0796"]
+    assert file.read_text() == better
+    assert codes(Playground(tmp_path).answer("save", {"text": "", "before": ""})) == ["NS0796"]
+
+
+def test_messages_are_those_of_check(playground: Playground, tmp_path: Path) -> None:
+    broken = TILE.replace("16]]", "99]]").replace("1ms", "1us")
+    listed = Document("program.nsl", broken, tmp_path).checked.diagnostics
+    assert codes(ask(playground, "check", program=broken)) == [d.code for d in listed]
+    assert codes(ask(playground, "frame", program=broken)) == [d.code for d in listed]
