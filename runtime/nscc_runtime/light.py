@@ -6,17 +6,26 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Any, Literal
+from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.arguments import as_array, shown, wrong_argument
 from nscc_runtime.caches import remembered
-from nscc_runtime.sizes_loop import BLOCK, Frames, LightMatrix, sum_light
+from nscc_runtime.loop import Floats, Floats32, Ints, Ints32
 
 _MOST_E = 1e36
 """Sums of float32 are limited to this value, because they may be infinite."""
+
+
+class LightMatrix(NamedTuple):
+    """The frames and weights of a `Light`, with its names, for compiled loops."""
+
+    frames: Annotated[Floats32, "frames chip_pixels"]
+    row_start: Annotated[Ints, "slots+1"]
+    frame_index: Annotated[Ints32, "entries"]
+    weight: Annotated[Floats, "entries"]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -284,16 +293,13 @@ class Light:
     @cached_property
     def _summed(self) -> tuple[NDArray[np.float64], bool]:
         """The value of `sum_e`, and whether some pixel exceeded the limit."""
-        weight, count = self.frame_weight, len(self.frames)
-        total, capped = np.empty(self.shape), np.empty(1, np.int64)
-        sum_light(
-            size=Frames(
-                count=count, pixels=total.size, even=bool((weight == weight[0]).all()), most=_MOST_E
-            ),
-            frames=self.matrix.frames, weight=weight, total_32=np.empty(BLOCK, np.float32),
-            out=total.reshape(-1), capped=capped,
-        )  # fmt: skip
-        return total, bool(capped[0])
+        weight = self.frame_weight
+        with np.errstate(over="ignore", invalid="ignore"):
+            if (weight == weight[0]).all():
+                total = np.asarray(self.frames.sum(axis=0) * weight[0])
+            else:
+                total = np.einsum("t,trc->rc", weight, self.frames)
+        return np.minimum(total, _MOST_E), bool((total > _MOST_E).any())
 
     def on_frames(self, slots: NDArray[np.float64]) -> NDArray[np.float64]:
         """Convert weights of slots to weights of frames.

@@ -20,6 +20,7 @@ from nscc_runtime.emulator.array_loop import (
     row_of,
     run_words,
 )
+from nscc_runtime.light import LightMatrix
 from nscc_runtime.loop import (
     Bytes,
     Floats,
@@ -31,7 +32,6 @@ from nscc_runtime.loop import (
     loop,
     record,
 )
-from nscc_runtime.sizes_loop import LightMatrix
 
 _GOLDEN = 0.6180339887498949
 

@@ -12,10 +12,10 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from nscc_runtime.light import LightMatrix
 from nscc_runtime.loop import Floats, Ints, Ints32, Written, compiled, inlined, loop, record
 from nscc_runtime.noise.gaussian import normal_fast
 from nscc_runtime.noise.keys import bits, unit
-from nscc_runtime.sizes_loop import LightMatrix
 
 NEIGHBOURS = 4
 TOGETHER = 128
