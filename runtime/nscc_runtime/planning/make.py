@@ -29,7 +29,13 @@ from nscc_runtime.planning.planned_scene import (
 )
 from nscc_runtime.planning.prices import Work
 from nscc_runtime.planning.sample import SampledErrors
-from nscc_runtime.planning.tolerance import ToleranceInput, check_tolerance, tolerance_of, unit_of
+from nscc_runtime.planning.tolerance import (
+    Tolerance,
+    ToleranceInput,
+    check_tolerance,
+    tolerance_of,
+    unit_of,
+)
 
 _WORTH = 2.0
 """Effects are measured if that is predicted to save this multiple of the time that it takes."""
@@ -55,15 +61,17 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     moves = _moves(work, request, absent)
     trial_ms = 0.0 if request.figures else _WORTH * work.trials_ms(1, _QUICK)
     is_checked = request.effects.auto and bool(request.forced_off - absent)
-    is_worth = request.figures or is_checked or sum(moves.values()) > 3.0 * trial_ms
-    if not is_worth:
+    if not (request.figures or is_checked or sum(moves.values()) > 3.0 * trial_ms):
         return _unmeasured(work, request, absent)
     measuring = _Measuring(scene, request)
     alone = measuring.drop_each(absent) if request.figures else {}
+    hopeless = Names() if request.figures else _too_large(scene, measuring.allowed)
     dropped = Names()
     together, _ = measuring.drop_together(dropped)
     for names, saved_ms in moves.items():
-        if saved_ms > trial_ms and (names not in alone or measuring.fits(alone[names])):
+        if names & hopeless or saved_ms <= trial_ms:
+            continue
+        if names not in alone or measuring.fits(alone[names]):
             candidate, by_choice = measuring.drop_together(dropped | names)
             if measuring.fits(by_choice):
                 dropped, together = dropped | names, candidate
@@ -144,8 +152,10 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
     # Noise may drive any pixel near saturation beyond a limit, in few frames: too rare to measure.
     free = frozenset(e.name for e in effects_of_exposure()) - all_effects.names(Saturates)
     free -= request.forced | absent
-    if not request.figures:
-        free -= _too_large(work, request)
+    if not request.figures and unit_of(request.tolerance) != "noise":
+        free -= _too_large(
+            work.scene, tolerance_of(request.tolerance, work.scene.sensor, work.scene)
+        )
     groups = [all_effects.names(kind) - absent for kind in (Counted, SmallErrors)]
     sets = {names for names in groups if names and names <= free}
     sets |= {frozenset({name}) for name in free}
@@ -159,12 +169,8 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
     return {names: saved_ms[names] for names in ordered if saved_ms[names] > 0}
 
 
-def _too_large(work: Work, request: PlanRequest) -> Names:
-    """Return effects whose noise certainly exceeds a tolerance in electrons."""
-    scene = work.scene
-    if unit_of(request.tolerance) == "noise":
-        return Names()
-    tolerance_e = tolerance_of(request.tolerance, scene.sensor, scene).electrons
+def _too_large(scene: PlannedScene, allowed: Tolerance) -> Names:
+    """Return effects whose noise certainly exceeds a tolerance."""
     all_effects, full_e = everything(), scene.sensor.full_well_e
     least_e = {
         effect.name: part.sigma_e(scene.sensor)
@@ -176,7 +182,7 @@ def _too_large(work: Work, request: PlanRequest) -> Names:
         open_share = program.opened.mean(axis=0).max(axis=1)[program.lanes]
         light_e = np.minimum(scene.light.sum_e.reshape(-1) * open_share, full_e)
         least_e |= dict.fromkeys(all_effects.names(CountedLight), 0.5 * light_e.mean() ** 0.5)
-    return frozenset(name for name, error_e in least_e.items() if error_e > tolerance_e)
+    return frozenset(name for name, error_e in least_e.items() if error_e > allowed.electrons)
 
 
 class _Measuring:
@@ -220,9 +226,11 @@ class _Measuring:
         every effect that the user did not force off."""
         effects = self.requested.without(*dropped)
         exposed = self.trial.exposures(effects) if dropped else self.base
-        unseen_e2 = unseen_square_e2(self.trial, effects)
-        together, by_choice = (
-            replace(self.trial.between(exposed, true), unseen_e2=unseen_e2)
-            for true in (self.trial.truth, self.base)
-        )
+        together = self.trial.between(exposed, self.trial.truth)
+        by_choice = self.trial.between(exposed, self.base)
+        # If the error is too large already, what the sample may not contain does not matter.
+        if by_choice.square_e2(2.0) <= (_BOUND * self.allowed.electrons) ** 2:
+            unseen_e2 = unseen_square_e2(self.trial, effects)
+            together = replace(together, unseen_e2=unseen_e2)
+            by_choice = replace(by_choice, unseen_e2=unseen_e2)
         return together, by_choice

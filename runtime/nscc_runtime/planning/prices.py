@@ -19,24 +19,24 @@ from nscc_runtime.reference.trace import retention_us
 class Prices:
     """Times of parts of a simulation, in nanoseconds of one core per pixel.
 
-    A frame by sums: `frame`; for each bucket `counts` of light or dark charge, their `exchange`
+    A frame by sums, for each bucket: `frame`, `counts` of light or dark charge, their `exchange`
     between neighbours, and the small `errors` of all words together. Once for a scene by sums:
     `scene`, and `light` for each frame of light and bucket; effects declare their own. A frame by
     the loop over words: `loop`; for each word of a pixel `word`, and `error` for each effect that
     adds an error to it; for each stretch between two words `count`, of each source of charge. The
     reference: `slot`, each slot. In milliseconds: `trial_ms`, each set of effects on a sample."""
 
-    frame: float = 8.0
-    counts: float = 17.0
-    exchange: float = 4.0
+    frame: float = 15.0
+    counts: float = 15.0
+    exchange: float = 6.0
     errors: float = 7.0
     scene: float = 10.0
     light: float = 1.0
-    loop: float = 150.0
-    word: float = 8.0
-    error: float = 6.0
-    count: float = 60.0
-    slot: float = 450.0
+    loop: float = 115.0
+    word: float = 13.0
+    error: float = 4.0
+    count: float = 20.0
+    slot: float = 250.0
     trial_ms: float = 1.2
 
 
@@ -84,7 +84,7 @@ class Work:
         buckets, passes = len(scene.container.buckets), len(scene.light.frames)
         scene_ns = prices.scene + prices.light * passes * buckets
         scene_ns += sum(effect.summed_ns(passes * buckets) for effect in effects.effects)
-        frame_ns = prices.frame
+        frame_ns = buckets * prices.frame
         if effects.names(Counted):
             exchanges = effects.find_part(Exchange) is not None
             frame_ns += buckets * (prices.counts + prices.exchange * exchanges)
