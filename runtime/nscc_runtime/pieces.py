@@ -23,10 +23,10 @@ from nscc_runtime.frame_file import Frame, joined
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.neighbours.plane_summary import reported, summary_of
-from nscc_runtime.planless import reason_without_plan
 from nscc_runtime.progress import unseen
 from nscc_runtime.request import Request
 from nscc_runtime.response import Response, response_of
+from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.scenes import PlacedLight, Placement
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Listener, Simulated, digest_of, simulate
@@ -135,7 +135,7 @@ def _for_all(
 ) -> Request:
     """Return the request with one tolerance for all lights, which have equal sizes. A fraction of
     the noise is converted to electrons only for an audit: measuring it takes as long as a frame."""
-    if not request.planned or reason_without_plan(container):
+    if not request.planned or KINDS.of(container).without_plan:
         return request
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.planned_scene import PlannedScene, planning_of

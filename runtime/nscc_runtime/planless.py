@@ -1,4 +1,4 @@
-"""The programs whose frames are simulated without a plan, and the error if one is requested."""
+"""The error for a plan that is requested for a program to which plans do not apply."""
 
 from __future__ import annotations
 
@@ -7,14 +7,9 @@ from nscc.words.container import Container
 from nscc_runtime.run_kinds import KINDS
 
 
-def reason_without_plan(container: Container) -> str:
-    """Return the reason why frames of a program are simulated slot by slot; "" if plans apply."""
-    return KINDS.of(container).without_plan
-
-
 def refuse_planless(container: Container, subject: str) -> None:
     """Raise NS0750 (status 2) if `subject` needs a plan, but plans do not apply to a program."""
-    reason = reason_without_plan(container)
+    reason = KINDS.of(container).without_plan
     if reason:
         raise rejected(
             "NS0750",

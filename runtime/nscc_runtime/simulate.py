@@ -19,7 +19,7 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.frame_series import gathered
 from nscc_runtime.light import Light
-from nscc_runtime.planless import reason_without_plan, refuse_planless
+from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.tolerance import check_tolerance
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.request import Request
@@ -91,13 +91,13 @@ def _simulated(
 ) -> Simulated:
     if request.plan is not None or request.audit:
         refuse_planless(container, "--plan" if request.plan is not None else "--audit")
-    reason = reason_without_plan(container)
+    kind = KINDS.of(container)
+    reason = kind.without_plan
     if reason:
         check_tolerance(request.tolerance, sensor)
     if request.planned and not reason:
         return _planned(container, light, sensor, request, listener)
     noiseless = request.effects.noiseless
-    kind = KINDS.of(container)
     if kind.note_without_plan and request.effects.auto:
         _say_once(listener, kind.note_without_plan)
     absent = {} if noiseless else kind.absent_effects(container, request.effects)

@@ -10,14 +10,9 @@ from nscc_runtime.effects.views import Values
 from nscc_runtime.loop import compiled
 
 
-def log_variance(fraction: float) -> float:
-    """Return the variance of the logarithm of a lognormal with relative spread `fraction`."""
-    return float(np.log1p(fraction * fraction))
-
-
 def log_normal(fraction: float, z: Values) -> Values:
     """Return lognormal factors of mean 1, standard deviation `fraction`, from normal numbers z."""
-    variance = log_variance(fraction)
+    variance = float(np.log1p(fraction * fraction))
     return np.asarray(np.exp(np.sqrt(variance) * z - variance / 2))
 
 

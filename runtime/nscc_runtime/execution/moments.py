@@ -26,7 +26,7 @@ from nscc_runtime.effects.parts import (
 )
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
-from nscc_runtime.execution.overlap import NEIGHBOURS, Overlap, weights_beside
+from nscc_runtime.execution.overlap import NEIGHBOURS, weights_beside
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.sum_loop import light_sums
 from nscc_runtime.light import Light
@@ -364,9 +364,8 @@ def _neighbour_weights(
         inverse_s = np.divide(1.0, variance_s, out=np.zeros_like(variance_s), where=known)
         weight_e = _electron_weights(program, model)
         scale = np.einsum("cal,cl->acl", inverse_lower(lower), inverse_s * weight_e)
-        beside = weights_beside(
-            Overlap(seconds, np.einsum("nla,acl->nlc", weights, scale)), program.lane
-        )
+        estimated = np.einsum("nla,acl->nlc", weights, scale)
+        beside = weights_beside(seconds, estimated, program.lane)
         unknown_s = np.repeat(np.einsum("bbl->bl", own_s)[None, :, program.lanes], 4, axis=0)
         counts_s = (variance_s / weight_e**2)[:, program.lanes]
         for draw_weights, draw_s in zip(beside, counts_s, strict=True):

@@ -25,7 +25,7 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
 from nscc_runtime.emulator.capture import check
-from nscc_runtime.frame_file import Frame
+from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, uniforms
@@ -34,7 +34,7 @@ from nscc_runtime.reference.digital import Digital
 from nscc_runtime.reference.stream import expose_stream
 from nscc_runtime.reference.trace import RunningWord, analog_words, retention_us, running_words
 from nscc_runtime.reference.weights import backward
-from nscc_runtime.reference.words import START, Marked, WordPixels, converted_frames, in_rows
+from nscc_runtime.reference.words import START, Marked, WordPixels, in_rows
 from nscc_runtime.run_kinds import KINDS
 
 Values = NDArray[np.float64]
@@ -176,7 +176,10 @@ def frames(
             return expose_stream(container, scene, sensor, effects, seeds, number, threads)
         return reference.expose(scene, *seeds, number, threads)
 
-    return converted_frames(expose, container, sensor, effects, seeds, count)
+    return (
+        converted(expose(number), container.target, sensor, effects, seeds, number)
+        for number in range(count)
+    )
 
 
 def scene_of(container: Container, light: Light) -> Scene:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -17,7 +17,6 @@ from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.registry import by_name
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Word
-from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.pool import in_strips, threads_of
@@ -199,19 +198,6 @@ def in_rows(
 
     in_strips(fill, rows, CELLS // (slots * cols), threads_of(threads))
     return Exposure(exposure, np.isfinite(exposure) & valid, saturated_by)
-
-
-def converted_frames(
-    expose: Callable[[int], Exposure],
-    container: Container,
-    sensor: Sensor,
-    effects: Selection,
-    seeds: tuple[int, int],
-    count: int,
-) -> Iterator[Frame]:
-    """Yield frames 0 to `count` - 1 with converter codes; `seeds`: noise seed, device seed."""
-    for number in range(count):
-        yield converted(expose(number), container.target, sensor, effects, seeds, number)
 
 
 @dataclass(eq=False, kw_only=True)

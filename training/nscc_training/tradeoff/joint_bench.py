@@ -26,7 +26,6 @@ from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
-from nscc_runtime.planless import reason_without_plan
 from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
 from nscc_runtime.request import Request
@@ -242,7 +241,7 @@ class Bench:
     def _captured(self, container: Container, light: Light) -> Simulated:
         """Simulate a frame with all effects."""
         tolerance = None
-        if not reason_without_plan(container):
+        if not KINDS.of(container).without_plan:
             tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
         request = Request.of(
             effects="all", tolerance=tolerance, seed=self.request.seed,
