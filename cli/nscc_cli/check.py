@@ -13,10 +13,12 @@ import click
 from nscc.compiler import CHECK, files_of
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.summary import summary
+from nscc.pipeline import Compiled
 from nscc.program.problems import counted
 from nscc_cli.options import PATH, build_options
 from nscc_cli.programs import compile_program
 from nscc_cli.support import common_command, say, say_done, session, show
+from nscc_runtime.device.loaders import loader_notes
 
 _MOST_ROUNDS = 20
 """Most passes of automatic fixes over a file; each pass fixes at least one error."""
@@ -51,7 +53,7 @@ def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
             if fix:
                 _mend(path, options)
             compiled = compile_program(path, options, unproved_is_error=CHECK.unproved_is_error)
-            say(compiled.diagnostics)
+            say([*compiled.diagnostics, *_loader_notes(compiled)])
         except Rejected as rejected:
             diagnostics.extend(rejected.diagnostics)
             status = max(status, rejected.status)
@@ -59,6 +61,14 @@ def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
             click.echo(summary(path.as_posix(), compiled))
     if diagnostics:
         raise Rejected(diagnostics, status)
+
+
+def _loader_notes(compiled: Compiled) -> list[Diagnostic]:
+    """Return notes about loaders that cannot take a program; none if it may not fit the chip."""
+    if compiled.container is None:
+        return []
+    program = compiled.program
+    return loader_notes(compiled.container, program.source, program.frame.span)
 
 
 def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:

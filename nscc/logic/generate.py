@@ -36,11 +36,15 @@ MOST_COVERED = 512
 # A family's solution within this factor of the minimum number of words ends the search.
 _CLOSE = 1.1
 
-# Cascades take seconds to search. They are tried only if every other solution takes this
-# many times the
-# words that are needed, and at -O2 for no more demands than these: they would not win.
+# Cascades take seconds to search. They are tried only if every other solution takes this many times
+# the words that are needed. For more than _MANY_DEMANDS at -O2, also only for levels (a frame has
+# twice as many edges), and if it takes more than a word for this many shutters at each demand: a
+# cascade rarely decides more with a word.
 _WORTH_CASCADES = {2: 3.0, 3: 1.1}
-_MOST_CASCADED = {2: 32, 3: 1 << 20}
+_SHUTTERS_A_WORD = 4
+# Searches for more demands get more steps, up to a factor.
+_MANY_DEMANDS = 32
+_MOST_STEPS = 2
 # They get all steps if every other solution takes this many times the words, and fewer if one is
 # nearer.
 _ALL_STEPS = 15.0
@@ -210,9 +214,13 @@ def solutions(
     yield from counted(solve_kinds("equality"))
     if fewest == inf or not (close or problem.shutters > MOST_COVERED):
         yield from counted(solve_kinds("cover"))
+    count = len(problem.demands)
+    random = fewest * _SHUTTERS_A_WORD > problem.shutters * count
+    random &= all(demand.edge == "open" for demand in problem.demands)
     worth = fewest >= _WORTH_CASCADES.get(level, inf) * least
-    if worth and len(problem.demands) <= _MOST_CASCADED.get(level, 0):
+    if worth and (level > 2 or count <= _MANY_DEMANDS or random):
         share = min(1.0, fewest / (_ALL_STEPS * least))
+        share *= min(_MOST_STEPS, max(1.0, count / _MANY_DEMANDS)) if level == 2 else 1.0
         yield from counted(solve_kinds("cascade", allowed=int(share * steps)))
     if fewest == inf:
         yield from solve_kinds("cover", "last", allowed=PATIENT_STEPS)

@@ -6,7 +6,8 @@ possible. Every state starts with all its registers at 0."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations, product
+from dataclasses import replace
+from itertools import chain, combinations, product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,10 @@ from nscc.words.machine import StateMachine
 
 Rows = NDArray[np.bool_]
 """The bits of values: (values, registers)."""
+
+
+COUNTER = "binary counter"
+"""The kind of a binary encoding whose steps by one are a ripple of carries."""
 
 
 class ValueBits(Record, eq=False):
@@ -61,7 +66,10 @@ def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
         if state.sense and not _outlasts(machine, k):
             bit_choices = [("not held", np.zeros((len(values), 0), np.bool_))]
         states.append([ValueBits(state.name, kind, values, bits) for kind, bits in bit_choices])
-    for code, *chosen in product(codes, *states):
+    counters = [
+        [replace(last, kind=COUNTER) if last.registers > 1 else last] for *_, last in states
+    ]
+    for code, *chosen in chain(product(codes, *states), product(codes, *counters)):
         if sum(value_bits.registers for value_bits in (code, *chosen)) <= registers:
             yield LooksEncoding(code, tuple(chosen))
 

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, GaveUp, Machine
 from nscc.looks.boundary_gates import FLAG, Board, update
-from nscc.looks.encode import LooksEncoding, ValueBits
+from nscc.looks.count_up import count_up, counted
+from nscc.looks.encode import COUNTER, LooksEncoding, ValueBits
 from nscc.looks.looking_plan import LookingPlan, Moment
 from nscc.lower.exposure_plan import RESET
 from nscc.operations import Op, op
@@ -190,7 +191,14 @@ class _Moment:
             else:
                 self.sampled = v == moment.everything and words[0] == self.plan.sampled()
             self.emitted += words
-        update(self.board, self.new_values)
+        counters = {}
+        for held, names in zip(self.solver.encoding.states, self.solver.registers, strict=True):
+            if held.kind == COUNTER and (lanes := counted(self.board, names, self.new_values)):
+                counters[names] = lanes
+        rippled = {name for names in counters for name in names}
+        update(self.board, {r: v for r, v in self.new_values.items() if r not in rippled})
+        for names, lanes in counters.items():
+            count_up(self.board, names, lanes)
         self.emitted += self.board.pop_gates()
         return renamed(self.emitted)
 

@@ -13,10 +13,12 @@ from nscc.lower.lowered import Lowered, lay_out
 from nscc.program.program import Program
 from nscc.record import Record
 
-# A plan with more words a slot is compared with plans of more analog writes, and loses to one with
-# so many times fewer words, if the rule is composed.
+# A plan with more words a slot is compared with plans of more analog writes. It loses to one with
+# so many times fewer words, if the rule of that one is composed, or if it has at most so many times
+# more writes.
 _MOST_WORDS_A_SLOT = 14
-_DEAR = 1.5
+_DEAR = 1.25
+_MANY_WRITES = 1.5
 
 
 class Gated(Record):
@@ -44,7 +46,8 @@ def find_gates(
     """Return the gates of all plans; without `price_all`, stop when no better plan can follow.
 
     A plan with fewer analog writes is better, except if it takes far more words than a composed
-    rule. `most_words` is the largest allowed number of words at a boundary, None for any."""
+    rule, or than one with little more writes. `most_words` is the largest allowed number of words
+    at a boundary, None for any."""
     lowerings: list[Lowered] = []
     misfits = dict(planned.misfits)
     faults: list[GeneratorFault] = []
@@ -54,7 +57,7 @@ def find_gates(
         if better and not price_all:
             slots = plan.slots * len(planned.opens)
             words = min(t.schedule.words_total for t in better)
-            if words <= _MOST_WORDS_A_SLOT * slots or not _is_composed(planned, plan):
+            if words <= _MOST_WORDS_A_SLOT * slots or not _may_win(planned, plan):
                 break
         outcome = lower(planned, plan, level, results, most_words, faults)
         if isinstance(outcome, Misfit):
@@ -62,7 +65,7 @@ def find_gates(
         else:
             lowerings.append(outcome)
     least = min(
-        (t.schedule.words_total for t in lowerings if t.fits and _is_composed(planned, t.plan)),
+        (t.schedule.words_total for t in lowerings if t.fits and _may_win(planned, t.plan)),
         default=inf,
     )
     # Best first: fits, or distance from fitting; far more words than a composed rule; analog writes
@@ -84,8 +87,13 @@ def find_gates(
     )
 
 
-def _is_composed(planned: Planned, plan: ExposurePlan) -> bool:
-    """Return whether a plan asks for the levels of a rule composed from parts."""
+def _may_win(planned: Planned, plan: ExposurePlan) -> bool:
+    """Return whether few words are worth the analog writes of a plan.
+
+    They are if its writes are near the fewest, or if it asks for the levels of a rule composed from
+    parts."""
+    if plan.analog_writes[1] <= _MANY_WRITES * planned.plans[0].analog_writes[1]:
+        return True
     from nscc.logic.rule_parts import composition  # few programs need it
 
     problem, _ = problem_of(planned.program, plan, planned.time, planned.opens)

@@ -8,12 +8,13 @@ the mask, which is then a scratch register.
 
 The words of a boundary come in segments. A kernel is stored once however often it is launched, but
 every launch takes time. So the segments of a boundary are one kernel if the store has room, else
-separate kernels that boundaries share."""
+smaller kernels that boundaries share."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import chain, groupby
+from typing import Literal, get_args
 
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, Segment, Solution, quietest
@@ -133,6 +134,12 @@ def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[O
 
 Words = tuple[Op, ...]
 
+KernelSize = Literal["boundary", "segment", "step", "gate"]
+"""What one kernel contains: all words of a boundary; a segment, the last with the analog words of
+its step; a segment or the analog words; a gate or the analog words."""
+SIZES: tuple[KernelSize, ...] = get_args(KernelSize)
+"""The sizes of kernels, in the order in which they are tried until the store has room."""
+
 
 class FrameSchedule(Record):
     """All words of a frame.
@@ -188,8 +195,8 @@ def schedule(
     """Lay out the gates of a solution and the analog words of its plan over the boundaries. The
     digital registers `spared` are the last choice for code."""
     allocation = allocate(decoding.solution, target, spared)
-    for gates_apart, merged in ((False, True), (False, False), (True, False)):
-        result = _scheduled(decoding, time, target, allocation, gates_apart, merged)
+    for size in SIZES:
+        result = _scheduled(decoding, time, target, allocation, size)
         if result.words_stored <= target.store_words:
             break
     return result
@@ -200,12 +207,10 @@ def _scheduled(
     time: Timeline,
     target: Target,
     allocation: Allocation,
-    gates_apart: bool,
-    merged: bool,
+    size: KernelSize,
 ) -> FrameSchedule:
-    """Lay out a solution with gates and analog words in separate kernels, or each boundary merged
-    into one kernel."""
-    boundaries = _segments(decoding, allocation, gates_apart)
+    """Lay out a solution in kernels of one size."""
+    boundaries = _segments(decoding, allocation, size)
     refreshed = refreshed_registers(boundaries, allocation, time)
     exposed = max(
         i for i, w in enumerate(boundaries[0][0]) if w.operation.effect is WordEffect.RESET_PIX
@@ -227,27 +232,31 @@ def _scheduled(
     number: dict[Words, int] = {}
     launches = tuple(
         (n, number.setdefault(segment, len(number)))
-        for n, segments in enumerate(_merged(boundaries, apart) if merged else boundaries)
+        for n, segments in enumerate(
+            _merged(boundaries, apart) if size == "boundary" else boundaries
+        )
         for segment in segments
         if segment
     )
     return FrameSchedule(allocation, tuple(number), launches, setup_us, refreshed)
 
 
-def _segments(decoding: Decoding, allocation: Allocation, gates_apart: bool) -> list[list[Words]]:
+def _segments(decoding: Decoding, allocation: Allocation, size: KernelSize) -> list[list[Words]]:
     """Return the segments of every boundary; the first segment of boundary 0 ends with the setup.
 
-    The last gates of a step and its analog words are one segment unless `gates_apart`: gates alone
-    are often equal in all slots."""
+    They are as small as kernels of this size: gates alone are often equal in all slots, and a
+    single gate occurs in many slots of a random codebook."""
     plan, solution, slots = decoding.plan, decoding.solution, decoding.plan.slots
     boundaries: list[list[Words]] = [[] for _ in range(slots + 1)]
     answers = iter(solution.answers)
     known: dict[Segment, Words] = {}
 
-    def placed(segment: Segment) -> Words:
-        if segment not in known:
-            known[segment] = words(segment, allocation)
-        return known[segment]
+    def placed(*segments: Segment) -> Iterator[Words]:
+        for segment in segments:
+            for part in [(gate,) for gate in segment] if size == "gate" else [segment]:
+                if part not in known:
+                    known[part] = words(part, allocation)
+                yield known[part]
 
     setup: list[Op] = []
     opened = False
@@ -266,15 +275,17 @@ def _segments(decoding: Decoding, allocation: Allocation, gates_apart: bool) -> 
             boundaries[0] = [tuple(setup)]
             continue
         if not opened:
-            boundaries[0].extend(placed(segment) for segment in solution.opening)
+            boundaries[0].extend(placed(*solution.opening))
             opened = True
-        gates: Words = ()
-        if step.predicate is not None:
-            answer = next(answers)
-            boundaries[step.boundary].extend(placed(segment) for segment in answer[:-1])
-            gates = placed(answer[-1]) if answer else ()
-        boundaries[step.boundary] += [gates, analog] if gates_apart else [(*gates, *analog)]
-    boundaries[slots].extend(placed(segment) for segment in solution.closing)
+        segments = boundaries[step.boundary]
+        if step.predicate is None or not (answer := next(answers)):
+            segments.append(analog)
+        elif size in ("step", "gate"):
+            segments += [*placed(*answer), analog]
+        else:
+            *first, last = placed(*answer)
+            segments += [*first, (*last, *analog)]
+    boundaries[slots].extend(placed(*solution.closing))
     return boundaries
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 from math import ceil, log2
 from typing import Any
 
@@ -15,6 +16,7 @@ from nscc.lower.resources import time_text
 from nscc.neighbours.alternatives import alternatives
 from nscc.neighbours.count_words import MOST_IMAGES
 from nscc.neighbours.held import Leveled, PictureRefused
+from nscc.neighbours.last_use import by_last_use
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
 from nscc.neighbours.table import WordForms
@@ -89,7 +91,8 @@ def lowered(
     container: Container, pictures: Pictures, level: int, results: Results | None = None
 ) -> Lowering:
     """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
-    do not fit. From level 2 on, the shortest of several alternatives is returned."""
+    do not fit. From level 2 on, the shortest of several alternatives is returned. What does not fit
+    in the order of the text is ordered by last use."""
     forms = WordForms.choices(container.target)
     searches = [Synthesis(STEPS_OF_LEVEL[level], form, results) for form in forms]
     return _shortest(container, pictures, level, searches)
@@ -106,15 +109,16 @@ def _shortest(
     ways = [pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())]
     best: Lowering | None = None
     refused: PictureRefused | None = None
-    for synthesis in searches:
-        for way in ways:
-            try:
-                lowering = _lowered(container, way, synthesis)
-            except PictureRefused as error:
-                refused = refused or error
-                continue
-            if best is None or len(lowering.words) < len(best.words):
-                best = lowering
+    for synthesis, way in [*product(searches, ways), *product(searches, [None])]:
+        if way is None and (best is not None or refused is None or refused.kind == "range"):
+            break
+        try:
+            lowering = _lowered(container, way or by_last_use(pictures), synthesis)
+        except PictureRefused as error:
+            refused = refused or error
+            continue
+        if best is None or len(lowering.words) < len(best.words):
+            best = lowering
     if best is None:
         assert refused is not None
         raise refused

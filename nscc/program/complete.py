@@ -39,6 +39,7 @@ from nscc.program.table import (
     decode,
     legal_codes,
 )
+from nscc.program.values import judge_values
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words.container import DecodeTable
@@ -103,8 +104,15 @@ class Completion:
         basis = "for every code in use" if self.mode == "fixed" else "for every code"
         judge_rules(declared.rules, bool(fields), table, survey, basis, problems)
         judge_names(declared, fields, self.rules.rules, self.rules.books, problems)
+        judge_values(self.rules.rules, self._ranges(), problems)
         judge_bumps(recognised, declared.rules[0], survey, problems)
         return self._program(table, legal, at_pixel, recognised)
+
+    def _ranges(self) -> dict[str, tuple[int, int]]:
+        """Return the ranges of the slot n and of the fields that are numbers."""
+        fields = [field for field in self.rules.fields if field.bits is None]
+        numbers = {field.name: (field.low, field.high) for field in fields}
+        return {"n": (0, len(self.frame.slot_us) - 1), **numbers}
 
     def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> Program:
         """Return the program whose shutters depend on the light."""
@@ -136,6 +144,7 @@ class Completion:
         judge_looked_names(self.declared, looking, rules.rules, machine, problems)
         expressions = [*rules.rules, *looking.expressions]
         judge_names(self.declared, rules.fields, expressions, rules.books, problems)
+        judge_values(rules.rules, self._ranges(), problems)
         self.problems.stop_on_errors()
         names = tuple(field.name for field in self.rules.fields)
         table = DecodeTable(names, codes, behaviour, shutters_in_the_dark(machine))

@@ -12,6 +12,7 @@ from nscc.program.evaluate import Fault, Value, evaluate
 from nscc.program.expressions import Checked, Meaning, check
 from nscc.program.names import Declarations, State
 from nscc.program.problems import Problems
+from nscc.program.values import judge_values
 from nscc.record import Record
 from nscc.source import Span
 from nscc.syntax import tree
@@ -182,6 +183,7 @@ class _Maker:
                 helps=("name boundaries, `at n in [1, 2]`, or give a condition, `at n % 8 == 0`",),
             )  # fmt: skip
             return None
+        judge_values([checked], {"n": (1, self.slots)}, self.problems)
         return tuple(at.tolist())
 
     def _levels(self, sense: tree.Sense, looks: int, target: Target) -> tuple[int, ...] | None:

@@ -135,6 +135,32 @@ def check_with_effects(text: str, container: Container, scene: Light, seed: int)
         assert np.array_equal(ways.told["open_slots"], words.told["open_slots"]), text
 
 
+@pytest.mark.parametrize(
+    ("last", "rule"),
+    [
+        (32, "count + 1 when bright and count < 32"),
+        (44, "count + 1 when not bright and count < 44"),
+        (63, "count + 1 when bright"),
+        (100, "count + 1 when bright and count < 100"),
+    ],
+)
+def test_a_state_of_many_values_counts_by_a_ripple_of_carries(last: int, rule: str) -> None:
+    """Five words for each bit, three more for a bit of the limit, and those of the look."""
+    slots = 60 if last == 63 else last + 10
+    text = (
+        f"nsl 2\nframe {slots} slots of 100us\nsense bright when light > 50% at n > 0\n"
+        f"state count : 0..{last} = 0\nnext count = {rule}\nopen when true\nread count\n"
+    )
+    found = compiled(text, 1)
+    assert found is not None
+    for seed in range(3):
+        check(text, with_codes(found, seed), seed)
+    words = [0] * (slots + 1)
+    for launch in found.launches:
+        words[launch.instant] += len(found.kernels[launch.kernel].words)
+    assert max(words[1:slots]) <= (8 if "<" in rule else 5) * last.bit_length() + 9
+
+
 @pytest.mark.parametrize("seed", range(0, 60))
 def test_containers_of_machines_are_their_bytes(seed: int) -> None:
     container = compiled(random_program(seed), 0)

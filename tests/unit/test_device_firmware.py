@@ -14,6 +14,7 @@ from struct import pack, unpack
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 from device_lockstep import SANITIZERS, Lockstep
 from device_sessions import new_host, uploaded_and_captured
 from device_simulation import Simulation
@@ -23,8 +24,10 @@ from nscc.chips.load import builtin_names, builtin_target, load_target, target_t
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.encoding import decode
 from nscc.words.readout import converter_of
+from nscc_cli import check
 from nscc_runtime.device import firmware
 from nscc_runtime.device.board import EmulatedChip, in_columns
+from nscc_runtime.device.loaders import LOADERS
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import upload_of
 from nscc_runtime.device.packets import MOST_DATA, VERSION, Packet, PacketKind
@@ -58,6 +61,25 @@ def test_the_protocols_numbers_are_the_same_at_both_ends() -> None:
     assert listed is not None
     names = re.findall(r"[A-Z]+", listed[1])
     assert names == [kind.name for kind in sorted(PacketKind) if kind < 0x80]
+
+
+def test_a_check_notes_the_loaders_that_cannot_take_a_program(tmp_path: Path) -> None:
+    for loader in LOADERS:
+        for folder in loader.folders:
+            text = (firmware.SOURCES / folder / "limits.hpp").read_text()
+            for name in ("kernels", "rows", "runs"):
+                assert f"most_{name} = {getattr(loader, name)};" in text
+    said = {}
+    for slots in (512, 1024):
+        path = tmp_path / f"{slots}.nsl"
+        path.write_text(
+            f"nsl 1\nframe {slots} slots of 250us\ncode stop : 1..N\nopen when n < stop\n"
+        )
+        run = CliRunner().invoke(check.command, [str(path)])
+        assert run.exit_code == 0
+        said[slots] = run.stderr
+    assert "NS0507" not in said[512]
+    assert "1025 rows of its schedule, but it holds 1024" in said[1024]
 
 
 def test_a_refresh_changes_nothing() -> None:

@@ -152,7 +152,7 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
     reported = device_reports(container) if reports else {}
     pictures, container = container.pictures, with_picture_words(container)
     target, readouts = container.target, _readouts(container)
-    rows = list(_rows(container))
+    rows = list(schedule_rows(container))
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
     levels = [(AS_IT_IS if level is None else level,) for *_, level in rows]
     sets_in = any(level != (AS_IT_IS,) for level in levels)
@@ -227,7 +227,7 @@ def _counted(layout: Struct, rows: Sequence[tuple[float, ...]]) -> bytes:
     return COUNT.pack(len(rows)) + b"".join(layout.pack(*row) for row in rows)
 
 
-def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
+def schedule_rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
     """Yield schedule rows (advance, kernel, times, level or None), merging equal launches."""
     at = 0
     steps = []

@@ -1,0 +1,103 @@
+"""Gates that add one to a binary counter in some lanes, by a ripple of carries.
+
+A bit b with the carry c takes five words and four scratch registers: with NOR(b, c), the lanes of
+only b and those of only c are one NOR each. The new bit is their OR, and the next carry the NOR of
+all three. Wide counters thus need no search for covers, and few registers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import islice
+
+from nscc.logic.problem import Gates, GaveUp
+from nscc.looks.boundary_gates import Board
+
+
+def counted(board: Board, names: Sequence[str], new_values: Mapping[str, int]) -> int:
+    """Return the lanes in which the counter `names`, lowest bit first, is to count up by one.
+
+    0 if its new values are others, or if fewer than two bits change."""
+    old = [board.values[name] for name in names]
+    new = [new_values.get(name, v) for name, v in zip(names, old, strict=True)]
+    lanes = carry = old[0] ^ new[0] if len(set(names) & new_values.keys()) > 1 else 0
+    for before, after in zip(old, new, strict=True):
+        if before ^ carry != after:
+            return 0
+        carry &= before
+    return lanes
+
+
+def count_up(board: Board, names: Sequence[str], lanes: int) -> None:
+    """Add one to the counter `names`, lowest bit first, in `lanes`.
+
+    Raises GaveUp if the registers do not tell these lanes."""
+    carry = _carry(board, names, lanes)
+    gates = Gates(board.machine)
+    spare = (name for name in board.unused_scratch() if name != carry)
+    neither, only_bit, only_carry, next_carry = islice(spare, 4)
+    highest = max(k for k, name in enumerate(names) if lanes & _rippled(board, names, k))
+    for name in names[: highest + 1]:
+        gates.nor(neither, [name, carry])
+        gates.nor(only_carry, [neither, name])
+        gates.nor(only_bit, [neither, carry])
+        gates.or_(name, [only_bit, only_carry])
+        if name != names[highest]:
+            gates.nor(next_carry, [neither, only_bit, only_carry])
+        carry = next_carry
+    for name in names:
+        lanes, board.values[name] = lanes & board.values[name], board.values[name] ^ lanes
+    board.gates += gates.take()
+
+
+def _rippled(board: Board, names: Sequence[str], count: int) -> int:
+    """Return the lanes in which the `count` lowest bits of a counter are 1."""
+    lanes = board.everything
+    for name in names[:count]:
+        lanes &= board.values[name]
+    return lanes
+
+
+def _carry(board: Board, names: Sequence[str], lanes: int) -> str:
+    """Return the register that holds `lanes`, after gates that compute it if there is none.
+
+    A counter with a limit counts in the lanes of an answer, except where the bits that are 1 in the
+    limit all are 1: three words for each of these bits."""
+    carry = next((name for name, v in board.values.items() if v == lanes), "")
+    if carry:
+        return carry
+    for name, v in board.values.items():
+        for answer in (v, board.everything & ~v):
+            blocked = answer & ~lanes
+            ones = [bit for bit in names if blocked and not blocked & ~board.values[bit]]
+            at_limit = board.everything if ones else 0
+            for bit in ones:
+                at_limit &= board.values[bit]
+            if answer & ~at_limit == lanes:
+                return _limited(board, name, answer == v, ones)
+    carry = board.fresh()
+    sequence = board.make(lanes, carry)
+    if sequence is None:
+        raise GaveUp("the registers do not tell the lanes that count")
+    board.take(sequence, (carry, lanes))
+    return carry
+
+
+def _limited(board: Board, name: str, positive: bool, ones: Sequence[str]) -> str:
+    """Return a register that gets `name`, or its inverse, without the lanes where all of `ones`
+    are 1."""
+    gates = Gates(board.machine)
+    answer, below, bit = islice(board.unused_scratch(), 3)
+    stops = [name]
+    if positive and ones:
+        gates.nor(answer, [name])
+        stops = [answer]
+    for k, one in enumerate(ones):
+        gates.nor(bit if k else below, [one])
+        if k:
+            gates.or_(below, [below, bit])
+    if ones:
+        gates.nor(bit, [below])
+        stops.append(bit)
+    gates.nor(answer, stops)
+    board.gates += gates.take()
+    return answer

@@ -1,0 +1,63 @@
+"""The loaders that come with nscc, what they have room for, and the notes of `nscc check` about
+programs that one of them cannot take."""
+
+from __future__ import annotations
+
+from itertools import groupby
+from typing import NamedTuple
+
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
+from nscc.source import Source, Span
+from nscc.words.container import Container, with_picture_words
+
+
+class Loader(NamedTuple):
+    """The limits of a loader, as in `limits.hpp` of its `folders` in `runtime/firmware`."""
+
+    name: str
+    folders: tuple[str, ...]
+    kernels: int
+    rows: int
+    runs: int
+
+
+LOADERS = (
+    Loader("the loader on a computer", ("host",), 1024, 16384, 4096),
+    Loader("the firmware", ("scamp5d", "qemu"), 256, 1024, 64),
+)
+
+
+def loader_notes(container: Container, source: Source, frame: Span) -> list[Diagnostic]:
+    """Return a note (NS0507) for each loader that has too little room for a program's words.
+
+    `frame` is the place of the statement `frame` in the program's text."""
+    if not container.target.has_logic:
+        return []
+    sent = with_picture_words(container)
+    needed = {
+        "kernels": len(sent.kernels),
+        "rows of its schedule": len(sent.launches),
+        "runs of equal slots": sum(1 for _ in groupby(container.slot_us)),
+    }
+    if needed["rows of its schedule"] > min(loader.rows for loader in LOADERS):
+        from nscc_runtime.device.objects import schedule_rows  # a row can repeat a launch
+
+        needed["rows of its schedule"] = sum(1 for _ in schedule_rows(sent))
+    notes = []
+    for loader in LOADERS:
+        room = zip(needed.items(), (loader.kernels, loader.rows, loader.runs), strict=True)
+        short = [(what, count, most) for (what, count), most in room if count > most]
+        if short:
+            texts = (f"{count} {what}, but it holds {most}" for what, count, most in short)
+            notes.append(
+                Diagnostic(
+                    "NS0507",
+                    f"{loader.name} cannot take this program: it needs {'; '.join(texts)}",
+                    severity=Severity.NOTE,
+                    source=source,
+                    label=Label(frame, "use fewer slots, or fewer shutters"),
+                    data={what: {"required": count, "available": most}
+                          for what, count, most in short},
+                )
+            )  # fmt: skip
+    return notes
