@@ -154,19 +154,14 @@ def of(
 @click.option("--results", type=PATH, metavar="DIR",
               help="The results of a sweep, DIR/results or DIR (default: those that come with "
               "nscc).")  # fmt: skip
-@click.option("--template", type=PATH, metavar="PAGE.md",
-              help="Another page than the paper's tables, with the same placeholders.")  # fmt: skip
 @_outputs
-def tables(results: Path | None, template: Path | None, **outputs: Any) -> None:
+def tables(results: Path | None, **outputs: Any) -> None:
     """Print Tables 2, 3 and 4 of the paper in Markdown, with our measurements beside them.
 
     `nscc sweep` evaluates the runs and baselines. Rows without a result are marked."""
-    from nscc_training.evaluation.pages import page_of
+    from nscc_training.evaluation.paper_tables import paper_tables
 
-    try:
-        rows, text = page_of(results, template)
-    except ValueError as error:
-        raise click.UsageError(f"{template}: {error}") from error
+    rows, text = paper_tables(results)
     _finish(rows, text, {}, **outputs)
 
 

@@ -25,8 +25,6 @@ LARGEST = 1e60
 Fourth powers of such numbers fit float64."""
 METRIC_NAMES = {"psnr_db": "PSNR in dB", "ssim": "SSIM", "correct": "share of right classes"}
 """Names of the metrics of runs."""
-METRIC_LABELS = {"psnr_db": "PSNR", "mu_psnr_db": "PSNR-mu", "correct": "right classes"}
-"""Short names of metrics in tables."""
 _METRIC_TEXTS = {"psnr_db": "{:.2f} dB", "ssim": "SSIM {:.4f}", "correct": "{:.1%} correct"}
 
 

@@ -1,5 +1,8 @@
-"""Pages of results: Markdown templates whose numbers are computed from results.
+"""Print a page of results: a Markdown template whose numbers are computed from results.
 
+    python docs/result_pages.py training/results/templates/details.md > training/results/details.md
+
+A second argument names another folder of results, such as the output of `nscc sweep`.
 `{{WORD ARGUMENTS}}` in a template calls a method of `Page`, with arguments split as in a shell. A
 result is named after its file, without .json; * in a name matches the results of several seeds. A
 metric may end in /source (each file counts once, however many items it has), in /interval (adds the
@@ -9,20 +12,21 @@ from __future__ import annotations
 
 import re
 import shlex
-from functools import cache
-from importlib.resources import files
+import sys
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
-from nscc.diagnostics.rejection import rejected
-from nscc_training.evaluation.results import compare, mean_of, read_result
-from nscc_training.measures import METRIC_LABELS, number
-from nscc_training.run_files import WEIGHTS, shipped_evaluations
+from nscc_training.evaluation.paper_tables import NOT_RUN, dagger, results_named
+from nscc_training.evaluation.results import compare, mean_of
+from nscc_training.measures import number
 from nscc_training.statistics import bootstrap
 
-_MISSING = "not run"
-_UNSHIPPED = "†"
-_WORDS = ("mean", "gain", "value", "row", "against", "verdict", "columns", "paper")
+EVALUATIONS = Path(__file__).resolve().parents[1] / "training/results/evaluations"
+_WORDS = ("mean", "gain", "value", "row", "against", "verdict", "columns")
+_LABELS = {"psnr_db": "PSNR", "mu_psnr_db": "PSNR-mu", "correct": "right classes"}
+_ITEMS = {"hdr-v1": ("crops", "panoramas"), "deblur-v1": ("views", "panoramas")}
+"""What items are, and of which files, by protocol; else windows of clips."""
 _SETTINGS = {
     "moved": lambda settings: f"{settings['moved']} of {settings['places']}",
     "steps": lambda settings: str(settings["steps"]),
@@ -34,13 +38,11 @@ _SETTINGS = {
 class Page:
     """A page of results: it computes the words of a template from the results in a folder.
 
-    A dagger marks runs without weights in the folder `runs` beside the results. `rows` collects the
-    filled rows of the paper's tables, as JSON values."""
+    A dagger marks runs without weights in the folder `runs` beside the results."""
 
     def __init__(self, results: Path) -> None:
-        self.results = results
-        self.rows: list[dict[str, Any]] = []
-        self._read = cache(read_result)
+        self.results = results / "results" if (results / "results").is_dir() else results
+        self._results_of = cache(partial(results_named, self.results))
 
     def filled(self, template: str) -> str:
         """Return a template with its words replaced; raise ValueError for unknown ones."""
@@ -52,7 +54,7 @@ class Page:
         metric, _, share = metric.partition("@")
         metric, _, way = metric.partition("/")
         if not results:
-            return _MISSING
+            return NOT_RUN
         if share:
             values = [
                 entry[f"mean_{metric}"] for result in results for entry in result["also_saturated"]
@@ -73,7 +75,7 @@ class Page:
         the gain."""
         first_results, second_results = self._results_of(first), self._results_of(second)
         if not (first_results and second_results):
-            return _MISSING
+            return NOT_RUN
         if metric.endswith("/source"):
             metric = metric.removesuffix("/source")
             first_mean, second_mean = (
@@ -91,10 +93,11 @@ class Page:
         """Return a property of a result: moved, steps, words, stops, parameters or items."""
         results = self._results_of(name)
         if not results:
-            return _MISSING
+            return NOT_RUN
         if key == "items":
             items = results[0]["items"]
-            return f"{len(items)} of {len({item['file'] for item in items})} scenes"
+            of, files = _ITEMS.get(results[0]["protocol"], ("windows", "clips"))
+            return f"{len(items)} {of} from {len({item['file'] for item in items})} {files}"
         if key == "parameters":
             count = results[0]["parameters"]
             return f"{count / 1e6:.2g} million" if count < 1e7 else f"{count / 1e6:.1f} million"
@@ -103,7 +106,7 @@ class Page:
     def row(self, label: str, name: str, *cells: str) -> str:
         """Return a table row of metrics, keys of `value`, gains over NAME (NAME:METRIC), or empty
         cells (=)."""
-        texts = [f"{label} {self._mark(name)}".strip()]
+        texts = [f"{label} {dagger(self.results, name)}".strip()]
         for cell in cells:
             base_name, _, metric = cell.rpartition(":")
             if cell == "=":
@@ -120,13 +123,13 @@ class Page:
 
     def against(self, label: str, first: str, second: str, *metrics: str) -> str:
         """Return a table row whose cells are the gains of the second result over the first."""
-        mark = self._mark(first) or self._mark(second)
+        mark = dagger(self.results, first) or dagger(self.results, second)
         gains = (self.gain(first, second, metric) for metric in metrics)
         return f"| {f'{label} {mark}'.strip()} | {' | '.join(gains)} |"
 
     def verdict(self, label: str, name: str, metric: str, *others: str) -> str:
         """Compare a learned code with the best of `others`, each LABEL and NAME."""
-        unit = METRIC_LABELS[metric]
+        unit = _LABELS[metric]
         means = {
             other: mean
             for other, other_name in zip(others[::2], others[1::2], strict=True)
@@ -134,7 +137,7 @@ class Page:
         }
         results = self._results_of(name)
         if not (results and means):
-            return f"* {label}, {unit}: {_MISSING}"
+            return f"* {label}, {unit}: {NOT_RUN}"
         best = max(means, key=lambda other: means[other])
         best_name = others[others.index(best) + 1]
         comparison = _compared(self._results_of(best_name), results, metric)
@@ -153,41 +156,6 @@ class Page:
             cells.append(" / ".join(means))
         return f"| {label} | {' | '.join(cells)} |"
 
-    def paper(
-        self, table: str, label: str, psnr_db: str, ssim: str, name: str, remark: str = ""
-    ) -> str:
-        """Return a row of the paper's tables, with - for missing values, beside our results."""
-        results = self._results_of(name)
-        settings = [result["settings"] for result in results]
-        moved = [self.value(name, "moved")] if any(s.get("moved") for s in settings) else []
-        remark = "; ".join([*([] if results else [_MISSING]), *([remark] if remark else []),
-                            *(f"places moved: {text}" for text in moved)])  # fmt: skip
-        row: dict[str, Any] = {
-            "table": int(table), "row": label,
-            "paper_psnr_db": None if psnr_db == "-" else float(psnr_db),
-            "paper_ssim": None if ssim == "-" else float(ssim),
-            "psnr_db": mean_of(results, "psnr_db"), "ssim": mean_of(results, "ssim"),
-            "psnr_by_source_db": mean_of(results, "psnr_db", by_source=True),
-            "size": settings[0].get("size", "-") if settings else None,
-            "steps": max((s.get("steps", 0) for s in settings), default=None),
-            "seeds": sorted({s.get("train_seed", s.get("seed", 0)) for s in settings}),
-            "protocol": results[0]["protocol"] if results else None,
-            "data": [data_file["file"] for data_file in results[0]["data"]] if results else [],
-            "remark": remark,
-        }  # fmt: skip
-        self.rows.append(row)
-        own_scores = [self.mean(name, metric) for metric in ("psnr_db", "ssim", "psnr_db/source")]
-        cells = [
-            f"{label} {self._mark(name)}".strip(),
-            f"{psnr_db} / {ssim}",
-            " / ".join(own_scores[:2]) if results else "-",
-            own_scores[2] if results else "-",
-            str(row["steps"] or "-"),
-            ",".join(map(str, row["seeds"])) or "-",
-            remark,
-        ]
-        return f"| {' | '.join(cells)} |"  # fmt: skip
-
     def _word(self, word: str = "", *arguments: str) -> str:
         if word not in _WORDS:
             raise ValueError(f"unknown placeholder '{word}' in a template")
@@ -196,34 +164,6 @@ class Page:
         except (KeyError, TypeError, ValueError) as error:
             raise ValueError(f"{{{{{word} {shlex.join(arguments)}}}}}: {error}") from error
         return text
-
-    def _results_of(self, name: str) -> list[dict[str, Any]]:
-        return [self._read(path) for path in sorted(self.results.glob(f"{name}.json"))]
-
-    def _mark(self, name: str) -> str:
-        folders = [
-            folder for path in self.results.glob(f"{name}.json")
-            for folder in [self.results.parent / "runs" / path.relative_to(self.results)]
-            if folder.with_suffix("").is_dir()
-        ]  # fmt: skip
-        has_weights = all((folder.with_suffix("") / WEIGHTS).is_file() for folder in folders)
-        return "" if has_weights else _UNSHIPPED
-
-
-def page_of(
-    results: Path | None = None, template: Path | None = None
-) -> tuple[list[dict[str, Any]], str]:
-    """Return the rows of the paper's tables on a page, and the page's text.
-
-    By default, uses the results that come with nscc and a page of the paper's Tables 2 to 4. Raises
-    Rejected (NS0807) for a folder that does not exist."""
-    folder = shipped_evaluations() if results is None else results
-    if not folder.is_dir():
-        hint = "`nscc sweep GRID.toml --out DIR` makes one"
-        raise rejected("NS0807", f"'{folder}' is not a folder of results", helps=(hint,))
-    page = Page(folder / "results" if (folder / "results").is_dir() else folder)
-    source = template or files("nscc_training.evaluation") / "tables.md"
-    return page.rows, page.filled(source.read_text(encoding="utf-8"))
 
 
 def _compared(
@@ -243,3 +183,9 @@ def _digits(value: float | None, metric: str) -> str:
 
 def _decimals(metric: str) -> int:
     return 2 if metric.endswith("_db") else 3
+
+
+if __name__ == "__main__":
+    template, *folder = map(Path, sys.argv[1:])
+    page = Page(*folder or [EVALUATIONS])
+    sys.stdout.write(page.filled(template.read_text(encoding="utf-8")))

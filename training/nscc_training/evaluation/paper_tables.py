@@ -1,0 +1,87 @@
+"""Tables 2, 3 and 4 of the paper, with our results beside its rows.
+
+`{{TABLE LABEL PSNR SSIM NAME [REMARK]}}` in `tables.md` is a row, with arguments split as in a
+shell. PSNR and SSIM are those of the paper, - if it has none. NAME is a result file without .json;
+* in it matches the results of several seeds."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from nscc.diagnostics.rejection import rejected
+from nscc_training.evaluation.results import mean_of, read_result
+from nscc_training.run_files import WEIGHTS, shipped_evaluations
+
+NOT_RUN = "not run"
+
+
+def paper_tables(results: Path | None = None) -> tuple[list[dict[str, Any]], str]:
+    """Return the rows of the tables as JSON values, and the tables as Markdown.
+
+    `results` is the folder of a sweep, or its folder `results`; by default that of the results
+    that come with nscc. Raises Rejected (NS0807) for a folder that does not exist."""
+    folder = shipped_evaluations() if results is None else results
+    if not folder.is_dir():
+        hint = "`nscc sweep GRID.toml --out DIR` makes one"
+        raise rejected("NS0807", f"'{folder}' is not a folder of results", helps=(hint,))
+    folder = folder / "results" if (folder / "results").is_dir() else folder
+    rows: list[dict[str, Any]] = []
+
+    def filled(match: re.Match[str]) -> str:
+        row, line = _row(folder, *shlex.split(match[1]))
+        rows.append(row)
+        return line
+
+    page = (files("nscc_training.evaluation") / "tables.md").read_text(encoding="utf-8")
+    return rows, re.sub(r"\{\{(.*?)\}\}", filled, page)
+
+
+def results_named(folder: Path, name: str) -> list[dict[str, Any]]:
+    """Return the results whose files match a name."""
+    return [read_result(path) for path in sorted(folder.glob(f"{name}.json"))]
+
+
+def dagger(folder: Path, name: str) -> str:
+    """Return † if a run of this name has no weights in the folder `runs` beside the results."""
+    paths = (path.relative_to(folder).with_suffix("") for path in folder.glob(f"{name}.json"))
+    runs = [run for path in paths if (run := folder.parent / "runs" / path).is_dir()]
+    return "" if all((run / WEIGHTS).is_file() for run in runs) else "†"
+
+
+def _row(
+    folder: Path, table: str, label: str, psnr_db: str, ssim: str, name: str, remark: str = ""
+) -> tuple[dict[str, Any], str]:
+    """Return a row as JSON values and as a line of Markdown, with - for missing values."""
+    results = results_named(folder, name)
+    settings = [result["settings"] for result in results]
+    remarks = [NOT_RUN * (not results), remark]
+    if any(s.get("moved") for s in settings):
+        moved = (f"{s['moved']} of {s['places']}" for s in settings)
+        remarks.append(f"places moved: {', '.join(moved)}")
+    row: dict[str, Any] = {
+        "table": int(table), "row": label,
+        "paper_psnr_db": None if psnr_db == "-" else float(psnr_db),
+        "paper_ssim": None if ssim == "-" else float(ssim),
+        "psnr_db": mean_of(results, "psnr_db"), "ssim": mean_of(results, "ssim"),
+        "psnr_by_source_db": mean_of(results, "psnr_db", by_source=True),
+        "size": settings[0].get("size", "-") if settings else None,
+        "steps": max((s.get("steps", 0) for s in settings), default=None),
+        "seeds": sorted({s.get("train_seed", s.get("seed", 0)) for s in settings}),
+        "protocol": results[0]["protocol"] if results else None,
+        "data": [data_file["file"] for data_file in results[0]["data"]] if results else [],
+        "remark": "; ".join(filter(None, remarks)),
+    }  # fmt: skip
+    own, own_ssim, by_source = (
+        "-" if value is None else f"{value:.{digits}f}"
+        for value, digits in ((row["psnr_db"], 2), (row["ssim"], 3), (row["psnr_by_source_db"], 2))
+    )
+    cells = (
+        f"{label} {dagger(folder, name)}".strip(), f"{psnr_db} / {ssim}",
+        f"{own} / {own_ssim}" if results else "-", by_source, str(row["steps"] or "-"),
+        ",".join(map(str, row["seeds"])) or "-", row["remark"],
+    )  # fmt: skip
+    return row, f"| {' | '.join(cells)} |"
