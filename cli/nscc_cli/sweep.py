@@ -9,7 +9,7 @@ import click
 from nscc_cli.options import OUT, PATH
 from nscc_cli.support import CommonCommand, progress, say_done
 
-_KINDS = ("compile", "limits", "emulate", "train", "evaluate", "design", "cell")
+_KINDS = ("compile", "limits", "emulate", "train", "evaluate", "design")
 
 
 def _print_part(context: click.Context, _option: click.Parameter, kind: str | None) -> None:

@@ -33,7 +33,7 @@ SESSIONS: Mapping[str, tuple[str, ...]] = {
     ),
     "schemas": tuple(
         f"sweep --schema {kind}"
-        for kind in ("compile", "limits", "emulate", "train", "evaluate", "design", "cell")
+        for kind in ("compile", "limits", "emulate", "train", "evaluate", "design")
     ),
     "checks": (
         "check class_b.nsl class_d.nsl float_pixel.nsl edges.nsl codebook.nsl two_buckets.nsl",

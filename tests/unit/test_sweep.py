@@ -475,12 +475,12 @@ def kept_apart(folder: Path) -> set[str]:
 
 
 @pytest.mark.parametrize("kind", [
-    "compile", "limits", "emulate", "train", "evaluate", "design", "cell",
+    "compile", "limits", "emulate", "train", "evaluate", "design",
 ])  # fmt: skip
 def test_a_complete_part_can_be_read(tmp_path: Path, kind: str) -> None:
     text = invoke(["sweep", "--schema", kind], tmp_path).out
     assert f"[{kind}]" in text
-    if kind in ("train", "cell"):  # a run of the defaults
+    if kind == "train":  # a run of the defaults
         assert len(read_grid(written(tmp_path, text)).points) == 1
         return
     with pytest.raises(Rejected) as wrong:  # it names nothing to compute yet

@@ -33,16 +33,3 @@ class DrawStream(IntEnum):
     """Codes and light of lessons for a decoder, by step."""
     LESSON_NOISE = 13
     """Noise of the frames of lessons, by step."""
-
-
-class CellStream(IntEnum):
-    """The second number of the seeds of recurrent cells of bits."""
-
-    TRAINING_FILMS = 0
-    """Films for training."""
-    TEST_FILMS = 1
-    """Films for the accuracies."""
-    BATCHES = 2
-    """Films of the batches, by number of steps."""
-    NOISE = 3
-    """Noise of captured films."""

@@ -13,11 +13,10 @@ from nscc_training.sweep.compiling import COMPILE, LIMITS
 from nscc_training.sweep.designing import DESIGN
 from nscc_training.sweep.emulating import EMULATE
 from nscc_training.sweep.evaluating import EVALUATE
-from nscc_training.sweep.moving_cells import CELL
 from nscc_training.sweep.point import GridPoint, PointKind
 from nscc_training.sweep.training import TRAIN
 
-SHIPPED = {kind.name: kind for kind in (COMPILE, LIMITS, EMULATE, TRAIN, EVALUATE, DESIGN, CELL)}
+SHIPPED = {kind.name: kind for kind in (COMPILE, LIMITS, EMULATE, TRAIN, EVALUATE, DESIGN)}
 
 
 def _added() -> dict[str, PointKind]:
