@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
-from typing import TypeVar
+from typing import Any
 
 from lsprotocol import types
 from pygls import uris
@@ -28,9 +29,7 @@ from nscc.syntax.format import format_source
 from nscc_cli import protocol_values as values
 from nscc_cli.protocol_values import Positions
 
-Answer = TypeVar("Answer")
-AnyText = TypeVar("AnyText", bound=Text)
-
+Answer = Callable[[Any, Positions, Any], object]
 _REQUEST_FAILED = -32803
 """LSPErrorCodes.RequestFailed: a valid request that cannot be carried out."""
 _FIX_ALL = types.CodeActionKind("source.fixAll")
@@ -76,17 +75,17 @@ class Server(LanguageServer):
             self.worker, checked_diagnostics
         ).add_done_callback(publish)
 
-    async def ask(
-        self, uri: str, question: Callable[[Document, Positions], Answer]
-    ) -> Answer | None:
-        """Return the working thread's answer about an open program, or None if it is not open."""
-        document = self.documents.get(uri)
-        return await self.work(document, question) if isinstance(document, Document) else None
-
-    async def work(self, text: AnyText, question: Callable[[AnyText, Positions], Answer]) -> Answer:
-        """Return the working thread's answer about a text."""
-        loop = asyncio.get_running_loop()
-        return await loop.run_in_executor(self.worker, lambda: question(text, Positions(text.text)))
+    async def answer(self, question: Answer, params: Any, kinds: type[Text]) -> Any:
+        """Return the answer to a request on the worker, or None for a text of another kind."""
+        text = self.documents.get(params.text_document.uri)
+        if not isinstance(text, kinds):
+            return None
+        try:
+            return await asyncio.get_running_loop().run_in_executor(
+                self.worker, lambda: question(text, Positions(text.text), params)
+            )
+        except CannotRename as reason:
+            raise JsonRpcException(str(reason), _REQUEST_FAILED) from None
 
 
 def _checked(document: Text) -> tuple[Diagnostic, ...]:
@@ -107,9 +106,17 @@ def make_server() -> Server:
     """Return a server without open texts."""
     logging.getLogger("pygls.protocol.json_rpc").addFilter(_is_no_refusal)
     server = Server()
-    for add in (_texts, _answers, _changes):
-        add(server)
+    _take_texts(server)
+    for feature, (question, options) in _ANSWERS.items():
+        kinds = Text if feature == types.TEXT_DOCUMENT_COMPLETION else Document
+        _add(server, feature, options, partial(server.answer, question, kinds=kinds))
     return server
+
+
+def _add(server: Server, feature: str, options: Any, answer: Callable[..., Any]) -> None:
+    @server.feature(feature, options)
+    async def answered(params: Any) -> Any:
+        return await answer(params)
 
 
 def _is_no_refusal(record: logging.LogRecord) -> bool:
@@ -117,7 +124,7 @@ def _is_no_refusal(record: logging.LogRecord) -> bool:
     return record.exc_info is None or not isinstance(record.exc_info[1], JsonRpcException)
 
 
-def _texts(server: Server) -> None:
+def _take_texts(server: Server) -> None:
     """Register handlers for opened, changed and closed texts, and for changed files beside them."""
 
     @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
@@ -149,130 +156,107 @@ def _texts(server: Server) -> None:
         server.documents.clear()  # nothing is published of texts whose check still runs
 
 
-def _answers(server: Server) -> None:
-    """Register handlers for questions about a text, such as hover and completion."""
-
-    @server.feature(types.TEXT_DOCUMENT_HOVER)
-    async def hovered(params: types.HoverParams) -> types.Hover | None:
-        def hover_of(document: Document, positions: Positions) -> types.Hover | None:
-            hover_text = hover(document, positions.offset(params.position))
-            if hover_text is None:
-                return None
-            text = types.MarkupContent(types.MarkupKind.Markdown, hover_text.text)
-            return types.Hover(text, positions.range(hover_text.span))
-
-        return await server.ask(params.text_document.uri, hover_of)
-
-    @server.feature(
-        types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=['"', "/"])
-    )
-    async def completed(params: types.CompletionParams) -> list[types.CompletionItem] | None:
-        def offered(text: Text, positions: Positions) -> list[types.CompletionItem]:
-            offset = positions.offset(params.position)
-            completions = (
-                complete_listing(text, offset)
-                if isinstance(text, Listing)
-                else complete(text, offset)
-            )
-            span, offers = completions
-            at = positions.range(span)
-            return [values.completion(offer, at) for offer in offers]
-
-        text = server.documents.get(params.text_document.uri)
-        return None if text is None else await server.work(text, offered)
-
-    @server.feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
-    async def symbols(params: types.DocumentSymbolParams) -> list[types.DocumentSymbol] | None:
-        return await server.ask(
-            params.text_document.uri,
-            lambda document, at: [values.symbol(entry, at) for entry in outline(document)],
-        )
-
-    @server.feature(types.TEXT_DOCUMENT_INLAY_HINT)
-    async def hinted(params: types.InlayHintParams) -> list[types.InlayHint] | None:
-        def remarks(document: Document, positions: Positions) -> list[types.InlayHint]:
-            shown = positions.span(params.range)
-            inside = (h for h in hints(document) if shown.start <= h.offset <= shown.end)
-            return [types.InlayHint(positions.of(h.offset), h.text, padding_left=True)
-                    for h in inside]  # fmt: skip
-
-        return await server.ask(params.text_document.uri, remarks)
-
-    @server.feature(types.TEXT_DOCUMENT_DEFINITION)
-    async def defined(params: types.DefinitionParams) -> types.Location | None:
-        def place(document: Document, positions: Positions) -> types.Location | None:
-            mention = mention_at(document, positions.offset(params.position))
-            definition = mention and declaration(document, mention)
-            if not definition:
-                return None
-            return types.Location(params.text_document.uri, positions.range(definition.span))
-
-        return await server.ask(params.text_document.uri, place)
-
-    @server.feature(types.TEXT_DOCUMENT_REFERENCES)
-    async def referred(params: types.ReferenceParams) -> list[types.Location] | None:
-        def places(document: Document, positions: Positions) -> list[types.Location]:
-            mention = mention_at(document, positions.offset(params.position))
-            mentions = alike(document, mention) if mention else []
-            uri, also_declaration = params.text_document.uri, params.context.include_declaration
-            return [
-                types.Location(uri, positions.range(m.span))
-                for m in mentions if also_declaration or not m.declares
-            ]  # fmt: skip
-
-        return await server.ask(params.text_document.uri, places)
+def _hover(document: Document, at: Positions, params: types.HoverParams) -> types.Hover | None:
+    hover_text = hover(document, at.offset(params.position))
+    if hover_text is None:
+        return None
+    text = types.MarkupContent(types.MarkupKind.Markdown, hover_text.text)
+    return types.Hover(text, at.range(hover_text.span))
 
 
-def _changes(server: Server) -> None:
-    """Register handlers that change a text, such as fixes and renaming."""
+def _completions(
+    text: Text, at: Positions, params: types.CompletionParams
+) -> list[types.CompletionItem]:
+    offered = complete_listing if isinstance(text, Listing) else complete
+    span, offers = offered(text, at.offset(params.position))
+    place = at.range(span)
+    return [values.completion(offer, place) for offer in offers]
 
-    @server.feature(
-        types.TEXT_DOCUMENT_CODE_ACTION,
-        types.CodeActionOptions([types.CodeActionKind.QuickFix, _FIX_ALL]),
-    )
-    async def mendings(params: types.CodeActionParams) -> list[types.CodeAction] | None:
-        def offered(document: Document, positions: Positions) -> list[types.CodeAction]:
-            uri, only = params.text_document.uri, params.context.only
-            actions = [
-                values.quick_fix(diagnostic, fix, document, uri)
-                for diagnostic, fix in fixes_at(document, positions.span(params.range))
-            ]
-            better = all_mended(document)
-            if better is not None:
-                edit = values.edits(uri, [(_document_span(document), better)], positions)
-                actions.append(types.CodeAction("Apply all safe fixes", _FIX_ALL, edit=edit))
-            return [action for action in actions if only is None or _is_of(action.kind, only)]
 
-        return await server.ask(params.text_document.uri, offered)
+def _symbols(document: Document, at: Positions, _params: object) -> list[types.DocumentSymbol]:
+    return [values.symbol(entry, at) for entry in outline(document)]
 
-    @server.feature(types.TEXT_DOCUMENT_FORMATTING)
-    async def formatted(params: types.DocumentFormattingParams) -> list[types.TextEdit] | None:
-        def styled(document: Document, positions: Positions) -> list[types.TextEdit]:
-            try:
-                text = format_source(document.source)
-            except Rejected:  # the error is shown already
-                return []
-            whole_range = positions.range(_document_span(document))
-            return [] if text == document.text else [types.TextEdit(whole_range, text)]
 
-        return await server.ask(params.text_document.uri, styled)
+def _hints(
+    document: Document, at: Positions, params: types.InlayHintParams
+) -> list[types.InlayHint]:
+    shown = at.span(params.range)
+    inside = (hint for hint in hints(document) if shown.start <= hint.offset <= shown.end)
+    return [types.InlayHint(at.of(h.offset), h.text, padding_left=True) for h in inside]
 
-    @server.feature(types.TEXT_DOCUMENT_PREPARE_RENAME)
-    async def rename_begun(params: types.PrepareRenameParams) -> types.Range | None:
-        def place(document: Document, positions: Positions) -> types.Range:
-            return positions.range(renameable(document, positions.offset(params.position)).span)
 
-        return await _or_refused(server.ask(params.text_document.uri, place))
+def _definition(
+    document: Document, at: Positions, params: types.DefinitionParams
+) -> types.Location | None:
+    mention = mention_at(document, at.offset(params.position))
+    definition = mention and declaration(document, mention)
+    if not definition:
+        return None
+    return types.Location(params.text_document.uri, at.range(definition.span))
 
-    @server.feature(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
-    async def rename(params: types.RenameParams) -> types.WorkspaceEdit | None:
-        def edit(document: Document, positions: Positions) -> types.WorkspaceEdit:
-            offset = positions.offset(params.position)
-            places = renamed(document, offset, params.new_name)
-            changes = [(place, params.new_name) for place in places]
-            return values.edits(params.text_document.uri, changes, positions)
 
-        return await _or_refused(server.ask(params.text_document.uri, edit))
+def _references(
+    document: Document, at: Positions, params: types.ReferenceParams
+) -> list[types.Location]:
+    mention = mention_at(document, at.offset(params.position))
+    mentions = alike(document, mention) if mention else []
+    uri, also_declaration = params.text_document.uri, params.context.include_declaration
+    shown = (m for m in mentions if also_declaration or not m.declares)
+    return [types.Location(uri, at.range(m.span)) for m in shown]
+
+
+def _fixes(
+    document: Document, at: Positions, params: types.CodeActionParams
+) -> list[types.CodeAction]:
+    uri, only = params.text_document.uri, params.context.only
+    actions = [
+        values.quick_fix(diagnostic, fix, document, uri)
+        for diagnostic, fix in fixes_at(document, at.span(params.range))
+    ]
+    better = all_mended(document)
+    if better is not None:
+        edit = values.edits(uri, [(_document_span(document), better)], at)
+        actions.append(types.CodeAction("Apply all safe fixes", _FIX_ALL, edit=edit))
+    return [action for action in actions if only is None or _is_of(action.kind, only)]
+
+
+def _formatted(document: Document, at: Positions, _params: object) -> list[types.TextEdit]:
+    try:
+        text = format_source(document.source)
+    except Rejected:  # the error is shown already
+        return []
+    whole_range = at.range(_document_span(document))
+    return [] if text == document.text else [types.TextEdit(whole_range, text)]
+
+
+def _name(document: Document, at: Positions, params: types.PrepareRenameParams) -> types.Range:
+    return at.range(renameable(document, at.offset(params.position)).span)
+
+
+def _renamed(document: Document, at: Positions, params: types.RenameParams) -> types.WorkspaceEdit:
+    places = renamed(document, at.offset(params.position), params.new_name)
+    changes = [(place, params.new_name) for place in places]
+    return values.edits(params.text_document.uri, changes, at)
+
+
+_ANSWERS: dict[str, tuple[Answer, Any]] = {
+    types.TEXT_DOCUMENT_HOVER: (_hover, None),
+    types.TEXT_DOCUMENT_COMPLETION: (
+        _completions, types.CompletionOptions(trigger_characters=['"', "/"])
+    ),
+    types.TEXT_DOCUMENT_DOCUMENT_SYMBOL: (_symbols, None),
+    types.TEXT_DOCUMENT_INLAY_HINT: (_hints, None),
+    types.TEXT_DOCUMENT_DEFINITION: (_definition, None),
+    types.TEXT_DOCUMENT_REFERENCES: (_references, None),
+    types.TEXT_DOCUMENT_CODE_ACTION: (
+        _fixes, types.CodeActionOptions([types.CodeActionKind.QuickFix, _FIX_ALL])
+    ),
+    types.TEXT_DOCUMENT_FORMATTING: (_formatted, None),
+    types.TEXT_DOCUMENT_PREPARE_RENAME: (_name, None),
+    types.TEXT_DOCUMENT_RENAME: (_renamed, types.RenameOptions(prepare_provider=True)),
+}  # fmt: skip
+"""Functions of a text, its positions and the parameters of a request, with the options of the
+request."""
 
 
 def _is_of(kind: str | None, kinds: Sequence[str]) -> bool:
@@ -284,10 +268,3 @@ def _is_of(kind: str | None, kinds: Sequence[str]) -> bool:
 
 def _document_span(document: Document) -> Span:
     return Span(0, len(document.text))
-
-
-async def _or_refused(answer: Awaitable[Answer]) -> Answer:
-    try:
-        return await answer
-    except CannotRename as reason:
-        raise JsonRpcException(str(reason), _REQUEST_FAILED) from None
