@@ -2,30 +2,66 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.rejection import rejected
 from nscc.lower.exposure_plan import LOWERINGS, Lowering
+from nscc.options import Options
 from nscc.pipeline import LEVELS
 from nscc_cli import options as shared
-from nscc_cli.completion import SCENE
-from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of
-from nscc_cli.options import COUNT, PATH, some_option, tradeoff_options
-from nscc_cli.programs import compile_options
+from nscc_cli.completion import EFFECTS, SCENE
+from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of, sensor_of
+from nscc_cli.options import COUNT, OUT, PATH, declared, some_option, tradeoff_options
+from nscc_cli.programs import compile_options, load_program
 from nscc_cli.runtime_options import measured_options
-from nscc_cli.support import CommonCommand, NumberRange, Subcommands, say, say_compiling
-from nscc_cli.tradeoff_emulator import command as emulator
+from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_compiling
 from nscc_cli.tradeoff_files import output_files, run_study
-from nscc_cli.tradeoff_sensor import command as sensor
+from nscc_runtime.run_kinds import KINDS
 from nscc_training.tradeoff import STAGES
+
+if TYPE_CHECKING:
+    from nscc.words.container import Container
+    from nscc_training.tradeoff.emulator import NamedLight
 
 _LEVELS = [str(level) for level in LEVELS]
 
 
-@click.command("of", cls=CommonCommand)
+class _Tradeoffs(Subcommands):
+    """The subcommands of `nscc tradeoff`; other names are programs or runs."""
+
+    unknown = "{group} '{name}': there is no such command, file or run"
+
+    def or_else(self) -> Sequence[str]:
+        from nscc_training.run_files import shipped_runs
+
+        return (
+            f"or name a program (FILE.nsl, FILE.icw) or a run: RUN, {', '.join(shipped_runs())}",
+        )
+
+    def accepts(self, name: str) -> bool:
+        """Return whether the name is that of a program or a run."""
+        from nscc_training.run_files import shipped_runs
+
+        path = Path(name)
+        return (
+            path.suffix.lower() in (".nsl", ".icw") or path.exists() or str(path) in shipped_runs()
+        )
+
+
+@click.group("tradeoff", cls=_Tradeoffs)
+def command() -> None:
+    """Measure what more computing time improves: a table, a CSV file, a diagram.
+
+    `nscc tradeoff PROGRAM|RUN --scene S --target-error 1%` is short for `nscc tradeoff of PROGRAM
+    ..`. It finds the setting of every stage for that error."""
+
+
+@command.command("of", cls=CommonCommand)
 @click.argument("program", metavar="FILE.nsl|FILE.icw|RUN", type=PATH)
 @shared.section(shared.SCENE, click.option("--scene", type=SCENE, help="As in nscc run."))
 @click.option("--target-error", metavar="1%|5e|0.1lsb|1noise", default="1%", show_default=True,
@@ -66,7 +102,197 @@ def joint(program: Path, **options: Any) -> int:
     return 0 if run_study(study, files, known).points else 1
 
 
-@click.command("decoder", cls=CommonCommand)
+@command.command("emulator", cls=CommonCommand)
+@click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
+@shared.section(shared.SCENE, click.option(
+    "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
+    help="A scene as in nscc run; may be repeated (default: three built-in scenes).",
+))  # fmt: skip
+@click.option("--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e",
+              show_default=True,
+              help="Tolerances to plan for: electrons (5e), codes (0.1lsb), or a part of each "
+              "scene's mean signal (1%).")  # fmt: skip
+@click.option("--budget", metavar="T", default="5e", show_default=True,
+              help="The tolerance whose plans are shown effect by effect.")  # fmt: skip
+@click.option("--frames", type=click.IntRange(2, 1000), default=2, show_default=True,
+              help="Number of frames for measuring errors; more if they have few "
+                   "pixels.")  # fmt: skip
+@shared.repeats_option(5)
+@measured_options
+@shared.section(shared.OUTPUT, click.option(
+    "-o", "out", type=OUT, metavar="OUT",
+    help="Write OUT.csv, OUT.png, OUT_calibration.png and OUT_budget.png.",
+))  # fmt: skip
+@shared.csv_options
+def emulator(program: Path | None, **options: Any) -> int:
+    """Measure the error against the reference and the simulation time of one frame.
+
+    Compares the reference; light summed in float32 without effects; Poisson numbers drawn slot by
+    slot in numpy; plans for several tolerances, with and without planning time. A second diagram
+    shows the measured error against the requested tolerance, a third each effect's contribution
+    and which effects are left out. Exits with status 1 if a plan exceeded its tolerance."""
+    from nscc.words.readout import converter_of
+    from nscc_runtime.execution.program import analysed
+    from nscc_training.tradeoff.emulator import StudySettings
+    from nscc_training.tradeoff.emulator_study import EmulatorBenches
+
+    files = output_files(options, "calibration", "budget")
+    container, messages = _container(program, options)
+    sensor = sensor_of(converter_of(container), options)
+    repeats = options["repeats"]
+    settings = StudySettings(
+        tuple(options["tolerances"].split(",")), options["budget"], options["frames"], repeats,
+        options["seed"], options["device_seed"],
+    )  # fmt: skip
+    scenes = _scenes(container, options, messages)
+    _refuse(container)
+    benches = EmulatorBenches.of(analysed(container, sensor), scenes, settings)
+    digests = [scene.light.sha256() for scene in scenes]
+    measured = run_study(benches.study(), files, {**options, "program": program}, *digests)
+    return 0 if benches.keep_promises(measured) else 1
+
+
+def _refuse(container: Container) -> None:
+    """Raise NS0750 for a program without plans, and NS0828 for pixels that look."""
+    from nscc_runtime.planless import refuse_planless
+
+    refuse_planless(container, "nscc tradeoff emulator")
+    if not KINDS.of(container).open_times_known:
+        raise rejected(
+            "NS0828",
+            "nscc tradeoff emulator uses sums over slots, which are undefined for pixels "
+            "that look at the light",
+            helps=("`nscc tradeoff FILE.nsl --scene S` supports such programs",),
+        )
+
+
+def _container(
+    path: Path | None, options: dict[str, Any]
+) -> tuple[Container, tuple[Diagnostic, ...]]:
+    """Compile or load the program; without a path compile a built-in program of 16 slots."""
+    if path is not None:
+        return load_program(path, options)
+    from nscc.compiler import compile_source
+    from nscc.containers import with_pixels
+    from nscc.source import Source
+    from nscc_training.tradeoff.emulator import PROGRAM
+
+    path = Path("default.nsl")
+    container = compile_source(
+        Source(path.name, PROGRAM), Path(), compile_options(options)
+    ).container
+    assert container is not None  # programs that do not fit are rejected
+    return with_pixels(container, path, options["pixels"]), ()
+
+
+def _scenes(
+    container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
+) -> list[NamedLight]:
+    """Return the light of each scene, with the shortest unique name."""
+    from nscc_runtime.scenes import scene_light
+    from nscc_training.tradeoff.emulator import SCENES, NamedLight
+
+    specs = list(dict.fromkeys(options["scenes"] or SCENES))
+    names = [spec if spec.startswith("builtin:") else Path(spec).stem for spec in specs]
+    if len(set(names)) < len(names):
+        names = specs
+    say(messages)
+    scenes = []
+    for name, spec in zip(names, specs, strict=True):
+        scene_messages: list[Diagnostic] = []
+        scene = scene_of({**options, "scene": spec})
+        light = scene_light(
+            scene, container.slot_us, container.target, scene_messages.append, progress
+        )
+        say(scene_messages)
+        scenes.append(NamedLight(name, light))
+    return scenes
+
+
+def _numbers(
+    quantity: str, least: int, most: int, none: bool = True
+) -> Callable[..., tuple[int, ...]]:
+    """Return a callback for distinct numbers, separated by commas; with `none` also that word."""
+
+    def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
+        if none and value.strip() == "none":
+            return ()
+        items = [item.strip() for item in value.split(",")]
+        for item in items:
+            if not (item.isdecimal() and least <= int(item) <= most):
+                message = (
+                    f"invalid number of {quantity} {item[:40]!r}: {least} to {most} are allowed"
+                )
+                raise click.BadParameter(message, context, option)
+        return tuple(sorted({int(item) for item in items}))
+
+    return numbers
+
+
+_counts = _numbers("slots", 2, 4096, none=False)
+
+
+def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
+    """Parse numbers of slots that divide the largest, the number of a clip's frames."""
+    counts = _counts(context, option, value)
+    for count in counts:
+        if counts[-1] % count:
+            message = (
+                f"{count} does not divide {counts[-1]}: all numbers of slots use the same clips"
+            )
+            raise click.BadParameter(message, context, option)
+    return counts
+
+
+@command.command("sensor", cls=CommonCommand)
+@some_option("--classes", ("b", "c", "d", "e", "codebook"), "CLASS,..",
+             "Classes of shutters for clips.")  # fmt: skip
+@click.option("--slots", callback=_divisors, metavar="N,..", default="8,16", show_default=True,
+              help="Slots of a frame, for clips.")  # fmt: skip
+@click.option("--stop-slots", callback=_counts, metavar="N,..", default="16,64", show_default=True,
+              help="Slots of a frame for stills, which class b exposes.")  # fmt: skip
+@click.option("--looks", callback=_numbers("exposures", 2, 32), metavar="K,..",
+              default="2,5,9", show_default=True,
+              help="Exposures of pixels that look, for stills, or none.")  # fmt: skip
+@click.option("--readouts", callback=_numbers("readouts", 1, 4), metavar="K,..",
+              default="1,2,3,4", show_default=True,
+              help="Readouts of one exposure, for clips, or none.")  # fmt: skip
+@some_option("--codes", ("fixed", "open"), "MODE,..",
+             "Compile for the codes in use, for every legal one.")  # fmt: skip
+@some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
+@shared.chip_option
+@declared(Options, level=1)
+@click.option("--slot-us", type=NumberRange(0.01, 1e6), metavar="T", help="Capture with slots of "
+              "this length instead of each configuration's shortest.")  # fmt: skip
+@click.option("--effects", type=EFFECTS, default="auto", show_default=True, metavar="E",
+              help="The sensor's effects, as nscc run takes them.")  # fmt: skip
+@shared.made_scenes_option
+@click.option("--scenes", "count", type=COUNT, default=1, show_default=True,
+              help="Number of scenes of each kind.")  # fmt: skip
+@shared.made_seed_option
+@shared.tradeoff_options
+def sensor(**options: Any) -> int:
+    """Measure PSNR against the shortest possible slot of each shutter class, on one chip.
+
+    Compiles every class with every number of slots, for known and for arbitrary codes, in each
+    lowering; the number of words determines the shortest slot. The emulated chip captures the
+    scenes. Clips are decoded by GAP-TV and stills by merging neighbours; nothing is trained. For
+    pixels that look (looks-K of hdr-v1, and looks designed for the scenes) the light is exposure
+    divided by open time, and the words and slot length of further looks are measured. Clips are
+    also captured with several readouts of one exposure and compared with a burst of the same
+    number of ordinary frames. Settings that do not fit the chip are marked in the table. Exits
+    with status 1 if nothing fits."""
+    from nscc_training.baselines.tv_loop import denoise
+    from nscc_training.tradeoff.sensor import sensor_study
+
+    files = output_files(options)
+    study = sensor_study(options)
+    say_compiling(denoise, "the loop of total variation")
+    measured = run_study(study, files, options)
+    return 0 if any(point.case != "readouts" for point in measured.points) else 1
+
+
+@command.command("decoder", cls=CommonCommand)
 @click.option("--run", "runs", multiple=True, type=PATH, metavar="RUN",
               help="A run folder of nscc train; may be repeated.")  # fmt: skip
 @shared.made_scenes_option
@@ -100,40 +326,6 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     say_compiling(denoise, "the loop of total variation")
     run_study(study, files, {**options, "runs": runs})
     return 0
-
-
-class _Tradeoffs(Subcommands):
-    """The subcommands of `nscc tradeoff`; other names are programs or runs."""
-
-    unknown = "{group} '{name}': there is no such command, file or run"
-
-    def or_else(self) -> Sequence[str]:
-        from nscc_training.run_files import shipped_runs
-
-        return (
-            f"or name a program (FILE.nsl, FILE.icw) or a run: RUN, {', '.join(shipped_runs())}",
-        )
-
-    def accepts(self, name: str) -> bool:
-        """Return whether the name is that of a program or a run."""
-        from nscc_training.run_files import shipped_runs
-
-        path = Path(name)
-        return (
-            path.suffix.lower() in (".nsl", ".icw") or path.exists() or str(path) in shipped_runs()
-        )
-
-
-@click.group("tradeoff", cls=_Tradeoffs)
-def command() -> None:
-    """Measure what more computing time improves: a table, a CSV file, a diagram.
-
-    `nscc tradeoff PROGRAM|RUN --scene S --target-error 1%` is short for `nscc tradeoff of PROGRAM
-    ..`. It finds the setting of every stage for that error."""
-
-
-for subcommand in (joint, emulator, sensor, decoder):
-    command.add_command(subcommand)
 
 
 @command.command("synthesis", cls=CommonCommand)

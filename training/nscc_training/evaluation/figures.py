@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.light import Light
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.pictures.tone import fitted
@@ -28,6 +27,7 @@ from nscc_training.demo import BUILTIN
 from nscc_training.demo.expose import RUNS, camera
 from nscc_training.encoders import make_encoder
 from nscc_training.evaluation.runs import seen_of
+from nscc_training.light_on_array import light_on_array
 from nscc_training.loop.decoding import container_of, decoded_frame
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
 from nscc_training.protocol_scenes.file_scenes import readable, scenes_in
@@ -141,9 +141,7 @@ def _shot_of(
         name, light = _BUILTIN[still], laid.light
     else:
         name, scene = found_scene
-        light_e = np.asarray(scene.light_e, np.float32)
-        weight = np.full(setup.slots, 1 / setup.slots)
-        light = Light.of_still(light_e, weight) if still else Light.of_clip(light_e)
+        light = light_on_array(scene.light_e, setup.slots, setup.target)
     truth = np.asarray(light.total_e() if still else light.dense(), np.float64)
     request = Request.of(effects=effects, seed=seed, device_seed=seed)
     coded, usual = (

@@ -13,13 +13,13 @@ from torch import Tensor
 from nscc.words.container import Container
 from nscc_runtime import capture
 from nscc_runtime.emulator import expose
-from nscc_runtime.light import Light
 from nscc_runtime.looked_light import OPEN
 from nscc_runtime.request import Request
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import simulate
 from nscc_training import programs
 from nscc_training.code_choices import LOOKS
+from nscc_training.light_on_array import light_on_array
 from nscc_training.looking_model import looked
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.sensor_model import SensorModel, filled, frame_of, laid, read_out, shared_out
@@ -60,8 +60,7 @@ def scene_by_model(
         frame = frame_of(light_e, shared_out(tile, setup.buckets), model, seed)
         shutters = laid(tile, *frame.shape[-2:])
     begin = perf_counter()
-    relative = setup.model.relative(frame)[None].to(setup.device)
-    result = setup.decoder(relative, shutters.to(setup.device))[0].float().cpu().numpy()
+    result = _decoder_output(setup, setup.model.relative(frame), shutters)
     seconds = perf_counter() - begin
     return result.astype(np.float64) * setup.unit_e, seconds
 
@@ -75,24 +74,14 @@ def scene_by_chip(
     Equals `nscc run` followed by `nscc reconstruct`. `seeds` are the seeds of the noise and of the
     chip. A scene smaller than the array is extended by its edge pixels; of a larger scene the upper
     left part is exposed."""
-    array = (container.target.rows, container.target.cols)
-    size = tuple(min(pair) for pair in zip(light_e.shape[-2:], array, strict=True))
-    visible = light_e[..., : size[0], : size[1]].astype(np.float32)
-    margins = [(0, 0)] * (visible.ndim - 2) + [
-        (0, most - side) for most, side in zip(array, size, strict=True)
-    ]
-    padded = np.pad(visible, margins, mode="edge")
-    slots = setup.slots
-    light = (
-        Light.of_still(padded, np.full(slots, 1 / slots)) if setup.still else Light.of_clip(padded)
-    )
+    light = light_on_array(light_e, setup.slots, container.target)
     request = Request.of(effects=effects, seed=seeds[0], device_seed=seeds[1])
     frame = simulate(container, light, sensor, request).frame
     begin = perf_counter()
     opened = frame.told.get(OPEN)
-    share = None if opened is None else (opened[0] / slots).astype(np.float32)
+    share = None if opened is None else (opened[0] / setup.slots).astype(np.float32)
     bucket = 0 if setup.buckets == 1 else ...
-    visible_part = (..., slice(size[0]), slice(size[1]))
+    visible_part = (..., *(slice(side) for side in light_e.shape[-2:]))
     codes, saturated = frame.frame[bucket], frame.saturated[bucket]
     if setup.classes:  # the continuation of the scene has no class
         result = decoded_frame(setup, codes[visible_part], saturated[visible_part])
@@ -107,12 +96,7 @@ def scene_by_words(
 ) -> tuple[NDArray[np.float64], float]:
     """Capture a scene as its words expose it, without noise; return light and seconds."""
     rows, cols = light_e.shape[-2:]
-    padded = np.zeros((*light_e.shape[:-2], container.target.rows, container.target.cols), "f4")
-    padded[..., :rows, :cols] = light_e
-    slots = setup.slots
-    light = (
-        Light.of_still(padded, np.full(slots, 1 / slots)) if setup.still else Light.of_clip(padded)
-    )
+    light = light_on_array(light_e, setup.slots, container.target)
     ideal = setup.model.noiseless()
     begin = perf_counter()
     if setup.encoder.spec.kind == LOOKS:
@@ -126,8 +110,8 @@ def scene_by_words(
         codes = read_out(torch.from_numpy(exposure), ideal)
         codes = codes if setup.buckets > 1 else codes[0]
         shutters = laid(setup.encoder.hard().cpu(), rows, cols)
-    frame = setup.model.relative(codes - ideal.adc_offset_lsb)[None].to(setup.device)
-    result = setup.decoder(frame, shutters.to(setup.device))[0].float().cpu().numpy()
+    relative = setup.model.relative(codes - ideal.adc_offset_lsb)
+    result = _decoder_output(setup, relative, shutters)
     return result.astype(np.float64) * setup.unit_e, perf_counter() - begin
 
 
@@ -184,8 +168,16 @@ def _decoded_block(
     full = torch.from_numpy(np.ascontiguousarray(saturated)).to(setup.device)
     if setup.encoder.spec.kind != LOOKS:
         relative = filled(relative, full, shared_out(shutters, setup.buckets))
-    result = setup.decoder(relative[None], shutters)[0].float().cpu().numpy()
-    return np.asarray(result * setup.unit_e, np.float32)
+    return np.asarray(_decoder_output(setup, relative, shutters) * setup.unit_e, np.float32)
+
+
+def _decoder_output(
+    setup: TrainingSetup, relative: Tensor, shutters: Tensor
+) -> NDArray[np.float32]:
+    """Return what the decoder makes of one frame relative to a full well."""
+    frame = relative[None].to(setup.device)
+    output: Tensor = setup.decoder(frame, shutters.to(setup.device))[0]
+    return np.asarray(output.float().cpu().numpy())
 
 
 def shutters_at(

@@ -17,7 +17,6 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.source import Source
 from nscc.syntax.format import format_source
 from nscc.words.container import Container
-from nscc_runtime.light import Light
 from nscc_runtime.request import Request
 from nscc_runtime.sensor import Sensor
 from nscc_training.any_code.decode import decoded_clip
@@ -27,6 +26,7 @@ from nscc_training.curves import srgb
 from nscc_training.design.make import Design, Frame
 from nscc_training.design.scene import peak_of
 from nscc_training.design.stop_patterns import Progress, cheapest
+from nscc_training.light_on_array import light_on_array
 from nscc_training.metrics import psnr
 from nscc_training.programs import Chip, program
 from nscc_training.search.choose import encoders_by_name
@@ -145,13 +145,11 @@ def _judged(
 
 def _psnr_db(container: Container, sensor: Sensor, light_e: Clip, number: int) -> float:
     """Return the PSNR, in sRGB, of the middle of a scene that is exposed and reconstructed."""
-    (rows, cols), array = light_e.shape[1:], container.target
-    margins = ((0, 0), (0, array.rows - rows), (0, array.cols - cols))
-    light = Light.of_clip(np.pad(light_e, margins, mode="edge").astype(np.float32))
+    light = light_on_array(light_e, container.slots, container.target)
     # All codes have the same noise, so that their differences are those of the codes.
     frame = exposed_frame(container, light, sensor, Request.of(effects="all", seed=number))
     middle = [slice(max(0, side - _JUDGED_SIDE) // 2, -(-(side + min(side, _JUDGED_SIDE)) // 2))
-              for side in (rows, cols)]  # fmt: skip
+              for side in light_e.shape[1:]]  # fmt: skip
     clip = decoded_clip(frame.crop(*middle).clip().tensors())[0].numpy()
     truth = np.asarray(light_e[:, middle[0], middle[1]], np.float64)
     peak = peak_of(truth.reshape(-1), number)

@@ -31,6 +31,7 @@ from nscc_training.evaluation.looks_rows import ROWS as LOOKING_ROWS
 from nscc_training.evaluation.looks_rows import SLOTS, looked_light, row_of
 from nscc_training.evaluation.methods import CLIPS, STILLS, CapturedScene
 from nscc_training.experiments.engine import Figures
+from nscc_training.light_on_array import light_on_array
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
 from nscc_training.programs import Chip
@@ -132,7 +133,7 @@ class BenchScenes:
     def _decoded_db(
         self, encoder: Encoder, container: Container, scene: ProtocolScene, index: int
     ) -> float:
-        light = _light(scene, encoder.spec.slots)
+        light = _light(scene, encoder.spec.slots, self.target)
         shot = simulate(container, light, self.sensor, self.request(index)).frame
         codes = (shot.frame[:1] - self.model.adc_offset_lsb).astype(np.float32)
         tile = encoder.hard().numpy()[None]
@@ -178,10 +179,9 @@ def _decoded(frames: CapturedScene) -> NDArray[Any]:
     return np.repeat(decoded / joined, joined, axis=0)
 
 
-def _light(scene: ProtocolScene, slots: int) -> Light:
+def _light(scene: ProtocolScene, slots: int, target: Target) -> Light:
     """Return a scene's light in `slots` slots, which together last as long as all its frames."""
-    if scene.light_e.ndim == 2:
-        return Light.of_still(scene.light_e.astype(np.float32), np.full(slots, 1.0 / slots))
-    frames, rows, cols = scene.light_e.shape
-    summed = scene.light_e.reshape(slots, frames // slots, rows, cols).sum(axis=1)
-    return Light.of_clip(summed.astype(np.float32))
+    light_e = scene.light_e
+    if light_e.ndim == 3:
+        light_e = light_e.reshape(slots, -1, *light_e.shape[1:]).sum(axis=1)
+    return light_on_array(light_e, slots, target)

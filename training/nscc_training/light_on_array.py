@@ -1,0 +1,25 @@
+"""Light of scenes on the array of a chip."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.target import Target
+from nscc_runtime.light import Light
+
+
+def light_on_array(light_e: NDArray[Any], slots: int, target: Target) -> Light:
+    """Return electrons over a frame (rows, cols), or per slot (N, rows, cols), as light on an
+    array.
+
+    The edge pixels of a smaller scene extend it; of a larger scene the upper left part is taken."""
+    visible = light_e[..., : target.rows, : target.cols].astype(np.float32)
+    missing = (target.rows - visible.shape[-2], target.cols - visible.shape[-1])
+    margins = [(0, 0)] * (visible.ndim - 2) + [(0, count) for count in missing]
+    padded = np.pad(visible, margins, mode="edge")
+    if padded.ndim == 2:
+        return Light.of_still(padded, np.full(slots, 1 / slots))
+    return Light.of_clip(padded)
