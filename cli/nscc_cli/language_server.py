@@ -75,7 +75,7 @@ class Server(LanguageServer):
             self.worker, checked_diagnostics
         ).add_done_callback(publish)
 
-    async def answer(self, question: Answer, params: Any, kinds: type[Text]) -> Any:
+    async def answer(self, question: Answer, params: Any, kinds: tuple[type[Any], ...]) -> Any:
         """Return the answer to a request on the worker, or None for a text of another kind."""
         text = self.documents.get(params.text_document.uri)
         if not isinstance(text, kinds):
@@ -108,7 +108,8 @@ def make_server() -> Server:
     server = Server()
     _take_texts(server)
     for feature, (question, options) in _ANSWERS.items():
-        kinds = Text if feature == types.TEXT_DOCUMENT_COMPLETION else Document
+        completes = feature == types.TEXT_DOCUMENT_COMPLETION
+        kinds = (Document, Listing) if completes else (Document,)
         _add(server, feature, options, partial(server.answer, question, kinds=kinds))
     return server
 
@@ -167,8 +168,10 @@ def _hover(document: Document, at: Positions, params: types.HoverParams) -> type
 def _completions(
     text: Text, at: Positions, params: types.CompletionParams
 ) -> list[types.CompletionItem]:
-    offered = complete_listing if isinstance(text, Listing) else complete
-    span, offers = offered(text, at.offset(params.position))
+    offset = at.offset(params.position)
+    span, offers = (
+        complete_listing(text, offset) if isinstance(text, Listing) else complete(text, offset)
+    )
     place = at.range(span)
     return [values.completion(offer, place) for offer in offers]
 

@@ -31,7 +31,7 @@ from nscc_training.protocols import Protocol, load_protocol
 if TYPE_CHECKING:
     from torch import Tensor
 
-    from nscc_training.encoders import ShutterSpec
+    from nscc_training.encoders import Encoder
 
 _TILE = (8, 8)
 _CLASSES = {
@@ -192,15 +192,16 @@ def _choices(
     slots = int(protocol["slots" if protocol.still else "frames"])
     if codes or ":" in baseline.start:
         settings: dict[str, Any] = {}
-        spec, start = named_codes(codes or baseline.start, protocol, name)
-        if not codes:
-            length = 1 if name == "bilinear" else spec.length
-            spec = ShutterSpec(spec.kind, slots, (baseline.side, baseline.side), length)
-        encoder = start if not isinstance(start, str) else make_encoder(spec, start, seed)
         if codes:
+            encoder = named_codes(codes, protocol, name, seed)
             settings["words_per_slot"] = words_per_slot(
                 compiled(program_of(encoder, Chip()), Chip())
             )
+        else:
+            kind, _, start = baseline.start.partition(":")
+            length = 1 if name == "bilinear" else None  # only bilinear has class c
+            spec = ShutterSpec(kind, slots, (baseline.side, baseline.side), length)
+            encoder = make_encoder(spec, start, seed)
         for key, values in encoder.codes().items():
             settings["stops" if key == "stop" else key] = values.tolist()
         return [(encoder.hard().cpu(), settings)]
@@ -211,8 +212,8 @@ def _choices(
     return [((opened < stop).float(), {"stops": [[stop]]}) for stop in stops]
 
 
-def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, Any]:
-    """Return spec and start of `CLASS[:START]`, or those of a run's encoder.
+def named_codes(text: str, protocol: Protocol, name: str, seed: int) -> Encoder:
+    """Return codes `CLASS[:START]`, or those of a run.
 
     A class without a start has random codes. Raises Rejected (NS0840) if the baseline `name`
     accepts no other codes, or the protocol does not support them."""
@@ -228,20 +229,18 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
         if (folder / CONFIG).is_file():
             encoder = run_codes(folder)
             if encoder.spec.slots == slots:
-                return encoder.spec, encoder
+                return encoder
             reason = f"'{text[:60]}' has codes of {encoder.spec.slots} slots"
             note = f"protocol {protocol.name} has {slots}"
             raise rejected("NS0840", reason, notes=(note,), helps=("name another run",))
         start = start or "random"
         if kind in known and start in STARTS:
             length = max(1, slots // 4) if kind == "c" else None
-            spec = ShutterSpec(kind, slots, _TILE, length=length)
             try:
-                make_encoder(spec, start)
+                return make_encoder(ShutterSpec(kind, slots, _TILE, length), start, seed)
             except ValueError as error:
                 reason = f"'{text[:40]}' does not name codes: {error}"
                 raise rejected("NS0840", reason, helps=(f"such as {kind}:quad",)) from error
-            return spec, start
         reason = f"'{text[:40]}' does not name codes of protocol {protocol.name}"
         note = f"its classes are {', '.join(known)}; starts are {', '.join(STARTS)}"
     else:

@@ -81,7 +81,8 @@ def scene_by_chip(
     opened = frame.told.get(OPEN)
     share = None if opened is None else (opened[0] / setup.slots).astype(np.float32)
     bucket = 0 if setup.buckets == 1 else ...
-    visible_part = (..., *(slice(side) for side in light_e.shape[-2:]))
+    rows, cols = light_e.shape[-2:]
+    visible_part = np.s_[..., :rows, :cols]
     codes, saturated = frame.frame[bucket], frame.saturated[bucket]
     if setup.classes:  # the continuation of the scene has no class
         result = decoded_frame(setup, codes[visible_part], saturated[visible_part])

@@ -243,6 +243,11 @@ class EmulatorBench:
         return {tolerance.name: self._plan(tolerance) for tolerance in self.tolerances}
 
     @cached_property
+    def budget(self) -> Plan:
+        """The plan that is shown effect by effect."""
+        return self._plan(self._tolerance(self.settings.budget))
+
+    @cached_property
     def truth(self) -> tuple[list[Frame], list[float]]:
         """Frames of the reference, and the time of each in milliseconds."""
         settings, light, program = self.settings, self.scene.light, self.program
@@ -283,7 +288,7 @@ class EmulatorBench:
         plans = (MeasuredPlan(n, plan, errors_e[n]) for n, plan in self.plans.items())
         return EmulatorStudy(
             name, tuple(points), tuple(plans), floor_ms(self.scene.light, gb_per_s),
-            self._plan(self._tolerance(self.settings.budget)),
+            self.budget,
             tuple(refusal for refusal in measured.refused if refusal.case == name),
         )  # fmt: skip
 
