@@ -139,10 +139,7 @@ def words_of(solution: Solution, problem: Problem, target: Target, seed: int = 0
         assert all((held[place] == was).all() for place, was in code.items())
         held.update({place: pixels.noise() for place in scratch})
         held.update({places[f"s{i}"]: pixels.noise() for i in range(solution.states)})
-    # A masked write leaves the charge of other pixels as old as it is.
-    written = {
-        gate.destination for segment in solution.segments() for gate in segment if gate.mask is None
-    }
+    written = {gate.destination for segment in solution.segments() for gate in segment}
     return count + 2 * sum(f"p{i}" not in written for i in range(len(solution.planes)))
 
 
@@ -160,31 +157,15 @@ class _Writer:
         self.held: dict[str, int] = {}
         self.gates: list[Gate] = []
         self.writable = [*self.states, *self.scratch]
-        self.pair: tuple[str, str] | None = None
 
-    def gate(
-        self, name: str, destination: str, sources: tuple[str, ...], mask: str | None = None
-    ) -> None:
+    def gate(self, name: str, destination: str, sources: tuple[str, ...]) -> None:
         some = 0
         for source in sources:
             some |= self.held[source]
         inverted = name in ("NOR", "NOT", "SET")
         value = some ^ (self.everything if inverted else 0)
-        if mask is not None:
-            where = self.held[mask]
-            value = (value & where) | (self.held[destination] & ~where)
         self.held[destination] = value
-        self.gates.append(Gate(name, destination, sources, mask))
-
-    def masked_gate(self) -> None:
-        """A gate that writes the masked register, where its mask holds anything known."""
-        assert self.pair is not None
-        masked, mask = self.pair
-        if mask not in self.held:
-            return
-        sources = self.sources(self.machine.or_sources)
-        name = self.choose.choice(["NOR", "OR"] if len(sources) > 1 else ["NOT", "SET", "CLR"])
-        self.gate(name, masked, () if name in ("SET", "CLR") else sources, mask)
+        self.gates.append(Gate(name, destination, sources))
 
     def sources(self, limit: int | None, banned: tuple[str, ...] = ()) -> tuple[str, ...]:
         known = [name for name in self.held if name not in banned]
@@ -194,9 +175,6 @@ class _Writer:
     def some_gates(self, count: int) -> None:
         for _ in range(count):
             kind = self.choose.random()
-            if self.pair is not None and self.choose.random() < 0.4:
-                self.masked_gate()
-                continue
             if kind < 0.15 and self.planes:
                 plane = self.choose.choice(self.planes)
                 self.gate("NOT", plane, (plane,))
@@ -226,8 +204,7 @@ class _Writer:
 def random_solution(seed: int, machine: Machine) -> tuple[Problem, Solution]:
     """A problem, and a legal but wasteful solution of it.
 
-    It does not write the last plane; or a plane that is 0 at first is in the masked register, and
-    every write to it is masked, by scratch or by another plane.
+    It does not write the last plane, which is in the masked register.
     """
     choose = random.Random(seed)
     shutters = choose.randint(2, 40)
@@ -241,19 +218,14 @@ def random_solution(seed: int, machine: Machine) -> tuple[Problem, Solution]:
     write.held = dict(zip(write.planes, vectors, strict=True))
     # The masked register goes to a plane that is never written.
     write.planes = write.planes[:-1] or write.planes
-    if machine.masked and planes > 1 and choose.random() < 0.5:
-        write.pair = "p0", choose.choice(["t0", "p1"])
-        write.planes = [name for name in write.planes if name not in write.pair]
-        vectors = (0, *vectors[1:])
-        write.held["p0"] = 0
-    elif len(write.planes) == planes and planes + states + scratch == machine.registers:
+    if len(write.planes) == planes and planes + states + scratch == machine.registers:
         write.planes = []
     if in_flag:
         write.held["FLAG"] = everything
     lasts = in_flag or choose.random() < 0.7
 
     def some() -> None:
-        if write.planes or write.pair is not None:
+        if write.planes:
             write.some_gates(choose.randint(0, 6))
 
     some()
@@ -282,10 +254,6 @@ def random_solution(seed: int, machine: Machine) -> tuple[Problem, Solution]:
     for name in write.planes:
         if write.held[name] != vectors[int(name[1:])]:
             write.gate("NOT", name, (name,))
-    if write.held["p0"] and write.pair is not None:
-        if write.pair[1] == "t0":
-            write.gate("SET", "t0", ())
-        write.gate("CLR", "p0", (), write.pair[1])
     closing = write.take()
     problem = Problem(tuple(demands), shutters, ((),), lasts, {})
     solution = Solution(

@@ -29,17 +29,14 @@ class Gate:
     """A digital operation on virtual registers.
 
     `name` is WHERE (destination FLAG), SET, CLR, MOV, NOT, OR or NOR. A gate whose destination is
-    among its sources is an in-place pair of words. With a `mask`, the gate writes its destination
-    only where the register `mask` is 1; elsewhere the destination keeps its content."""
+    among its sources is an in-place pair of words."""
 
     name: str
     destination: str
     sources: tuple[str, ...]
-    mask: str | None = None
 
     def __str__(self) -> str:
-        mask_text = f" where {self.mask}" if self.mask is not None else ""
-        return f"{self.destination} = {self.name}({', '.join(self.sources)}){mask_text}"
+        return f"{self.destination} = {self.name}({', '.join(self.sources)})"
 
     @property
     def words(self) -> int:
@@ -98,7 +95,7 @@ class Machine(Record):
     """The costs and limits of gates on a target.
 
     `registers` is the number of one-bit registers of a pixel. `masked` means that one of them (R12
-    on SCAMP-5) is written only where another (R0) is 1; masked gates need this pair."""
+    on SCAMP-5) is written only where another (R0) is 1."""
 
     registers: int
     masked: bool
@@ -140,13 +137,6 @@ class Solution(Record):
     def segments(self) -> Sequence[Segment]:
         """Return all segments in execution order."""
         return [*self.opening, *chain.from_iterable(self.answers), *self.closing]
-
-    def masked_pair(self) -> tuple[str, str] | None:
-        """Return the register that masked gates write, and its mask; None without masked gates.
-
-        A pixel has one such pair, and every write to its first register is a masked gate."""
-        gates = chain.from_iterable(self.segments())
-        return next(((g.destination, g.mask) for g in gates if g.mask is not None), None)
 
     def writes(self) -> list[int]:
         """Return how often a frame writes each plane."""
@@ -192,14 +182,14 @@ class Gates:
         """Add a gate that does not exceed the machine's fan-in."""
         self._gates.append(gate)
 
-    def nor(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
+    def nor(self, destination: str, sources: Sequence[str]) -> None:
         """Add destination := NOR(sources), or 1 without sources; the destination may be a
         source."""
-        self._gather("NOR", destination, sources, mask)
+        self._gather("NOR", destination, sources)
 
-    def or_(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
+    def or_(self, destination: str, sources: Sequence[str]) -> None:
         """Add destination := OR(sources), or 0 without sources; the destination may be a source."""
-        self._gather("OR", destination, sources, mask)
+        self._gather("OR", destination, sources)
 
     def invert(self, register: str) -> None:
         """Add register := NOT register."""
@@ -219,11 +209,9 @@ class Gates:
             sources = [scratch, *other_sources[spill:]]
         self._gates.append(Gate("WHERE", "FLAG", tuple(sources)))
 
-    def _gather(
-        self, name: str, destination: str, sources: Sequence[str], mask: str | None
-    ) -> None:
+    def _gather(self, name: str, destination: str, sources: Sequence[str]) -> None:
         if not sources:
-            self.add(Gate("SET" if name == "NOR" else "CLR", destination, (), mask))
+            self.add(Gate("SET" if name == "NOR" else "CLR", destination, ()))
             return
         limit = self._machine.or_sources
         other_sources = [source for source in sources if source != destination]
@@ -234,13 +222,11 @@ class Gates:
             room = limit - 1 if in_place else limit
             while len(other_sources) > room:
                 head, other_sources = other_sources[:room], other_sources[room:]
-                self._append("OR", destination, [destination] * in_place + head, mask)
+                self._append("OR", destination, [destination] * in_place + head)
                 in_place, room = True, limit - 1
-        self._append(name, destination, [destination] * in_place + other_sources, mask)
+        self._append(name, destination, [destination] * in_place + other_sources)
 
-    def _append(
-        self, name: str, destination: str, sources: Sequence[str], mask: str | None
-    ) -> None:
+    def _append(self, name: str, destination: str, sources: Sequence[str]) -> None:
         if len(sources) == 1:
             name = {"NOR": "NOT", "OR": "MOV"}[name]
-        self._gates.append(Gate(name, destination, tuple(sources), mask))
+        self._gates.append(Gate(name, destination, tuple(sources)))

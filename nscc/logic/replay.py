@@ -26,9 +26,8 @@ def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
     """Return why `solution` does not solve `problem` on `machine`, in words; None if it does."""
     try:
         planes, states, scratch = len(solution.planes), solution.states, solution.scratch
-        pair = solution.masked_pair()
-        # Without masked gates, only a plane may be in the masked register.
-        room = machine.registers - (machine.masked and not planes and pair is None)
+        # Only a plane may be in the masked register.
+        room = machine.registers - (machine.masked and not planes)
         if min(states, scratch) < 0 or planes + states + scratch > room:
             raise _Wrong(f"{planes} planes, {states} states, {scratch} scratch in {room} registers")
         if len(solution.holders) != planes:
@@ -43,7 +42,7 @@ def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
             )
         registers = {*_names("p", planes), *_names("s", states), *_names("t", scratch)}
         for gate in dict.fromkeys(gate for segment in solution.segments() for gate in segment):
-            if not _possible(gate, registers, machine) or not _masks_agree(gate, pair, machine):
+            if not _possible(gate, registers, machine):
                 raise _Wrong(f"the machine has no gate {gate}")
         _Frame(problem, machine, solution).replay()
     except _Wrong as wrong:
@@ -71,19 +70,6 @@ def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
     )
 
 
-def _masks_agree(gate: Gate, pair: tuple[str, str] | None, machine: Machine) -> bool:
-    """Return whether the gate is masked if, and only if, it writes the masked register."""
-    if gate.mask is None:
-        return pair is None or gate.destination != pair[0]
-    # A state is lost if a refresh sets the mask.
-    return (
-        machine.masked
-        and (gate.destination, gate.mask) == pair
-        and gate.destination != gate.mask
-        and gate.mask[0] in "pt"
-    )
-
-
 class _Frame:
     """One frame of a solution; `contents` are truth vectors by register, None if unknown."""
 
@@ -96,7 +82,7 @@ class _Frame:
         # If all registers are in use, `nscc.lower.schedule` puts the plane with the fewest writes
         # in the masked register. Each of these writes sets the mask, which overwrites t0.
         used = len(solution.planes) + solution.states + solution.scratch
-        full = machine.masked and used >= machine.registers and solution.masked_pair() is None
+        full = machine.masked and used >= machine.registers
         self.masked = f"p{quietest(solution.writes())}" if full else None
         self._forget(self.scratch)
         self.contents["FLAG"] = problem.everything if solution.state_in_flag else None
@@ -141,10 +127,8 @@ class _Frame:
                 disjunction = 0
                 for name in gate.sources:
                     disjunction |= self._known(name, gate)
-                value = disjunction ^ everything if gate.name in _INVERTED else disjunction
-                if gate.mask is not None and (mask := self._known(gate.mask, gate)) != everything:
-                    value = value & mask | self._known(gate.destination, gate) & ~mask
-                contents[gate.destination] = value
+                inverted = gate.name in _INVERTED
+                contents[gate.destination] = disjunction ^ everything if inverted else disjunction
                 if gate.destination == masked:
                     if not self.scratch:
                         raise _Wrong(f"{gate} writes the register that needs a free mask")

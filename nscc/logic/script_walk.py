@@ -83,9 +83,9 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
             if len(gate.sources) <= limit or gate.name == "WHERE":
                 gates.add(gate)
             elif gate.name == "NOR":
-                gates.nor(gate.destination, gate.sources, gate.mask)
+                gates.nor(gate.destination, gate.sources)
             else:
-                gates.or_(gate.destination, gate.sources, gate.mask)
+                gates.or_(gate.destination, gate.sources)
         return gates.take()
 
     def all_of(run: tuple[Segment, ...]) -> tuple[Segment, ...]:
@@ -122,10 +122,7 @@ class _Walker:
         script, problem = self.script, self.problem
         self.gates = Gates(self.machine)
         writes = Counter(gate.destination for gate in _all_gates(script))
-        if any(gate.mask is not None for gate in _all_gates(script)):
-            if not self.machine.masked:
-                raise GaveUp("no register takes masked writes")
-        elif self.machine.masked and script.planes:
+        if self.machine.masked and script.planes:
             self.quiet = f"p{quietest([writes[f'p{i}'] for i in range(len(script.planes))])}"
         planes, holders = unzipped(script.planes)
         self.values = {f"p{i}": vector for i, vector in enumerate(planes)}
@@ -161,14 +158,11 @@ class _Walker:
     def _run(self, segments: Sequence[Segment]) -> None:
         """Update the truth vectors by scripted gates."""
         for gate in chain.from_iterable(segments):
-            for name in (*gate.sources, *((gate.mask, gate.destination) if gate.mask else ())):
+            for name in gate.sources:
                 if name not in self.values:
                     raise GaveUp(f"the script reads {name}, which holds nothing known")
-            value = self._or(gate.sources, gate.name in ("NOT", "NOR", "SET"))
-            if gate.mask is not None:
-                mask = self.values[gate.mask]
-                value = value & mask | self.values[gate.destination] & ~mask
-            self.values[gate.destination] = value
+            inverted = gate.name in ("NOT", "NOR", "SET")
+            self.values[gate.destination] = self._or(gate.sources, inverted)
             if gate.destination == self.quiet:
                 # Its mask, the first scratch register, is set for the write.
                 self.values.pop("t0", None)

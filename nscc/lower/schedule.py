@@ -1,10 +1,9 @@
 """Mapping of virtual registers to the chip's registers and of gates to words, and the words of a
 frame in time: kernels, the boundaries that launch them, and their costs.
 
-The masked register (R12 on SCAMP-5) is written only where its mask (R0) is 1. Masked gates name
-both. Without masked gates, the masked register gets code that does not change within the frame. If
-every register is needed, it gets the plane with the fewest writes; each of these writes first sets
-the mask, which is then a scratch register.
+The masked register (R12 on SCAMP-5) is written only where its mask (R0) is 1, so it gets code that
+does not change within the frame. If every register is needed, it gets the plane with the fewest
+writes; each of these writes first sets the mask, which is then a scratch register.
 
 The words of a boundary come in segments. A kernel is stored once however often it is launched, but
 every launch takes time. So the segments of a boundary are one kernel if the store has room, else
@@ -79,9 +78,6 @@ def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
     masked, mask = target.masked_register, target.mask_register
     if masked is None or mask is None:
         return {}
-    pair = solution.masked_pair()
-    if pair is not None:
-        return dict(zip(pair, (masked, mask), strict=True))
     places = {"t0": mask} if solution.scratch else {}
     used = len(solution.planes) + solution.states + solution.scratch
     if used == len(target.digital_registers):
@@ -93,9 +89,7 @@ def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
     """Return the words of a segment."""
     out: list[Op] = []
     for gate in segment:
-        writes_masked = allocation.places.get(gate.destination) == allocation.masked is not None
-        if writes_masked and gate.mask is None:
-            assert allocation.mask is not None
+        if allocation.mask and allocation.places.get(gate.destination) == allocation.masked:
             out.append(op("SET", (allocation.mask,)))
         out.extend(_gate_words(gate, allocation.places))
     return tuple(out)

@@ -89,10 +89,6 @@ class Pixels:
                     assert len(gate.sources) == (gate.name in ("NOT", "MOV"))
                 inverted = gate.name in ("NOR", "NOT", "SET")
                 value = some ^ (self.all if inverted else 0)
-                if gate.mask is not None:
-                    assert self.machine.masked
-                    mask, old = self.held[gate.mask], self.held[gate.destination]
-                    value = (value & mask) | (old & ~mask)
                 self.held[gate.destination] = value
 
 

@@ -29,13 +29,12 @@ ALL = 0b11111111
 
 
 def gates(text):
-    """Gates from `t0 = NOR p0 p1; p2 = MOV p1 where t0; FLAG = WHERE t0`."""
+    """Gates from `t0 = NOR p0 p1; p2 = MOV p1; FLAG = WHERE t0`."""
     found = []
     for part in filter(None, (part.strip() for part in text.split(";"))):
         destination, rest = part.split("=")
-        rest, _, mask = rest.partition(" where ")
         name, *sources = rest.split()
-        found.append(Gate(name, destination.strip(), tuple(sources), mask.strip() or None))
+        found.append(Gate(name, destination.strip(), tuple(sources)))
     return tuple(found)
 
 
@@ -147,73 +146,6 @@ def test_all_registers_in_use():
     assert words_of(solution, problem, SCAMP) == 48 + 24 + 2
     _, words = improved(problem, solution)
     assert words == 12 + 24
-
-
-MASKED = (A, B, 0)
-"""Planes of which the last one is in the masked register; REFRESH is theirs, too: a masked write
-leaves some pixels as they were."""
-
-
-@pytest.mark.parametrize(
-    ("predicates", "answers", "closing", "least"),
-    [
-        # The mask is set already.
-        (
-            [A | B, A | B],
-            ["t0 = SET; p2 = OR p0 p1 where t0; FLAG = WHERE p2", "t0 = SET; FLAG = WHERE p2"],
-            "p2 = CLR where t0",
-            5,
-        ),
-        # Where the mask is 0, nothing is kept that anybody reads: a write elsewhere is no loss.
-        ([A & B], ["t0 = MOV p0; t1 = NOT p1; t1 = NOT t1; p2 = MOV t1 where t0; FLAG = WHERE p2"],
-         "p2 = CLR where t0", 4),
-        # Masked writes that nobody reads.
-        ([A], ["t0 = MOV p1; p2 = MOV p0 where t0; FLAG = WHERE p0"], "p2 = CLR where t0", 1),
-        # AND NOT in one masked word: the mask is a plane.
-        (
-            [A, A & ~B],
-            ["t0 = SET; p2 = MOV p0 where t0; FLAG = WHERE p2",
-             "t0 = MOV p1; t1 = SET; t1 = NOT t1; p2 = MOV t1 where t0; FLAG = WHERE p2"],
-            "t0 = SET; p2 = CLR where t0",
-            6,
-        ),
-    ],
-)  # fmt: skip
-def test_masked_writes_become_fewer(predicates, answers, closing, least):
-    problem, solution = solved(predicates, answers, closing=closing, scratch=2, planes=MASKED)
-    found, words = improved(problem, solution)
-    assert words <= least + REFRESH
-    assert fault(problem, MACHINE, found) is None
-
-
-def test_a_mask_stays_in_its_register_while_planes_wander():
-    """The plane p0 is turned while the mask waits, so that it must not go where the mask is."""
-    answers = [
-        "t0 = MOV p1 | p0 = NOT p0 | p2 = MOV p0 where t0; FLAG = WHERE p2",
-        "t1 = NOR p0 p1; FLAG = WHERE t1; p2 = CLR where t0",
-    ]
-    reads = [B & ~A, A & ~B & ALL]
-    problem, solution = solved(reads, answers, closing="p0 = NOT p0", scratch=3, planes=MASKED)
-    _, words = improved(problem, solution)
-    assert words <= 9 + REFRESH
-
-
-@pytest.mark.parametrize(
-    ("answer", "reason"),
-    [
-        ("p2 = MOV p0; t0 = SET; p2 = MOV p1 where t0; FLAG = WHERE p2", "no gate p2 = MOV"),
-        ("p2 = MOV p1 where t0; FLAG = WHERE p2", "reads t0"),
-        ("t0 = SET; p2 = MOV p1 where t0; p1 = MOV p0 where t0; FLAG = WHERE p2", "no gate p1"),
-        ("s0 = SET; p2 = MOV p1 where s0; FLAG = WHERE p2", "no gate p2"),
-        ("t0 = MOV p0; p2 = MOV p1 where t0; FLAG = WHERE p2", "demand 0"),
-    ],
-)
-def test_masked_writes_that_are_wrong(answer, reason):
-    problem, solution = solved([B], [answer], states=1, planes=MASKED)
-    assert reason in fault(problem, MACHINE, solution)
-    plain = Machine.of(chip(masked=False))
-    assert "no gate" in fault(problem, plain, solution)
-    assert improve(solution, problem, MACHINE, Budget(1000)) is solution
 
 
 def test_few_sources_a_word():

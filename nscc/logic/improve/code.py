@@ -33,8 +33,7 @@ class GateOp:
     distinct.
 
     `place` is the answer that the operation belongs to, or OPENING or CLOSING; `segment` is its
-    segment there. `reads` is the bit mask of registers that the result depends on: sources and, if
-    masked, also mask and destination."""
+    segment there. `reads` is the bit mask of its sources."""
 
     inverted: bool
     destination: int
@@ -46,7 +45,7 @@ class GateOp:
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A point, at the end of `place`, at which FLAG must equal `need` (if not None).
+    """A point of `place` at which FLAG must equal `need` (if not None).
 
     `forgets` is the bit mask of registers whose contents are unknown afterwards."""
 
@@ -62,7 +61,8 @@ Item = GateOp | Check
 class FrameContext:
     """The constants of an improvement: problem, registers, limits, initial state.
 
-    Operations that write `masked` (if not None) are masked: they write only where `mask` is 1."""
+    An operation that writes `masked` (if not None) takes one word more, which sets the first scratch
+    register as its mask."""
 
     solution: Solution
     problem: Problem
@@ -73,22 +73,26 @@ class FrameContext:
     everything: int
     start: tuple[Content, ...]
     masked: int | None
-    mask: int | None
 
     @property
     def flag(self) -> int:
         """The register number of FLAG."""
-        return self.planes + self.states + self.scratch
+        return self.first_scratch + self.scratch
+
+    @property
+    def first_scratch(self) -> int:
+        """The register number of the first scratch register; FLAG's if there is none."""
+        return self.planes + self.states
 
     def words(self, item: Item) -> int:
         """Return the number of words of an item."""
         if isinstance(item, Check):
             return 0
-        return 1 + (item.destination != self.flag and item.destination in item.sources)
+        in_place = item.destination != self.flag and item.destination in item.sources
+        return 1 + in_place + (item.destination == self.masked)
 
     def total(self, items: Sequence[Item]) -> int:
-        """Return the words of a frame, including refresh of planes that are not written in all
-        pixels."""
+        """Return the words of a frame, including refresh of planes that are not written."""
         left_alone = self.writes(items).count(0)
         return sum(map(self.words, items)) + REFRESH_WORDS * left_alone
 
@@ -98,8 +102,6 @@ class FrameContext:
         """Return an operation; the sources may be in any order."""
         sources = tuple(sorted(set(sources)))
         reads = sum(1 << source for source in sources)
-        if destination == self.masked and self.mask is not None:
-            reads |= 1 << destination | 1 << self.mask
         return GateOp(inverted, destination, sources, place, segment, reads)
 
     def value(self, item: GateOp, state: Sequence[Content]) -> Content:
@@ -110,13 +112,7 @@ class FrameContext:
             if content is None:
                 return None
             disjunction |= content
-        result = disjunction ^ self.everything if item.inverted else disjunction
-        if item.destination != self.masked or self.mask is None:
-            return result
-        mask, previous = state[self.mask], state[item.destination]
-        if mask == self.everything:
-            return result
-        return None if mask is None or previous is None else result & mask | previous & ~mask
+        return disjunction ^ self.everything if item.inverted else disjunction
 
     def legal(self, item: GateOp) -> bool:
         """Return whether the machine has a word, or a pair of words, for an operation."""
@@ -127,7 +123,7 @@ class FrameContext:
             if item.inverted or not count or (reads_flag and not self.machine.where_reads_flag):
                 return False
             return limit is None or count <= limit
-        if item.destination == self.masked and self.mask is None:
+        if item.destination == self.masked and not self.scratch:
             return False
         limit = self.machine.or_sources
         # Copying a register to itself would be a refresh, which is not the gates' task.
@@ -143,11 +139,11 @@ class FrameContext:
         state[item.destination] = self.value(item, state)
 
     def writes(self, items: Iterable[Item]) -> list[int]:
-        """Return how often the items write each plane in every pixel."""
+        """Return how often the items write each plane."""
         times = [0] * self.planes
         for item in items:
             if isinstance(item, GateOp) and item.destination < self.planes:
-                times[item.destination] += item.destination != self.masked
+                times[item.destination] += 1
         return times
 
     def names(self) -> list[str]:
@@ -161,15 +157,14 @@ def flatten(
 ) -> tuple[FrameContext, list[Item]]:
     """Return a solution as items, with as many scratch registers as the machine allows.
 
-    If gates without masks write the masked register, the items include SET of the mask before them.
-    """
+    A write to the masked register first overwrites its mask, which the items forget before it."""
     planes, states = len(solution.planes), solution.states
-    scratch, masked, mask = _room(solution, machine)
+    scratch, masked = _room(solution, machine)
     everything = problem.everything
     flag: Content = everything if solution.state_in_flag else None
     frame = FrameContext(
         solution, problem, machine, planes, states, scratch, everything,
-        (*solution.planes, *[None] * (states + scratch), flag), masked, mask,
+        (*solution.planes, *[None] * (states + scratch), flag), masked,
     )  # fmt: skip
     number = {name: i for i, name in enumerate(frame.names())}
     items: list[Item] = []
@@ -180,8 +175,8 @@ def flatten(
                 inverted = gate.name in ("NOR", "NOT", "SET")
                 sources = [number[name] for name in gate.sources]
                 target = number[gate.destination]
-                if target == masked and gate.mask is None and mask is not None:
-                    items.append(frame.op(True, mask, (), place, index))
+                if target == masked:
+                    items.append(Check(None, 1 << frame.first_scratch, place))
                 items.append(frame.op(inverted, target, sources, place, index))
 
     add(solution.opening, OPENING)
@@ -193,27 +188,19 @@ def flatten(
     return frame, items
 
 
-def _room(solution: Solution, machine: Machine) -> tuple[int, int | None, int | None]:
-    """Return the number of possible scratch registers, and the masked register and its mask.
-
-    The register numbers are None if the machine has no masked pair."""
-    planes, states, scratch = len(solution.planes), solution.states, solution.scratch
-    room = machine.registers - planes - states
-    mask = planes + states if scratch else None
-    pair = solution.masked_pair()
-    if pair is not None:
-        first = {"p": 0, "s": planes, "t": planes + states}
-        masked, mask = (first[name[0]] + int(name[1:]) for name in pair)
-        return room, masked, mask
+def _room(solution: Solution, machine: Machine) -> tuple[int, int | None]:
+    """Return the number of possible scratch registers, and the plane in the masked register."""
+    planes, scratch = len(solution.planes), solution.scratch
+    room = machine.registers - planes - solution.states
     if not machine.masked or not planes:
-        return max(scratch, room - (machine.masked and not planes)), None, None
+        return max(scratch, room - (machine.masked and not planes)), None
     writes = solution.writes()
     quiet = quietest(writes)
     # If all registers are used, or a plane is never written, the masked register holds a plane and
     # all others are free; otherwise it is empty.
     if scratch == room or (writes[quiet] == 0 and room > 0):
-        return room, quiet, planes + states if room else None
-    return max(scratch, room - 1), None, None
+        return room, quiet
+    return max(scratch, room - 1), None
 
 
 def _forgotten(frame: FrameContext, coming: int) -> int:
@@ -222,7 +209,7 @@ def _forgotten(frame: FrameContext, coming: int) -> int:
     forgets = 0
     if frame.solution.state_in_flag:
         # Analog words in between may keep FLAG in t0.
-        forgets |= (frame.scratch > 0) << frame.planes + frame.states
+        forgets |= (frame.scratch > 0) << frame.first_scratch
     elif coming == len(demands) or not demands[coming].flag_kept:
         forgets |= 1 << frame.flag
     # In a frame longer than the retention, only planes and states are refreshed.
@@ -231,7 +218,7 @@ def _forgotten(frame: FrameContext, coming: int) -> int:
     return (
         forgets
         if scratch_kept
-        else forgets | ((1 << frame.scratch) - 1) << frame.planes + frame.states
+        else forgets | ((1 << frame.scratch) - 1) << frame.first_scratch
     )
 
 
@@ -258,12 +245,12 @@ def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
             gate = Gate("WHERE", "FLAG", sources)
         else:
             kinds = ("SET", "NOT", "NOR") if item.inverted else ("CLR", "MOV", "OR")
-            masked = item.destination == frame.masked and frame.mask is not None
-            mask = names[frame.mask] if masked and frame.mask is not None else None
-            gate = Gate(kinds[min(len(sources), 2)], names[item.destination], sources, mask)
+            gate = Gate(kinds[min(len(sources), 2)], names[item.destination], sources)
+            if item.destination == frame.masked:
+                used |= 1 << frame.first_scratch
         segments[max(last, item.segment)].append(gate)
         used |= item.reads | 1 << item.destination
-    spare = used >> (frame.planes + frame.states) & ((1 << frame.scratch) - 1)
+    spare = used >> frame.first_scratch & ((1 << frame.scratch) - 1)
     written_segments = {
         place: tuple(tuple(segment) for segment in segments if segment)
         for place, segments in segments_at.items()

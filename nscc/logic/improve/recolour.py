@@ -10,7 +10,6 @@ banned for values. The choice among free registers determines the number of word
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -23,14 +22,12 @@ class _Value:
     """The result of an operation, or the initial content of a register.
 
     `last` is the last item that reads it; `home` the register required at the end, -1 if none.
-    `banned` is the bit mask of registers in which it would be overwritten, or would block a mask.
-    """
+    `banned` is the bit mask of registers in which it would be overwritten."""
 
     first: int
     last: int
     home: int = -1
     banned: int = 0
-    masks: bool = False
     sources: tuple[int, ...] = ()
 
 
@@ -38,15 +35,7 @@ def recoloured(frame: FrameContext, items: Sequence[Item]) -> list[Item] | None:
     """Return the same operations with other registers; None if there are too few registers.
 
     Every result must be read."""
-    values, written = _values(frame, items)
-    masks = [value for value in values if value.masks]
-    ends = [value.last for value in masks]
-    for value in values:
-        following = bisect_right(ends, value.first)
-        in_the_way = following < len(masks) and masks[following].first < value.last
-        if frame.mask is not None and in_the_way and not value.masks:
-            value.banned |= 1 << frame.mask
-    return _Painter(frame, items, values, written).paint()
+    return _Painter(frame, items, *_values(frame, items)).paint()
 
 
 def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], list[int]]:
@@ -62,8 +51,6 @@ def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], l
             continue
         for register in set_bits(item.reads):
             values[holds[register]].last = k
-        if item.destination == frame.masked and frame.mask is not None:
-            values[holds[frame.mask]].masks = True
         sources = tuple(holds[register] for register in item.sources)
         holds[item.destination] = len(values)
         written.append(len(values))
@@ -98,7 +85,6 @@ class _Painter:
         self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
         # The value in each register; initial values without a reader do not count.
         self.holds: list[int] = list(range(frame.flag))
-        self.masks_from = {value.first for value in values if value.masks}
         # Where the value is written that a register must hold at the end.
         self.homing = [-1] * frame.flag
         for value in values:
@@ -130,18 +116,14 @@ class _Painter:
         return self._bring_home(out)
 
     def _choose(self, k: int, item: GateOp, value: _Value, sources: Sequence[int]) -> int | None:
-        masked, mask = self.frame.masked, self.frame.mask
+        masked = self.frame.masked
         if item.destination == masked:
             return masked
-        if value.masks and mask is not None:
-            return None if value.banned >> mask & 1 else mask
 
         def price(register: int) -> tuple[int, bool, bool, int]:
             in_place = int(register in sources)
             if in_place and _copies(item):
                 in_place = -1  # no operation
-            # In the mask's register, a source of the mask would be read in place.
-            in_place += register == mask and value.last in self.masks_from
             away = value.home >= 0 and register != value.home
             # A value in a plane's home makes that plane go elsewhere first.
             plane = register < self.frame.planes

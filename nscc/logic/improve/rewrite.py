@@ -297,26 +297,8 @@ class Rewriter:
             banned = frame.flag
         return [r for r in self.order if self.state[r] is not None and r != banned]
 
-    def _written(self, target: int, ones: int, zeros: int) -> tuple[int, int] | None:
-        """Return (ones, zeros) that a gate must write so that `target` is 1 on `ones` and 0 on
-        `zeros`.
-
-        None if a mask prevents it."""
-        frame = self.frame
-        if target != frame.masked or frame.mask is None:
-            return ones, zeros
-        mask, previous = self.state[frame.mask], self.state[target]
-        if mask is None or (previous is None and mask != frame.everything):
-            return None
-        conflicts = ((previous or 0) & zeros | ~(previous or 0) & ones) & ~mask
-        return None if conflicts else (ones & mask, zeros & mask)
-
     def _single(self, item: GateOp, ones: int, zeros: int, *, in_place: bool) -> GateOp | None:
         frame, target = self.frame, item.destination
-        written = self._written(target, ones, zeros)
-        if written is None:
-            return None
-        ones, zeros = written
         readable = self._readable(target)
         if target == frame.flag:
             if in_place:
@@ -338,11 +320,8 @@ class Rewriter:
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]
-        written = self._written(target, ones, zeros)
-        if written is None:
-            return False
-        busy = {target, frame.mask} if target == frame.masked else {target}
-        for _, inner_ones, inner_zeros in inner(*written, self.state, readable, kinds):
+        busy = {target, *[frame.first_scratch] * (target == frame.masked)}
+        for _, inner_ones, inner_zeros in inner(ones, zeros, self.state, readable, kinds):
             for spare in self.run.free(k + 1, busy):
                 sources = [r for r in self._readable(spare) if r != spare]
                 chosen = gate(

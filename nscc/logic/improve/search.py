@@ -77,6 +77,8 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
             return None
         lead = (run.frame.op(item.inverted, target, item.sources, item.place, item.segment),)
     elif kind == 6:
+        if item.destination == run.frame.masked:
+            return None
         # A random place before k in the same answer.
         low = k
         while low > 0 and k - low < SPAN and not isinstance(run.items[low - 1], Check):

@@ -157,12 +157,6 @@ class TrackedRun:
                     value |= content  # type: ignore[operator]
                 if item.inverted:
                     value ^= everything
-                if item.destination == frame.masked:
-                    mask, previous = (
-                        flipped[r] if r in flipped else state[r]  # type: ignore[index]
-                        for r in (frame.mask, frame.masked)
-                    )
-                    value = value & mask | (previous or 0) & ~mask  # type: ignore[operator]
                 if value == before[at + 1][item.destination]:
                     flipped.pop(item.destination, None)
                     touched &= ~(1 << item.destination)
