@@ -16,13 +16,11 @@ from math import comb
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.cube_tables import number_cubes
-from nscc.logic.cubes import Cube
-from nscc.logic.digits import Planes, binary_planes, turned_over
+from nscc.logic.digits import Planes, binary_planes, cycle, turned_over
 from nscc.logic.encodings import describe_demand, event_fields, event_name
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.script_walk import Script, walk
-from nscc.truth import members, union, vector
+from nscc.truth import members, set_bits, union, vector
 
 
 @dataclass(frozen=True)
@@ -171,28 +169,21 @@ def _forms(field: _Field, room: int) -> list[_Form]:
 def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ...]]:
     """Return segments that invert group bits before each demand and, at key -1, after the last
     demand."""
-    _, cubes = _groups(field, form)
-    standing = [0] * form.bits
+    codes = _groups(field, form)
+    standing = 0
     turned: dict[int, tuple[Segment, ...]] = {}
-    back = tuple((bit, 0) for bit in range(form.bits))
     for demand, number in (*field.events, (-1, None)):
-        # A plane is inverted if the group's cube requires a 1, so that the current group reads as
-        # zeros.
-        cube = back if number is None else cubes[number // form.size]
-        flips = [bit for bit, value in cube if standing[bit] != value]
-        if flips:
-            turned[demand] = turned_over(base + bit for bit in flips)
-        for bit in flips:
-            standing[bit] ^= 1
+        # A plane is inverted if the code has a 1, so that the current group reads as zeros.
+        code = 0 if number is None else codes[number // form.size]
+        if code != standing:
+            turned[demand] = turned_over(base + bit for bit in set_bits(code ^ standing))
+        standing = code
     return turned
 
 
-def _groups(field: _Field, form: _Form) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
-    """Return the code of each group and the cube that identifies it; the first event needs no
-    inversion."""
-    if not form.bits:
-        return (0,), ((),)
-    return number_cubes(-(-field.count // form.size), form.bits)
+def _groups(field: _Field, form: _Form) -> tuple[int, ...]:
+    """Return the code of each group; the first event needs no inversion."""
+    return cycle(-(-field.count // form.size), form.bits) if form.bits else (0,)
 
 
 def _script(
@@ -208,7 +199,7 @@ def _script(
         field = _field(name, numbered, problem.shutters)
         for demand, flips in _turns(field, form, len(planes)).items():
             before[demand] = (*before.get(demand, ()), *flips)
-        codes = np.array(_groups(field, form)[0], dtype=np.int64)
+        codes = np.array(_groups(field, form), dtype=np.int64)
         groups = codes[field.numbers // form.size]
         planes += binary_planes(f"{field.name}, group, bit", groups, form.bits)
         places = form.place_codes()[field.numbers % form.size]
