@@ -114,25 +114,20 @@ def words_of(solution: Solution, problem: Problem, target: Target, seed: int = 0
     demands = problem.demands
     for _ in range(2):
         count = 0
-        held["FLAG"] = np.ones(pixels.shape, bool) if solution.state_in_flag else pixels.noise()
+        held["FLAG"] = pixels.noise()
 
         def run(segments) -> int:
             return sum(pixels.run(words(segment, allocation)) for segment in segments)
 
         count += run(solution.opening)
         for demand, answer in zip(demands, solution.answers, strict=True):
-            if solution.state_in_flag:
-                held[places["t0"]] = pixels.noise()
-            elif not demand.flag_kept:
+            if not demand.flag_kept:
                 held["FLAG"] = pixels.noise()
             if not demand.scratch_kept:
                 held.update({place: pixels.noise() for place in scratch})
             count += run(answer)
             assert (held["FLAG"] == rows_of(demand.predicate, problem.shutters)).all()
-        if solution.state_in_flag:
-            held[places["t0"]] = pixels.noise()
-        else:
-            held["FLAG"] = pixels.noise()
+        held["FLAG"] = pixels.noise()
         if not problem.flag_lasts:
             held.update({place: pixels.noise() for place in scratch})
         count += run(solution.closing)
@@ -209,7 +204,6 @@ def random_solution(seed: int, machine: Machine) -> tuple[Problem, Solution]:
     choose = random.Random(seed)
     shutters = choose.randint(2, 40)
     everything = (1 << shutters) - 1
-    in_flag = choose.random() < 0.2
     states = choose.randint(0, 1)
     scratch = choose.randint(1, 2)
     planes = choose.randint(1, max(1, machine.registers - states - scratch))
@@ -220,9 +214,7 @@ def random_solution(seed: int, machine: Machine) -> tuple[Problem, Solution]:
     write.planes = write.planes[:-1] or write.planes
     if len(write.planes) == planes and planes + states + scratch == machine.registers:
         write.planes = []
-    if in_flag:
-        write.held["FLAG"] = everything
-    lasts = in_flag or choose.random() < 0.7
+    lasts = choose.random() < 0.7
 
     def some() -> None:
         if write.planes:
@@ -236,9 +228,7 @@ def random_solution(seed: int, machine: Machine) -> tuple[Problem, Solution]:
     for _ in range(choose.randint(1, 12)):
         kept = bool(demands) and choose.random() < 0.5
         now = boundary + choose.randint(0, 1)
-        if in_flag:
-            write.held.pop("t0", None)
-        elif not kept:
+        if not kept:
             write.held.pop("FLAG", None)
         quiet = lasts or now == boundary
         if not quiet:
@@ -258,6 +248,6 @@ def random_solution(seed: int, machine: Machine) -> tuple[Problem, Solution]:
     problem = Problem(tuple(demands), shutters, ((),), lasts, {})
     solution = Solution(
         "random", vectors, tuple(f"plane {i}" for i in range(planes)), states, scratch,
-        opening, tuple(answers), closing, in_flag,
+        opening, tuple(answers), closing,
     )  # fmt: skip
     return problem, solution

@@ -17,10 +17,6 @@ longest path) and `registers` (see `registers_needed`). Its nodes are in executi
   reset), `boundary`
 * end: the required final content of a plane: `register`, `boundary`
 
-A masked gate writes its function where its mask is 1 and keeps the register's old content
-elsewhere. The edges to it have a `role`: one or more of the words "source", "mask" and "kept". An
-edge without a role leads from a source.
-
 In a program with senses, planes include the registers of its states: cleared by the frame's first
 words or kept from the previous frame. Bits are for the behaviours of its machine. There are two
 more kinds:
@@ -50,8 +46,6 @@ def network_of(lowered: Lowered) -> nx.DiGraph:
     solution = lowered.solution
     maker = NetworkMaker(lowered, solution.encoding)
     maker.planes(solution.planes, solution.holders)
-    if solution.state_in_flag:
-        maker.plane("FLAG", "FLAG", "1 in every pixel", lowered.plan.everywhere)
 
     def add(segments: Iterable[Segment], boundary: int) -> None:
         for gate in chain.from_iterable(segments):
@@ -99,14 +93,8 @@ class NetworkMaker:
         """Add a gate with edges from its inputs."""
         written = words((gate,), self.lowered.schedule.allocation)
         node = self.value("gate", gate.name, gate.destination, written, boundary)
-        roles = {self.holds[source]: ["source"] for source in gate.sources}
-        if gate.mask is not None:
-            for register, role in ((gate.mask, "mask"), (gate.destination, "kept")):
-                if register in self.holds:
-                    roles.setdefault(self.holds[register], []).append(role)
-        for value, names in roles.items():
-            attributes = {} if gate.mask is None else {"role": " ".join(names)}
-            self.network.add_edge(value, node, **attributes)
+        for source in gate.sources:
+            self.network.add_edge(self.holds[source], node)
         self.holds[gate.destination] = node
 
     def value(
@@ -217,9 +205,7 @@ def dot_text(network: nx.DiGraph) -> str:
     for node, attributes in network.nodes(data=True):
         shape = _SHAPES[attributes["kind"]]
         lines.append(f"  {node} [shape={shape}, label={_quoted(_label(attributes))}];")
-    for value, reader, role in network.edges(data="role", default="source"):
-        style = "" if "source" in role else " [style=dashed]"
-        lines.append(f"  {value} -> {reader}{style};")
+    lines += (f"  {value} -> {reader};" for value, reader in network.edges)
     return "\n".join([*lines, "}"]) + "\n"
 
 

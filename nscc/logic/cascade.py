@@ -73,12 +73,12 @@ _Task = tuple[int, int]
 """The index of a predicate, and of the predicate that FLAG holds before it, -1 if unknown."""
 
 
-def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """Store some predicates and compute the others by cascades of cubes.
+def cascade(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
+    """Yield a solution that stores some predicates and computes the others by cascades of cubes.
 
     Raises GaveUp if the steps do not suffice for a first solution. The remaining steps improve it.
     """
-    finder = _Finder(problem, machine, budget)
+    finder = _Finder(problem, machine, Budget(steps))
     best: _Plan | None = None
     try:
         for plan in finder.plans():
@@ -86,9 +86,8 @@ def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
     except GaveUp:
         if best is None:
             raise
-    if best is None:
-        raise GaveUp("no cascades were found")
-    return finder.solution(best)
+    if best is not None:
+        yield finder.solution(best)
 
 
 class _Finder:

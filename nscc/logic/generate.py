@@ -80,17 +80,11 @@ class Generator(Record):
         return FROM_LEVEL[self.kind] if self.from_level is None else self.from_level
 
 
-def _generator_of(kind: Kind, solve: Callable[[Problem, Machine, Budget], Solution]) -> Generator:
-    def solved(problem: Problem, machine: Machine, steps: int) -> tuple[Solution]:
-        return (solve(problem, machine, Budget(steps)),)
-
-    return Generator(kind, solved)
-
-
 def _emitted(kind: Kind, encode: Callable[[Problem, Machine, Budget], Encoding]) -> Generator:
-    return _generator_of(kind, lambda problem, machine, budget: emit(
-        problem, machine, encode(problem, machine, budget)
-    ))  # fmt: skip
+    def solve(problem: Problem, machine: Machine, steps: int) -> tuple[Solution]:
+        return (emit(problem, machine, encode(problem, machine, Budget(steps))),)
+
+    return Generator(kind, solve)
 
 
 GENERATORS: dict[str, Generator] = {
@@ -100,15 +94,12 @@ GENERATORS: dict[str, Generator] = {
     "composed": Generator("equality", composed.composed),
     "gray_times": _emitted("equality", encodings.gray_times),
     "folded_times": _emitted("equality", folded_times.folded_times),
-    "gray_index": _emitted("equality", encodings.gray_index),
-    "state_register": _generator_of("equality", encodings.state_register),
-    "state_in_flag": _generator_of("equality", encodings.state_in_flag),
-    "cascade": _generator_of("cascade", cascade.cascade),
+    "cascade": Generator("cascade", cascade.cascade),
     "covered_fields": _emitted("cover", encodings.covered_fields),
     "covered_levels": _emitted("cover", encodings.covered_levels),
     "covered_both_polarities": _emitted("cover", encodings.covered_both_polarities),
     "covered_gray_index": _emitted("cover", encodings.covered_gray_index),
-    "gray_index_wide": _emitted("last", encodings.gray_index_wide),
+    "gray_index": _emitted("last", encodings.gray_index),
 }
 """nscc's generators, in the order in which those of one kind are tried.
 

@@ -70,9 +70,9 @@ class Problem(Record):
     """Demands in time order over `shutters` distinct shutters.
 
     `opens[bucket][slot]` are the truth vectors of the open shutters. `flag_lasts` means that FLAG
-    does not decay within the frame, so a solution may keep state in it (`Solution.state_in_flag`).
-    `values` gives, for each field of the code, the value of every shutter (shutters,), taken from
-    one of its codes; predicates are often simple in these values."""
+    and scratch registers do not decay within the frame. `values` gives, for each field of the code,
+    the value of every shutter (shutters,), taken from one of its codes; predicates are often simple
+    in these values."""
 
     demands: tuple[Demand, ...]
     shutters: int
@@ -120,9 +120,7 @@ class Solution(Record):
 
     `planes` are the truth vectors of p0, p1, .. at the start of a frame; `holders` describe them in
     words. `answers` has one entry for each demand; `opening` runs at boundary 0 before any demand
-    and `closing` at boundary N after the last. With `state_in_flag`, FLAG is 1 before the opening
-    and keeps the solution's state until the end of the frame: other users of FLAG must restore it
-    and may use t0."""
+    and `closing` at boundary N after the last."""
 
     encoding: str
     planes: tuple[Annotated[int, HEX], ...]
@@ -132,7 +130,6 @@ class Solution(Record):
     opening: tuple[Segment, ...]
     answers: tuple[tuple[Segment, ...], ...]
     closing: tuple[Segment, ...]
-    state_in_flag: bool = False
 
     def segments(self) -> Sequence[Segment]:
         """Return all segments in execution order."""

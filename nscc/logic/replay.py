@@ -36,10 +36,6 @@ def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
             raise _Wrong(f"{len(solution.answers)} answers to {len(problem.demands)} demands")
         if not all(type(p) is int and 0 <= p <= problem.everything for p in solution.planes):
             raise _Wrong("a plane is not a truth vector of the shutters")
-        if solution.state_in_flag and not (problem.flag_lasts and scratch):
-            raise _Wrong(
-                "it keeps its state in FLAG, which does not last or has no scratch beside it"
-            )
         registers = {*_names("p", planes), *_names("s", states), *_names("t", scratch)}
         for gate in dict.fromkeys(gate for segment in solution.segments() for gate in segment):
             if not _possible(gate, registers, machine):
@@ -85,7 +81,7 @@ class _Frame:
         full = machine.masked and used >= machine.registers
         self.masked = f"p{quietest(solution.writes())}" if full else None
         self._forget(self.scratch)
-        self.contents["FLAG"] = problem.everything if solution.state_in_flag else None
+        self.contents["FLAG"] = None
 
     def replay(self) -> None:
         """Run the frame; raise _Wrong at the first unmet demand."""
@@ -104,9 +100,7 @@ class _Frame:
 
     def _wait(self, flag_kept: bool, scratch_kept: bool) -> None:
         """Mark contents as unknown that other words and boundaries overwrite."""
-        if self.solution.state_in_flag:
-            self._forget(("t0",))  # where FLAG is saved while analog words need it
-        elif not flag_kept:
+        if not flag_kept:
             self._forget(("FLAG",))
         if not scratch_kept:
             self._forget(self.scratch)

@@ -34,7 +34,6 @@ class Script:
     opening: tuple[Segment, ...] = ()
     before: dict[int, tuple[Segment, ...]] = field(default_factory=dict)
     closing: tuple[Segment, ...] = ()
-    state_in_flag: bool = False
 
 
 class _Choice(Record):
@@ -126,18 +125,14 @@ class _Walker:
             self.quiet = f"p{quietest([writes[f'p{i}'] for i in range(len(script.planes))])}"
         planes, holders = unzipped(script.planes)
         self.values = {f"p{i}": vector for i, vector in enumerate(planes)}
-        if script.state_in_flag:
-            self.values["FLAG"] = problem.everything
         self._run(script.opening)
         answers: list[tuple[Segment, ...]] = []
         for i, demand in enumerate(problem.demands):
             # After analog words or a refresh, the content of a register is unknown.
-            if not (demand.flag_kept or script.state_in_flag):
+            if not demand.flag_kept:
                 self.values.pop("FLAG", None)
             if not demand.scratch_kept:
                 self.values = {k: v for k, v in self.values.items() if k[0] != "t"}
-            if script.state_in_flag:
-                self.values.pop("t0", None)  # FLAG may have been saved there
             scripted = script.before.get(i, ())
             self._run(scripted)
             if self.values.get("FLAG") != demand.predicate:
@@ -152,7 +147,7 @@ class _Walker:
                 raise GaveUp("the script does not restore its planes")
         return Solution(
             script.encoding, planes, holders, script.states, self.used, script.opening,
-            tuple(answers), script.closing, script.state_in_flag,
+            tuple(answers), script.closing,
         )  # fmt: skip
 
     def _run(self, segments: Sequence[Segment]) -> None:

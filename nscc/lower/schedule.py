@@ -257,12 +257,7 @@ def _segments(decoding: Decoding, allocation: Allocation, size: KernelSize) -> l
     for step, action in zip(plan.steps, decoding.actions, strict=True):
         in_setup = step.boundary == 0 and step.bucket < 0
         analog: Words = step.words
-        if solution.state_in_flag and step.predicate is None and not in_setup:
-            if action != "nothing":
-                saved = allocation.places["t0"]
-                save, restore = op("MOV", (saved,), ("FLAG",)), op("WHERE", (), (saved,))
-                analog = (save, op("all"), *step.words, restore)
-        elif action == "all":
+        if action == "all":
             analog = (op("all"), *step.words)
         if in_setup:
             setup.extend(analog)

@@ -254,9 +254,6 @@ def hostile(solution: Solution) -> dict[str, object]:
         "an unknown register, or none, read": to_plain(
             replace(solution, opening=((Gate("NOT", "p0", ("PIX",)),),))
         ),
-        "state in a FLAG that is in use": to_plain(
-            replace(solution, state_in_flag=not solution.state_in_flag)
-        ),
     }  # fmt: skip
 
 

@@ -66,7 +66,7 @@ class Pixels:
         self.held = {f"p{i}": plane for i, plane in enumerate(solution.planes)}
         self.held |= {f"s{i}": self.noise() for i in range(solution.states)}
         self.held |= {f"t{i}": self.noise() for i in range(solution.scratch)}
-        self.held["FLAG"] = self.all if solution.state_in_flag else self.noise()
+        self.held["FLAG"] = self.noise()
 
     def noise(self):
         """A random truth vector."""
@@ -100,11 +100,9 @@ def check(asked, machine, solution, seed):
     pixels = Pixels(asked, machine, solution, seed)
     code = {f"p{i}": plane for i, plane in enumerate(solution.planes)}
     for _ in range(2):
-        if solution.state_in_flag:
-            pixels.held["FLAG"] = pixels.all
         pixels.run(solution.opening)
         for demand, answer in zip(asked.demands, solution.answers, strict=True):
-            if not demand.flag_kept and not solution.state_in_flag:
+            if not demand.flag_kept:
                 pixels.held["FLAG"] = pixels.noise()
             pixels.run(answer)
             assert pixels.held["FLAG"] == demand.predicate

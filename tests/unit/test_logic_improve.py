@@ -14,7 +14,6 @@ from nscc.logic.cubes import Budget
 from nscc.logic.generate import GENERATORS
 from nscc.logic.improve.search import balance, improve
 from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
-from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
 from nscc.lower.exposure_plan import levels, plan_exposure, timeline
 from nscc.lower.gate_search import GateSearch
@@ -154,18 +153,6 @@ def test_few_sources_a_word():
     problem, solution = solved([(ALL ^ (A | B)) | C | A], answers, scratch=2)
     found, _ = improved(problem, solution, narrow)
     assert all(len(g.sources) <= 2 for s in found.segments() for g in s)
-
-
-def test_state_in_flag_keeps_t0_for_the_analog_words():
-    """FLAG holds the state, and t0 is lost at every demand."""
-    answers = ["t0 = NOT p0; FLAG = WHERE t0", "t0 = NOT p0; t0 = NOR t0 p1; FLAG = WHERE t0"]
-    demands_of = [ALL ^ A, A & ~B]
-    problem, solution = solved(demands_of, answers, scratch=2)
-    solution = replace(solution, state_in_flag=True)
-    found, words = improved(problem, solution)
-    assert found.state_in_flag
-    assert found.scratch >= 1
-    assert words <= 4 + REFRESH
 
 
 def test_what_is_wrong_from_the_start_is_left_alone():

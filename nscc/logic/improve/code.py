@@ -61,8 +61,8 @@ Item = GateOp | Check
 class FrameContext:
     """The constants of an improvement: problem, registers, limits, initial state.
 
-    An operation that writes `masked` (if not None) takes one word more, which sets the first scratch
-    register as its mask."""
+    An operation that writes `masked` (if not None) takes one word more, which sets the first
+    scratch register as its mask."""
 
     solution: Solution
     problem: Problem
@@ -161,10 +161,9 @@ def flatten(
     planes, states = len(solution.planes), solution.states
     scratch, masked = _room(solution, machine)
     everything = problem.everything
-    flag: Content = everything if solution.state_in_flag else None
     frame = FrameContext(
         solution, problem, machine, planes, states, scratch, everything,
-        (*solution.planes, *[None] * (states + scratch), flag), masked,
+        (*solution.planes, *[None] * (states + scratch + 1)), masked,
     )  # fmt: skip
     number = {name: i for i, name in enumerate(frame.names())}
     items: list[Item] = []
@@ -206,20 +205,11 @@ def _room(solution: Solution, machine: Machine) -> tuple[int, int | None]:
 def _forgotten(frame: FrameContext, coming: int) -> int:
     """Return the registers whose contents are unknown when answer number `coming` begins."""
     demands = frame.problem.demands
-    forgets = 0
-    if frame.solution.state_in_flag:
-        # Analog words in between may keep FLAG in t0.
-        forgets |= (frame.scratch > 0) << frame.first_scratch
-    elif coming == len(demands) or not demands[coming].flag_kept:
-        forgets |= 1 << frame.flag
-    # In a frame longer than the retention, only planes and states are refreshed.
     last = coming == len(demands)
+    flag = 0 if not last and demands[coming].flag_kept else 1 << frame.flag
+    # In a frame longer than the retention, only planes and states are refreshed.
     scratch_kept = frame.problem.flag_lasts if last else demands[coming].scratch_kept
-    return (
-        forgets
-        if scratch_kept
-        else forgets | ((1 << frame.scratch) - 1) << frame.first_scratch
-    )
+    return flag if scratch_kept else flag | ((1 << frame.scratch) - 1) << frame.first_scratch
 
 
 def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
@@ -257,7 +247,7 @@ def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
     }
     return replace(
         solution,
-        scratch=max(spare.bit_length(), 1 if solution.state_in_flag else 0),
+        scratch=spare.bit_length(),
         opening=written_segments[OPENING],
         answers=tuple(written_segments[i] for i in range(len(solution.answers))),
         closing=written_segments[CLOSING],
