@@ -126,22 +126,11 @@ def all_mended(document: Document) -> str | None:
     return better.text if count else None
 
 
-_KINDS = {
-    tree.EqualSlots: "frame",
-    tree.ListedSlots: "frame",
-    tree.Let: "let",
-    tree.CodeRange: "code",
-    tree.CodeBits: "code",
-    tree.CodeRow: "code",
-    tree.BookInline: "shutters",
-    tree.BookFromFile: "shutters",
-    tree.Open: "open",
-    tree.Bucket: "bucket",
-    tree.Sense: "sense",
-    tree.StateRange: "state",
-    tree.StateBit: "state",
-}
-"""The statements in the outline, with the keyword of each."""
+_IN_OUTLINE = (
+    tree.EqualSlots, tree.ListedSlots, tree.Let, tree.CodeRange, tree.CodeBits, tree.CodeRow,
+    tree.BookInline, tree.BookFromFile, tree.Open, tree.Bucket, tree.Sense, tree.StateRange,
+    tree.StateBit,
+)  # fmt: skip
 
 _LONGEST = 60
 
@@ -163,12 +152,11 @@ def outline(document: Document) -> list[OutlineEntry]:
     """Return the named statements, the frame and the rule, in the order of the text."""
     entries = []
     for statement in document.parsed[0].statements:
-        kind = _KINDS.get(type(statement))
-        if kind is None:
+        if not isinstance(statement, _IN_OUTLINE):
             continue
         span, name = statement.span, getattr(statement, "name", None)
-        first = document.text[span.start : span.end].split(None, 1)[0]
-        at = Span(span.start, span.start + len(first)) if name is None else name.span
+        kind = document.text[span.start : span.end].split(None, 1)[0]
+        at = Span(span.start, span.start + len(kind)) if name is None else name.span
         detail = " ".join(document.text[at.end : span.end].split()).lstrip(" :=")
         if len(detail) > _LONGEST:
             detail = detail[: _LONGEST - 3] + "..."

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,10 +22,8 @@ from nscc.logic.rule_parts import (
     composition,
     only_opens,
 )
+from nscc.logic.script import Script
 from nscc.truth import columns
-
-if TYPE_CHECKING:  # few rules are composed, so checks do not wait for the search for covers
-    from nscc.logic.script_walk import Script
 
 Value = tuple[str, bool]
 """A register, and whether it holds a value itself (true) or its inverse."""
@@ -42,7 +39,7 @@ def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solutio
     rule = composition(problem)
     if rule is None:
         raise GaveUp("the rule is not composed from parts with different fields")
-    from nscc.logic.script_walk import walk
+    from nscc.logic.script_walk import walk  # few rules are composed, so checks need no covers
 
     for submask_bits in _SUBMASK_BITS:
         writer = _Writer(problem, machine, submask_bits)
@@ -84,8 +81,6 @@ class _Writer:
 
     def script(self, rule: Rule) -> Script:
         """Return the script that computes a rule at each demand."""
-        from nscc.logic.script_walk import Script
-
         planned = self._planned(rule)
         scratch = self.machine.registers - len(self.planes) - self.states
         if scratch < 1:

@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 from nscc.logic.digits import Planes, binary_planes, cycle, turned_over
 from nscc.logic.encodings import describe_demand, event_fields, event_name
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
-from nscc.logic.script_walk import Script, walk
+from nscc.logic.script import Script
+from nscc.logic.script_walk import walk
 from nscc.truth import members, set_bits, union, vector
 
 

@@ -15,25 +15,11 @@ from itertools import chain
 
 from nscc.logic.cover import Cover, Covers, life
 from nscc.logic.cubes import Budget
-from nscc.logic.digits import Planes, unzipped
+from nscc.logic.digits import unzipped
 from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution, quietest
+from nscc.logic.script import Script
 from nscc.record import Record
 from nscc.truth import union
-
-
-@dataclass(frozen=True)
-class Script:
-    """An encoding and the gates that do not depend on how demands are met.
-
-    `before[i]` runs before the gates of demand i; it may overwrite states, scratch registers and
-    FLAG."""
-
-    encoding: str
-    planes: Planes
-    states: int = 0
-    opening: tuple[Segment, ...] = ()
-    before: dict[int, tuple[Segment, ...]] = field(default_factory=dict)
-    closing: tuple[Segment, ...] = ()
 
 
 class _Choice(Record):
