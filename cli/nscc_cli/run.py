@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -56,6 +57,16 @@ def _refuse_tolerance_max(
         )
 
 
+def named_values(
+    _context: click.Context, option: click.Parameter, values: tuple[str, ...]
+) -> dict[str, str] | None:
+    """Return the values of a repeatable option NAME=VALUE by name; None without the option."""
+    split = [value.partition("=") for value in values]
+    if not all(name and sign for name, sign, _ in split):
+        raise click.BadParameter(f"write {option.opts[0]} {option.make_metavar(_context)}")
+    return {name.strip(): value.strip() for name, _, value in split} or None
+
+
 @common_command("run")
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
 @shared.section(
@@ -81,6 +92,13 @@ def _refuse_tolerance_max(
         "--tolerance-max", hidden=True, expose_value=False, callback=_refuse_tolerance_max
     ),
 )
+@shared.section(
+    shared.SCENE,
+    click.option("--param", "params", multiple=True, metavar="NAME=VALUE", callback=named_values,
+                 help="Values of parameters, set before the frame, for instance t=4% or m=8."),
+    click.option("--input", "inputs", multiple=True, metavar="NAME=FILE", callback=named_values,
+                 help="Bits of input planes, loaded before the frame: .npy, .npz or a picture."),
+)  # fmt: skip
 @shared.sensor_options
 @shared.pixels_option
 @shared.build_options
@@ -131,6 +149,7 @@ def _run_on_emulator(
     from nscc.container_proof import require_known_shutters
     from nscc.words.readout import converter_of
     from nscc_runtime.frame_file import meta
+    from nscc_runtime.host_setting import settings_of
     from nscc_runtime.pieces import simulate_scene
     from nscc_runtime.scenes import laid_lights
     from nscc_runtime.simulate import Listener
@@ -147,6 +166,8 @@ def _run_on_emulator(
         require_known_shutters(container)
     if of_run is not None:
         of_run.check(container, program)
+    settings = settings_of(container, options["params"], options["inputs"])
+    request = replace(request, settings=settings)
     sensor = sensor_of(converter_of(container), options)
     with timings.measure("scene_s"):
         scene, messages_so_far = scene_of(options), list(messages)

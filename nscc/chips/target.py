@@ -206,6 +206,11 @@ class Target:
         """Electrons per converter code."""
         return self.full_well_e * self.wells_read / ((1 << self.adc_bits) - 1)
 
+    def level_e(self, value: float, unit: str) -> float:
+        """Convert a level to electrons; its unit is "%" of a full well, "e" or "lsb"."""
+        sizes_e = {"%": self.full_well_e / 100, "e": 1.0, "lsb": self.electrons_per_lsb}
+        return value * sizes_e[unit]
+
     @property
     def wells_read(self) -> int:
         """The range of the converter in full wells: 2 if it is symmetric around 0, else 1."""

@@ -117,6 +117,13 @@ def _picture(document: Document, name: str) -> str | None:
         return "one of the sums of light that a frame gives"
     container = None if compiled is None else compiled.container
     pictures = NO_PICTURES if container is None else container.pictures
+    for names, description in (
+        (declared.params, "a parameter: the host sets it before a frame"),
+        (declared.inputs, "an input plane: the host loads its bits before a frame"),
+        (declared.kept_images, "a kept image: others read its values of the previous frame"),
+    ):  # fmt: skip
+        if name in names:
+            return description
     if name in declared.kernels:
         weights = pictures.weights_by_name.get(name)
         return "a kernel" if weights is None else f"a kernel\n\n{_grid(weights)}"

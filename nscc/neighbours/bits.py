@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 
 from nscc.neighbours.held import Emitter, PictureRefused
-from nscc.operations import STEERING, op, pair
+from nscc.operations import STEERING, Phase, WordEffect, op, pair
 from nscc.words import pictures as p
 
 _OF_STEP = {step: name for name, step in STEERING.items()}
@@ -44,12 +44,13 @@ class BitWords:
             self.uses[name] = self.uses.get(name, 0) + 1
         self.steered: frozenset[str] | None = None
         lasting = [register for register in self.free if register in unwritten]
-        for state in pictures.states:
+        held = pictures.held_planes
+        for name in held:
             if not lasting:
-                raise PictureRefused("planes", state.name, len(pictures.states), len(self.planes))
-            self.planes[state.name] = lasting.pop(0)
-            self.free.remove(self.planes[state.name])
-            self.uses[state.name] = self.uses.get(state.name, 0) + 1  # never freed
+                raise PictureRefused("planes", name, len(held), len(self.planes))
+            self.planes[name] = lasting.pop(0)
+            self.free.remove(self.planes[name])
+            self.uses[name] = self.uses.get(name, 0) + 1  # never freed
 
     def begin(self, name: str) -> None:
         """Begin the words of an image, plane or state. If it and all later items read no bits of
@@ -70,25 +71,74 @@ class BitWords:
         self.uses[name] = self.uses.get(name, 0) + 1
         self.give((register, name))
 
-    def step(self, states: Sequence[p.KeptPlane]) -> None:
-        """Give all states their next values at once, and refresh states that keep their bits."""
-        names, nexts = {state.name for state in states}, []
+    def next_bits(self, states: Sequence[p.KeptPlane]) -> dict[str, Kept]:
+        """Compute the next values of states, and refresh states that keep their bits."""
+        names: set[str] = {state.name for state in states}
+        nexts: dict[str, Kept] = {}
         for state in states:
             self.lowering.now = state.name
             self.begin(state.name)
-            register = self.planes[state.name]
             if state.next == p.Bit(state.name):
-                for word in pair("REFRESH", register, [register]):
-                    self.lowering.word(word)
+                self.refresh(state.name)
                 self.uses[state.name] -= 1
             else:
                 bit = self.bit(state.next)
-                if bit[1] in names:  # that state may step first
+                # That state may step first. Without a register for a copy, it has to step later.
+                if bit[1] in names and self.free:
                     bit = self._emit_word("MOV", [bit[0]], [bit]), None
-                nexts.append((register, bit))
-        for register, (source, owner) in nexts:
+                nexts[state.name] = bit
+        return nexts
+
+    def refresh(self, name: str) -> None:
+        """Emit the words after which the register of a plane keeps its bits for another frame."""
+        register = self.planes[name]
+        for word in pair("REFRESH", register, [register]):
+            self.lowering.word(word)
+
+    def step(self, nexts: dict[str, Kept]) -> None:
+        """Give all states their next values at once."""
+        waiting = dict(nexts)
+        while waiting:
+            read = {owner for _, owner in waiting.values()}
+            name = next((name for name in waiting if name not in read), None)
+            if name is None:  # each waits for another
+                self.take()
+                raise AssertionError("a copy was possible")
+            bit = waiting.pop(name)
+            if self.lowering.pictures.is_of_version_4 and not waiting:
+                self.store(name, bit)
+                continue
+            self.lowering.word(op("MOV", [self.planes[name]], [bit[0]]))
+            self.give(bit)
+
+    def copy(self, register: str, owner: str | None) -> str:
+        """Copy a bit, which is read by this, to a free register."""
+        return self._emit_word("MOV", [register], [(register, owner)])
+
+    def hand_over(self, name: str) -> bool:
+        """Return whether nothing else reads a plane; its register then belongs to the caller."""
+        if self.uses[name] != 1:
+            return False
+        self.uses[name] = 0
+        del self.planes[name]
+        return True
+
+    def store(self, name: str, bit: Kept) -> None:
+        """Write a bit to the register of a plane.
+
+        If the last word wrote the bit, that word writes the register instead."""
+        (source, owner), register, words = bit, self.planes[name], self.lowering.words
+        place = -2 if words[-1][0].operation.effect is WordEffect.FLAG_ALL else -1
+        last = words[place][0]
+        digital = last.operation.effect in (WordEffect.DIGITAL, WordEffect.DIGITAL_NEIGHBOURS)
+        if (
+            owner is None and digital and last.operation.phase is Phase.WHOLE
+            and last.destinations == (source,) and register not in last.sources
+        ):  # fmt: skip
+            words[place] = (op(last.name, [register], last.sources), None)
+        else:
             self.lowering.word(op("MOV", [register], [source]))
-            self.give((source, owner))
+        self.give(bit)
 
     def take(self) -> str:
         """Take a free register; raise `PictureRefused` if there is none."""
@@ -125,8 +175,17 @@ class BitWords:
                 return register, None
             case p.Above():
                 return self._above(node.value, node.steps), None
+            case p.AboveParam():
+                return self._above(node.value, node.factor, node.param), None
             case p.Exceeds():
                 return self._above(node.value, int(node.level * self.count_steps)), None
+            case p.Neither():
+                both = [self.bit(node.first), self.bit(node.second)]
+                return self._emit_word("NOR", [register for register, _ in both], both), None
+            case p.ChosenPlane():
+                return self._chosen(node), None
+            case p.RepeatedPlane():
+                raise AssertionError("a repeated plane is not part of another expression")
             case p.Inverse():
                 inner = self.bit(node.condition)
                 return self._emit_word("NOT", [inner[0]], [inner]), None
@@ -147,14 +206,26 @@ class BitWords:
         self.give(*used)
         return target
 
-    def _above(self, compared: p.Value, steps: int) -> str:
-        """Emit a comparison: `where` tests whether the sum of the value and IN is above 0."""
+    def _chosen(self, node: p.ChosenPlane) -> str:
+        """Emit a choice between two bits: the NOR of the two ways in which it is 0."""
+        then, condition = self.bit(node.then), self.bit(node.condition)
+        unchosen = self._emit_word("NOT", [condition[0]], [])
+        chosen_0 = self._emit_word("NOR", [then[0], unchosen], [then, (unchosen, None)])
+        otherwise = self.bit(node.otherwise)
+        sources = [otherwise[0], condition[0]]
+        other_0 = self._emit_word("NOR", sources, [otherwise, condition])
+        return self._emit_word("NOR", [chosen_0, other_0], [(chosen_0, None), (other_0, None)])
+
+    def _above(self, compared: p.Value, steps: int, param: str = "") -> str:
+        """Emit a comparison: `where` tests whether the sum of the value and IN is above 0.
+
+        IN is minus `steps`, or minus `steps` times a parameter."""
         lowering = self.lowering
         value = lowering.value(compared)
         lowering.everywhere()
         level = -steps * value.sign
         sources = [value.register, *(["IN"] if level else [])]
-        lowering.word(op("where", [], sources), level or None)
+        lowering.word(op("where", [], sources), (param, level) if param else level or None)
         lowering.give(value)
         register = self.take()
         # The register may hold minus the value: then FLAG is the inverse of the answer.
@@ -185,11 +256,15 @@ class BitWords:
     def _look(self, register: str, outside: int, steps: frozenset[Offset]) -> str:
         """Emit the OR of these neighbours' bits, and return its register."""
         directions = frozenset(_OF_STEP[step] for step in steps)
-        if directions != self.steered:  # R1..R4 choose what DNEWS reads in every pixel
-            self.lowering.word(op("CLR", list(STEERING)))
-            self.lowering.word(op("SET", sorted(directions)))
-            self.steered = directions
+        if directions != self.steered:
+            self.steer(directions)
         return self._emit_word("DNEWS1" if outside else "DNEWS0", [register], [])
+
+    def steer(self, directions: frozenset[str]) -> None:
+        """Set R1 to R4 in every pixel, which choose the neighbours that DNEWS reads."""
+        self.lowering.word(op("CLR", list(STEERING)))
+        self.lowering.word(op("SET", sorted(directions)))
+        self.steered = directions
 
     def _moved(self, register: str, outside: int, at: Offset) -> str:
         """Copy the bit of the pixel at an offset into a new register, moving one pixel per word."""

@@ -9,8 +9,21 @@ from nscc.operations import Op, WordEffect, op
 from nscc.record import Record
 from nscc.words import pictures as p
 
-Leveled = tuple[Op, int | None]
-"""A word and the steps of IN that it needs, or None if it does not read IN."""
+Level = int | tuple[str, int] | None
+"""Steps of IN, a parameter with a factor, or None for a word that does not read IN."""
+Leveled = tuple[Op, Level]
+"""A word and the level of IN that it needs."""
+
+
+class LoopWords(Record):
+    """The words from number `begin` up to `end`, which are executed `times` times.
+
+    `values`: the registers of the repeated names."""
+
+    begin: int
+    end: int
+    times: p.Times
+    values: tuple[p.LoopValue, ...]
 
 
 class PictureRefused(Exception):
@@ -56,7 +69,7 @@ class Emitter(ABC):
         self.masked = False
         self.now = ""
 
-    def word(self, op: Op, level: int | None = None) -> None:
+    def word(self, op: Op, level: Level = None) -> None:
         effect = op.operation.effect
         if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL):
             self.masked = True

@@ -9,13 +9,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from math import sqrt
+from types import MappingProxyType
 
 from nscc.neighbours.count_words import split
 from nscc.neighbours.held import Held, PictureRefused
+from nscc.neighbours.loops import emit_loop, store_at_once
 from nscc.neighbours.programs import UNIT, Program, Taps, added, exact_taps, moved, noise_gain
 from nscc.neighbours.registers import RegisterEmitter
 from nscc.neighbours.synthesis import Synthesis, gains
-from nscc.operations import op
+from nscc.operations import WordEffect, op
 from nscc.words import pictures as p
 from nscc.words.container import Container
 
@@ -25,16 +27,24 @@ Weights = dict[tuple[int, int], Fraction]
 class Lowering(RegisterEmitter):
     """Emits the words of all items. After `run`, `registers` maps each output to its register."""
 
-    def __init__(self, pictures: p.Pictures, container: Container, synthesis: Synthesis) -> None:
-        super().__init__(pictures, container)
+    def __init__(
+        self, pictures: p.Pictures, container: Container, synthesis: Synthesis,
+        kept_ranges: Mapping[str, tuple[float, float]] = MappingProxyType({}),
+    ) -> None:  # fmt: skip
+        super().__init__(pictures, container, kept_ranges)
         self.synthesis, self.is_output = synthesis, False
         self.registers: dict[str, str] = {}
+        self.next_values: dict[str, Held] = {}
         self.costs: list[p.PictureCost] = []
 
     def run(self) -> None:
         """Emit the words of every item, then those of the states."""
         for position, item in enumerate(self.pictures.items):
             self.now, before = item.name, len(self.words)
+            if isinstance(item.node, p.Repeated):
+                if item.node.leader == item.name:
+                    self._repeat(self.pictures.loop_of(item.name))
+                continue
             self.is_output = item.name in self.pictures.outputs
             self.bits.begin(item.name)
             self.count_ahead(position)
@@ -49,27 +59,70 @@ class Lowering(RegisterEmitter):
                 value = self.held[item.name] = replace(value, name=item.name)
                 self.uses[item.name] += 1
                 self.give(value)
-                most = max(abs(value.low), abs(value.high))
-                gain = most / max(self.pictures.limits_e.values())
-                words, noise = len(self.words) - before, sqrt(value.variance)
-                self.costs.append(p.PictureCost(item.name, words, gain, noise))
+                words = len(self.words) - before
+                self.costs.append(self._image_cost(item.name, words, value))
         before = len(self.words)
-        self.bits.step(self.pictures.states)
+        nexts = self.bits.next_bits(self.pictures.states)
+        kept = {image.name: image.next for image in self.pictures.kept_images}
+        self.next_values = store_at_once(self, kept)
+        for name in kept:
+            words = len(self.words) - before
+            self.costs.append(self._image_cost(name, words, self.next_values[name]))
+            self.registers[name], before = self.held[name].register, len(self.words)
+        self.bits.step(nexts)
         for state in self.pictures.states:
             self.costs.append(p.PictureCost(state.name, len(self.words) - before, 0.0, 0.0))
             before = len(self.words)
             self.registers[state.name] = self.bits.planes[state.name]
+        for plane in self.pictures.inputs:
+            self.bits.refresh(plane.name)
+            self.registers[plane.name] = self.bits.planes[plane.name]
         for name in self.pictures.outputs:
             result = self.held.get(name)
             self.registers[name] = result.register if result else self.bits.planes[name]
         self.everywhere()
+        first = self.words[1][0].operation.effect if len(self.words) > 1 else None
+        obeys = self.target.where_obeys_flag
+        if self.pictures.is_of_version_4 and first is WordEffect.FLAG_ANALOG and not obeys:
+            # The first comparison writes FLAG in every pixel.
+            del self.words[0]
+            self.loops = [
+                replace(loop, begin=loop.begin - 1, end=loop.end - 1) for loop in self.loops
+            ]
+
+    def _image_cost(self, name: str, words: int, value: Held) -> p.PictureCost:
+        most = max(abs(value.low), abs(value.high))
+        gain = most / max(self.pictures.limits_e.values())
+        return p.PictureCost(name, words, gain, sqrt(value.variance))
+
+    def _repeat(self, names: Sequence[str]) -> None:
+        """Emit the words of names that step together. The cost of the first includes all words."""
+        before, repeated = len(self.words), self.pictures.repeated
+        for name in names:  # never freed before the end of the loop
+            uses = self.bits.uses if isinstance(repeated[name], p.Condition) else self.uses
+            uses[name] = uses.get(name, 0) + 1
+        emit_loop(self, [p.Picture(name, repeated[name]) for name in names])
+        loop = self.loops[-1]
+        steps = loop.times.at({param.name: param.start for param in self.pictures.params})
+        words = len(self.words) - before + (steps - 1) * (loop.end - loop.begin)
+        for name in names:
+            if isinstance(repeated[name], p.Condition):
+                self.bits.give((self.bits.planes[name], name))
+                self.costs.append(p.PictureCost(name, words, 0.0, 0.0))
+            else:
+                value = self.held[name]
+                self.give(value)
+                self.costs.append(self._image_cost(name, words, value))
+            words = 0
 
     def value(self, node: p.Value) -> Held:
         """Emit the words that compute a value, and return its register."""
         match node:
             case p.Source():
                 return self.held[node.name]
-            case p.Filtered():
+            case p.RepeatedImage():
+                raise AssertionError("a repeated image is not part of another expression")
+            case p.Filtered() | p.Shifted():
                 taps, inner = merged(node, self.weights)
                 return self.filtered(self.value(inner), taps)
             case p.Sum():
@@ -143,19 +196,6 @@ class Lowering(RegisterEmitter):
         best.sort(key=lambda each: noise_gain(each[2]))
         ranked[: len(best)] = best
         return [(program, sign) for *_, program, sign in ranked]
-
-    def negated(self, value: Held) -> Held:
-        """Emit the word that inverts the sign in which a value is held."""
-        self.everywhere()
-        register = self.take()
-        self.word(op("bus", [register], [value.register]))
-        self.give(value)
-        variance = value.variance + 1
-        return Held(register, -value.sign, value.low, value.high, variance=variance)
-
-    def positive(self, value: Held) -> Held:
-        """Return the value in a register that holds it with its own sign."""
-        return self.negated(value) if value.sign < 0 else value
 
     def sum(self, node: p.Sum) -> Held:
         """Emit a sum: agreements are counted together, terms of one value become one kernel."""
@@ -279,6 +319,9 @@ def merged(node: p.Value, kernels: Mapping[str, p.Weights]) -> tuple[Weights, p.
         taps, inner = merged(node.value, kernels)
         outer = kernels[node.kernel].taps.items()
         return added(*((weight, moved(taps, x, y)) for (x, y), weight in outer)), inner
+    if isinstance(node, p.Shifted):
+        taps, inner = merged(node.value, kernels)
+        return moved(taps, node.right, node.down), inner
     if isinstance(node, p.Sum):
         terms = [(factor, *merged(term, kernels)) for factor, term in node.terms]
         if terms and all(inner == terms[0][2] for _, _, inner in terms):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
@@ -15,8 +15,9 @@ from nscc.lower.exposure_plan import RETENTION_SHARE
 from nscc.lower.resources import time_text
 from nscc.neighbours.alternatives import alternatives
 from nscc.neighbours.count_words import MOST_IMAGES
-from nscc.neighbours.held import Leveled, PictureRefused
+from nscc.neighbours.held import Level, Leveled, LoopWords, PictureRefused
 from nscc.neighbours.last_use import by_last_use
+from nscc.neighbours.loops import kept_ranges
 from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
 from nscc.neighbours.table import WordForms
@@ -28,16 +29,21 @@ from nscc.words.container import Container
 from nscc.words.encoding import encode
 from nscc.words.pictures import (
     Condition,
+    LaunchLoop,
+    LevelOf,
     Node,
     Picture,
     PictureCost,
     Pictures,
+    Repeated,
     Sum,
     TailLaunch,
     with_operands,
 )  # fmt: skip
 
 _LEVEL_OF_ALTERNATIVES = 2
+_MOST_RANGES = 6
+"""Most times that the range of a kept image is widened before the range of registers is tried."""
 _LEVEL_OF_CHANGES, _STEPS_OF_CHANGES = 1, 4000
 """Highest optimisation level at which an error message tries changes of a program, and the steps of
 the searches for all of them."""
@@ -59,11 +65,12 @@ def with_pictures(
         lowering = lowered(container, pictures, level, results)
     except PictureRefused as refused:
         return container, [_refusal(refused, container, program, level)]
-    kernels, launches = grouped(lowering.words)
+    kernels, launched = grouped(lowering.words, lowering.loops)
     with_words = replace(
         pictures,
         kernels=tuple(tuple(encode(word) for word in kernel) for kernel in kernels),
-        launches=launches,
+        **launched,
+        negated=lowering.pictures.negated,
         registers=dict(sorted(lowering.registers.items())),
         costs=_costs_of_text(lowering.costs, pictures),
     )
@@ -105,12 +112,21 @@ def _shortest(
         pictures,
         items=tuple(Picture(item.name, _without_zeros(item.node)) for item in pictures.items),
         states=tuple(replace(s, next=_without_zeros(s.next)) for s in pictures.states),
+        kept_images=tuple(replace(s, next=_without_zeros(s.next)) for s in pictures.kept_images),
     )
-    ways = [pictures, *(alternatives(pictures) if level >= _LEVEL_OF_ALTERNATIVES else ())]
+    ways = [pictures]
+    if level >= _LEVEL_OF_ALTERNATIVES and not (pictures.repeated or pictures.kept_images):
+        ways += alternatives(pictures)
+    readable = {*pictures.outputs}
+    inner = tuple(image.name for image in pictures.kept_images if image.name not in readable)
+    if inner:  # a register may hold the negative of a kept image
+        ways.append(replace(pictures, negated=inner))
     best: Lowering | None = None
     refused: PictureRefused | None = None
     for synthesis, way in [*product(searches, ways), *product(searches, [None])]:
-        if way is None and (best is not None or refused is None or refused.kind == "range"):
+        if way is None and (
+            best is not None or refused is None or refused.kind == "range" or pictures.repeated
+        ):
             break
         try:
             lowering = _lowered(container, way or by_last_use(pictures), synthesis)
@@ -134,9 +150,30 @@ def _without_zeros(node: Node) -> Any:
 
 def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> Lowering:
     """Lower images and planes in their order. A walk counts as many images as the registers
-    allow."""
+    allow. Kept images begin with a range that every frame keeps."""
+    most_e = max(pictures.limits_e.values(), default=0.0)
+    ranges = {
+        image.name: (min(0.0, image.start_e), max(most_e, image.start_e))
+        for image in pictures.kept_images
+    }
+    for _ in range(_MOST_RANGES):
+        lowering = _lowered_with(container, pictures, synthesis, ranges)
+        wider = kept_ranges(lowering, lowering.next_values)
+        if not wider:
+            return lowering
+        ranges |= wider
+    widest = container.target.register_min_e, container.target.register_max_e
+    lowering = _lowered_with(container, pictures, synthesis, ranges | dict.fromkeys(wider, widest))
+    kept_ranges(lowering, lowering.next_values)
+    return lowering
+
+
+def _lowered_with(
+    container: Container, pictures: Pictures, synthesis: Synthesis,
+    ranges: Mapping[str, tuple[float, float]],
+) -> Lowering:  # fmt: skip
     for most_together in range(MOST_IMAGES, 0, -1):
-        lowering = Lowering(pictures, container, synthesis)
+        lowering = Lowering(pictures, container, synthesis, ranges)
         lowering.most_together = most_together
         try:
             lowering.run()
@@ -149,21 +186,41 @@ def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> 
 
 
 def grouped(
-    words: Sequence[Leveled],
-) -> tuple[list[tuple[Op, ...]], tuple[TailLaunch, ...]]:
-    """Group words into kernels, one per value of IN, and store equal kernels once."""
-    runs: list[tuple[list[Op], int | None]] = []
-    for word, level in words:
-        if not runs or (level is not None and runs[-1][1] not in (None, level)):
+    words: Sequence[Leveled], loops: Sequence[LoopWords] = ()
+) -> tuple[list[tuple[Op, ...]], dict[str, Any]]:
+    """Group words into kernels, one per value of IN, and store equal kernels once.
+
+    Return the kernels, and the fields of `Pictures` that launch them. A loop begins and ends with a
+    launch."""
+    runs: list[tuple[list[Op], Level]] = []
+    ends = {end for loop in loops for end in (loop.begin, loop.end)}
+    launch_at: dict[int, int] = {len(words): 0}
+    for place, (word, level) in enumerate(words):
+        begins = place in ends
+        if not runs or begins or (level is not None and runs[-1][1] not in (None, level)):
             runs.append(([], None))
+        if begins:
+            launch_at[place] = len(runs) - 1
         run, before = runs[-1]
         run.append(word)
         runs[-1] = run, before if level is None else level
     number: dict[tuple[Op, ...], int] = {}
-    launches = [
-        TailLaunch(number.setdefault(tuple(run), len(number)), level) for run, level in runs
-    ]
-    return list(number), tuple(launches)
+    launches: list[TailLaunch] = []
+    levels_of: list[LevelOf] = []
+    for run, level in runs:
+        if isinstance(level, tuple):
+            levels_of.append(LevelOf(len(launches), *level))
+            level = None
+        launches.append(TailLaunch(number.setdefault(tuple(run), len(number)), level))
+    launch_at[len(words)] = len(launches)
+    stored_loops = []
+    for loop in loops:
+        first, end = launch_at[loop.begin], launch_at[loop.end]
+        stored_loops.append(LaunchLoop(first, end - first, loop.times, loop.values))
+    fields = {
+        "loops": tuple(stored_loops), "levels_of": tuple(levels_of), "launches": tuple(launches)
+    }  # fmt: skip
+    return list(number), fields
 
 
 _MORE_HALVINGS = 3
@@ -175,7 +232,7 @@ def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
     items = []
     for item in pictures.items:
         node = item.node
-        if item.name == name and not isinstance(node, Condition):
+        if item.name == name and not isinstance(node, Condition | Repeated):
             node = Sum(((Fraction(1, divisor), node),))
         items.append(replace(item, node=node))
     return replace(pictures, items=tuple(items))
@@ -183,7 +240,7 @@ def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
 
 def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
     target = program.target
-    for name, reach in reaches(pictures).items():
+    for name, reach in reaches(pictures, of_a_step=True).items():
         for size, limit, unit in (
             (max(reach.left, reach.right), target.cols // 4, "columns"),
             (max(reach.up, reach.down), target.rows // 4, "rows"),

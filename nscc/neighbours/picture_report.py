@@ -12,7 +12,7 @@ from nscc.words.container import Container
 from nscc.words.cost import words_us
 from nscc.words.counts import counts_by_name
 from nscc.words.encoding import matching
-from nscc.words.pictures import KeptPlane, Picture, Pictures
+from nscc.words.pictures import KeptImage, KeptPlane, Picture, Pictures
 
 
 def pictures_us(pictures: Pictures, target: Target) -> float:
@@ -36,10 +36,10 @@ def picture_report(container: Container) -> dict[str, Any]:
     costs = {cost.name: cost for cost in pictures.costs}
     reach, counts = reaches(pictures), counts_by_name(pictures)
 
-    def item_report(item: Picture | KeptPlane) -> dict[str, Any]:
+    def item_report(item: Picture | KeptPlane | KeptImage) -> dict[str, Any]:
         cost = costs[item.name]
         report: dict[str, Any] = {"words": cost.words, "reach": max(reach[item.name])}
-        if isinstance(item, Picture) and not item.is_plane:
+        if item.name not in pictures.planes:
             report |= {"peak_gain": cost.peak_gain, "noise_gain": cost.noise_gain}
         if item.name in counts:
             unit_e = pictures.count_steps * container.target.electrons_per_step
@@ -47,6 +47,7 @@ def picture_report(container: Container) -> dict[str, Any]:
         return report
 
     states = {state.name: item_report(state) for state in pictures.states}
+    states |= {image.name: item_report(image) for image in pictures.kept_images}
 
     return {
         "images": {item.name: item_report(item) for item in pictures.items if not item.is_plane},
@@ -69,14 +70,14 @@ def picture_rows(container: Container) -> list[tuple[str, str]]:
     pictures, target = container.pictures, container.target
     reach = reaches(pictures)
     kinds = {item.name: "plane" if item.is_plane else "image" for item in pictures.items}
-    kinds |= {state.name: "state" for state in pictures.states}
+    kinds |= dict.fromkeys(pictures.stepping, "state")
     counts = counts_by_name(pictures)
     rows = []
     for cost in pictures.costs:
         text = f"{cost.name}: {counted(cost.words, 'word')}, reach {max(reach[cost.name])}"
         if cost.name in counts:
             text += f", counts to {counts[cost.name].peak}, noise gain {cost.noise_gain:.3g}"
-        elif kinds[cost.name] == "image":
+        elif cost.name not in pictures.planes:
             text += f", peak gain {cost.peak_gain:.3g}, noise gain {cost.noise_gain:.3g}"
         rows.append((kinds[cost.name], text))
     total = counted(pictures.words, "word")

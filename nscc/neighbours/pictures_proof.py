@@ -9,20 +9,25 @@ answers, in every pixel except those that depend on a bus outside the array, who
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import partial
+from typing import Literal
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
-from nscc.prove.diagrams import IN, AlwaysEqual, Form, Forms, TooLarge
-from nscc.prove.meaning import Bits, Fields, PictureMeaning, reaches
+from nscc.prove.diagrams import IN, AlwaysEqual, Form, Forms, TooLarge, in_at
+from nscc.prove.meaning import Bits, Fields, PictureMeaning, Place, reaches
 from nscc.prove.proof import ALWAYS_EQUAL, FRAMES, Failure
 from nscc.words.container import Container
-from nscc.words.legality import decoded, picture_words
-from nscc.words.pictures import Condition
+from nscc.words.legality import decoded, picture_kernels
+from nscc.words.pictures import Condition, LaunchLoop, LevelOf, LoopValue, Node
 from nscc.words.reach import Reach, RegisterReaches
+
+Launched = Sequence[Sequence[Op]]
+"""The words of launches."""
 
 
 class PictureReplayError(Exception):
@@ -47,16 +52,31 @@ def pictures_fault(container: Container) -> str | None:
     pictures = container.pictures
     number = 0
     try:
-        words = picture_words(container)
-        by_words = RegisterReaches(container.target, (op for op, _ in words)).reach
-        size = Reach().joined(*by_words.values(), *reaches(pictures).values())
+        kernels = picture_kernels(container)
+        launched = [kernels[launch.kernel] for launch in pictures.launches]
+        words = [op for ops in launched for op in ops]
+        by_words = RegisterReaches(container.target, words).reach
+        size = Reach().joined(*by_words.values(), *reaches(pictures, of_a_step=True).values())
         forms = Forms(size.up + size.down + 1, size.left + size.right + 1)
         replay = PictureReplay(container, forms)
-        for op, level in words:
-            replay.run(op, level)
-            number += 1
         meaning, middle = PictureMeaning(pictures, forms), (size.left, size.up)
-        written = {register for op, _ in words for register in op.destinations}
+        levels: dict[int, int | LevelOf | None] = dict(
+            enumerate(launch.level for launch in pictures.launches)
+        )
+        levels |= {level.launch: level for level in pictures.levels_of}
+        starts = {loop.first: loop for loop in pictures.loops}
+        ends = {loop.first + loop.launches - 1: loop for loop in pictures.loops}
+        for launch, ops in enumerate(launched):
+            if launch in starts:
+                _begin_steps(starts[launch], launched, replay, meaning, middle)
+            for op in ops:
+                replay.run(op, levels[launch])
+                number += 1
+            if launch in ends:
+                _end_steps(ends[launch], launched, replay, meaning, middle)
+        if {*pictures.repeated} != {value.name for loop in pictures.loops for value in loop.values}:
+            return "its loops do not belong to its repeated names"
+        written = {register for op in words for register in op.destinations}
         return _difference(container, written, replay, meaning, middle)
     except PictureReplayError as wrong:
         return str(wrong)
@@ -66,6 +86,72 @@ def pictures_fault(container: Container) -> str | None:
         owners = [cost.name for cost in pictures.costs for _ in range(cost.words)]
         large.name = owners[min(number, len(owners)) - 1]  # word 0 belongs to no image
         raise
+
+
+def _begin_steps(
+    loop: LaunchLoop,
+    launched: Launched,
+    replay: PictureReplay,
+    meaning: PictureMeaning,
+    middle: Place,
+) -> None:
+    """Check the starts of names that are repeated, and make their values unknown.
+
+    One step from unknown values then proves every step, however many there are."""
+    for value in loop.values:
+        node = meaning.pictures.repeated[value.name]
+        if node.times != loop.times:
+            raise PictureReplayError(f"`{value.name}` has another number of steps")
+        _compare(value.name, node.start, value, replay, meaning, middle)
+    replay.forget(loop, launched[loop.first : loop.first + loop.launches])
+
+
+def _end_steps(
+    loop: LaunchLoop,
+    launched: Launched,
+    replay: PictureReplay,
+    meaning: PictureMeaning,
+    middle: Place,
+) -> None:
+    """Check one step of names that are repeated, and make their values unknown again."""
+    for value in loop.values:
+        node = meaning.pictures.repeated[value.name]
+        _compare(value.name, node.step, value, replay, meaning, middle)
+    replay.forget(loop, launched[loop.first : loop.first + loop.launches])
+
+
+def _compare(
+    name: str, node: Node, value: LoopValue, replay: PictureReplay, meaning: PictureMeaning,
+    middle: Place,
+) -> None:  # fmt: skip
+    """Raise PictureReplayError unless a register holds an expression where it is known."""
+    if meaning.forms.compares_equal(meaning.of(node, middle)):
+        raise AlwaysEqual(name)
+    contents = replay.contents(value.register, isinstance(node, Condition))
+    reason = _differs(name, contents, lambda at: meaning.of(node, at), value.sign, replay, middle)
+    if reason:
+        raise PictureReplayError(reason)
+
+
+def _differs(
+    name: str, contents: Fields | Bits | None, expected: Callable[[Place], Form | int], sign: int,
+    replay: PictureReplay, middle: Place,
+) -> str | None:  # fmt: skip
+    """Return how register contents differ from `sign` times an expression; None if they do not."""
+    forms = replay.forms
+    if contents is None:
+        return f"no register holds `{name}`"
+    for at in forms.places():
+        if forms.depends_beyond(contents[at]):
+            if at == middle:
+                return f"`{name}` depends on pixels outside the array in every pixel"
+            continue
+        value = expected(at)
+        if sign < 0 and not isinstance(value, int):
+            value = forms.sum((Fraction(-1), value))
+        if contents[at] != value and not forms.compares_equal(value):
+            return f"`{name}` differs from its expression in the program"
+    return None
 
 
 def _difference(
@@ -82,27 +168,17 @@ def _difference(
     for name in pictures.expressions:
         if forms.compares_equal(meaning.value(name, middle)):
             raise AlwaysEqual(name)
-    kept = [pictures.registers.get(state.name, "") for state in pictures.states]
+    kept = [pictures.registers.get(name, "") for name in pictures.kept]
     exposing = {r for words in decoded(container) for op in words for r in op.destinations}
-    if len(set(kept)) < len(kept) or exposing & {*kept}:
+    registers = [*kept, *(readout.register for readout in container.readouts)]
+    if len(set(registers)) < len(registers) or exposing & {*kept}:
         return "the register of a state is also used for other bits"
-    for name in dict.fromkeys((*pictures.outputs, *(state.name for state in pictures.states))):
-        register = pictures.registers.get(name, "")
-        contents: Fields | Bits | None = None
-        if register in replay.analog:
-            contents = replay.fields(register)
-        if isinstance(meaning.nodes.get(name), Condition):
-            contents = replay.digital.get(register)
-        if contents is None:
-            return f"no register holds `{name}`"
-        for at in forms.places():
-            if forms.depends_beyond(contents[at]):
-                if at == middle:
-                    return f"`{name}` depends on pixels outside the array in every pixel"
-            elif contents[at] != (value := meaning.value(name, at)) and not (
-                forms.compares_equal(value)
-            ):
-                return f"`{name}` differs from its expression in the program"
+    for name in dict.fromkeys((*pictures.outputs, *pictures.kept)):
+        contents = replay.contents(pictures.registers.get(name, ""), name in pictures.planes)
+        sign = -1 if name in pictures.negated else 1
+        reason = _differs(name, contents, partial(meaning.value, name), sign, replay, middle)
+        if reason:
+            return reason
     spoilt = written & {*container.code_registers}
     return f"{min(spoilt)} holds a code bit, but a word overwrites it" if spoilt else None
 
@@ -145,9 +221,42 @@ class PictureReplay:
         for name in (*target.digital_registers, "FLAG", "SELECT", "bus"):
             self.digital[name] = {at: forms.diagrams.new_variable(at) for at in places}
         pictures = container.pictures
-        for state in pictures.states:
-            register = pictures.registers.get(state.name, "")
-            self.digital[register] = {at: forms.kept_bit(state.name, at) for at in places}
+        for name in pictures.kept:
+            sign: Literal[-1, 1] = -1 if name in pictures.negated else 1
+            self.set_unknown(LoopValue(name, pictures.registers.get(name, ""), sign))
+
+    def set_unknown(self, value: LoopValue) -> None:
+        """Set a register to the unknown values of a name, which is kept or repeated."""
+        forms, register = self.forms, value.register
+        if register in self.analog:
+            sign = Fraction(value.sign)
+            self.analog[register] = {
+                at: forms.sum((sign, forms.exposure(value.name, *at))) for at in forms.places()
+            }
+        else:
+            self.digital[register] = {at: forms.kept_bit(value.name, at) for at in forms.places()}
+
+    def forget(self, loop: LaunchLoop, launched: Launched) -> None:
+        """Give the registers that a loop writes unknown contents; its values become unknowns of
+        their names."""
+        forms = self.forms
+        if any(bit != forms.diagrams.one for bit in self.digital["FLAG"].values()):
+            raise PictureReplayError("FLAG is not 1 in all pixels between the steps of a loop")
+        for name in {name for ops in launched for op in ops for name in op.destinations}:
+            if name in self.digital:
+                new_bit = forms.diagrams.new_variable
+                self.digital[name] = {at: new_bit(at) for at in forms.places()}
+            else:
+                name = "NEWS" if name in NEIGHBOURS else name
+                self.analog[name] = {at: forms.beyond() for at in forms.places()}
+        for value in loop.values:
+            self.set_unknown(value)
+
+    def contents(self, register: str, is_plane: bool) -> Fields | Bits | None:
+        """Return the contents of a register; None if there is no such register."""
+        if is_plane:
+            return self.digital.get(register)
+        return self.fields(register) if register in self.analog else None
 
     def fields(self, name: str, flag: Bits | None = None) -> Fields:
         """Return the content of an analog register; with `flag`, correct only where `flag` is 1."""
@@ -163,7 +272,7 @@ class PictureReplay:
         self.analog[name] = held
         return held
 
-    def run(self, op: Op, level: int | None) -> None:
+    def run(self, op: Op, level: int | LevelOf | None) -> None:
         """Run one word in all pixels, with IN at `level` steps."""
         forms, true_bit = self.forms, self.forms.diagrams.one
         row = op.operation
@@ -191,7 +300,7 @@ class PictureReplay:
                 raise PictureReplayError(f"`{op}` cannot run after the exposure")
 
     def _totals(
-        self, op: Op, level: int | None, factor: Fraction, flag: Bits | None = None
+        self, op: Op, level: int | LevelOf | None, factor: Fraction, flag: Bits | None = None
     ) -> Fields:
         """Return the sum of a word's analog sources in every pixel, times a factor; with `flag`,
         correct only where `flag` is 1."""
@@ -201,7 +310,11 @@ class PictureReplay:
             if name == "IN":
                 if level is None:
                     raise PictureReplayError(f"`{op}` reads IN, which is not set")
-                steps = {IN: forms.diagrams.leaf(Fraction(level))} if level else {}
+                if isinstance(level, LevelOf):
+                    unit, number = in_at(level.param), level.factor
+                else:
+                    unit, number = IN, level
+                steps = {unit: forms.diagrams.leaf(Fraction(number))} if number else {}
                 fields.append(dict.fromkeys(forms.places(), steps))
             elif name in NEIGHBOURS:
                 fields.append(self._moved(self.fields("NEWS"), *STEPS[name]))
@@ -222,7 +335,7 @@ class PictureReplay:
             for x, y in fields
         }
 
-    def _bus(self, op: Op, level: int | None) -> None:
+    def _bus(self, op: Op, level: int | LevelOf | None) -> None:
         forms, flag = self.forms, self.digital["FLAG"]
         masked = any(bit != forms.diagrams.one for bit in flag.values())
         if masked and NEIGHBOURS.keys() & {*op.sources, *op.destinations}:

@@ -11,7 +11,7 @@ from typing import Any
 
 from nscc.neighbours.bits import BitWords
 from nscc.neighbours.count_words import CountEmitter, Result
-from nscc.neighbours.held import Held, PictureRefused
+from nscc.neighbours.held import Held, Level, LoopWords, PictureRefused
 from nscc.neighbours.programs import Offset, Program, moved, values_of
 from nscc.operations import NEIGHBOURS, STEPS, Op, op
 from nscc.record import Record
@@ -91,10 +91,18 @@ def _is_news(name: str) -> bool:
 class RegisterEmitter(CountEmitter):
     """Emits words whose registers are assigned here.
 
-    `contents`: what analog registers hold, for reuse. `uses`: numbers of reads that are left."""
+    `contents`: what analog registers hold, for reuse. `uses`: numbers of reads that are left.
+    `kept_ranges`: the electrons of kept images before a frame. `loops`: the words of loops.
+    `loop_registers`: the registers of planes that are repeated now."""
 
-    def __init__(self, pictures: p.Pictures, container: Container) -> None:
+    def __init__(
+        self, pictures: p.Pictures, container: Container,
+        kept_ranges: Mapping[str, tuple[float, float]],
+    ) -> None:  # fmt: skip
         super().__init__(pictures)
+        self.kept_ranges = kept_ranges
+        self.loops: list[LoopWords] = []
+        self.loop_registers: dict[str, str] = {}
         target = self.target = container.target
         buckets = {
             readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)
@@ -102,6 +110,8 @@ class RegisterEmitter(CountEmitter):
         }
         bucket_registers = {register for register, _ in buckets.values()}
         self.free = [name for name in target.analog_available if name not in bucket_registers]
+        exposing = [matching(word, target.words) for k in container.kernels for word in k.words]
+        written = {name for word in exposing if word is not None for name in word.destinations}
         self.contents: dict[str, Contents] = {}
         self.held = {
             name: Held(register, sign, 0.0, pictures.limits_e[name], name)
@@ -109,14 +119,11 @@ class RegisterEmitter(CountEmitter):
         }
         guarded = (*container.code_registers, target.mask_register, target.masked_register)
         digital = [name for name in target.digital_registers if name not in guarded]
-        exposing = [matching(word, target.words) for k in container.kernels for word in k.words]
-        written = {name for word in exposing if word is not None for name in word.destinations}
         self.bits = BitWords(self, digital, {*digital} - written)
         self.count_e = pictures.count_steps * target.electrons_per_step
         # How often each image and bucket is read; an output counts once more.
-        self.uses = dict.fromkeys(self.held, 0)
-        for name, expression in self.pictures.expressions.items():
-            self.uses[name] = 0
+        self.uses = dict.fromkeys((*self.held, *self.pictures.expressions), 0)
+        for expression in self.pictures.expressions.values():
             for node in p.subexpressions(expression):
                 if isinstance(node, p.Source):
                     self.uses[node.name] += 1
@@ -125,6 +132,27 @@ class RegisterEmitter(CountEmitter):
         for name, value in list(self.held.items()):
             self.uses[name] += 1
             self.give(value)
+        self._keep_images([name for name in self.free if name not in written])
+
+    def _keep_images(self, lasting: list[str]) -> None:
+        """Give each kept image a register that no word of the exposure writes (`lasting`)."""
+        kept = self.pictures.kept_images
+        for image in kept:
+            if not lasting:
+                raise PictureRefused("registers", image.name, len(kept), len(self.held))
+            register = lasting.pop(0)
+            self.free.remove(register)
+            sign = -1 if image.name in self.pictures.negated else 1
+            self.held[image.name] = Held(register, sign, *self.kept_ranges[image.name], image.name)
+            self.uses[image.name] += 1  # never freed
+
+    def hand_over(self, name: str) -> bool:
+        """Return whether nothing else reads a value; its register then belongs to the caller."""
+        if self.uses[name] != 1:
+            return False
+        self.uses[name] = 0
+        del self.held[name]
+        return True
 
     def take(self) -> str:
         if not self.free:
@@ -136,7 +164,7 @@ class RegisterEmitter(CountEmitter):
         self.free.remove(register)
         return register
 
-    def word(self, op: Op, level: int | None = None) -> None:
+    def word(self, op: Op, level: Level = None) -> None:
         super().word(op, level)
         for name in op.destinations:
             self.contents.pop("NEWS" if name in NEIGHBOURS else name, None)
@@ -157,6 +185,19 @@ class RegisterEmitter(CountEmitter):
         if high > target.register_max_e * slack or low < target.register_min_e * slack:
             over = max(high / target.register_max_e, low / target.register_min_e)
             raise PictureRefused("range", self.now, over, 1.0)
+
+    def negated(self, value: Held) -> Held:
+        """Emit the word that inverts the sign in which a value is held."""
+        self.everywhere()
+        register = self.take()
+        self.word(op("bus", [register], [value.register]))
+        self.give(value)
+        variance = value.variance + 1
+        return Held(register, -value.sign, value.low, value.high, variance=variance)
+
+    def positive(self, value: Held) -> Held:
+        """Return the value in a register that holds it with its own sign."""
+        return self.negated(value) if value.sign < 0 else value
 
     def reuse_of(self, program: Program, value: Held) -> Reuse:
         # A name for the contents of the value's register, valid until the register is freed.

@@ -27,6 +27,10 @@ _FIELD_IN_PIXELS = (
 )
 _LOOKED = "a sense or a state has a value only in rules, in `next` and in `reset when`"
 _KEPT_PLANE = "a state that steps on images and planes has a value only after the last slot"
+_PARAM = (
+    "the host sets a parameter: only levels of comparisons, counts of `repeat` and offsets of "
+    "shifts may use it; for what differs between pixels, declare `input plane NAME`"
+)
 _BOOK = "only rules may use the digits of a codebook"
 
 
@@ -44,6 +48,7 @@ def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meani
         looked = (*declared.senses, *declared.states, LOOKS)
         note = _KEPT_PLANE if declared.keeps_planes else _LOOKED
         scope.update(dict.fromkeys(looked, Meaning("misplaced", note=note)))
+    scope.update(dict.fromkeys(declared.params, Meaning("misplaced", note=_PARAM)))
     scope.update(constants)
     return _without_refused(scope, declared)
 

@@ -16,13 +16,13 @@ from nscc.diagnostics.rejection import rejected
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant, constants_scope, pixels_scope
 from nscc.program.evaluate import Value, values_of
-from nscc.program.expressions import LIMIT, Meaning, check
+from nscc.program.expressions import LIMIT, Meaning, Type, check
 from nscc.program.limits import MOST_FIELDS, WORK_LIMIT, work
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems, clipped, counted
 from nscc.program.program import CHUNK_BITS, Field, chunks_of, chunks_of_bits
 from nscc.source import Span
-from nscc.syntax.tree import Int, PixelsExpr, PixelsFromFile, PixelsTile
+from nscc.syntax.tree import Expr, Int, PixelsExpr, PixelsFromFile, PixelsTile
 
 Plane = NDArray[np.int64]
 """The values of one field at all pixels: int64 (rows, cols)."""
@@ -83,10 +83,16 @@ class PlaneMaker:
             )
         return planes
 
+    def bits(self, condition: Expr) -> NDArray[np.bool_] | None:
+        """Return a condition over x and y at every pixel; None after reporting an error."""
+        return self._values(condition, "boolean", "a plane of x and y")
+
     def _expression(self, statement: PixelsExpr) -> Plane | None:
-        value = statement.value
+        return self._values(statement.value, "integer", "a pixel's value")
+
+    def _values(self, value: Expr, kind: Type, role: str) -> NDArray[Any] | None:
         scope = pixels_scope(self.declared, self.constants)
-        checked = check(value, "integer", scope, self.problems, "a pixel's value")
+        checked = check(value, kind, scope, self.problems, role)
         if checked is None or self.target is None:
             return None
         rows, cols = self.target.rows, self.target.cols

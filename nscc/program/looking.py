@@ -227,7 +227,7 @@ class _Maker:
         if not can_tell(float(value), unit, target):
             self.problems.error(
                 "NS0321",
-                f"the level {level_e(float(value), unit, target):g} e is out of range",
+                f"the level {target.level_e(float(value), unit):g} e is out of range",
                 level.span, "this level",
                 notes=(
                     f"a full well of {target.name} holds {target.full_well_e:g} e; PIX "
@@ -312,15 +312,9 @@ class _Maker:
         return False
 
 
-def level_e(value: float, unit: str, target: Target) -> float:
-    """Convert a level to electrons."""
-    size = {"%": target.full_well_e / 100, "e": 1.0, "lsb": target.electrons_per_lsb}[unit]
-    return value * size
-
-
 def level_steps(value: float, unit: str, target: Target) -> int:
     """Convert a level to steps of IN, rounded."""
-    return round(level_e(value, unit, target) / target.electrons_per_step)
+    return round(target.level_e(value, unit) / target.electrons_per_step)
 
 
 def can_tell(value: float, unit: str, target: Target) -> bool:
@@ -328,7 +322,7 @@ def can_tell(value: float, unit: str, target: Target) -> bool:
 
     IN must be able to represent the level, and neither PIX nor a register may saturate below it."""
     reached = 1 <= level_steps(value, unit, target) <= target.in_high
-    return reached and level_e(value, unit, target) < _full_e(target)
+    return reached and target.level_e(value, unit) < _full_e(target)
 
 
 def _full_e(target: Target) -> float:

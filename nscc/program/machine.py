@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.program.evaluate import Fault, Value, bit_count, values_of
 from nscc.program.expressions import Checked
-from nscc.program.looking import CheckedSense, Looking, can_tell, level_e, level_steps
+from nscc.program.looking import CheckedSense, Looking, can_tell, level_steps
 from nscc.program.names import LOOKS
 from nscc.program.problems import counted
 from nscc.program.program import whole_name
@@ -204,7 +204,7 @@ class MachineBuilder:
                 f"{target.full_well_e:g} e (a full well) and {target.register_max_e:g} e (a "
                 "full register)"
             )
-            held_e = level_e(value, "lsb", target)
+            held_e = target.level_e(value, "lsb")
             message = f"the level {value} of `{sense.field}` is {step} steps of IN, {held_e:g} e"
             fault = Fault("NS0321", message, sense.span, text)
             raise NoValue([MissingValue(fault, f"for {sense.field} = {value}", 1)])

@@ -39,7 +39,8 @@ class Declarations:
     `pixels` contains the first `pixels FIELD = ...` for each name, whether or not that is a field;
     `pixels_file` is the statement `pixels from`. `wide` are the bit fields that do not fit a
     number, once their lengths are known. `refused` are names with an invalid or a second
-    declaration; their meaning is unknown, and using them is not reported again."""
+    declaration; their meaning is unknown, and using them is not reported again. `repeats` are the
+    statements of the names that are repeated; `pictures` contains these names with their steps."""
 
     def __init__(self, statements: tuple[tree.Statement, ...]) -> None:
         self.statements = statements
@@ -65,6 +66,11 @@ class Declarations:
         self.outside: tree.Outside | None = None
         self.assumes: list[tree.Assume] = []
         self.reports: list[tree.Report] = []
+        self.params: dict[str, tree.Param] = {}
+        self.inputs: dict[str, tree.Input] = {}
+        self.input_starts: dict[str, tree.PixelsExpr | tree.PixelsTile] = {}
+        self.kept_images: dict[str, tree.StateImage] = {}
+        self.repeats: dict[str, tree.Repeat] = {}
 
     @property
     def looking(self) -> bool:
@@ -77,14 +83,16 @@ class Declarations:
     @property
     def keeps_planes(self) -> bool:
         """Whether states step on images and planes, after the last slot."""
-        return bool(self.states and self.has_pictures and not (self.senses or self.reset))
+        states = self.states or self.kept_images
+        return bool(states and self.has_pictures and not (self.senses or self.reset))
 
     @property
     def has_pictures(self) -> bool:
         """Whether the file has a statement about images, planes, kernels or reports, or a `next`
         that steps on comparisons of exposures, without any look."""
         steps = self.nexts and self.version > 2 and not self.senses
-        return bool(self.pictures or self.reports or self.kernels or self.assumes or steps)
+        host = self.params or self.inputs or self.kept_images
+        return bool(self.pictures or self.reports or self.kernels or self.assumes or steps or host)
 
     @property
     def has_pixels(self) -> bool:
@@ -96,6 +104,8 @@ class Declarations:
         kinds: dict[str, Iterable[str]] = {
             "a let": self.lets, "a field": self.codes, "a codebook": self.books,
             "a sense": self.senses, "a state": self.states, "a kernel": self.kernels,
+            "a parameter": self.params, "an input plane": self.inputs,
+            "a kept image": self.kept_images,
         }  # fmt: skip
         for kind, names in kinds.items():
             for name in names:
@@ -178,6 +188,18 @@ class _Gatherer:
             case tree.Image() | tree.Plane():
                 if self._new(statement.name, *_OF_PIXELS):
                     declared.pictures.append(statement)
+            case tree.Repeat():
+                for item in statement.items:
+                    make = tree.Image if item.kind == "image" else tree.Plane
+                    if self._new(item.name, *_OF_PIXELS):
+                        declared.pictures.append(make(item.span, item.name, item.step))
+                        declared.repeats[item.name.text] = statement
+            case tree.Param():
+                self._name(declared.params, statement.name, statement)
+            case tree.Input():
+                self._name(declared.inputs, statement.name, statement)
+            case tree.StateImage():
+                self._name(declared.kept_images, statement.name, statement)
             case tree.Outside():
                 if self._once("outside", declared.outside, statement):
                     declared.outside = statement
@@ -202,6 +224,8 @@ class _Gatherer:
 
     def finish(self, file: tree.File) -> None:
         """Report required statements that are missing, at the first statement."""
+        for name in self.declared.inputs.keys() & self.declared.pixels.keys():
+            self.declared.input_starts[name] = self.declared.pixels.pop(name)
         place = file.statements[0].span if file.statements else Span(0, 0)
         if self.declared.frame is None:
             message = "the program has no `frame` statement"

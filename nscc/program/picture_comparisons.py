@@ -10,7 +10,7 @@ from typing import Any
 from nscc.chips.target import Target
 from nscc.program.constants import constant
 from nscc.program.expressions import Meaning
-from nscc.program.looking import level_e
+from nscc.program.host_values import HostValues, signed_level
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems
 from nscc.source import Span
@@ -33,9 +33,11 @@ class PictureComparer(ABC):
         declared: Declarations,
         constants: Mapping[str, Meaning],
         target: Target,
-        kernels: Mapping[str, p.Weights],
+        kernels: dict[str, p.Weights],
         problems: Problems,
+        host: HostValues,
     ) -> None:
+        self.host = host
         self.declared, self.constants, self.target = declared, constants, target
         self.kernels, self.problems = kernels, problems
         self.counts: dict[str, CountRange] = {}
@@ -47,6 +49,30 @@ class PictureComparer(ABC):
     @abstractmethod
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
         """Raise WrongPicture after reporting if one image is a count and the other is not."""
+
+    def _not(self, condition: p.Condition) -> p.Condition:
+        """Return the negation; from version 4 on in the form that needs the fewest words."""
+        if self.declared.version > 3:
+            match condition:
+                case p.Inverse(condition=inner):
+                    return inner
+                case p.Constant(bit=bit):
+                    return p.Constant(not bit)
+                case p.Neither(first=first, second=second):
+                    return p.Joined("or", first, second)
+                case p.Joined(op="or", first=first, second=second):
+                    return p.Neither(first, second)
+                case p.Above(value=value, steps=steps):
+                    return p.Above(picture_sum((Fraction(-1), value)), -steps)
+                case p.AboveParam(value=value, param=param, factor=factor):
+                    return p.AboveParam(picture_sum((Fraction(-1), value)), param, -factor)
+        return p.Inverse(condition)
+
+    def _both(self, first: p.Condition, second: p.Condition) -> p.Condition:
+        """Return a condition that holds where both hold."""
+        if self.declared.version > 3:
+            return p.Neither(self._not(first), self._not(second))
+        return p.Joined("and", first, second)
 
     def _compare(self, compare: tree.Compare) -> p.Condition:
         operands = (compare.first, *compare.later_operands)
@@ -63,7 +89,7 @@ class PictureComparer(ABC):
                     notes=("no comparator can tell whether two charges are equal",),
                 )  # fmt: skip
             comparison = self._one_comparison(op, first, second, compare.span)
-            condition = comparison if condition is None else p.Joined("and", condition, comparison)
+            condition = comparison if condition is None else self._both(condition, comparison)
         assert condition is not None
         return condition
 
@@ -85,14 +111,27 @@ class PictureComparer(ABC):
         counts = counts_of(value, self.counts, self.kernels)
         if counts is not None:
             return self._count_comparison(value, counts, op, level)
-        test = p.Above(value, self._steps(level))
-        return test if op[0] == ">" else p.Inverse(test)
+        test = self._above(value, level)
+        return test if op[0] == ">" else self._not(test)
+
+    def _above(self, value: p.Value, level: tree.Expr) -> p.Condition:
+        param = self.host.level_param(level)
+        if param is None:
+            return p.Above(value, self._steps(level))
+        sign, parameter = param
+        if parameter.kind == "integer":
+            raise self._report(
+                "NS0533", f"`{parameter.name}` is an integer, but a level has a unit", level.span,
+                "without a unit",
+                (f"declare levels: `param {parameter.name} : 1% .. 20% = 4%`",),
+            )  # fmt: skip
+        return p.AboveParam(value, parameter.name, sign)
 
     def _is_level(self, expr: tree.Expr) -> bool:
         """Return whether a side of a comparison is a level: an amount with a unit, or a number."""
-        while isinstance(expr, tree.Unary) and expr.op == "-":
-            expr = expr.operand
-        return isinstance(expr, tree.Amount) or self._is_number(expr)
+        inner = signed_level(expr)[1]
+        is_param = isinstance(inner, tree.Name) and inner.text in self.declared.params
+        return is_param or isinstance(inner, tree.Amount) or self._is_number(expr)
 
     def _count_comparison(
         self, value: p.Value, counts: CountRange, op: str, level: tree.Expr
@@ -117,9 +156,7 @@ class PictureComparer(ABC):
         return test if op[0] == ">" else p.Inverse(test)
 
     def _steps(self, expr: tree.Expr) -> int:
-        sign, inner = 1, expr
-        while isinstance(inner, tree.Unary) and inner.op == "-":
-            sign, inner = -sign, inner.operand
+        sign, inner = signed_level(expr)
         if not isinstance(inner, tree.Amount):
             number = constant(expr, self.constants, self.problems, "a level")
             if number == 0:
@@ -130,7 +167,7 @@ class PictureComparer(ABC):
                  "only `0` needs none",),
             )  # fmt: skip
         target = self.target
-        electrons = sign * level_e(float(inner.value), inner.unit, target)
+        electrons = sign * target.level_e(float(inner.value), inner.unit)
         steps = round(electrons / target.electrons_per_step)
         reach = min(target.in_high, -target.in_low)
         if abs(steps) > reach or steps == 0 != electrons:

@@ -4,29 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any, Literal, cast
+from typing import Any, cast
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Fix
 from nscc.program.constants import constant
 from nscc.program.expressions import Meaning
+from nscc.program.host_values import HostValues
 from nscc.program.names import Declarations
-from nscc.program.picture_comparisons import PictureComparer, WrongPicture, picture_sum
+from nscc.program.picture_comparisons import WrongPicture, picture_sum
+from nscc.program.picture_loops import LoopReader
 from nscc.program.problems import Problems
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import pictures as p
 from nscc.words.counts import counts_of
 
-Kind = Literal["image", "plane", "bucket"]
 _FUNCTIONS = ("abs", "agree", "max", "min")
 
 
-class Reader(PictureComparer):
-    """Converts expressions to nodes, in the order of the text.
-
-    `kinds`: the kinds of the names declared so far; a state is a plane. `failed`: names whose
-    expressions are invalid."""
+class Reader(LoopReader):
+    """Converts expressions to nodes, in the order of the text."""
 
     def __init__(
         self,
@@ -34,16 +32,17 @@ class Reader(PictureComparer):
         constants: Mapping[str, Meaning],
         target: Target,
         buckets: Sequence[str],
-        kernels: Mapping[str, p.Weights],
+        kernels: dict[str, p.Weights],
         outside: int | None,
         problems: Problems,
+        host: HostValues,
     ) -> None:
-        super().__init__(declared, constants, target, kernels, problems)
+        super().__init__(declared, constants, target, kernels, problems, host)
         self.buckets, self.outside = buckets, outside
-        self.kinds: dict[str, Kind] = {}
         if declared.keeps_planes:
             self.kinds.update(dict.fromkeys(declared.states, "plane"))
-        self.failed: set[str] = set()
+            self.kinds.update(dict.fromkeys(declared.kept_images, "image"))
+        self.kinds.update(dict.fromkeys(declared.inputs, "plane"))
         self._outside_asked = False
 
     def declare(self, name: str, node: p.Node | None) -> None:
@@ -113,6 +112,8 @@ class Reader(PictureComparer):
                 return p.Chosen(condition, first, second)
             case tree.Call():
                 return self._call(expr)
+            case tree.Place() if self.declared.version > 3:
+                return cast(p.Value, self._shifted(expr, self._image(expr.base)))
         raise self._report(
             "NS0531", "this is not an image", expr.span, "no image",
             ("an image combines `exposure`, buckets and images with `+`, `-`, `* integer`, "
@@ -182,20 +183,32 @@ class Reader(PictureComparer):
     # --- planes
 
     def _condition(self, expr: tree.Expr) -> p.Condition:
+        if self.declared.version > 3:
+            text = self.problems.source.text[expr.span.start : expr.span.end]
+            plane = self.host.plane_of_places(expr, text)
+            if plane is not None:
+                return p.Bit(plane.name)
         match expr:
+            case tree.IfElse() if self.declared.version > 3:
+                parts = (expr.condition, expr.then, expr.otherwise)
+                return p.ChosenPlane(*map(self._condition, parts))
             case tree.Bool():
                 return p.Constant(expr.value)
             case tree.Name():
                 return self._named_plane(expr)
             case tree.Unary(op="not"):
-                return p.Inverse(self._condition(expr.operand))
+                return self._not(self._condition(expr.operand))
             case tree.Binary(op="and" | "or" | "xor" as op):
                 first, second = self._condition(expr.left), self._condition(expr.right)
+                if op == "and":
+                    return self._both(first, second)
                 return p.Joined(cast(Any, op), first, second)
             case tree.Compare():
                 return self._compare(expr)
             case tree.Place():
                 self._needs_outside(expr.span)
+                if self.declared.version > 3:
+                    return cast(p.Condition, self._shifted(expr, self._named_plane(expr.base)))
                 x = constant(expr.right, self.constants, self.problems, "columns to the right")
                 y = constant(expr.down, self.constants, self.problems, "rows down")
                 if x is None or y is None:
@@ -203,6 +216,8 @@ class Reader(PictureComparer):
                 return p.At(self._named_plane(expr.base), x, y)
             case tree.Call():
                 kind = expr.function.text
+                if kind == "flood" and self.declared.version > 3:
+                    return self._flood(expr)
                 if kind not in ("any", "all"):
                     image = kind in self.kernels or kind in _FUNCTIONS
                     if not image:
@@ -261,6 +276,12 @@ class Reader(PictureComparer):
 
     def _unknown(self, category: str, name: tree.Name, kind: str) -> WrongPicture:
         text = name.text
+        if text in ("x", "y") and self.declared.version > 3:
+            return self._report(
+                "NS0531", f"`{text}` is compared only with constants", name.span, "a position",
+                ("a plane of x and y is known before the exposure: for one that the host sets, "
+                 "declare `input plane NAME`",),
+            )  # fmt: skip
         if text in self.failed or text in self.declared.refused:
             return WrongPicture()
         later = [picture for picture in self.declared.pictures if picture.name.text == text]

@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Literal, cast
+from typing import Any, cast
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant, constants_scope
 from nscc.program.expressions import Meaning
-from nscc.program.looking import level_e
+from nscc.program.field_planes import PlaneMaker
+from nscc.program.host_values import HostValues, signed_level
 from nscc.program.names import Declarations, State
 from nscc.program.picture_expressions import Reader, is_power_of_two, refuse_divisor
 from nscc.program.problems import Problems, clipped, counted
@@ -22,13 +23,17 @@ from nscc.words.counts import count_unit
 from nscc.words.pictures import (
     NO_PICTURES,
     Bit,
+    Chosen,
+    ChosenPlane,
     Condition,
     Inverse,
     Joined,
+    KeptImage,
     KeptPlane,
     Picture,
     Pictures,
     PlaneReport,
+    Source,
     Weights,
 )
 
@@ -37,7 +42,8 @@ MOST_SIDE = 9
 MOST_WEIGHT = 1 << 16
 MOST_EVENTS = 4000
 """Most coordinates that the chip's library scans in one call."""
-_REPORTS = ("any", "events", "box")
+_REPORTS = ("any", "events", "box", "count", "sum")
+"""The kinds of reports; the last two are of version 4."""
 
 
 class PictureMaker:
@@ -68,28 +74,40 @@ class PictureMaker:
         kernels = [self._kernel(kernel) for kernel in self.declared.kernels.values()]
         known = {kernel.name: kernel for kernel in kernels if kernel is not None}
         outside = self._outside()
-        reader = Reader(
-            self.declared, self.constants, self.target, self.buckets, known, outside, self.problems
+        planes = PlaneMaker(
+            self.declared, {}, self.constants, self.target, self.base, self.problems
         )
-        items = []
+        host = HostValues(self.declared, self.constants, self.target, planes, self.problems)
+        reader = Reader(
+            self.declared, self.constants, self.target, self.buckets, known, outside,
+            self.problems, host,
+        )  # fmt: skip
         for picture in self.declared.pictures:
+            reader.now = name = picture.name.text
+            if name in self.declared.repeats:
+                reader.repeat(self.declared.repeats[name], name)
+                continue
+            if isinstance(picture, tree.Plane) and reader.declare_places(name, picture.condition):
+                continue
             node = reader.condition(picture.condition) if isinstance(picture, tree.Plane) else (
                 reader.image(picture.value)
             )  # fmt: skip
-            reader.declare(picture.name.text, node)
+            reader.declare(name, node)
             if node is not None:
-                items.append(Picture(picture.name.text, node))
+                reader.items.append(Picture(name, node))
         states = self._states(reader) if self.declared.keeps_planes else ()
+        kept_images = self._kept_images(reader)
         names = []
-        for name in self.declared.reads.values():
+        for read in self.declared.reads.values():
             kinds = {**dict.fromkeys(self.named, "bucket"), **reader.kinds}
-            if name.text in kinds:
-                names.append(name.text)
-            elif name.text not in (*self.declared.refused, *reader.failed):
-                self.problems.unknown("an image, a plane or a bucket", name.text, name.span, kinds)
+            if read.text in kinds:
+                names.append(read.text)
+            elif read.text not in (*self.declared.refused, *reader.failed):
+                self.problems.unknown("an image, a plane or a bucket", read.text, read.span, kinds)
         reads = tuple(names)
         read_reports = [self._report(statement, reader) for statement in self.declared.reports]
         reports = tuple(report for report in read_reports if report is not None)
+        reports += tuple(reader.floods)
         limits = self._limits()
         if not (reads or reports) and not self.problems.has_errors():
             self.problems.error(
@@ -99,8 +117,10 @@ class PictureMaker:
                        "or report only whether any bit is 1: `report any PLANE`"),
             )  # fmt: skip
         pictures = Pictures(
-            tuple(known.values()), tuple(items), outside, limits, reads, reports, states=states
-        )
+            tuple(known.values()), tuple(reader.items), outside, limits, reads, reports,
+            states=states, inputs=tuple(host.inputs.values()), kept_images=kept_images,
+            params=tuple(host.params.values()),
+        )  # fmt: skip
         return self._with_unit(pictures)
 
     def _with_unit(self, pictures: Pictures) -> Pictures:
@@ -229,9 +249,10 @@ class PictureMaker:
         Report a state that is not a kept bit (NS0543), a start that is not 0 or 1 (NS0311), and a
         `next` of an unknown state (NS0214)."""
         declared = self.declared
+        known = {**declared.states, **declared.kept_images}
         for name, step in declared.nexts.items():
-            if name not in declared.states and name not in declared.refused:
-                self.problems.unknown("a state", name, step.name.span, declared.states)
+            if name not in known and name not in declared.refused:
+                self.problems.unknown("a state", name, step.name.span, known)
         states = []
         for name, state in declared.states.items():
             start, following = self._start(name, state), self._next(name, reader)
@@ -269,18 +290,57 @@ class PictureMaker:
         when = reader.condition(step.condition)
         if when is None:
             return None
+        if self.declared.version > 3:
+            return ChosenPlane(when, value, Bit(name))
         changed, unchanged = Joined("and", when, value), Joined("and", Inverse(when), Bit(name))
         return Joined("or", changed, unchanged)
+
+    def _kept_images(self, reader: Reader) -> tuple[KeptImage, ...]:
+        """Return the states that are images; report one that is not kept or has an invalid start
+        (NS0543)."""
+        images = []
+        for name, state in self.declared.kept_images.items():
+            sign, level = signed_level(state.start) if state.start is not None else (1, None)
+            start_e = 0.0
+            if isinstance(level, tree.Amount):
+                start_e = sign * self.target.level_e(float(level.value), level.unit)
+            number = isinstance(level, tree.Int) and level.value == 0
+            invalid = level is not None and not isinstance(level, tree.Amount) and not number
+            target = self.target
+            if (
+                not state.kept
+                or invalid
+                or not (target.register_min_e <= start_e <= target.register_max_e)
+            ):
+                self.problems.error(
+                    "NS0543", f"`{name}` is not a valid kept image", state.span, "this state",
+                    notes=("a kept image starts with a level that a register can hold, and keeps "
+                           "its value from frame to frame",),
+                    helps=(f"write `state {name} : image kept = 4%`",),
+                )  # fmt: skip
+                continue
+            step = self.declared.nexts.get(name)
+            value = Source(name) if step is None else reader.image(step.value)
+            if step is not None and step.condition is not None and value is not None:
+                when = reader.condition(step.condition)
+                value = None if when is None else Chosen(when, value, Source(name))
+            if value is not None:
+                images.append(KeptImage(name, start_e, value))
+        return tuple(images)
 
     # --- what leaves the chip
 
     def _report(self, report: tree.Report, reader: Reader) -> PlaneReport | None:
         kind, plane = report.kind.text, report.plane.text
-        if kind not in _REPORTS:
+        if kind not in (_REPORTS if self.declared.version > 3 else _REPORTS[:3]):
             self._bad_report(report.kind.span, f"unknown kind of report `{clipped(kind)}`")
             return None
-        if reader.kinds.get(plane) != "plane":
-            if reader.kinds.get(plane) == "image":
+        needed = "image" if kind == "sum" else "plane"
+        if reader.kinds.get(plane) != needed:
+            if needed == "image":
+                images = [name for name, kind in reader.kinds.items() if kind == "image"]
+                self.problems.unknown("an image", plane, report.plane.span, images)
+            elif reader.kinds.get(plane) == "image":
                 text = f"`{plane}` is an image, but only planes can be reported"
                 self._bad_report(report.plane.span, text)
             elif plane not in reader.failed:
@@ -305,7 +365,7 @@ class PictureMaker:
                 helps=("keep one of them",),
             )  # fmt: skip
             return None
-        return PlaneReport(cast(Literal["any", "events", "box"], kind), plane, most)
+        return PlaneReport(cast(Any, kind), plane, most)
 
     def _bad_report(self, span: Span, message: str) -> None:
         helps = ("write `report any P`, `report events P at most 1000` or `report box P`",)
@@ -332,7 +392,7 @@ class PictureMaker:
                     helps=("keep one of them",),
                 )  # fmt: skip
                 continue
-            most_e = level_e(float(assumption.level.value), assumption.level.unit, target)
+            most_e = target.level_e(float(assumption.level.value), assumption.level.unit)
             if assumption.comparison != "<=" or not 0 < most_e <= full_e:
                 self.problems.error(
                     "NS0537", "invalid assumption: use `<=`, and a level up to a full well",

@@ -183,6 +183,13 @@ Form = Mapping[Unknown, int]
 """The diagram of each unknown's factor; factors that are 0 are left out."""
 
 IN: Unknown = ("IN", 0, 0)
+
+
+def in_at(param: str) -> Unknown:
+    """Return the unknown of IN at the level of a parameter."""
+    return (f"IN at {param}", 0, 0)
+
+
 COUNTED = "IN where"
 """Kind of unknowns for a step of IN where a bit is 1, else 0; the bit is their first number."""
 BEYOND = "beyond the array"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import assert_never
 
-from nscc.prove.diagrams import IN, Form, Forms
+from nscc.prove.diagrams import IN, Form, Forms, in_at
 from nscc.words import pictures as p
 from nscc.words.reach import Reach
 
@@ -14,11 +14,14 @@ Fields = dict[Place, Form]
 Bits = dict[Place, int]
 
 
-def reaches(pictures: p.Pictures) -> dict[str, Reach]:
-    """Return the reach in one frame of every image, plane and state of the program text."""
+def reaches(pictures: p.Pictures, *, of_a_step: bool = False) -> dict[str, Reach]:
+    """Return the reach in one frame of every image, plane and state of the program text.
+
+    With `of_a_step`, repeated names count as given: the result has the reach of their starts and of
+    one step."""
     reach_of: dict[str, Reach] = {}
     weights = pictures.weights_by_name
-    states = {state.name for state in pictures.states}
+    states = {*pictures.stepping}
 
     def reach(node: p.Node) -> Reach:
         if isinstance(node, p.Source | p.Bit):
@@ -28,13 +31,34 @@ def reaches(pictures: p.Pictures) -> dict[str, Reach]:
             case p.Filtered() | p.Near() | p.Largest() | p.Agreement():
                 moved = [joined.moved(*place) for place in weights[node.kernel].taps]
                 joined = Reach().joined(*moved)
-            case p.At():
+            case p.At() | p.Shifted():
                 joined = joined.moved(node.right, node.down)
         return joined
 
+    loops: dict[str, list[str]] = {}
+    needed: dict[str, Reach] = {}
     for name, expression in pictures.expressions.items():
-        reach_of[name] = reach(expression)
-    return reach_of
+        if not isinstance(expression, p.Repeated):
+            needed[name] = reach_of[name] = reach(expression)
+            continue
+        needed[name] = reach_of[name] = reach(expression.start)
+        group = loops.setdefault(expression.leader, [])
+        group.append(name)
+        if len(group) < len(pictures.loop_of(name)):
+            continue
+        steps = {each: pictures.repeated[each].step for each in group}
+        if of_a_step:
+            reach_of |= dict.fromkeys(group, Reach())
+            needed |= {each: needed[each].joined(reach(step)) for each, step in steps.items()}
+            continue
+        for _ in range(expression.times.most):
+            before = {each: reach_of[each] for each in group}
+            after = {each: before[each].joined(reach(step)) for each, step in steps.items()}
+            reach_of |= after
+            if after == before:
+                break
+        needed |= {each: reach_of[each] for each in group}
+    return needed
 
 
 class PictureMeaning:
@@ -45,9 +69,13 @@ class PictureMeaning:
     `outside`."""
 
     def __init__(self, pictures: p.Pictures, forms: Forms) -> None:
-        self.forms, self.weights = forms, pictures.weights_by_name
+        self.pictures, self.forms, self.weights = pictures, forms, pictures.weights_by_name
         self.nodes = pictures.expressions
-        self.states = {state.name for state in pictures.states}
+        # Names whose values are unknowns: before a frame, or before a step.
+        unknown, images = pictures.repeated, {image.name for image in pictures.kept_images}
+        self.planes = {*pictures.kept} - images
+        self.planes |= {name for name, node in unknown.items() if isinstance(node, p.Condition)}
+        self.kept = images | {*unknown} - self.planes
         self.count_steps = Fraction(pictures.count_steps)
         diagrams = forms.diagrams
         self.outside = diagrams.one if pictures.outside else diagrams.zero
@@ -58,7 +86,13 @@ class PictureMeaning:
         """Return an image, a plane, a bucket or the next value of a state at a pixel."""
         node = self.nodes.get(name)
         if node is None:
+            if name in self.planes:
+                return self.forms.kept_bit(name, at)
             return self.forms.exposure(name, *at)
+        return self.of(node, at)
+
+    def of(self, node: p.Node, at: Place) -> Form | int:
+        """Return an expression at a place."""
         return self.bit(node, at) if isinstance(node, p.Condition) else self.image(node, at)
 
     def image(self, value: p.Value, at: Place) -> Form:
@@ -72,7 +106,7 @@ class PictureMeaning:
         forms, (x, y) = self.forms, at
         match value:
             case p.Source():
-                node = self.nodes.get(value.name)
+                node = None if value.name in self.kept else self.nodes.get(value.name)
                 if node is not None:
                     assert not isinstance(node, p.Condition)
                     return self.image(node, at)
@@ -102,6 +136,11 @@ class PictureMeaning:
                     difference = forms.sum((Fraction(1), form), (Fraction(-1), largest))
                     largest = forms.chosen(forms.positive(difference, at), form, largest)
                 return largest
+            case p.Shifted():
+                return self.image(value.value, (x + value.right, y + value.down))
+            case p.RepeatedImage():
+                name = next(name for name, node in self.nodes.items() if node is value)
+                return forms.exposure(name, x, y) if forms.inside(x, y) else forms.beyond()
             case p.Agreement():
                 if not forms.inside(x, y):
                     return forms.beyond()
@@ -130,24 +169,36 @@ class PictureMeaning:
         forms, diagrams, (x, y) = self.forms, self.forms.diagrams, at
         match condition:
             case p.Bit():
-                if condition.name in self.states:
+                if condition.name in self.planes:
                     return forms.kept_bit(condition.name, at)
                 node = self.nodes[condition.name]
                 assert isinstance(node, p.Condition)
                 return self.bit(node, at)
             case p.Constant():
                 return diagrams.one if condition.bit else diagrams.zero
-            case p.Above() | p.Exceeds():
-                steps = (
-                    Fraction(condition.steps)
-                    if isinstance(condition, p.Above)
-                    else condition.level * self.count_steps
-                )
-                level = {IN: diagrams.leaf(-steps)} if steps else {}
+            case p.RepeatedPlane():
+                name = next(name for name, node in self.nodes.items() if node is condition)
+                return forms.kept_bit(name, at)
+            case p.Above() | p.AboveParam() | p.Exceeds():
+                unit = IN
+                match condition:
+                    case p.Above():
+                        steps = Fraction(condition.steps)
+                    case p.AboveParam():
+                        unit, steps = in_at(condition.param), Fraction(condition.factor)
+                    case p.Exceeds():
+                        steps = condition.level * self.count_steps
+                level = {unit: diagrams.leaf(-steps)} if steps else {}
                 form = self.image(condition.value, at)
                 return forms.positive(forms.sum((Fraction(1), form), (Fraction(1), level)), at)
             case p.Inverse():
                 return diagrams.inverse(self.bit(condition.condition, at))
+            case p.Neither():
+                bits = (self.bit(condition.first, at), self.bit(condition.second, at))
+                return diagrams.inverse(diagrams.either(*bits))
+            case p.ChosenPlane():
+                parts = (condition.condition, condition.then, condition.otherwise)
+                return diagrams.chosen(*(self.bit(part, at) for part in parts))
             case p.Joined():
                 join = {"and": diagrams.times, "or": diagrams.either, "xor": diagrams.differs}
                 first, second = self.bit(condition.first, at), self.bit(condition.second, at)

@@ -121,6 +121,25 @@ def _state(span: Span, *children: Any) -> tree.StateRange | tree.StateBit:
     return tree.StateRange(span, name, low, high, start, is_kept)
 
 
+def _state_image(span: Span, *children: Any) -> tree.StateImage:
+    """Make a state that is an image; `kept` is before the name or after the kind."""
+    name, *values = [child for child in children if child is not True]
+    return tree.StateImage(span, name, values[0] if values else None, True in children)
+
+
+def _repeat(span: Span, *children: Any) -> tree.Repeat:
+    """Make a repeated image or plane from its nodes and tokens."""
+    kind, name, _equals, start, _repeat_token, count, step, *others = children
+    leader = tree.Repeated(span, str(kind), name, start, step)
+    return tree.Repeat(span, count, (leader, *others))
+
+
+def _with(span: Span, *children: Any) -> tree.Repeated:
+    """Make a name that steps together with another."""
+    _with_token, kind, name, _equals, start, _repeat_token, step = children
+    return tree.Repeated(span, str(kind), name, start, step)
+
+
 def _amount(text: str, span: Span) -> tree.Amount:
     unit = next(unit for unit in ("%", "lsb", "e") if text.endswith(unit))
     integer_digits, _, decimals = text.removesuffix(unit).partition(".")
@@ -140,6 +159,8 @@ _OF_ALL: dict[str, Callable[..., Any]] = {
     "compare": lambda span, first, *later: tree.Compare(span, first, later[::2], later[1::2]),
     "amount": lambda span, text: _amount(text, span),
     "assume": _assume,
+    "repeat": _repeat,
+    "with": _with,
     "place": lambda span, base, _open, right, _comma, down, _close: tree.Place(
         span, base, right, down
     ),
@@ -153,6 +174,9 @@ _OF_NODES: dict[str, Callable[..., Any]] = {
     "brackets": lambda _span, node: node,
     "index": tree.Index,
     "call": lambda span, function, *arguments: tree.Call(span, function, arguments),
+    "call_at_most": lambda span, function, *arguments: tree.Call(
+        span, function, arguments[:-2], arguments[-1]
+    ),
     "if_else": tree.IfElse,
     "key": lambda _span, name: name,
     "sha256": lambda _span, text: text,
@@ -173,6 +197,9 @@ _OF_NODES: dict[str, Callable[..., Any]] = {
     "kernel_from_file": partial(_from_file, tree.KernelFromFile),
     "image": tree.Image,
     "plane": tree.Plane,
+    "input": tree.Input,
+    "param": tree.Param,
+    "state_image": _state_image,
     "outside": tree.Outside,
     "report": lambda span, kind, plane, most=None, count=None: tree.Report(
         span, kind, plane, most, count

@@ -303,7 +303,7 @@ def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
     if len(single_line) <= WIDTH:
         return [single_line]
     deeper = indent + _INDENT if len(indent) < 4 * len(_INDENT) else indent
-    clauses = ("at", "when") if tokens[0].kind in ("sense", "next") else ()
+    clauses = ("at", "when") if tokens[0].kind in ("sense", "next") else ("WITH",)
     for depth in range(max(0, *_depths(tokens)) + 1):
         for kinds in (clauses, *_LOOSEST_FIRST, (",",)):
             pieces = _broken(tokens, kinds, depth)

@@ -30,7 +30,7 @@ class Tokens(Record):
         """The language version at the start of the text, 1 if there is none."""
         states_version = self.kinds[:2] == ["nsl", "INTEGER"]
         number = self.text(1).lstrip("0") if states_version else ""
-        return int(number) if number in ("2", "3") else 1
+        return int(number) if number in ("2", "3", "4") else 1
 
     def text(self, index: int) -> str:
         """Return the text of a token in the source."""
@@ -91,8 +91,10 @@ def lex(source: Source) -> Tokens:
     return tokens
 
 
-_PICTURES = ("image", "plane", "assume", "next")
-"""The statements of version 3 whose operands may be levels."""
+_PICTURES = ("image", "plane", "assume", "next", "param")
+"""The statements of versions 3 and 4 whose operands may be levels."""
+_ENDS = ("NAME", "INTEGER", "AMOUNT", "true", "false", ")", "]")
+"""The tokens that end an operand, after which `repeat` and `with` are no names."""
 _OF_TWO = re.compile(r"\[[^\[\]]*,")
 """The bracket after a plane, not that of a field."""
 _NOT_DIVIDED = re.compile(r"\s*[<>=!)]")
@@ -111,8 +113,12 @@ def _of_picture(
         return Token("AMOUNT", amount.group(), start, end_pos=amount.end())
     if statement == "assume":
         return None
+    counts = tokens.kinds[-1] == "REPEAT"  # a name is the number of steps, not a function
+    ends = tokens.kinds[-1] in _ENDS and tokens.kinds[-2] != "REPEAT"
+    if tokens.version > 3 and ends and token in ("repeat", "with"):
+        return token.update(type=token.upper())
     if token.type == "NAME" and text[span_of(token).end :].lstrip(" \t").startswith("("):
-        return token.update(type="FUNCTION")
+        return None if counts else token.update(type="FUNCTION")
     if token == "exposure":
         return token.update(type="NAME")
     is_place = statement != "next" or _OF_TWO.match(text, start)

@@ -145,7 +145,9 @@ def unknown_statement(tokens: Tokens, token: int, others: Iterable[str] = ()) ->
     word = tokens.text(token)
     words = statement_words(tokens.version)
     span = tokens.span(token)
-    later = min((v for v in (2, 3) if word in names_in(tokens.version) - names_in(v)), default=None)
+    later = min(
+        (v for v in (2, 3, 4) if word in names_in(tokens.version) - names_in(v)), default=None
+    )
     elsewhere = _ELSEWHERE.get(word.lower())
     spelling = None if later or elsewhere else closest(word, (*words, *others))
     return Diagnostic(

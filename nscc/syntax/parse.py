@@ -25,7 +25,7 @@ from nscc.syntax.words import statement_words
 
 __all__ = ["MOST_BYTES", "MOST_ERRORS", "declared_at", "parse", "read_source"]
 
-VERSIONS = (1, 2, 3)
+VERSIONS = (1, 2, 3, 4)
 
 _OTHER_LANGUAGE = re.compile(
     r"""\s*(?:\#[^\n]*\n\s*)*              # its directives look like our comments
@@ -34,9 +34,12 @@ _OTHER_LANGUAGE = re.compile(
     re.VERBOSE,
 )
 _BEFORE_A_NAME = (
-    "let", "code", "pixels", "shutters", "bucket", "state", "next", "kernel", "image", "plane"
+    "let", "code", "pixels", "shutters", "bucket", "state", "next", "kernel", "image", "plane",
+    "param",
 )  # fmt: skip
 _AFTER_A_NAME = ("=", ":", "[", "from", "open")
+_BEFORE_A_KIND = (":", "WITH", "input")
+"""The tokens before `image` and `plane` where these words begin no statement."""
 
 
 def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
@@ -83,14 +86,16 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
 
 
 def declared_at(source: Source, name: str) -> Span:
-    """Return the span of the statement that declares an image or a plane, or of a state's step; of
-    the first statement if there is none."""
+    """Return the span of the statement that declares an image, a plane or an input, or of a state's
+    step; of the first statement if there is none."""
     statements = parse(source)[0].statements
+    kinds = tree.Image | tree.Plane | tree.Next | tree.Input
     for statement in statements:
-        if (
-            isinstance(statement, tree.Image | tree.Plane | tree.Next)
-            and statement.name.text == name
-        ):
+        if isinstance(statement, tree.Repeat):
+            names = [item.name.text for item in statement.items]
+        else:
+            names = [statement.name.text] if isinstance(statement, kinds) else []
+        if name in names:
             return statement.span
     return statements[0].span
 
@@ -140,6 +145,8 @@ def statement_starts(tokens: Tokens) -> list[int]:
             and kinds[index + 1 : index + 2] in [[after] for after in _AFTER_A_NAME]
             and kinds[index : index + 2] != ["pixels", "from"]
         ):
+            continue
+        if kind in ("image", "plane") and starts and kinds[index - 1] in _BEFORE_A_KIND:
             continue
         if kind == "open" and awaits_open:
             awaits_open = False

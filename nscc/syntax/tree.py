@@ -74,15 +74,18 @@ class Index(Node):
 
 class Call(Node):
     """The expression `min(...)` or `max(...)`; in version 3 also a convolution kernel or a function
-    of images and planes."""
+    of images and planes.
+
+    `most`: the number of steps after `at most`, in version 4; None without."""
 
     function: Name
     arguments: tuple[Expr, ...]
+    most: Expr | None = None
 
 
 class Place(Node):
-    """The expression `plane[right, down]`: the bit of the pixel at an offset of columns and
-    rows."""
+    """The expression `plane[right, down]`: the bit of the pixel at an offset of columns and rows;
+    in version 4 also the value of an image."""
 
     base: Name
     right: Expr
@@ -310,6 +313,51 @@ class Plane(Node):
     condition: Expr
 
 
+class Repeated(Node):
+    """A name of a `repeat` with its kind ("image" or "plane"), its start and its step."""
+
+    kind: str
+    name: Name
+    start: Expr
+    step: Expr
+
+
+class Repeat(Node):
+    """The statement `image NAME = START repeat COUNT STEP [with image NAME = START repeat STEP]`;
+    also of planes. `items`: the names that step together."""
+
+    count: Expr
+    items: tuple[Repeated, ...]
+
+    @property
+    def name(self) -> Name:
+        """The name that the statement declares first."""
+        return self.items[0].name
+
+
+class Input(Node):
+    """The statement `input plane NAME`."""
+
+    name: Name
+
+
+class Param(Node):
+    """The statement `param NAME : LOW .. HIGH = START`."""
+
+    name: Name
+    low: Expr
+    high: Expr
+    start: Expr
+
+
+class StateImage(Node):
+    """The statement `state NAME : image kept [= START]`."""
+
+    name: Name
+    start: Expr | None
+    kept: bool
+
+
 class Outside(Node):
     """The statement `outside 0` or `outside 1`."""
 
@@ -359,6 +407,7 @@ Statement = (
     | CodeBits | CodeRow | Require | BookInline | BookFromFile | Open | Bucket | Sense
     | StateRange | StateBit | Next | Reset | Read | Kernel | KernelFromFile | Image | Plane
     | Outside | Assume | Report | PixelsExpr | PixelsTile | PixelsFromFile
+    | Repeat | Input | Param | StateImage
 )  # fmt: skip
 
 

@@ -91,8 +91,11 @@ LOOKING_WORDS = ("sense", "state", "next", "reset", "read")
 PICTURE_WORDS = ("kernel", "image", "plane", "outside", "report", "assume")
 """Keywords added in version 3, for pixels that see their neighbours."""
 
+HOST_WORDS = ("param", "input")
+"""Keywords added in version 4, for values that the host sets before a frame."""
+
 _ADDED = {2: frozenset({*LOOKING_WORDS, "kept", "at", "in", "light", "exposure"}),
-          3: frozenset(PICTURE_WORDS)}  # fmt: skip
+          3: frozenset(PICTURE_WORDS), 4: frozenset(HOST_WORDS)}  # fmt: skip
 """The keywords that each version adds; in files of earlier versions they are names."""
 
 
@@ -105,7 +108,8 @@ def statement_words(version: int) -> tuple[str, ...]:
     """Return the keywords that begin statements in a version of the language."""
     words: tuple[str, ...] = STATEMENT_WORDS
     words += LOOKING_WORDS if version > 1 else ()
-    return words + (PICTURE_WORDS if version > 2 else ())
+    words += PICTURE_WORDS if version > 2 else ()
+    return words + (HOST_WORDS if version > 3 else ())
 
 
 def reserved(version: int) -> frozenset[str]:
@@ -114,7 +118,7 @@ def reserved(version: int) -> frozenset[str]:
 
 
 FORMS = {
-    "nsl": ("nsl 1", "nsl 2", "nsl 3"),
+    "nsl": ("nsl 1", "nsl 2", "nsl 3", "nsl 4"),
     "target": ("target NAME", 'target "FILE.toml"'),
     "frame": ("frame N slots of TIME", "frame slots [TIME, TIME, ...]"),
     "let": ("let NAME = EXPR",),
@@ -135,7 +139,11 @@ FORMS = {
         "sense NAME when light > LEVEL at WHEN",
         "sense NAME when exposure BUCKET > LEVEL at WHEN",
     ),
-    "state": ("state NAME : LO..HI = START [kept]", "state NAME : bit = START [kept]"),
+    "state": (
+        "state NAME : LO..HI = START [kept]",
+        "state NAME : bit = START [kept]",
+        "state NAME : image kept = LEVEL",
+    ),
     "next": ("next NAME = EXPR [when CONDITION]",),
     "reset": ("reset when EXPR",),
     "read": ("read NAME, ...",),
@@ -143,15 +151,26 @@ FORMS = {
         "kernel NAME = [[1, 2, 1], [2, 4, 2], [1, 2, 1]] / 16",
         'kernel NAME from "file.npz" [key NAME] [sha256 "..."]',
     ),
-    "image": ("image NAME = EXPR",),
-    "plane": ("plane NAME = CONDITION",),
+    "image": ("image NAME = EXPR", "image NAME = EXPR repeat K EXPR"),
+    "plane": ("plane NAME = CONDITION", "plane NAME = CONDITION repeat K CONDITION"),
     "outside": ("outside 0", "outside 1"),
-    "report": ("report any PLANE", "report events PLANE at most K", "report box PLANE"),
+    "report": (
+        "report any PLANE",
+        "report events PLANE at most K",
+        "report box PLANE",
+        "report count PLANE",
+        "report sum IMAGE",
+    ),
     "assume": ("assume exposure <= LEVEL", "assume exposure BUCKET <= LEVEL"),
+    "param": ("param NAME : LO .. HI = START",),
+    "input": ("input plane NAME",),
 }
 """The forms of each statement."""
 
-_OPERATORS = {"or", "xor", "and", "in", "COMPARISON", "<<", "+", "-", "*", "/", "%", "if", "PLACE"}
+_OPERATORS = {
+    "or", "xor", "and", "in", "COMPARISON", "<<", "+", "-", "*", "/", "%", "if", "PLACE", "REPEAT",
+    "WITH",
+}  # fmt: skip
 _OPERANDS = {
     "INTEGER", "NAME", "(", "-", "not", "true", "false", "min", "max", "FUNCTION", "AMOUNT"
 }  # fmt: skip

@@ -13,7 +13,7 @@ from nscc.chips.target import Target
 from nscc.operations import Word
 from nscc.record import Record
 from nscc.words.machine import NO_LOOKS, StateMachine, StatePlanes
-from nscc.words.pictures import NO_PICTURES, Pictures
+from nscc.words.pictures import NO_PICTURES, Pictures, unpacked_bits
 
 if TYPE_CHECKING:
     from nscc.words.stream import Stream
@@ -132,7 +132,7 @@ class Container:
     @property
     def keeps_states(self) -> bool:
         """Whether states go on from frame to frame."""
-        return self.machine.keeps or bool(self.pictures.states)
+        return self.machine.keeps or bool(self.pictures.states or self.pictures.kept_images)
 
     @property
     def words_stored(self) -> int:
@@ -158,13 +158,20 @@ class Container:
         return self.notes.get("table") != "none"
 
     def planes(self) -> dict[str, NDArray[np.bool_]]:
-        """Return the bit planes of the code (rows, cols), by register; empty without
-        `pixel_codes`."""
+        """Return the bit planes (rows, cols) that the host loads for the code and, as a chip
+        executes the container, for input planes, by register; empty without `pixel_codes`."""
         if self.pixel_codes is None:
             return {}
+        inputs = {self.pictures.registers.get(each.name): each for each in self.pictures.inputs}
         shutter = self.table.shutter_of_code.astype(np.intp).take(self.pixel_codes)
         column = {name: i for i, name in enumerate(self.target.digital_registers)}
-        return {name: self.encoding[:, column[name]].take(shutter) for name in self.code_registers}
+        shape = self.target.rows, self.target.cols
+        return {
+            name: unpacked_bits(inputs[name].bits, shape)
+            if name in inputs
+            else self.encoding[:, column[name]].take(shutter)
+            for name in self.code_registers
+        }
 
 
 def with_picture_words(container: Container) -> Container:
@@ -172,7 +179,7 @@ def with_picture_words(container: Container) -> Container:
 
     Its kernels and launches include the words of images and planes. Its readouts are the registers
     that the chip converts: first buckets, then images. Its code registers include the registers of
-    kept states, which a device loads with their start values before the first frame."""
+    kept states and input planes, which a device loads with their starts before the first frame."""
     pictures, first = container.pictures, len(container.kernels)
     readouts = {readout.bucket: readout for readout in container.readouts}
     readouts |= {name: Readout(register, name) for name, register in pictures.registers.items()}
@@ -183,7 +190,11 @@ def with_picture_words(container: Container) -> Container:
     return replace(
         container,
         encoding=encoding,
-        code_registers=(*container.code_registers, *starts),
+        code_registers=(
+            *container.code_registers,
+            *starts,
+            *(pictures.registers[plane.name] for plane in pictures.inputs),
+        ),
         kernels=(
             *container.kernels,
             *(StoredKernel(f"image{n}", words) for n, words in enumerate(pictures.kernels)),
@@ -192,11 +203,11 @@ def with_picture_words(container: Container) -> Container:
             *container.launches,
             *(
                 Launch(container.slots, first + launch.kernel, launch.level)
-                for launch in pictures.launches
+                for launch in pictures.executed()
             ),
         ),
         readouts=tuple(readouts[name] for name in (*container.buckets_read, *pictures.images_read)),
-        pictures=replace(pictures, kernels=(), launches=()),
+        pictures=replace(pictures, kernels=(), launches=(), loops=(), levels_of=()),
     )
 
 

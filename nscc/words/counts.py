@@ -51,7 +51,7 @@ def counts_of(
         case p.Filtered():
             inner = counts_of(node.value, known, weights)
             return _total([(weight, inner) for weight in weights[node.kernel].taps.values()])
-        case p.Largest():
+        case p.Largest() | p.Shifted():
             return counts_of(node.value, known, weights)
         case p.Absolute():
             inner = counts_of(node.value, known, weights)

@@ -223,8 +223,16 @@ def _pictures(container: Container) -> Iterator[str]:
     if not pictures.outputs:
         return
     yield "; images and planes: these words follow the last slot's"
-    for launch in pictures.launches:
-        level = "" if launch.level is None else f", IN at {launch.level}"
+    of_params = {level.launch: f"{level.factor:+d} * {level.param}" for level in pictures.levels_of}
+    loops = {loop.first: loop for loop in pictures.loops}
+    for number, launch in enumerate(pictures.launches):
+        steps = of_params.get(number, launch.level)
+        level = "" if steps is None else f", IN at {steps}"
+        if number in loops:
+            times = loops[number].times
+            of_param = f" {times.factor:+d} * {times.param}" if times.param else ""
+            count = f"{times.offset}{of_param} times"
+            yield f"; {count}: the next {loops[number].launches} kernels"
         yield f"; kernel {launch.kernel}{level}"
         for word in pictures.kernels[launch.kernel]:
             yield f";     {matching(word, target.words) or word_text(word)}"

@@ -6,7 +6,8 @@ the container's target does not support (NS0708)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from types import MappingProxyType
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
@@ -37,6 +38,19 @@ def refuse_pictures(container: Container, refusal: str, note: str, help_text: st
         raise rejected("NS0542", refusal, notes=(note,), helps=(help_text,), status=1)
 
 
+def loader_fault(container: Container) -> str | None:
+    """Return what a program needs that no loader and no devkit program does, as half a sentence;
+    None if there is nothing."""
+    pictures = container.pictures
+    if pictures.has_host_values:
+        return "the host sets its parameters or loads its input planes"
+    if pictures.kept_images:
+        return "it keeps images from frame to frame"
+    if any(report.kind == "sum" for report in pictures.reports):
+        return "it reports the sum of an image"
+    return None
+
+
 def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
     """Return the operations of every kernel, in order.
 
@@ -45,14 +59,23 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
     return _decoded(kernels, container.target, target_fault)
 
 
-def picture_words(container: Container) -> list[tuple[Op, int | None]]:
+def picture_kernels(container: Container) -> tuple[tuple[Op, ...], ...]:
+    """Return the operations of every kernel of images and planes; raise Rejected as `decoded`."""
+    kernels = container.pictures.kernels
+    named = ((f"{number} of the images", words) for number, words in enumerate(kernels))
+    return _decoded(named, container.target, picture_fault)
+
+
+def picture_words(
+    container: Container, params: Mapping[str, int] = MappingProxyType({})
+) -> list[tuple[Op, int | None]]:
     """Return the words of images and planes in execution order, each with the value of IN in steps.
 
-    The value is None if IN is not set. Raises Rejected as `decoded` does."""
-    pictures = container.pictures
-    named = ((f"{number} of the images", words) for number, words in enumerate(pictures.kernels))
-    kernels = _decoded(named, container.target, picture_fault)
-    return [(op, launch.level) for launch in pictures.launches for op in kernels[launch.kernel]]
+    The value is None if IN is not set. `params`: values of parameters, by default their starts.
+    Raises Rejected as `decoded` does."""
+    kernels = picture_kernels(container)
+    launches = container.pictures.executed(params)
+    return [(op, launch.level) for launch in launches for op in kernels[launch.kernel]]
 
 
 def _decoded(

@@ -1,4 +1,4 @@
-"""Images and planes of a program of version 3, computed from its exposures.
+"""Images and planes of a program of version 3 or 4, computed from its exposures.
 
 An image is a value of every pixel, a plane a bit of every pixel. Both are evaluated once, after the
 last slot. The expressions are trees of frozen nodes."""
@@ -9,9 +9,14 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from itertools import chain, repeat
+from types import MappingProxyType
 from typing import Annotated, Any, Literal
 
-from nscc.codec import LATER, KeyName, Within
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.codec import HEX, LATER, KeyName, Within
 from nscc.operations import Word
 from nscc.record import Record
 from nscc.words.machine import Length, OneBit
@@ -88,6 +93,41 @@ class Largest(Record):
     kernel: str
 
 
+class Shifted(Record):
+    """The value of the pixel at an offset of columns to the right and rows down."""
+
+    value: Value
+    right: int
+    down: int
+
+
+class Times(Record):
+    """A number of steps: `offset` + `factor` times a parameter, 0 if that is negative.
+
+    `param` is "" for a constant. `most` is the largest number over all values of the parameter."""
+
+    offset: int
+    most: Length
+    param: str = ""
+    factor: int = 0
+
+    def at(self, params: Mapping[str, int]) -> int:
+        """Return the number for these values of parameters."""
+        return max(0, self.offset + self.factor * params.get(self.param, 0))
+
+
+class RepeatedImage(Record):
+    """An image that is `start` first; each of `times` steps replaces it by `step`.
+
+    In `step`, its own name is its value before the step. Consecutive items with the same `leader`,
+    the name of the first, step together."""
+
+    start: Value
+    step: Value
+    times: Times
+    leader: str
+
+
 class Agreement(Record):
     """A count: the sum of +1 or -1 for each pixel with a weight other than 0.
 
@@ -118,6 +158,14 @@ class Above(Record):
 
     value: Value
     steps: int
+
+
+class AboveParam(Record):
+    """A condition: an image is above `factor` times the parameter `param` (steps of IN)."""
+
+    value: Value
+    param: str
+    factor: int
 
 
 class Exceeds(Record):
@@ -159,9 +207,41 @@ class At(Record):
     down: int
 
 
-Value = Source | Sum | Filtered | Absolute | Chosen | Largest | Agreement
-Condition = Bit | Constant | Above | Exceeds | Inverse | Joined | Near | At
+class Neither(Record):
+    """The NOR of two conditions: 1 where both are 0."""
+
+    first: Condition
+    second: Condition
+
+
+class ChosenPlane(Record):
+    """`then` where `condition` is 1, else `otherwise`; all are planes."""
+
+    condition: Condition
+    then: Condition
+    otherwise: Condition
+
+
+class RepeatedPlane(Record):
+    """A plane that is repeated, as `RepeatedImage`."""
+
+    start: Condition
+    step: Condition
+    times: Times
+    leader: str
+
+
+Value = (
+    Source | Sum | Filtered | Absolute | Chosen | Largest | Agreement | Shifted | RepeatedImage
+)  # fmt: skip
+Condition = (
+    Bit | Constant | Above | Exceeds | Inverse | Joined | Near | At | AboveParam | ChosenPlane
+    | Neither | RepeatedPlane
+)  # fmt: skip
 Node = Value | Condition
+
+
+Repeated = RepeatedImage | RepeatedPlane
 
 
 class Picture(Record):
@@ -186,15 +266,93 @@ class KeptPlane(Record):
     next: Condition
 
 
+class InputPlane(Record):
+    """A plane that the host loads before a frame, and that no word changes.
+
+    `bits`: its start; bit number (row * columns + column) belongs to that pixel. `is_open`: whether
+    the host may load other bits. A plane of x and y is not open."""
+
+    name: str
+    bits: Annotated[int, HEX]
+    is_open: bool
+
+
+class KeptImage(Record):
+    """A state that is an image: an analog register that is kept from frame to frame.
+
+    `start_e`: its value in all pixels before the first frame. `next` is evaluated after all images
+    and planes, which read the value that the previous frame left."""
+
+    name: str
+    start_e: float
+    next: Value
+
+
+class HostParam(Record):
+    """A parameter: a number that the host sets before a frame, and that a frame does not change.
+
+    `kind` "level": `low`, `high` and `start` are steps of IN; "integer": numbers without a unit."""
+
+    name: str
+    kind: Literal["level", "integer"]
+    low: int
+    high: int
+    start: int
+
+
+class LevelOf(Record):
+    """The value of IN at launch number `launch`: `factor` times the parameter `param`."""
+
+    launch: Length
+    param: str
+    factor: int
+
+
+class LoopValue(Record):
+    """The register of a repeated image or plane before and after each step; `sign` times an image
+    is in the register."""
+
+    name: str
+    register: str
+    sign: Literal[-1, 1] = 1
+
+
+class LaunchLoop(Record):
+    """A run of `launches` launches from number `first` on that is executed `times` times.
+
+    `values`: the names that change from step to step."""
+
+    first: Length
+    launches: Length
+    times: Times
+    values: tuple[LoopValue, ...]
+
+
+GROWS = " grows"
+"""The end of the name of the pixels that one more step of a flood would reach."""
+
+
 class PlaneReport(Record):
-    """A report about a plane, which the host receives instead of the plane.
+    """A report about a plane or an image, which the host receives instead of it.
 
-    It tells whether `any` bit is 1, or gives the coordinates of `events` (at most `most`), or the
-    `box` around them."""
+    It tells whether `any` bit is 1, or gives the coordinates of `events` (at most `most`), the
+    `box` around them, their `count`, or the `sum` of an image. "flood" tells whether no bit is 1;
+    the plane has the name of a flooded plane, and `GROWS` after it."""
 
-    kind: Literal["any", "events", "box"]
+    kind: Literal["any", "events", "box", "count", "sum", "flood"]
     plane: str
     most: Length = 0
+
+    @property
+    def subject(self) -> str:
+        """The name of the plane or image of which the report tells."""
+        return self.plane.removesuffix(GROWS) if self.kind == "flood" else self.plane
+
+    @property
+    def key(self) -> str:
+        """The name of the report's array in a frame file."""
+        kind = "flood_complete" if self.kind == "flood" else f"report_{self.kind}"
+        return f"{kind}_{self.subject}"
 
 
 class TailLaunch(Record):
@@ -228,7 +386,12 @@ class Pictures:
     the images, planes and buckets that are read out with the frame. `kernels` run in the order of
     `launches`, after all words of the exposure; `registers` then contain the images and planes that
     are read or reported. `count_steps` are the steps of IN for one count, 0 if nothing is
-    counted."""
+    counted.
+
+    Version 4 adds planes that the host loads (`inputs`), images that are kept from frame to frame,
+    and parameters. `launches` contains the launches of each loop once, and those that set IN to a
+    parameter (`levels_of`) without a level; `executed` returns them all. `negated` are the kept
+    images of which registers hold the negative."""
 
     weights: Annotated[tuple[Weights, ...], KeyName("kernels")]
     items: tuple[Picture, ...]
@@ -237,23 +400,89 @@ class Pictures:
     reads: tuple[str, ...]
     reports: tuple[PlaneReport, ...]
     kernels: Annotated[tuple[tuple[Word, ...], ...], KeyName("words")] = ()
-    launches: tuple[TailLaunch, ...] = ()
+    launches: tuple[TailLaunch, ...] = ()  # each once: see `executed`
     registers: Mapping[str, str] = field(default_factory=dict)
     costs: tuple[PictureCost, ...] = ()
     states: Annotated[tuple[KeptPlane, ...], LATER] = ()
     count_steps: Annotated[Length, LATER] = 0
+    inputs: Annotated[tuple[InputPlane, ...], LATER] = ()
+    kept_images: Annotated[tuple[KeptImage, ...], LATER] = ()
+    params: Annotated[tuple[HostParam, ...], LATER] = ()
+    loops: Annotated[tuple[LaunchLoop, ...], LATER] = ()
+    levels_of: Annotated[tuple[LevelOf, ...], LATER] = ()
+    negated: Annotated[tuple[str, ...], LATER] = ()
+
+    @property
+    def is_of_version_4(self) -> bool:
+        """Whether the program has anything that version 3 of the language lacks. Words of programs
+        without it stay as they are."""
+        return bool(self.params or self.inputs or self.kept_images or self.repeated)
+
+    @property
+    def has_host_values(self) -> bool:
+        """Whether the host may set parameters or load planes before a frame."""
+        return bool(self.params or any(plane.is_open for plane in self.inputs))
+
+    def executed(self, params: Mapping[str, int] = MappingProxyType({})) -> list[TailLaunch]:
+        """Return all launches of a frame in order, with every step of loops.
+
+        `params`: values of parameters, by default their starts."""
+        values = {param.name: param.start for param in self.params} | {**params}
+        launches = list(self.launches)
+        for level in self.levels_of:
+            steps = level.factor * values[level.param]
+            launches[level.launch] = TailLaunch(launches[level.launch].kernel, steps)
+        runs, at = [], 0
+        for loop in self.loops:
+            end = loop.first + loop.launches
+            body = launches[loop.first : end]
+            runs += [launches[at : loop.first], *repeat(body, loop.times.at(values))]
+            at = end
+        return list(chain(*runs, launches[at:]))
 
     @property
     def expressions(self) -> dict[str, Node]:
         """Return images, planes and next values of states by name, in evaluation order."""
         items: dict[str, Node] = {item.name: item.node for item in self.items}
-        return items | {state.name: state.next for state in self.states}
+        items |= {state.name: state.next for state in self.states}
+        return items | {image.name: image.next for image in self.kept_images}
 
     @property
     def planes(self) -> frozenset[str]:
         """Return the names of planes and states."""
         items = self.expressions.items()
-        return frozenset(name for name, node in items if isinstance(node, Condition))
+        planes = frozenset(name for name, node in items if isinstance(node, Condition))
+        return planes | {plane.name for plane in self.inputs}
+
+    @property
+    def stepping(self) -> tuple[str, ...]:
+        """The names of states, planes and images, which take new values once a frame."""
+        planes, images = (state.name for state in self.states), (s.name for s in self.kept_images)
+        return (*planes, *images)
+
+    @property
+    def kept(self) -> tuple[str, ...]:
+        """The names of states and input planes, whose registers no other value may use."""
+        return (*self.stepping, *(plane.name for plane in self.inputs))
+
+    @property
+    def repeated(self) -> dict[str, RepeatedImage | RepeatedPlane]:
+        """Return the repeated images and planes by name."""
+        items = ((item.name, item.node) for item in self.items)
+        return {name: node for name, node in items if isinstance(node, Repeated)}
+
+    def loop_of(self, name: str) -> list[str]:
+        """Return the names that step together with a repeated image or plane, in order."""
+        leader = self.repeated[name].leader
+        return [each for each, node in self.repeated.items() if node.leader == leader]
+
+    @property
+    def held_planes(self) -> dict[str, int]:
+        """The bits that the host loads before the first frame, by name of state or input plane.
+
+        -1 stands for a 1 in every pixel; otherwise as `InputPlane.bits`."""
+        bits = {state.name: -state.start for state in self.states}
+        return bits | {plane.name: plane.bits for plane in self.inputs}
 
     @property
     def weights_by_name(self) -> dict[str, Weights]:
@@ -277,12 +506,13 @@ class Pictures:
     def images_read(self) -> tuple[str, ...]:
         """Return the names of the images that are read out."""
         images = {item.name for item in self.items if not item.is_plane}
+        images |= {state.name for state in self.kept_images}
         return tuple(name for name in self.reads if name in images)
 
     @property
     def words(self) -> int:
         """The number of words executed after the last slot."""
-        return sum(len(self.kernels[launch.kernel]) for launch in self.launches)
+        return sum(len(self.kernels[launch.kernel]) for launch in self.executed())
 
 
 NO_PICTURES = Pictures((), (), None, {}, (), ())
@@ -310,3 +540,16 @@ def subexpressions(node: Node) -> Iterator[Node]:
     yield node
     for operand in operands(node):
         yield from subexpressions(operand)
+
+
+def packed_bits(bits: NDArray[np.bool_]) -> int:
+    """Return bits (rows, cols) as one number; the first bit, in reading order, is the lowest."""
+    return int.from_bytes(np.packbits(bits, bitorder="little").tobytes(), "little")
+
+
+def unpacked_bits(number: int, shape: tuple[int, int]) -> NDArray[np.bool_]:
+    """Return the bits (rows, cols) of `packed_bits`; a number of -1 is a 1 in every pixel."""
+    pixels = shape[0] * shape[1]
+    data = (number & (1 << pixels) - 1).to_bytes(-(-pixels // 8), "little")
+    flat = np.unpackbits(np.frombuffer(data, np.uint8), count=pixels, bitorder="little")
+    return flat.astype(np.bool_).reshape(shape)

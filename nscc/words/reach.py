@@ -4,7 +4,7 @@ words read before they write them."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import islice
+from itertools import islice, repeat
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -110,14 +110,16 @@ class RegisterReaches:
 
 
 def beyond_reaches(
-    container: Container, before: Mapping[str, Reach] = MappingProxyType({})
-) -> dict[str, Reach]:
+    container: Container, before: Mapping[str, Reach] = MappingProxyType({}),
+    params: Mapping[str, int] = MappingProxyType({}),
+) -> dict[str, Reach]:  # fmt: skip
     """Return how far around a pixel each output and each state depends on buses, by name.
 
-    `before` is the result for the previous frame, on whose states this frame depends."""
+    `before` is the result for the previous frame, on whose states this frame depends. `params`:
+    values of parameters, by default their starts."""
     pictures = container.pictures
-    words = (op for op, _ in picture_words(container))
-    states = [state.name for state in pictures.states]
+    words = (op for op, _ in picture_words(container, params))
+    states = pictures.stepping
     kept = {pictures.registers[name]: before.get(name, Reach()) for name in states}
     reaches = RegisterReaches(container.target, words, bits_known=True, before=kept)
     names = dict.fromkeys((*pictures.outputs, *states))
@@ -125,14 +127,23 @@ def beyond_reaches(
 
 
 def reaches_of_frames(
-    container: Container, first: dict[str, Reach] | None = None
-) -> Iterator[dict[str, Reach]]:
-    """Yield `beyond_reaches` frame by frame, without end; `first` is that of the first frame."""
-    reaches = beyond_reaches(container) if first is None else first
-    while True:
-        yield reaches
-        if any(reaches[state.name] != Reach() for state in container.pictures.states):
-            reaches = beyond_reaches(container, reaches)
+    container: Container, first: dict[str, Reach] | None = None,
+    params: Iterable[Mapping[str, int]] = repeat(MappingProxyType({})),
+) -> Iterator[dict[str, Reach]]:  # fmt: skip
+    """Yield `beyond_reaches` frame by frame; `first` is that of the first frame.
+
+    `params`: the values of parameters in each frame, by default their starts without end."""
+    names = container.pictures.stepping
+    before: dict[str, Reach] = {}
+    known: dict[object, dict[str, Reach]] = {}
+    for values in params:
+        key = tuple(before.items()), tuple(values.items())
+        if key not in known:
+            known[key] = first or beyond_reaches(container, before, values)
+        first = None
+        yield known[key]
+        before = {name: known[key][name] for name in names}
+        before = before if any(reach != Reach() for reach in before.values()) else {}
 
 
 def film_reaches(container: Container) -> list[dict[str, Reach]] | None:
@@ -140,7 +151,8 @@ def film_reaches(container: Container) -> list[dict[str, Reach]] | None:
     same. Return None if they grow with every further frame."""
     film: list[dict[str, Reach]] = []
     # Growth from state to state passes each state once, unless it goes on for ever.
-    for reaches in islice(reaches_of_frames(container), len(container.pictures.states) + 2):
+    kept = len(container.pictures.stepping)
+    for reaches in islice(reaches_of_frames(container), kept + 2):
         if film and reaches == film[-1]:
             return film
         film.append(reaches)

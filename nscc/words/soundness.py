@@ -9,7 +9,7 @@ import numpy as np
 
 from nscc.words import machine_soundness, stream
 from nscc.words.container import Container
-from nscc.words.pictures import NO_PICTURES, subexpressions
+from nscc.words.pictures import NO_PICTURES, Repeated, subexpressions
 from nscc.words.stored_arrays import array_fault, array_faults
 
 MOST_WORDS = 1 << 18
@@ -145,10 +145,12 @@ def _picture_faults(container: Container) -> Iterator[str]:
     pictures = container.pictures
     if pictures == NO_PICTURES:
         return
-    states = {state.name for state in pictures.states}
+    states = {*pictures.kept}
     known: set[str] = {*container.buckets, *states}
     weights = {kernel.name for kernel in pictures.weights}
     for expression_name, expression in pictures.expressions.items():
+        if isinstance(expression, Repeated):  # a step reads the names that step together
+            known |= {*pictures.loop_of(expression_name)}
         for node in subexpressions(expression):
             name = getattr(node, "name", None)
             if name is not None and name not in known:
@@ -171,9 +173,33 @@ def _picture_faults(container: Container) -> Iterator[str]:
         ):
             yield "a launch of its pictures names no kernel, or a level that IN cannot have"
             return
+    yield from _loop_faults(container)
     registers = {*container.target.analog_registers, *container.target.digital_registers}
     if not registers.issuperset(pictures.registers.values()):
         yield f"its pictures are in registers that {container.target.name} does not have"
+
+
+def _loop_faults(container: Container) -> Iterator[str]:
+    """Yield errors of loops and parameters: each names launches and parameters that exist."""
+    pictures, target, end = container.pictures, container.target, 0
+    params = {param.name: param for param in pictures.params}
+    for param in pictures.params:
+        of_in = target.in_low <= param.low <= param.high <= target.in_high
+        if not param.low <= param.start <= param.high or (param.kind == "level" and not of_in):
+            yield "the start or the range of a parameter is invalid"
+    for loop in pictures.loops:
+        if loop.first < end or loop.first + loop.launches > len(pictures.launches):
+            yield "a loop of its pictures names launches that do not exist"
+        end = loop.first + loop.launches
+        used = params.get(loop.times.param)
+        ends = {} if used is None else {used.low, used.high}
+        if loop.times.param and used is None:
+            yield "a loop of its pictures names a parameter that does not exist"
+        if any(loop.times.at({loop.times.param: n}) > loop.times.most for n in ends or (0,)):
+            yield "a loop of its pictures has more steps than it says"
+    for level in pictures.levels_of:
+        if level.param not in params or level.launch >= len(pictures.launches):
+            yield "a level of its pictures names a parameter or a launch that does not exist"
 
 
 def _text_faults(container: Container) -> Iterator[str]:

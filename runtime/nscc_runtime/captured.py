@@ -108,19 +108,20 @@ class Capture(Frame):
 
         `any` is a bool. `events` is int32 (events, 2), columns and rows in reading order. `box`
         contains the smallest column and row and the largest column and row, or is None if no bit is
-        1. With `repeat`, each is a list."""
+        1. `count` is an int, the number of bits, and `sum` a float, the electrons of an image.
+        `flood` is whether a flood was complete. With `repeat`, each is a list."""
         pictures = self.container.pictures
         reports: dict[str, Any] = {}
         for report in pictures.reports:
-            key = f"report_{report.kind}_{report.plane}"
+            key, name = report.key, report.subject
             values, counts = self.told[key], self.told.get(f"{key}_count")
-            repeated = values.ndim > {"any": 0, "events": 2, "box": 1}[report.kind]
+            repeated = values.ndim > {"events": 2, "box": 1}.get(report.kind, 0)
             frames = range(len(values)) if repeated else [...]
             frame_values = [
                 _report(report.kind, values[n], None if counts is None else counts[n])
                 for n in frames
             ]
-            reports[f"{report.kind} {report.plane}"] = frame_values if repeated else frame_values[0]
+            reports[f"{report.kind} {name}"] = frame_values if repeated else frame_values[0]
         return reports
 
     @property
@@ -247,8 +248,8 @@ def capture_of(exposed: Taken) -> Capture:
 
 
 def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
-    if kind == "any":
-        return bool(values)
+    if kind in ("any", "flood", "count", "sum"):
+        return values.item()
     if kind == "events":
         return values[: int(count)]
     return None if values[0] < 0 else tuple(values.tolist())

@@ -29,6 +29,7 @@ from nscc.words.readout import converter_of
 from nscc_runtime.captured import Capture, capture_of
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.host_setting import settings_of
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.planless import refuse_planless
@@ -67,6 +68,8 @@ def capture(
     device_seed: int = Request.device_seed,
     repeat: int | None = Request.repeat,
     threads: int | None = Request.threads,
+    params: Any = Request.params,
+    inputs: Any = Request.inputs,
     turn: Turn | None = Request.turn,
 ) -> Capture:
     """Capture a scene with a program on the emulated chip.
@@ -101,6 +104,12 @@ def capture(
         Number of frames.
     threads : int, optional
         Number of threads, by default that of the processors. The result does not depend on it.
+    params : mapping, optional
+        Values of parameters by name (version 4 of the language): a level as text such as "4%" or
+        "1200e", or as a number of electrons; an integer as a number.
+    inputs : mapping, optional
+        Bits of input planes by name (version 4): arrays (rows, cols) of bool or of 0 and 1, or
+        paths of an .npy, an .npz or a picture.
     turn : Turn, optional
         Position in a series of frames that share plans (`nscc_runtime.kept_plans`).
 
@@ -112,14 +121,16 @@ def capture(
     ------
     Rejected
         NS0789 for arguments of wrong types, NS0730 to NS0740 for invalid light, NS0739 for options
-        that exclude each other, NS0442 or NS0741 for programs without shutters or pixel data.
+        that exclude each other, NS0442 or NS0741 for programs without shutters or pixel data,
+        NS0546 for invalid parameters and input planes.
     """
     given = locals()
     call = "nscc_runtime.capture"
     container = container_of(call, program)
     diagnostics: list[Diagnostic] = []
     scene = laid_of(call, light, container, diagnostics.append)
-    request = Request.of(**checked(call, Request, given), turn=turn)
+    settings = settings_of(container, params, inputs)
+    request = Request.of(**checked(call, Request, given), turn=turn, settings=settings)
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=diagnostics.append))
     warn(diagnostics)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from nscc.diagnostics.arguments import shown, warn, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
@@ -10,6 +11,7 @@ from nscc.toml.arguments import checked
 from nscc.words.readout import converter_of
 from nscc_runtime.captured import Capture, capture_of
 from nscc_runtime.effects import Selection
+from nscc_runtime.host_setting import settings_of
 from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.python_arguments import (
     LightLike,
@@ -33,6 +35,8 @@ def film(
     seed: int = Request.seed,
     device_seed: int = Request.device_seed,
     threads: int | None = Request.threads,
+    params: Any = Request.params,
+    inputs: Any = Request.inputs,
 ) -> Capture:
     """Capture consecutive frames of a program with images or planes, each with its own light.
 
@@ -54,6 +58,11 @@ def film(
         Seed of the fixed pattern, which stands for one device.
     threads : int, optional
         Number of threads, by default all processors. The result does not depend on it.
+    params : mapping or sequence of mapping, optional
+        Values of parameters as for `capture`: for all frames, or one mapping for each frame. What a
+        later mapping leaves out keeps its value.
+    inputs : mapping or sequence of mapping, optional
+        Bits of input planes as for `capture`: for all frames, or one mapping for each frame.
 
     Returns
     -------
@@ -89,7 +98,8 @@ def film(
                 helps=("use scenes in grey, and fit='crop' or fit='scale'",),
             )
     next_lights = tuple(scene[0].light for scene in scenes[1:])
-    request = Request.of(**options, repeat=len(scenes), next_lights=next_lights)
+    settings = settings_of(container, params, inputs)
+    request = Request.of(**options, repeat=len(scenes), next_lights=next_lights, settings=settings)
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scenes[0], chip, request, Listener(warn=diagnostics.append))
     warn(diagnostics)

@@ -191,6 +191,8 @@ class Provenance:
     fidelity: str = "planned"
     plan: Mapping[str, Any] | WrittenAsJson | None = None
     audit: Mapping[str, Any] | None = None
+    params: tuple[Mapping[str, float], ...] = ()
+    """The parameters that the host set before each frame, levels in electrons."""
 
 
 _UNPLANNED = (
@@ -269,6 +271,7 @@ def meta(
         "invalid_pixels": frame.valid.size - int(np.count_nonzero(frame.valid)),
         "plan": plan if plan is None or isinstance(plan, Mapping) else plan.as_json(),
         "audit": origin.audit,
+        **({"params": [*map(dict, origin.params)]} if any(origin.params) else {}),
     }
 
 

@@ -14,6 +14,7 @@ from nscc.toml.schema import key
 
 if TYPE_CHECKING:
     from nscc_runtime.effects import Selection
+    from nscc_runtime.host_setting import HostSetting
     from nscc_runtime.kept_plans import Turn
     from nscc_runtime.light import Light
     from nscc_runtime.planning.plan import Plan
@@ -70,8 +71,19 @@ class Request:
     device_seed: int = key(SEED, "Seed of fixed patterns", 0)
     repeat: int | None = key(Integer(1, 10_000), "Expose K frames", None)
     threads: int | None = key(Integer(1, inf), "Number of threads", None)
+    params: Any = key(
+        Instance((dict, list, tuple, _NONE), "a mapping, or a list with one for each frame"),
+        "Values of parameters, set before the frame", None,
+    )  # fmt: skip
+    inputs: Any = key(
+        Instance((dict, list, tuple, _NONE), "a mapping, or a list with one for each frame"),
+        "Bits of input planes, loaded before the frame", None,
+    )  # fmt: skip
     planned: bool = True
     turn: Turn | None = None
+    settings: tuple[HostSetting, ...] = ()
+    """What the host sets before each frame of a program of version 4; the last one also holds for
+    all later frames. Empty for the starts of parameters and input planes."""
     next_lights: tuple[Light, ...] = ()
     """Lights of all frames after the first, for images and planes; empty for equal lights."""
 

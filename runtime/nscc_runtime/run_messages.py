@@ -118,13 +118,19 @@ def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
             bits = told_arrays[f"plane_{name}"]
             lines.append(f"plane {name}  {np.count_nonzero(bits)} of {bits.size} pixels are 1")
     for report in pictures.reports:
-        key = f"report_{report.kind}_{report.plane}"
+        if report.kind == "flood":
+            is_complete = told_arrays[report.key]
+            lines.append(f"flood {report.subject}  {'complete' if is_complete else 'not complete'}")
+            continue
+        key = report.key
         value = told_arrays[key]
         if report.kind == "any":
             text = "yes" if value else "no"
         elif report.kind == "box":
             least_x, top, right, bottom = value.tolist()
             text = "empty" if least_x < 0 else f"x {least_x} to {right}, y {top} to {bottom}"
+        elif report.kind in ("count", "sum"):
+            text = f"{value:.10g}" + (" electrons" if report.kind == "sum" else "")
         else:
             overflow_note = ", and there are more" if told_arrays[f"{key}_overflow"] else ""
             text = f"{told_arrays[f'{key}_count']} coordinates{overflow_note}"

@@ -115,6 +115,8 @@ def _simulated(
         digest_of(container), sensor, request.seed, request.device_seed,
         "planned" if noiseless or (kind.is_fast and request.planned) else "reference", plan,
     )  # fmt: skip
+    values = [setting.plain(container) for setting in request.settings]
+    origin = replace(origin, params=tuple(values))
     return Simulated(frame, origin, effects)
 
 

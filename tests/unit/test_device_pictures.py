@@ -80,6 +80,10 @@ PROGRAMS = {
     "a state that spreads what is beyond the border": "open when true\noutside 0\n" + CROSS
     + "state s : bit = 0 kept\nplane p = k(exposure) > 30%\nnext s = any(s, k) or p\n"
     "read s\nreport any s\nreport events s at most 5",
+    "repeated steps beside a plane of x and y": "open when true\noutside 0\n" + CROSS
+    + "plane p = exposure > 40% and 2 < x < 15\nplane q = p repeat 3 p or q[1, 0]\n"
+    "image v = exposure repeat 2 v[0, -1] if p else v\n"
+    "plane f = flood(p and y == 6, p, k, at most 9)\nread q, v\nreport count f",
     "all registers": "".join(f"bucket b{n} open when n == {n}\n" for n in range(4))
     + "bucket b4 open when n < 2\nbucket b5 open when n > 2\nplane p = b0 > 30%\n"
     "read b0, b1, b2, b3, b4, b5, p",
@@ -95,7 +99,8 @@ ALL_FORMS = {
 
 
 def container_of(body: str, target: Target = SMALL) -> Container:
-    source = Source("p.nsl", f"nsl 3\nframe 4 slots of 1ms\n{body}\n")
+    version = 4 if "repeat" in body else 3
+    source = Source("p.nsl", f"nsl {version}\nframe 4 slots of 1ms\n{body}\n")
     made = run_passes(source, Path(), Options(level=1, target=target, cache=False)).container
     assert made is not None
     return made

@@ -187,7 +187,7 @@ def test_many_errors_are_counted(count: int) -> None:
         ("nsl 1 nsl 1", ["NS0104"]),
         ("nsl 1 open when true nsl 1", ["NS0104"]),
         ("nsl 2 open when true", []),
-        ("nsl 4 open when true", ["NS0106"]),
+        ("nsl 5 open when true", ["NS0106"]),
         ("nsl 02 sense b when light > 45% at n == 2 open when b", []),
         ("nsl 01 let sense = 1 open when n < sense", []),
         ("nsl 1 sense", ["NS0109"]),

@@ -64,7 +64,7 @@ def test_a_form(text: str) -> None:
 
 
 def test_every_statement_has_forms_to_show() -> None:
-    assert list(FORMS) == list(statement_words(3))
+    assert list(FORMS) == list(statement_words(4))
     assert all(form.split()[0] == word for word, forms in FORMS.items() for form in forms)
 
 

@@ -9,6 +9,7 @@ from nscc.chips.target import Target
 from nscc.emit.cpp.codes import ADDRESS_BITS
 from nscc.operations import ANALOG_WRITE
 from nscc.words.container import Container
+from nscc.words.legality import loader_fault
 
 _SIDE = 1 << ADDRESS_BITS
 _IN_LOW, _IN_HIGH = -128, 127
@@ -53,7 +54,9 @@ def devkit_of(target: Target) -> Devkit:
 
 def devkit_fault(container: Container, devkit: Devkit) -> str | None:
     """Return why the devkit's chip cannot run the container, as half a sentence; None if it can."""
-    target = container.target
+    target, fault = container.target, loader_fault(container)
+    if fault is not None:
+        return f"cannot do yet what the program needs: {fault}"
     names = (*target.analog_registers, *target.digital_registers)
     extra = [name for name in names if name not in devkit.registers]
     if extra:

@@ -33,8 +33,9 @@ from numpy.typing import NDArray
 
 from nscc.chips.load import target_dict
 from nscc.chips.target import Target
+from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container, state_registers, with_picture_words
-from nscc.words.legality import refuse_planes
+from nscc.words.legality import loader_fault, refuse_planes
 from nscc.words.reach import Reach, film_reaches
 from nscc_runtime.caches import OfContainer
 from nscc_runtime.device.messages import Begin, ObjectEntry, plane_bytes
@@ -149,6 +150,13 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
         "`nscc build --emit planes` writes an .npz for a driver of the chip",
     )
     check_codes(container)
+    fault = loader_fault(container)
+    if fault is not None:
+        raise rejected(
+            "NS0765",
+            f"no loader of this version of nscc supports the program: {fault}",
+            helps=("run it on the emulator: leave --on out",),
+        )
     reported = device_reports(container) if reports else {}
     pictures, container = container.pictures, with_picture_words(container)
     target, readouts = container.target, _readouts(container)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import repeat
+from itertools import chain, repeat
 from types import MappingProxyType
 from typing import Any
 
@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.operations import Op
+from nscc.record import Record
 from nscc.words.container import Container, state_registers
 from nscc.words.legality import picture_words
-from nscc.words.pictures import Pictures
+from nscc.words.pictures import Pictures, unpacked_bits
 from nscc.words.reach import Reach, beyond_reaches, reaches_of_frames
 from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection
@@ -24,6 +25,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.array_loop import run_array_words
 from nscc_runtime.emulator.array_words import ArrayWords, packed, unpacked
 from nscc_runtime.frame_file import Frame, check_adc, converted
+from nscc_runtime.host_setting import HostSetting
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
@@ -102,6 +104,37 @@ Planes = dict[str, NDArray[np.bool_]]
 """Bits (pixels,) by register."""
 
 
+class KeptRegisters(Record, eq=False):
+    """What registers keep from frame to frame, by register: bits of states and input planes, and
+    the electrons and saturation marks of kept images, all (pixels,)."""
+
+    bits: Planes
+    images: Mapping[str, NDArray[np.float64]] = MappingProxyType({})
+    marks: Mapping[str, NDArray[np.uint8]] = MappingProxyType({})
+
+    @classmethod
+    def at_start(cls, container: Container) -> KeptRegisters:
+        """Return what the host loads before the first frame."""
+        pictures, target = container.pictures, container.target
+        shape, registers = (target.rows, target.cols), pictures.registers
+        bits = {
+            registers[name]: unpacked_bits(number, shape).reshape(-1)
+            for name, number in pictures.held_planes.items()
+        }
+        images, marks = {}, {}
+        for image in pictures.kept_images:
+            sign = -1 if image.name in pictures.negated else 1
+            images[registers[image.name]] = np.full(target.rows * target.cols, sign * image.start_e)
+            marks[registers[image.name]] = np.zeros(target.rows * target.cols, np.uint8)
+        return cls(bits, images, marks)
+
+    def with_inputs(self, container: Container, inputs: Mapping[str, Any]) -> KeptRegisters:
+        """Return the registers after the host has loaded other bits (rows, cols) by name."""
+        registers = container.pictures.registers
+        loaded = {registers[name]: bits.reshape(-1) for name, bits in inputs.items()}
+        return replace(self, bits=self.bits | loaded) if loaded else self
+
+
 @dataclass(frozen=True, eq=False)
 class PicturedProgram:
     """A container with images and planes, prepared for a sensor and a set of effects. `threads`:
@@ -123,44 +156,63 @@ class PicturedProgram:
     def _image_sensor(self) -> Sensor:
         return image_sensor(self.sensor, self.container.target)
 
-    def frames(self, light: Light, seed: int, device_seed: int, count: int) -> Iterator[Frame]:
+    def frames(
+        self, light: Light, seed: int, device_seed: int, count: int,
+        settings: Sequence[HostSetting] = (),
+    ) -> Iterator[Frame]:  # fmt: skip
         """Yield frames 0 to `count` - 1 of one light; states go on from frame to frame."""
-        return self.film(repeat(light, count), seed, device_seed)
+        return self.film(repeat(light, count), seed, device_seed, settings)
 
-    def film(self, lights: Iterable[Light], seed: int, device_seed: int) -> Iterator[Frame]:
-        """Yield a frame of each light; states go on from frame to frame."""
+    def film(
+        self, lights: Iterable[Light], seed: int, device_seed: int,
+        settings: Sequence[HostSetting] = (),
+    ) -> Iterator[Frame]:  # fmt: skip
+        """Yield a frame of each light; states go on from frame to frame.
+
+        `settings`: what the host sets before each frame; the last one also holds for all later
+        frames."""
         check_adc(self.container.target)
-        pictures, pixels = self.pictures, self.container.target.rows * self.container.target.cols
-        # The host loads the bits of states before the first frame.
-        kept_bits = {pictures.registers[s.name]: np.full(pixels, s.start) for s in pictures.states}
-        all_reaches = reaches_of_frames(self.container, _beyond_reaches(self.container))
+        kept = KeptRegisters.at_start(self.container)
+        settings = settings or (HostSetting.at_start(self.container),)
+        params = chain((each.params for each in settings), repeat(settings[-1].params))
+        first = None if self.pictures.params else _beyond_reaches(self.container)
+        all_reaches = reaches_of_frames(self.container, first, params)
         previous: Light | None = None
         for number, light in enumerate(lights):
             reaches, seeds = next(all_reaches), (seed, device_seed)
             if light is not previous:
                 expose, previous = self.exposing(light, device_seed), light
             exposure = expose(seed, number)
-            frame, kept_bits = self.next_frame(exposure, kept_bits, reaches, seeds, number)
+            setting = settings[min(number, len(settings) - 1)]
+            kept = kept.with_inputs(self.container, setting.inputs)
+            frame, kept = self.next_frame(exposure, kept, reaches, seeds, number, setting.params)
             yield frame
 
     def next_frame(
-        self, exposure: Exposure, kept_bits: Planes, reaches: Mapping[str, Reach] | None,
-        seeds: tuple[int, int], number: int,
-    ) -> tuple[Frame, Planes]:  # fmt: skip
-        """Return frame `number` of a film, and the bits of the states for the next frame.
+        self, exposure: Exposure, kept: KeptRegisters, reaches: Mapping[str, Reach] | None,
+        seeds: tuple[int, int], number: int, params: Mapping[str, int] = MappingProxyType({}),
+    ) -> tuple[Frame, KeptRegisters]:  # fmt: skip
+        """Return frame `number` of a film, and what registers keep for the next frame.
 
-        `kept_bits` are the bits that the previous frame left; a register without them contains its
-        code bits. `seeds`: seed of the noise, and of the device. `reaches`: see
-        `told_of_planes`."""
+        `kept` is what the previous frame left; a register without bits contains its code bits.
+        `seeds`: seed of the noise, and of the device. `reaches`: see `told_of_planes`. `params`:
+        values of parameters, by default their starts."""
         container, pictures = self.container, self.pictures
-        pixels = self._computed(exposure, seeds, number, kept_bits)
+        pixels = self._computed(exposure, seeds, number, kept, params)
         frame = self._frame_of(pixels, exposure, seeds, number, reaches)
         # Bits of states are 0 if exposure and readouts take longer than registers keep them.
         values_read = sum(name not in pictures.planes for name in pictures.reads)
         between_us = sum(container.slot_us) + values_read * container.target.readout_us
         is_kept = between_us <= retention_us(self.effects, self.sensor)
-        names = [pictures.registers[state.name] for state in pictures.states]
-        return frame, {name: pixels.bit(name).reshape(-1) & is_kept for name in names}
+        names = [pictures.registers[name] for name in pictures.held_planes]
+        bits = {name: pixels.bit(name).reshape(-1) & is_kept for name in names}
+        if not pictures.kept_images:
+            return frame, KeptRegisters(bits)
+        pixels.hold(sum(container.slot_us) * 1e-6)  # kept images leak during the next exposure
+        images = [pictures.registers[image.name] for image in pictures.kept_images]
+        values = {name: pixels.register[name].reshape(-1) for name in images}
+        marks = {name: pixels.cut_by[name].reshape(-1) for name in images}
+        return frame, KeptRegisters(bits, values, marks)
 
     def exposing(self, light: Light, device_seed: int) -> Callable[[int, int], Exposure]:
         """Return a function of (seed, number) that exposes frames of one light."""
@@ -205,6 +257,7 @@ class PicturedProgram:
             name: pixels.bit(name).reshape(valid.shape) for name in state_registers(self.container)
         }
         told |= told_of_planes(self.container, planes, reaches)
+        told |= sums_of_images(self.container, pixels.register, reaches)
         kept = [name for name in read if name in buckets]
         frame = self._bucket_frame(kept, read, valid, seeds, number)
         return replace(frame, told=told)
@@ -243,8 +296,9 @@ class PicturedProgram:
         return frame.frame[buckets:], frame.saturated_by[buckets:]
 
     def _computed(
-        self, exposure: Exposure, seeds: tuple[int, int], number: int, kept_bits: Planes
-    ) -> ArrayPixels | ArrayContents:
+        self, exposure: Exposure, seeds: tuple[int, int], number: int, kept: KeptRegisters,
+        params: Mapping[str, int],
+    ) -> ArrayPixels | ArrayContents:  # fmt: skip
         """Return the registers of all pixels after the last word."""
         container, pictures = self.container, self.pictures
         shape = exposure.exposure_e.shape[1:]
@@ -257,28 +311,49 @@ class PicturedProgram:
             beyond = values > pictures.limits_e[readout.bucket] * (1 + 1e-9)
             exposed[readout.register] = values / readout.gain
             exposed_by[readout.register] = by | beyond.view(np.uint8) * np.uint8(RANGE_BIT)
-        code = {name: plane.reshape(-1) for name, plane in container.planes().items()} | kept_bits
+        exposed |= kept.images
+        exposed_by |= kept.marks
+        code = {name: plane.reshape(-1) for name, plane in container.planes().items()} | kept.bits
+        words = _words_of_params(container)
         if self.effects.noiseless:
-            words = prepared_words(container)
-            return words.run((shape[0], shape[1]), exposed, exposed_by, code)
+            return words.compiled(params).run((shape[0], shape[1]), exposed, exposed_by, code)
         pixels = ArrayPixels(
             sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=number,
             places=np.arange(shape[0] * shape[1], dtype=np.int64), container=container,
             effects=self.effects,
             code=code, shape=(shape[0], shape[1]), exposed=exposed, exposed_by=exposed_by,
         )  # fmt: skip
-        pixels.run_words(_words(container))
+        pixels.run_words(words.listed(params))
         pixels.hold(pixels.after_us * 1e-6)
         return pixels
 
 
-_words, _beyond_reaches = OfContainer(picture_words), OfContainer(beyond_reaches)
+class _WordsOfParams:
+    """The words of a container's images and planes for the last values of its parameters."""
+
+    def __init__(self, container: Container) -> None:
+        self._container = container
+        self._last: tuple[Any, list[tuple[Op, int | None]], PictureWords | None] | None = None
+
+    def listed(self, params: Mapping[str, int]) -> list[tuple[Op, int | None]]:
+        """Return the words in execution order."""
+        key = tuple(sorted(params.items()))
+        if self._last is None or self._last[0] != key:
+            self._last = key, picture_words(self._container, params), None
+        return self._last[1]
+
+    def compiled(self, params: Mapping[str, int]) -> PictureWords:
+        """Return the words for the compiled loop."""
+        words = self.listed(params)
+        assert self._last is not None
+        key, _, prepared = self._last
+        if prepared is None:
+            prepared = PictureWords(self._container.target, words)
+            self._last = key, words, prepared
+        return prepared
 
 
-@OfContainer
-def prepared_words(container: Container) -> PictureWords:
-    """Return the words of a container's images and planes for the compiled loop."""
-    return PictureWords(container.target, picture_words(container))
+_words_of_params, _beyond_reaches = OfContainer(_WordsOfParams), OfContainer(beyond_reaches)
 
 
 def image_sensor(sensor: Sensor, target: Target) -> Sensor:
@@ -287,6 +362,24 @@ def image_sensor(sensor: Sensor, target: Target) -> Sensor:
     given = sensor.values
     changed = {name: full[name] for name in full if given[name] == own[name] != full[name]}
     return sensor.changed(**changed)
+
+
+def sums_of_images(
+    container: Container, values: Mapping[str, NDArray[np.float64]],
+    reaches: Mapping[str, Reach] | None = None,
+) -> Told:  # fmt: skip
+    """Return the reports of sums: electrons of all pixels outside the margin of an image.
+
+    `values`: analog registers; `reaches` as for `told_of_planes`."""
+    pictures, shape = container.pictures, (container.target.rows, container.target.cols)
+    reaches = _beyond_reaches(container) if reaches is None else reaches
+    told: Told = {}
+    for report in pictures.reports:
+        if report.kind == "sum":
+            known = ~reaches[report.plane].margin(shape)
+            image = values[pictures.registers[report.plane]].reshape(shape)
+            told[report.key] = np.array(image[known].sum())
+    return told
 
 
 def told_of_planes(
@@ -308,6 +401,8 @@ def told_of_planes(
         if pictures.registers[name] in planes:
             told[f"plane_{name}"] = planes[pictures.registers[name]]
     for report in pictures.reports:
+        if report.kind == "sum":
+            continue
         register = pictures.registers[report.plane]
         summary = summaries.get(register)
         if summary is None:

@@ -26,12 +26,16 @@ def summary_of(bits: NDArray[np.bool_]) -> PlaneSummary:
 
 def reported(report: PlaneReport, summary: PlaneSummary) -> dict[str, NDArray[Any]]:
     """Return the arrays of a report about a plane; rows of -1 follow the last event."""
-    name = f"report_{report.kind}_{report.plane}"
+    name = report.key
     count, box, places = summary
+    if report.kind == "flood":
+        return {name: np.array(count == 0)}
     if report.kind == "any":
         return {name: np.array(count > 0)}
     if report.kind == "box":
         return {name: np.array(box, np.int32)}
+    if report.kind == "count":
+        return {name: np.array(count, np.int64)}
     events = np.full((report.most, 2), -1, np.int32)
     sent = min(count, report.most)
     events[:sent] = places[:sent]

@@ -36,16 +36,18 @@ def flow_graph(container: Container) -> DiGraph:
     """Return the graph of exposures, states, images, planes, read-out and reports.
 
     Nodes have a `kind` and a `text`, edges a `label`."""
-    from networkx import DiGraph
+    from networkx import DiGraph, has_path
 
     pictures, graph = container.pictures, DiGraph()
     words = {cost.name: cost.words for cost in pictures.costs}
-    states = {state.name: f"next {state.name}" for state in pictures.states}
+    states = {name: f"next {name}" for name in pictures.stepping}
     for name, expression in pictures.expressions.items():
         node = states.get(name, name)
         kind = "state" if name in states else "plane" if name in pictures.planes else "image"
         graph.add_node(node, kind=kind, text=f"{kind}, {words.get(name, 0)} words")
         for source, label in _sources(container, expression):
+            if source in graph and has_path(graph, node, source):
+                continue  # a value of the step before
             labels = graph.edges[source, node]["label"] if graph.has_edge(source, node) else ""
             graph.add_edge(source, node, label=f"{labels}\n{label}".strip())
     outputs = [("read", "", name) for name in pictures.reads]
@@ -71,10 +73,12 @@ def _sources(container: Container, node: p.Node, label: str = "") -> Iterator[tu
             step = node.kernel
         case p.Largest() | p.Near():
             step = f"{'max' if isinstance(node, p.Largest) else node.kind} {node.kernel}"
-        case p.At():
+        case p.At() | p.Shifted():
             step = f"[{node.right}, {node.down}]"
         case p.Above():
             step = f"> {node.steps * container.target.electrons_per_step:.0f} e"
+        case p.AboveParam():
+            step = f"> {'-' if node.factor < 0 else ''}{node.param}"
         case p.Exceeds():
             step = f"> {float(node.level):g}"
     for operand in p.operands(node):

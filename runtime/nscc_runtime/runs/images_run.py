@@ -32,9 +32,10 @@ class ImagesRun(RunKind):
         for frame_light in lights:
             check(container, frame_light)
         program = PicturedProgram(container, sensor, effects, request.threads, not request.planned)
+        settings = request.settings
         if request.next_lights:
-            return Exposing(partial(program.film, lights, *seeds))
-        return Exposing(partial(program.frames, light, *seeds, request.repeat or 1))
+            return Exposing(partial(program.film, lights, *seeds, settings))
+        return Exposing(partial(program.frames, light, *seeds, request.repeat or 1, settings))
 
     def flow(self, container: Container, width: float) -> Any:
         from nscc_runtime.pictures.data_flow import DataFlow

@@ -1,0 +1,290 @@
+"""Emit the words of repeated images and planes, and of values that a register keeps.
+
+The words of one step are stored once. Before and after each step, a repeated value is in the same
+register with the same sign, and FLAG is 1 in all pixels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from nscc.neighbours.held import Held, LoopWords
+from nscc.neighbours.programs import OF_STEP
+from nscc.neighbours.registers import RegisterEmitter
+from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect, op
+from nscc.words import pictures as p
+
+_LOCK = 1 << 30
+"""Reads that are added to all values while the words of a step are emitted: no register is freed,
+because the next step reads it again."""
+
+
+def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
+    """Emit the words of images and planes that step together: their starts, and one step."""
+    steps: dict[str, p.Node] = {}
+    for item in items:
+        assert isinstance(item.node, p.Repeated)
+        steps[item.name] = item.node.step
+        lowering.now = item.name
+        lowering.bits.begin(item.name)
+        _start(lowering, item.name, item.node.start)
+        times = item.node.times
+    lowering.everywhere()
+    steered, lowering.contents, lowering.bits.steered = lowering.bits.steered, {}, None
+    state = lowering.state()
+    _emit_steps(lowering, steps, times)
+    directions = lowering.bits.steered
+    if directions is not None:  # try to choose the neighbours once, before all steps
+        lowering.restore(state)
+        if steered == directions:
+            lowering.bits.steered = directions
+        else:
+            lowering.bits.steer(directions)
+        head = len(lowering.words)
+        _emit_steps(lowering, steps, times)
+        step = (name for op, _ in lowering.words[head:] for name in op.destinations)
+        if not STEERING.keys().isdisjoint(step):
+            lowering.restore(state)
+            _emit_steps(lowering, steps, times)
+            lowering.bits.steered = None
+    lowering.contents = {}
+
+
+def _start(lowering: RegisterEmitter, name: str, node: p.Node) -> None:
+    """Emit the start of a repeated name into a register of its own."""
+    bits = lowering.bits
+    if isinstance(node, p.Condition):
+        register, owner = bits.bit(node)
+        if owner is not None and not bits.hand_over(owner):
+            register = bits.copy(register, owner)
+        bits.planes[name] = register
+        return
+    value = lowering.value(node)
+    if value.name is not None and not lowering.hand_over(value.name):
+        value = lowering.negated(value)
+    if name in lowering.pictures.outputs:
+        value = lowering.positive(value)
+    lowering.held[name] = replace(value, name=name)
+
+
+def _emit_steps(lowering: RegisterEmitter, steps: Mapping[str, p.Node], times: p.Times) -> None:
+    """Emit one step of all names, for the range of values that `times` steps can reach."""
+    images = [name for name in steps if name in lowering.held]
+    begin = len(lowering.words)
+    heads = {name: lowering.held[name] for name in images}
+    for _ in range(max(1, times.most)):
+        state = lowering.state()
+        results = _emit_step(lowering, steps)
+        if all(_contains(heads[name], results[name]) for name in images):
+            break
+        lowering.restore(state)
+        heads = {name: _joined(heads[name], results[name]) for name in images}
+        lowering.held.update(heads)
+    else:
+        results = _emit_step(lowering, steps)
+    for name in images:
+        # Exact where a step adds its noise to the value's, as shifts and choices do.
+        added = max(0.0, results[name].variance - heads[name].variance)
+        variance = heads[name].variance + times.most * added
+        held = replace(_joined(heads[name], results[name]), variance=variance)
+        if name in lowering.held:
+            lowering.held[name] = held
+    values = []
+    for name in steps:
+        register = heads[name].register if name in heads else lowering.loop_registers[name]
+        sign = heads[name].sign if name in heads else 1
+        values.append(p.LoopValue(name, register, 1 if sign > 0 else -1))
+    lowering.loops = [loop for loop in lowering.loops if loop.end <= begin]
+    lowering.loops.append(LoopWords(begin, len(lowering.words), times, tuple(values)))
+
+
+def _emit_step(lowering: RegisterEmitter, steps: Mapping[str, p.Node]) -> dict[str, Held]:
+    """Emit one step of all names at once, and return the new values of images."""
+    bits, begin = lowering.bits, len(lowering.words)
+    lowering.loop_registers = {name: bits.planes[name] for name in steps if name in bits.planes}
+    locked, locked_planes = [*lowering.held], [*bits.planes]
+    for uses, names in ((lowering.uses, locked), (bits.uses, locked_planes)):
+        for name in names:
+            uses[name] = uses.get(name, 0) + _LOCK
+    results = store_at_once(lowering, steps)
+    lowering.everywhere()
+    if len(lowering.words) == begin:
+        lowering.word(op("all"))
+    _move_flag(lowering, begin)
+    for name in locked:
+        lowering.uses[name] -= _LOCK - 1
+        lowering.give(lowering.held[name])
+    for name in locked_planes:
+        bits.uses[name] -= _LOCK - 1
+        bits.give((bits.planes[name], name))
+    return results
+
+
+def _move_flag(lowering: RegisterEmitter, begin: int) -> None:
+    """Shorten a step that writes where a plane is 1, and then moves the plane by one pixel.
+
+    FLAG has the bits of the plane already, so that one word moves them into its register."""
+    words = [word for word, _ in lowering.words[max(begin, len(lowering.words) - 5) :]]
+    if len(words) < 5:
+        return
+    where, masked, all_pixels, moves, copies = words
+    if (
+        where.operation.effect is WordEffect.FLAG_DIGITAL
+        and masked.operation.effect is WordEffect.BUS
+        and all_pixels == op("all")
+        and moves.operation.effect is WordEffect.DIGITAL_NEIGHBOURS
+        and copies == op("MOV", where.sources, moves.destinations)
+        and moves.sources == where.sources
+    ):
+        moves = op(moves.name, where.sources, ["FLAG"])
+        lowering.words[-3:] = [(moves, None), (all_pixels, None)]
+
+
+def store_at_once(lowering: RegisterEmitter, nodes: Mapping[str, p.Node]) -> dict[str, Held]:
+    """Emit words that give all names their next values at once, in the registers that hold them.
+
+    Return the values of images."""
+    results: dict[str, Held] = {}
+    waiting: list[tuple[str, Held | tuple[str, str | None]]] = []
+    for name, is_read_later in _in_order(nodes):
+        lowering.now, node = name, nodes[name]
+        if isinstance(node, p.Condition):
+            if node == p.Bit(name):
+                lowering.bits.uses[name] -= 1
+            elif is_read_later:
+                bit = lowering.bits.bit(node)
+                if bit[1] is not None:
+                    bit = lowering.bits.copy(*bit), None
+                waiting.append((name, bit))
+            else:
+                lowering.bits.store(name, lowering.bits.bit(node))
+            continue
+        head = lowering.held[name]
+        if node == p.Source(name):
+            lowering.give(head)
+            results[name] = head
+        elif is_read_later:
+            value = lowering.value(node)
+            if value.name is not None:
+                value = lowering.negated(value)
+            waiting.append((name, value))
+        else:
+            results[name] = _store(lowering, head, node)
+    for name, next_value in waiting:
+        if isinstance(next_value, Held):
+            results[name] = _move(lowering, next_value, lowering.held[name], None)
+        else:
+            lowering.bits.store(name, next_value)
+    return results
+
+
+def _in_order(nodes: Mapping[str, p.Node]) -> Iterator[tuple[str, bool]]:
+    """Yield names with whether a later name reads them; as few as possible are read later."""
+    reads = {
+        name: {getattr(node, "name", name) for node in p.subexpressions(expression)} - {name}
+        for name, expression in nodes.items()
+    }
+    waiting = list(nodes)
+    while waiting:
+        free = (name for name in waiting if not any(name in reads[n] for n in waiting))
+        name = next(free, waiting[0])
+        waiting.remove(name)
+        yield name, any(name in reads[n] for n in waiting)
+
+
+def _store(lowering: RegisterEmitter, head: Held, node: p.Node) -> Held:
+    """Emit words that write the value of `node` to the register of `head`, in its sign.
+
+    A choice that keeps the value in some pixels writes the register in the other pixels only."""
+    own = p.Source(head.name or "")
+    if not isinstance(node, p.Chosen) or own not in (node.then, node.otherwise):
+        assert not isinstance(node, p.Condition)
+        return _move(lowering, lowering.value(node), head, None)
+    condition, other = node.condition, node.then
+    if node.then == own:
+        condition, other = p.Inverse(condition), node.otherwise
+        if isinstance(node.condition, p.Inverse):
+            condition = node.condition.condition
+    lowering.give(head)
+    bit = lowering.bits.bit(condition)
+    result = _move(lowering, lowering.value(other), head, bit[0])
+    lowering.bits.give(bit)
+    return _joined(head, result)
+
+
+def _move(lowering: RegisterEmitter, value: Held, head: Held, flag: str | None) -> Held:
+    """Emit words that copy a value to the register of `head`, in its sign: in all pixels, or where
+    the digital register `flag` is 1.
+
+    If the last word wrote the value, that word writes the register instead."""
+    register, (last, level) = head.register, lowering.words[-1]
+    source, again = value.register, value.sign == head.sign
+    sources = [source]
+    if again and value.name is None and not lowering.masked and _writes(last, source, register):
+        lowering.words.pop()
+        lowering.contents.pop(source, None)
+        sources, again = [*last.sources], False
+    else:
+        level = None
+    lowering.everywhere()
+    if again:
+        lowering.word(op("bus", ["NEWS"], sources))
+        sources = ["NEWS"]
+    if flag is not None:
+        if not NEIGHBOURS.keys().isdisjoint(sources):
+            sources = _fetched(lowering, sources, source)
+        lowering.word(op("WHERE", [], [flag]))
+    lowering.word(op("bus", [register], sources), level)
+    lowering.everywhere()
+    lowering.give(value)
+    return replace(head, low=value.low, high=value.high, variance=value.variance + again)
+
+
+def _fetched(lowering: RegisterEmitter, sources: list[str], free: str) -> list[str]:
+    """Return sources that a masked word may read, in place of sources that reach neighbours.
+
+    `free` is the register in which the values of the sources would be."""
+    before = lowering.words[-1][0]
+    if len(sources) == 1 and before == op("bus", ["NEWS"], before.sources):
+        right, down = STEPS[sources[0]]  # the word before moves the values instead
+        lowering.words[-1] = op("bus", [OF_STEP[-right, -down]], before.sources), None
+        lowering.contents.pop("NEWS", None)
+        return ["NEWS"]
+    lowering.word(op("bus", [free], sources))
+    lowering.word(op("bus", ["NEWS"], [free]))
+    return ["NEWS"]
+
+
+def _writes(word: Op, source: str, register: str) -> bool:
+    """Return whether a word writes only `source`, and may write `register` instead."""
+    plain = word.operation.effect is WordEffect.BUS and word.operation.phase is Phase.WHOLE
+    return plain and word.destinations == (source,) and register not in word.sources
+
+
+def _contains(outer: Held, inner: Held) -> bool:
+    slack = 1e-9 * max(abs(outer.low), abs(outer.high))
+    return outer.low - slack <= inner.low and inner.high <= outer.high + slack
+
+
+def _joined(first: Held, second: Held) -> Held:
+    """Return `first` with the range of both values, and the larger noise."""
+    low, high = min(first.low, second.low), max(first.high, second.high)
+    return replace(first, low=low, high=high, variance=max(first.variance, second.variance))
+
+
+def kept_ranges(
+    lowering: RegisterEmitter, results: Mapping[str, Held]
+) -> dict[str, tuple[float, float]]:
+    """Return the ranges of kept images that leave the ranges that were assumed, joined with these.
+
+    Empty if every frame keeps the ranges. Raise `PictureRefused` for a range that registers cannot
+    hold."""
+    wider = {}
+    for name, result in results.items():
+        low, high = lowering.kept_ranges[name]
+        assumed = replace(result, low=low, high=high)
+        if not _contains(assumed, result):
+            joined = _joined(assumed, result)
+            lowering.checked(joined.low, joined.high)
+            wider[name] = joined.low, joined.high
+    return wider

@@ -1,0 +1,156 @@
+"""Checked statements of version 4 for values that the host sets: parameters and input planes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal
+
+from nscc.chips.target import Target
+from nscc.program.constants import constant
+from nscc.program.expressions import Meaning, in_evaluation_order, names_in
+from nscc.program.field_planes import PlaneMaker
+from nscc.program.names import Declarations
+from nscc.program.problems import Problems
+from nscc.syntax import tree
+from nscc.words.pictures import HostParam, InputPlane, Times, packed_bits
+
+_OF_A_PLACE = frozenset({"x", "y"})
+
+
+def signed_level(expr: tree.Expr) -> tuple[int, tree.Expr]:
+    """Return the sign (1 or -1) before a level, and the level."""
+    sign = 1
+    while isinstance(expr, tree.Unary) and expr.op == "-":
+        sign, expr = -sign, expr.operand
+    return sign, expr
+
+
+class HostValues:
+    """The parameters and input planes of a file.
+
+    `params` by name; `inputs` by name, also of planes of x and y inside other expressions, which
+    have their text as a name."""
+
+    def __init__(
+        self, declared: Declarations, constants: Mapping[str, Meaning], target: Target,
+        planes: PlaneMaker, problems: Problems,
+    ) -> None:  # fmt: skip
+        self.declared, self.constants, self.target = declared, constants, target
+        self.planes, self.problems = planes, problems
+        self.params: dict[str, HostParam] = {}
+        self.inputs: dict[str, InputPlane] = {}
+        for name, statement in declared.params.items():
+            param = self._param(name, statement)
+            if param is not None:
+                self.params[name] = param
+        for name in declared.inputs:
+            start = declared.input_starts.get(name)
+            bits = None
+            if isinstance(start, tree.PixelsExpr):
+                bits = planes.bits(start.value)
+            elif start is not None:
+                problems.error(
+                    "NS0545", f"the start of `{name}` is not a condition", start.span, "a tile",
+                    helps=(f"write `pixels {name} = CONDITION` over x and y",),
+                )  # fmt: skip
+            self.inputs[name] = InputPlane(name, 0 if bits is None else packed_bits(bits), True)
+
+    def _param(self, name: str, statement: tree.Param) -> HostParam | None:
+        """Return a parameter; None after reporting an invalid range or start (NS0545)."""
+        parts = (statement.low, statement.high, statement.start)
+        kinds = {isinstance(signed_level(part)[1], tree.Amount) for part in parts}
+        text = ""
+        if len(kinds) > 1:
+            text = "its range and its start have different units"
+        numbers = [self._steps(part) if True in kinds else self._integer(part) for part in parts]
+        if not text and None in numbers:
+            return None
+        if not text:
+            low, high, start = (number or 0 for number in numbers)
+            if not low <= start <= high:
+                text = f"its start {start} is outside {low} .. {high}"
+            kind: Literal["level", "integer"] = "level" if True in kinds else "integer"
+            if not text and kind == "level" and max(-low, high) > self.most_steps:
+                least_e = self.target.electrons_per_step
+                text = f"IN has steps of {least_e:.4g} e, up to {self.most_steps} of them"
+            if not text:
+                return HostParam(name, kind, low, high, start)
+        self.problems.error(
+            "NS0545", f"`{name}` is not a valid parameter: {text}", statement.span, "this range",
+            helps=("write all levels, `param t : 1% .. 20% = 4%`, or all integers, "
+                   "`param n : 0 .. 64 = 8`",),
+        )  # fmt: skip
+        return None
+
+    @property
+    def most_steps(self) -> int:
+        """The most steps of IN in both directions."""
+        return min(self.target.in_high, -self.target.in_low)
+
+    def _integer(self, expr: tree.Expr) -> int | None:
+        return constant(expr, self.constants, self.problems, "the range of a parameter")
+
+    def _steps(self, expr: tree.Expr) -> int | None:
+        sign, level = signed_level(expr)
+        if not isinstance(level, tree.Amount):
+            return self._integer(expr)
+        electrons = sign * self.target.level_e(float(level.value), level.unit)
+        return round(electrons / self.target.electrons_per_step)
+
+    def level_param(self, expr: tree.Expr) -> tuple[int, HostParam] | None:
+        """Return the sign and the parameter of a level; None for other expressions."""
+        sign, level = signed_level(expr)
+        param = self.params.get(level.text) if isinstance(level, tree.Name) else None
+        return None if param is None else (sign, param)
+
+    def number(self, expr: tree.Expr, role: str) -> Times | None:
+        """Return a constant, or an integer parameter plus or minus a constant; None after an error.
+
+        Here `offset` may be negative, and `most` is the largest number or 0."""
+        found = [name for name in names_in(expr) if name.text in self.declared.params]
+        if not found:
+            value = constant(expr, self.constants, self.problems, role)
+            return None if value is None else Times(value, max(0, value))
+        name = found[0].text
+        param = self.params.get(name)
+        if param is None:
+            return None
+        sign, offset = 1, 0
+        inner: tree.Expr = expr
+        if isinstance(inner, tree.Binary) and inner.op in ("+", "-"):
+            left = any(each.text == name for each in names_in(inner.left))
+            other = inner.right if left else inner.left
+            value = constant(other, self.constants, self.problems, role)
+            if value is None:
+                return None
+            offset = -value if left and inner.op == "-" else value
+            sign = 1 if left or inner.op == "+" else -1
+            inner = inner.left if left else inner.right
+        inner_sign, inner = signed_level(inner)
+        sign *= inner_sign
+        if not isinstance(inner, tree.Name) or param.kind == "level":
+            what = "a level" if param.kind == "level" else "not only a sum"
+            self.problems.error(
+                "NS0545", f"{role} is an integer parameter plus or minus an integer", expr.span,
+                what, helps=("declare `param n : 0 .. 64 = 8`, and write `n` or `n + 1`",),
+            )  # fmt: skip
+            return None
+        most = offset + max(sign * param.low, sign * param.high)
+        return Times(offset, max(0, most), name, sign)
+
+    def plane_of_places(self, expr: tree.Expr, text: str) -> InputPlane | None:
+        """Return the plane of a condition over x and y; None for a condition that needs light.
+
+        `text`: its source text, which is its name."""
+        known = {*_OF_A_PLACE, "rows", "cols", "N", "min", "max", *self.declared.lets}
+        names = {name.text for name in names_in(expr)}
+        kinds = (tree.Place, tree.Amount)
+        if not names & _OF_A_PLACE or names - known:
+            return None
+        if any(isinstance(node, kinds) for node in in_evaluation_order(expr)):
+            return None
+        name = " ".join(text.split())
+        if name not in self.inputs:
+            bits = self.planes.bits(expr)
+            self.inputs[name] = InputPlane(name, 0 if bits is None else packed_bits(bits), False)
+        return self.inputs[name]

@@ -1,0 +1,220 @@
+"""Repeated images and planes, shifts of any distance, and floods of version 4."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from dataclasses import replace
+from typing import Any, Literal, cast
+
+from nscc.program.constants import constant
+from nscc.program.picture_comparisons import PictureComparer, WrongPicture
+from nscc.source import Span
+from nscc.syntax import tree
+from nscc.words import pictures as p
+
+Kind = Literal["image", "plane", "bucket"]
+_FAR = 8
+"""A plane that is shifted further is shifted in a loop; an image, beyond half of that."""
+
+
+class LoopReader(PictureComparer):
+    """Converts what takes several steps to repeated images and planes.
+
+    `kinds`: the kinds of the names declared so far; a state is a plane. `failed`: names whose
+    expressions are invalid. `items`: the images and planes so far, with those that far shifts and
+    floods need. `floods`: the reports of whether floods were complete. `now`: the name that is
+    declared now."""
+
+    kernels: dict[str, p.Weights]
+
+    def __init__(self, *arguments: Any) -> None:
+        super().__init__(*arguments)
+        self.kinds: dict[str, Kind] = {}
+        self.failed: set[str] = set()
+        self.items: list[p.Picture] = []
+        self.floods: list[p.PlaneReport] = []
+        self.now = ""
+        self._in_step = False
+
+    @abstractmethod
+    def declare(self, name: str, node: p.Node | None) -> None:
+        """Declare an image or plane for the following expressions; None if it is invalid."""
+
+    @abstractmethod
+    def image(self, expr: tree.Expr) -> p.Value | None:
+        """Return the image of an expression; None after reporting an error."""
+
+    @abstractmethod
+    def condition(self, expr: tree.Expr) -> p.Condition | None:
+        """Return the plane of an expression; None after reporting an error."""
+
+    @abstractmethod
+    def _condition(self, expr: tree.Expr) -> p.Condition: ...
+
+    @abstractmethod
+    def _kernel_of(self, call: tree.Call, first: str) -> str: ...
+
+    @abstractmethod
+    def _needs_outside(self, span: Span) -> None: ...
+
+    def declare_places(self, name: str, condition: tree.Expr) -> bool:
+        """Return whether a plane depends on x and y only; it is then an input plane."""
+        if self.declared.version < 4:
+            return False
+        plane = self.host.plane_of_places(condition, name)
+        if plane is not None:
+            self.kinds[name] = "plane"
+        return plane is not None
+
+    def repeat(self, statement: tree.Repeat, name: str) -> None:
+        """Declare all names of a `repeat` when its first name is reached."""
+        names = [item.name.text for item in statement.items]
+        if name != names[0]:
+            return
+        times = self.host.number(statement.count, "the number of steps")
+        if times is not None and times.param == "" and times.offset < 0:
+            self.problems.error(
+                "NS0531", f"a number of steps cannot be {times.offset}", statement.count.span,
+                "negative", helps=("repeat 0 times or more",),
+            )  # fmt: skip
+            times = None
+        starts = [self._node(item.kind, item.start) for item in statement.items]
+        for item, start in zip(statement.items, starts, strict=True):
+            self.declare(item.name.text, start)
+            counts = item.name.text in self.counts
+            if counts:
+                self._report(
+                    "NS0539", "counts cannot be repeated yet", item.start.span, "a count",
+                    ("compare the count, and repeat the plane",),
+                )  # fmt: skip
+        self._in_step = True
+        steps = [self._node(item.kind, item.step) for item in statement.items]
+        self._in_step = False
+        for item, start, step in zip(statement.items, starts, steps, strict=True):
+            if times is None or start is None or step is None:
+                self.kinds.pop(item.name.text, None)
+                self.failed.add(item.name.text)
+                continue
+            make: Any = p.RepeatedImage if item.kind == "image" else p.RepeatedPlane
+            self.items.append(p.Picture(item.name.text, make(start, step, times, names[0])))
+
+    def _node(self, kind: str, expr: tree.Expr) -> p.Node | None:
+        return self.image(expr) if kind == "image" else self.condition(expr)
+
+    def _shifted(self, expr: tree.Place, base: p.Node) -> p.Node:
+        """Return the values of the pixels at an offset. Long ways become loops of steps."""
+        for size, axis, what in (
+            (self.target.cols, expr.right, "columns to the right"),
+            (self.target.rows, expr.down, "rows down"),
+        ):
+            distance = self.host.number(axis, what)
+            if distance is None:
+                raise WrongPicture
+            name = f"{self._text_of(expr)} {what}"
+            base = self._along(base, distance, (1, 0) if axis is expr.right else (0, 1), name)
+            far = max(abs(distance.offset), distance.most) if not distance.param else distance.most
+            if far >= size:
+                raise self._report(
+                    "NS0541", f"`{expr.base.text}` is shifted by {far}, but the array of "
+                    f"{self.target.name} has {size} {what.split()[0]}", axis.span, "too far",
+                    (f"shift by at most {size - 1}",),
+                )  # fmt: skip
+        return base
+
+    def _along(self, base: p.Node, distance: p.Times, step: tuple[int, int], name: str) -> p.Node:
+        """Return an image or a plane that is shifted along one axis."""
+        if distance.param:
+            for sign in (1, -1):
+                part = p.Times(sign * distance.offset, 0, distance.param, sign * distance.factor)
+                param = self.host.params[distance.param]
+                part = replace(part, most=max(part.at({param.name: end}) for end in
+                                              (param.low, param.high)))  # fmt: skip
+                if part.most:
+                    base = self._loop(f"{name} {sign:+}", base, base, part, step, sign)
+            return base
+        sign, pixels = (1 if distance.offset > 0 else -1), abs(distance.offset)
+        direct = _FAR if isinstance(base, p.Condition) else _FAR // 2
+        if pixels > direct and not self._in_step:
+            start = _one_shift(base, step, 2 * sign)
+            times = p.Times(pixels // 2 - 1, pixels // 2 - 1)
+            base, pixels = self._loop(name, base, start, times, step, 2 * sign), pixels % 2
+        shifted: p.Node = _one_shift(base, step, pixels * sign)
+        return shifted
+
+    def _loop(
+        self, name: str, base: p.Node, start: p.Node, times: p.Times, step: tuple[int, int],
+        pixels: int,
+    ) -> p.Node:  # fmt: skip
+        """Declare the name of a far shift, once, and return its value."""
+        if self._in_step:
+            raise self._report(
+                "NS0539", "a shift by a parameter is not supported inside `repeat` yet",
+                self.declared.statements[0].span, "in this program",
+                ("shift by a constant, or shift before the `repeat`",),
+            )  # fmt: skip
+        own: Any = p.Bit(name) if isinstance(base, p.Condition) else p.Source(name)
+        make: Any = p.RepeatedPlane if isinstance(base, p.Condition) else p.RepeatedImage
+        if all(item.name != name for item in self.items):
+            moved = _one_shift(own, step, pixels)
+            self.items.append(p.Picture(name, make(start, moved, times, name)))
+        return cast(p.Node, own)
+
+    def _text_of(self, node: tree.Node) -> str:
+        return " ".join(self.problems.source.text[node.span.start : node.span.end].split())
+
+    def _flood(self, call: tree.Call) -> p.Condition:
+        """Return the parts of a mask that are connected with a seed, and declare what tells whether
+        all parts were reached."""
+        name = self.now
+        if len(call.arguments) != 3 or not isinstance(call.arguments[2], tree.Name):
+            raise self._report(
+                "NS0531", "`flood` takes a seed, a mask and a kernel", call.span,
+                "these arguments", ("write `flood(SEED, MASK, KERNEL)`, or "
+                                    "`flood(SEED, MASK, KERNEL, at most 100)`",),
+            )  # fmt: skip
+        if self._in_step or any(report.plane == name + p.GROWS for report in self.floods):
+            raise self._report(
+                "NS0539", "a plane has one flood, which is not inside `repeat`", call.span,
+                "not supported yet", ("declare a plane for each flood",),
+            )  # fmt: skip
+        kernel = self._kernel_of(replace(call, arguments=call.arguments[1:]), "PLANE")
+        self._needs_outside(call.span)
+        seed, mask = self._condition(call.arguments[0]), self._condition(call.arguments[1])
+        steps: int | None = self.target.rows + self.target.cols
+        if call.most is not None:
+            steps = constant(call.most, self.constants, self.problems, "the number of steps")
+        if steps is None or steps < 1 or not self.kernels[kernel].taps.keys() - {(0, 0)}:
+            raise self._report(
+                "NS0531", "a flood has at least one step, and a kernel with neighbours", call.span,
+                "no step to a neighbour", ("use a kernel such as the cross of neighbours",),
+            )  # fmt: skip
+        around = self._around(kernel)
+        area, flooded = p.Bit(f"{name} bounds"), p.Bit(f"{name} flooded")
+        near = p.Near("any", flooded, around)
+        times, grows = p.Times(steps, steps), f"{name}{p.GROWS}"
+        step = p.Neither(p.Neither(flooded, near), area)
+        self.items += [
+            p.Picture(area.name, p.Neither(mask, seed)),
+            p.Picture(flooded.name, p.RepeatedPlane(seed, step, times, flooded.name)),
+            p.Picture(grows, p.Neither(p.Inverse(near), p.Joined("or", area, flooded))),
+        ]
+        self.floods.append(p.PlaneReport("flood", grows))
+        return flooded
+
+    def _around(self, kernel: str) -> str:
+        """Return the name of a kernel without its centre."""
+        weights, name = self.kernels[kernel], f"{kernel} around"
+        if (0, 0) not in weights.taps:
+            return kernel
+        rows = [list(row) for row in weights.rows]
+        rows[len(rows) // 2][len(rows[0]) // 2] = 0
+        self.kernels[name] = p.Weights(name, tuple(map(tuple, rows)), weights.divisor)
+        return name
+
+
+def _one_shift(base: p.Node, step: tuple[int, int], pixels: int) -> Any:
+    """Return an image or a plane `pixels` steps away."""
+    if not pixels:
+        return base
+    make: Any = p.At if isinstance(base, p.Condition) else p.Shifted
+    return make(base, step[0] * pixels, step[1] * pixels)

@@ -1,0 +1,182 @@
+"""Values of parameters and bits of input planes that the host sets before a frame."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.target import Target
+from nscc.diagnostics.arguments import shown
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.record import Record
+from nscc.words.container import Container
+from nscc.words.pictures import HostParam, InputPlane, unpacked_bits
+
+_UNITS = ("%", "lsb", "e")
+
+
+class HostSetting(Record, eq=False):
+    """What the host sets before a frame: values of parameters (a level in steps of IN), and bits
+    (rows, cols) of the input planes that it loads."""
+
+    params: Mapping[str, int]
+    inputs: Mapping[str, NDArray[np.bool_]]
+
+    @classmethod
+    def at_start(cls, container: Container) -> HostSetting:
+        """Return the starts of all parameters."""
+        return cls({param.name: param.start for param in container.pictures.params}, {})
+
+    def plain(self, container: Container) -> dict[str, float]:
+        """Return the values of parameters for `meta`: levels in electrons, integers as they are."""
+        unit_e = container.target.electrons_per_step
+        return {
+            param.name: self.params[param.name] * (unit_e if param.kind == "level" else 1)
+            for param in container.pictures.params
+        }
+
+
+def settings_of(container: Container, params: Any, inputs: Any) -> tuple[HostSetting, ...]:
+    """Return what the host sets before each frame; the last setting holds for all later frames.
+
+    `params` and `inputs`: mappings by name for all frames, or sequences of mappings for one frame
+    each; None changes nothing. What a later mapping leaves out keeps its value. Empty if both are
+    None. Raises Rejected (NS0546) for unknown names and invalid values."""
+    if params is None and inputs is None:
+        return ()
+    listed = [_mappings("params", params), _mappings("inputs", inputs)]
+    settings, count = [HostSetting.at_start(container)], max(map(len, listed))
+    for number in range(count):
+        of_frame = [each[number] if number < len(each) else {} for each in listed]
+        before = settings[-1]
+        settings.append(
+            HostSetting(
+                {**before.params, **_params(container, of_frame[0])},
+                {**before.inputs, **_inputs(container, of_frame[1])},
+            )
+        )
+    return tuple(settings[1:] or settings)
+
+
+def _refused(message: str, *helps: str) -> Rejected:
+    return rejected("NS0546", message, helps=helps)
+
+
+def _mappings(argument: str, values: Any) -> list[Mapping[str, Any]]:
+    mappings = [values] if isinstance(values, Mapping) else values
+    if mappings is None:
+        return []
+    is_list = isinstance(mappings, Sequence) and not isinstance(mappings, str)
+    if not is_list or not all(isinstance(each, Mapping) for each in mappings):
+        raise _refused(
+            f"`{argument}` is {shown(values)}, not a mapping from names to values",
+            f'write {argument}={{"NAME": VALUE}}, or a list with a mapping for each frame',
+        )
+    return [*mappings]
+
+
+def _unknown(kind: str, name: object, known: Sequence[str]) -> Rejected:
+    names = ", ".join(f"`{each}`" for each in known) or f"the program declares no {kind}"
+    return _refused(f"{shown(name)} is not the name of {kind}", f"known: {names}")
+
+
+def _params(container: Container, values: Mapping[str, Any]) -> dict[str, int]:
+    params = {param.name: param for param in container.pictures.params}
+    for name in values:
+        if name not in params:
+            raise _unknown("a parameter", name, [*params])
+    return {name: _number(params[name], value, container.target) for name, value in values.items()}
+
+
+def _number(param: HostParam, value: Any, target: Target) -> int:
+    """Return the value of a parameter as words use it; raise Rejected if it is invalid."""
+    unit_e = target.electrons_per_step if param.kind == "level" else 1.0
+    ends = [f"{end * unit_e:g}{'e' if param.kind == 'level' else ''}" for end in
+            (param.low, param.high)]  # fmt: skip
+    helps = (f"`{param.name}` is a {param.kind} from {ends[0]} to {ends[1]}",)
+    number: int | None = None
+    if param.kind == "level":
+        electrons = _electrons(value, target)
+        number = None if electrons is None else round(electrons / unit_e)
+    else:
+        is_integer = isinstance(value, int | np.integer) and not isinstance(value, bool)
+        is_text = isinstance(value, str) and value.removeprefix("-").isdecimal()
+        number = int(value) if is_integer or is_text else None
+    if number is None or not param.low <= number <= param.high:
+        what = "outside its range" if number is not None else "not such a value"
+        raise _refused(f"`{param.name}` cannot be {shown(value)}: {what}", *helps)
+    return number
+
+
+def _electrons(value: Any, target: Target) -> float | None:
+    """Return a level in electrons: text with a unit such as "4%", or a number of electrons."""
+    unit = "e"
+    if isinstance(value, str):
+        unit = next((unit for unit in _UNITS if value.endswith(unit)), "")
+        value = value.removesuffix(unit) if unit else None
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        return None
+    return target.level_e(number, unit) if np.isfinite(number) else None
+
+
+def _inputs(container: Container, values: Mapping[str, Any]) -> dict[str, NDArray[np.bool_]]:
+    planes = {plane.name: plane for plane in container.pictures.inputs if plane.is_open}
+    for name in values:
+        if name not in planes:
+            raise _unknown("an input plane", name, [*planes])
+    target = container.target
+    return {name: _bits(planes[name], value, target) for name, value in values.items()}
+
+
+def _bits(plane: InputPlane, value: Any, target: Target) -> NDArray[np.bool_]:
+    """Return the bits of an array, or of the file at a path."""
+    shape = target.rows, target.cols
+    if value is None:
+        return unpacked_bits(plane.bits, shape)
+    is_path = isinstance(value, str | os.PathLike)
+    array = _stored(plane.name, Path(value)) if is_path else np.asarray(value)
+    if array.shape != shape:
+        raise _refused(
+            f"`{plane.name}` is an array of shape {array.shape}, but {target.name} has "
+            f"{shape[0]} x {shape[1]} pixels: [row, column]",
+            "give bits for every pixel",
+        )
+    numbers = array.dtype.kind in "biuf"
+    if not numbers or not np.isin(array, (0, 1)).all():
+        raise _refused(
+            f"`{plane.name}` has values other than 0 and 1", "compare the array: `values > 0`"
+        )
+    return array.astype(np.bool_)
+
+
+def _stored(name: str, path: Path) -> NDArray[Any]:
+    """Return the array in an .npy or .npz file (key `name`), or the bits of a picture: 1 above half
+    of its range."""
+    ending = path.suffix.lower()
+    if ending in (".npy", ".npz"):
+        from nscc.npy import npy_array, npz_arrays
+
+        try:
+            if ending == ".npy":
+                return npy_array(path)
+            arrays, names = npz_arrays(path, lambda key: key == name)
+            if name in arrays:
+                return arrays[name]
+            raise ValueError(f"it has the arrays {', '.join(names)[:60]}, not `{name}`")
+        except (OSError, ValueError) as error:
+            text = f"cannot read '{path}': {error}"
+            raise _refused(text, "save an array with `numpy.save`") from None
+    from nscc_runtime.scenes.picture_files import read_picture
+
+    samples = read_picture(path)
+    most = float(np.iinfo(samples.dtype).max) if samples.dtype.kind in "ui" else 1.0
+    grey = samples.mean(axis=2) if samples.ndim == 3 else samples
+    return np.asarray(grey > most / 2)

@@ -1,0 +1,203 @@
+"""The statements of version 4: what is refused, and what stays a name before it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nscc
+import nscc_runtime
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.neighbours.pictures_proof import pictures_fault
+from nscc.pipeline import Options, run_passes
+from nscc.record import Record
+from nscc.source import Source
+from nscc.syntax.format import format_source
+from nscc.syntax.parse import parse
+from nscc.words.container import Container
+from nscc.words.file import from_bytes, to_bytes
+from nscc.words.pictures import LaunchLoop, Times
+from nscc_runtime.device.objects import upload_of
+
+HEAD = "nsl 4 frame 4 slots of 1ms open when true outside 0 "
+CROSS = "kernel k = [[0, 1, 0], [1, 1, 1], [0, 1, 0]] "
+BRIGHT = "param t : 1% .. 20% = 4% plane p = exposure > t "
+
+
+def container_of(text: str) -> Container:
+    made = run_passes(Source("p.nsl", text), Path(), Options(level=1, cache=False)).container
+    assert made is not None
+    return made
+
+
+def refused(text: str) -> list[str]:
+    with pytest.raises(Rejected) as caught:
+        container_of(HEAD + text)
+    return [diagnostic.code for diagnostic in caught.value.diagnostics]
+
+
+@pytest.mark.parametrize("version", [1, 2, 3])
+def test_words_of_version_4_are_names_before_it(version: int) -> None:
+    text = f"nsl {version} frame 4 slots of 1ms let param = 1 let input = 2 open when n < param"
+    assert parse(Source("p.nsl", text))[1] == ()
+
+
+def test_repeat_with_flood_count_and_sum_stay_names() -> None:
+    text = HEAD + (
+        "let with = 2 plane repeat = exposure > 4% plane flood = repeat and x > with "
+        "plane sum = flood repeat with repeat read sum"
+    )
+    assert container_of(text).pictures.loops[0].times == Times(2, 2)
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("param t : 1% .. 20% = 30% plane p = exposure > t read p", "NS0545"),
+        ("param t : 1% .. 20 = 4% plane p = exposure > t read p", "NS0545"),
+        ("param t : 1% .. 900% = 4% plane p = exposure > t read p", "NS0545"),
+        ("param m : 0 .. 4 = 2 plane p = exposure > m read p", "NS0533"),
+        ("param m : 0 .. 4 = 2 let j = m plane p = x > j read p", "NS0208"),
+        ("param m : 0 .. 4 = 2 plane p = x > m read p", "NS0531"),
+        (BRIGHT + "plane q = p[t, 0] read q", "NS0545"),
+        (BRIGHT + "plane q = p[300, 0] read q", "NS0541"),
+        (BRIGHT + "plane q = p repeat (1 - 2) q[1, 0] read q", "NS0531"),
+        (BRIGHT + "plane q = p repeat 2 r read q", "NS0214"),
+        (BRIGHT + "plane q = flood(p, p) read q", "NS0531"),
+        (BRIGHT + CROSS + "plane q = flood(p, p, k, at most 0) read q", "NS0531"),
+        (BRIGHT + CROSS + "plane q = p repeat 2 flood(p, q, k) read q", "NS0539"),
+        (BRIGHT + "image v = exposure repeat 30 v + exposure read v", "NS0540"),
+        (BRIGHT + "image v = exposure repeat 2 v[1, 0] * 4 / 2 read v", "NS0540"),
+        (BRIGHT + "state s : image next s = exposure read p", "NS0543"),
+        (BRIGHT + "state s : image kept = 3 next s = exposure read p", "NS0543"),
+        (BRIGHT + "state s : image kept next s = s + exposure read p", "NS0540"),
+        (BRIGHT + "report sum p", "NS0214"),
+        (BRIGHT + "input plane q pixels q = x + 1 read p, q", "NS0301"),
+        (BRIGHT + "input plane q pixels q = tile [[0, 1]] read p, q", "NS0545"),
+    ],
+)  # fmt: skip
+def test_what_is_refused(text: str, code: str) -> None:
+    assert code in refused(text)
+
+
+@pytest.mark.parametrize(
+    ("params", "inputs"),
+    [
+        ({"u": "4%"}, None), ({"t": "30%"}, None), ({"t": "4"}, None), ({"t": None}, None),
+        ({"m": 5}, None), ({"m": 1.5}, None), ({"m": True}, None), ([{"m": 1}, 3], None), (3, None),
+        (None, {"p": np.zeros((256, 256))}), (None, {"q": np.zeros((4, 4), np.bool_)}),
+        (None, {"q": np.full((256, 256), 2)}), (None, {"q": "no_such.npy"}),
+    ],
+)  # fmt: skip
+def test_values_of_the_host_are_checked(params: Any, inputs: Any) -> None:
+    program = nscc.compile(
+        HEAD + BRIGHT + "param m : 0 .. 4 = 2 input plane q plane r = q and p[m, 0] read r"
+    )
+    with pytest.raises(Rejected) as caught:
+        nscc_runtime.capture(program, np.ones((256, 256)), params=params, inputs=inputs)
+    assert {each.code for each in caught.value.diagnostics} <= {"NS0546", "NS0313", "NS0789"}
+
+
+def test_meta_has_the_parameters() -> None:
+    program = nscc.compile(HEAD + BRIGHT + "param m : 0 .. 4 = 2 plane r = p[m, 0] read r")
+    lights = np.ones((3, 4, 256, 256))
+    film = nscc_runtime.film(program, lights, params=[{"m": 1}, {"t": 2362.2}, {}])
+    level = 5 * 30000 / 127
+    assert [row["m"] for row in film.meta["params"]] == [1, 1, 1]
+    np.testing.assert_allclose(
+        [row["t"] for row in film.meta["params"]], [level, 2 * level, 2 * level]
+    )
+
+
+def test_the_format_keeps_the_meaning() -> None:
+    text = (
+        HEAD
+        + BRIGHT
+        + CROSS
+        + (
+            "image v = exposure repeat 64 (v[0, -1] + v[0, -1] if m else v + v + v + v + v) / 8 "
+            "with plane m = p repeat m[0, 1] "
+            "plane f = flood(p, m, k, at most 20) state s : image kept = -3% next s = v when f "
+            "read f, v"
+        )
+    )
+    formatted = format_source(Source("p.nsl", text))
+    assert format_source(Source("p.nsl", formatted)) == formatted
+    assert "\n    with plane m = p repeat m[0, 1]\n" in formatted
+
+
+def changed_loops(container: Container, change: Any) -> list[Container]:
+    pictures = container.pictures
+    return [
+        replaced(container, pictures=replaced(pictures, loops=(*pictures.loops[:n], loop, *after)))
+        for n in range(len(pictures.loops))
+        for after in [pictures.loops[n + 1 :]]
+        for loop in [change(pictures.loops[n])]
+    ]
+
+
+def replaced(record: Any, **fields: Any) -> Any:
+    from dataclasses import replace
+
+    return replace(record, **fields)
+
+
+def test_the_proof_notices_wrong_loops() -> None:
+    """A step too many, another register, another sign: each is another program."""
+    container = container_of(
+        HEAD + BRIGHT + "image v = exposure repeat 6 (v[0, -1] if m else v) "
+        "with plane m = p repeat m[0, 1] read v, p"
+    )
+    assert pictures_fault(container) is None
+    assert to_bytes(from_bytes(to_bytes(container), "p.icw")) == to_bytes(container)
+
+    def longer(loop: LaunchLoop) -> Record:
+        return replaced(loop, times=Times(7, 7))
+
+    def moved(loop: LaunchLoop) -> Record:
+        values = tuple(
+            replaced(value, register="F" if value.register in "ABCDE" else "R11")
+            for value in loop.values
+        )
+        return replaced(loop, values=values)
+
+    def negated(loop: LaunchLoop) -> Record:
+        return replaced(loop, values=tuple(replaced(v, sign=-v.sign) for v in loop.values))
+
+    def shorter(loop: LaunchLoop) -> Record:
+        return replaced(loop, values=loop.values[:1])
+
+    for change in (longer, moved, negated, shorter):
+        for wrong in changed_loops(container, change):
+            assert pictures_fault(wrong) is not None, change.__name__
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        BRIGHT + "read p",
+        "input plane q plane p = q and exposure > 4% read p",
+        "state s : image kept plane p = exposure - s > 4% next s = exposure read p",
+        "image v = exposure / 2 report sum v",
+    ],
+)
+def test_a_loader_refuses_what_it_does_not_know(text: str) -> None:
+    with pytest.raises(Rejected) as caught:
+        upload_of(container_of(HEAD + text), bytes(32))
+    assert [each.code for each in caught.value.diagnostics] == ["NS0765"]
+
+
+def test_a_kept_image_leaks_and_a_sum_is_exact() -> None:
+    program = nscc.compile(
+        HEAD + "state s : image kept = 40% image i = exposure / 2 next s = s read s report sum i"
+    )
+    light = np.full((3, 4, 256, 256), 1000.0)
+    exact = nscc_runtime.film(program, light)
+    assert (exact.images["s"] == 12000).all()
+    assert exact.reports["sum i"] == [2000.0 * 256 * 256] * 3
+    leaking = nscc_runtime.film(program, light, effects="leakage").images["s"].mean(axis=(1, 2))
+    assert leaking[0] < 12000
+    assert leaking[2] < leaking[1] < leaking[0]
