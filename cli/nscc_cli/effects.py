@@ -67,8 +67,13 @@ def listing() -> str:
     """Return a table with one line for each effect."""
     from nscc_runtime.effects import registered
 
-    return columns([(effect.name, effect.kind, effect.title) for effect in registered()]) + (
+    rows = [("effect", "kind", "defaults rest on", "")]
+    for effect in registered():
+        bases = sorted({row.basis for row in effect.parameters}) or ["no parameter"]
+        rows.append((effect.name, effect.kind, ", ".join(bases), effect.title))
+    return columns(rows, left_aligned=(0, 1, 2, 3)) + (
         "\n\nfixed: the same in every frame; random: new in every frame; after: in the readout\n"
+        "chip frames: docs/silicon.md; `nscc effects NAME` names the source of each value\n"
         "`nscc effects NAME` shows one, --toml prints a sensor file"
     )
 

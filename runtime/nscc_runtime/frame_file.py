@@ -35,7 +35,6 @@ import json
 import zipfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from math import hypot
 from types import MappingProxyType
 from typing import IO, Any, Protocol
 
@@ -49,8 +48,8 @@ from nscc_runtime.effects import Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.noise import key, normals
 from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.readout_noise import ReadoutNoise
 from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256
 
@@ -131,17 +130,9 @@ def converted(
 ) -> Frame:
     """Convert the exposure of frame number `frame` to codes, with the noise of the converter in
     `effects`. `seeds`: noise seed, device seed."""
-    noise: NDArray[np.float64] | float = 0.0
-    noise_effects = effects.acting("converter")
-    if noise_effects and exposure.exposure_e.size:
-        buckets, rows, cols = exposure.exposure_e.shape
-        places = np.arange(rows * cols, dtype=np.int64).reshape(rows, cols)
-        # One draw with the first effect's stream: the sum of normal errors is normal.
-        stream = noise_effects[0][0].stream
-        keys = [key(seeds[0], stream, frame=frame, group=k) for k in range(buckets)]
-        noise = np.stack([normals(k, places, single=True) for k in keys])
-        noise *= hypot(*(sigma(sensor) for _, sigma in noise_effects))
-    return read_out(exposure, target, sensor, noise)
+    buckets, *shape = exposure.exposure_e.shape
+    noise = ReadoutNoise.of(sensor, effects, seeds[1], (shape[0], shape[1]))
+    return read_out(exposure, target, sensor, noise.codes(seeds[0], frame, buckets))
 
 
 def check_adc(target: Target) -> None:

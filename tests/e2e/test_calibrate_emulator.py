@@ -86,13 +86,16 @@ def test_the_sensor_comes_back(folder: Path) -> None:
             assert abs(choice["value"] - value) < 4 * choice["standard_error"], (name, choice)
             assert choice["standard_error"] < 0.05 * value or name == "crosstalk_fraction"
     assert abs(found["analog_bias_lsb"]["value"]) < 4 * found["analog_bias_lsb"]["standard_error"]
-    pattern = found["analog_pattern_lsb"]
+    pattern = found["adc_pattern_lsb"]
     assert pattern["value"] < 4 * pattern["standard_error"] < 0.5
 
 
 def test_a_calibrated_emulator_takes_the_same_frames(folder: Path) -> None:
     """With every effect the frames' noise has many sources; the file holds what they add up to."""
-    changes = {**SENSOR, "adc_noise_lsb": 0.65, "analog_bias_lsb": 0.3, "analog_pattern_lsb": 0.2}
+    changes = {
+        **SENSOR, "adc_noise_lsb": 0.65, "analog_lsb_e": 20.0, "analog_noise_lsb": 0.75,
+        "analog_bias_lsb": 0.3, "analog_pattern_lsb": 0.2, "adc_level_lsb": 0.0,
+    }  # fmt: skip
     given = [word for k, v in changes.items() for word in ("--sensor-set", f"{k}={v}")]
     names = taken(folder, "all", given)
     build = ["build", "p4.nsl", "--lowering", "edges", "--target", "small.toml", "-o", "p4.icw"]

@@ -160,9 +160,10 @@ def test_a_broken_promise_exits_1_and_leaves_the_files(folder: Path) -> None:
     assert "BROKEN" in outcome.err
     arrays, meta = loaded(folder)
     assert meta["audit"]["holds"] is False
-    # Shot noise of the mean charge: (0 + 500 + .. + 2000) / 5 electrons.
-    assert meta["audit"]["measured_rms_e"] == pytest.approx(1000**0.5, rel=0.05)
-    assert meta["plan"]["predicted_e"] == pytest.approx(1000**0.5, rel=0.05)
+    # Shot noise of the mean charge, (0 + 500 + .. + 2000) / 5 electrons, after two additions.
+    expected_e = meta["sensor"]["analog_gain"] ** 2 * 1000**0.5
+    assert meta["audit"]["measured_rms_e"] == pytest.approx(expected_e, rel=0.05)
+    assert meta["plan"]["predicted_e"] == pytest.approx(expected_e, rel=0.05)
     assert arrays["frame"].shape == (2, 1, 24, 30)
     assert (folder / "plan.json").exists()
     assert (folder / "f.png").read_bytes().startswith(b"\x89PNG")

@@ -124,7 +124,7 @@ def test_leaving_out_an_effect_that_is_exactly_zero_changes_no_bit(
 @pytest.mark.parametrize("lowering", LOWERINGS)
 def test_code_zero_without_dark_current_has_pedestal_and_read_noise_only(lowering: str) -> None:
     container = program(lowering=lowering)
-    sensor = sensor_of(container, dark_current_e_per_s=0.0)
+    sensor = sensor_of(container, dark_current_e_per_s=0.0, analog_move_noise=0.5)
     dark, bright = (
         columns(exposures(container, flat(level), sensor, "all", 3), 0) for level in (0.0, 900.0)
     )
@@ -238,4 +238,5 @@ def test_every_effect_runs_alone_and_changes_something() -> None:
     absent = {name for name in optional()
               if np.array_equal(exposures(container, light, sensor, name), nothing)}  # fmt: skip
     compared = {"comparator_offset", "comparator_noise"}
-    assert absent == {"motion", "decay", "adc_noise", "spreading", "black_sun", *compared}
+    readout = {"adc_noise", "spreading", "column_noise", "readout_pattern", "readout_level"}
+    assert absent == {"motion", "decay", "black_sun", *readout, *compared}

@@ -66,8 +66,9 @@ def test_repeats_are_consecutive_frames() -> None:
 
 def test_the_readout_is_that_of_frame_files() -> None:
     sensor = sensor_of(
-        PROGRAM, adc_noise_lsb=0.0, spread_noise_lsb=0.0, electrons_per_lsb=25.0, adc_offset_lsb=4.0
-    )
+        PROGRAM, adc_noise_lsb=0.0, spread_noise_lsb=0.0, adc_pattern_lsb=0.0, adc_smooth_lsb=0.0,
+        adc_level_lsb=0.0, electrons_per_lsb=25.0, adc_offset_lsb=4.0,
+    )  # fmt: skip
     taken = capture(PROGRAM, CLIP, sensor=sensor, tolerance="1e")
     expected = read_out(Exposure(taken.exposure_e, taken.valid), PROGRAM.target, sensor)
     assert taken.frame.tobytes() == expected.frame.tobytes()

@@ -110,10 +110,12 @@ def test_words_do_what_is_expected() -> None:
     container = replace(container, pixel_codes=container.pixel_codes[:96, :96])
     slot_s = np.full(64, 125e-6)
     still = Light.of_still((light / slot_s.sum()).astype(np.float32), slot_s)
-    taken = capture(container, still, effects="all", seed=3)
-    told = merged_image(taken.told[LIGHT], taken.told[DEVIATION]) * slot_s.sum()
-    peak = np.percentile(light, 99.9)
-    measured = -10 * np.log10(np.mean((mu_law(told / peak) - mu_law(light / peak)) ** 2))
+    peak, squares = np.percentile(light, 99.9), []
+    for chip in range(5):  # the expected error is a mean over chips
+        taken = capture(container, still, effects="all", seed=3, device_seed=chip)
+        told = merged_image(taken.told[LIGHT], taken.told[DEVIATION]) * slot_s.sum()
+        squares.append((mu_law(told / peak) - mu_law(light / peak)) ** 2)
+    measured = -10 * np.log10(np.mean(squares))
     assert measured == pytest.approx(-10 * math.log10(made.expected.errors["mu"]), abs=0.5)
 
 
@@ -219,7 +221,8 @@ def test_a_searched_pattern_does_what_the_search_says() -> None:
     noise_e = float(DesignChip.of(TARGET, SENSOR).exposed_sd_e(np.zeros(1))[0])
     light = merged(codes, share, SENSOR.electrons_per_lsb, frame.saturated[0], noise_e)
     peak = float(np.percentile(light_e, 99.9))
-    assert mu_psnr(light_e, light, peak) == pytest.approx(best.mu_db, abs=0.3)
+    # A shutter of several stops adds twice where that of one stop adds once.
+    assert best.mu_db - 0.5 < mu_psnr(light_e, light, peak) < best.mu_db + 0.3
     truth, shown = (np.clip(part / peak, 0, 1) for part in (light_e, light))
     assert psnr(truth, shown, 1.0) == pytest.approx(best.linear_db, abs=0.3)
 
@@ -241,7 +244,9 @@ def test_words_decide_between_patterns_that_are_nearly_as_good() -> None:
 
 def test_a_camera_meters_the_light() -> None:
     """It opens for less the more light there is, and for all of a frame that is dark."""
-    chip, light = DesignChip.of(TARGET, SENSOR), scene(stops=4.0) / 60
+    sensor = SENSOR.changed(analog_noise_lsb=0.4, spread_noise_lsb=0.65, adc_pattern_lsb=0.0,
+                            adc_smooth_lsb=0.0)  # fmt: skip
+    chip, light = DesignChip.of(TARGET, sensor), scene(stops=4.0) / 60
     stops = [best_stop(chip, light * factor, 256, "mu") for factor in (0.01, 1.0, 8.0, 64.0)]
     assert stops == sorted(stops, reverse=True)
     assert stops[0] == 256

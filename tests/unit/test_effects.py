@@ -133,7 +133,7 @@ def test_what_marks_saturation_is_declared() -> None:
     least_e = marks()["registers"].least_e
     # Where a register keeps half of what is added: tanh' = 1/2.
     x = np.arccosh(np.sqrt(2.0))
-    assert least_e(SENSOR) == pytest.approx(3000 * (x - np.tanh(x)))
+    assert least_e(SENSOR) == pytest.approx(0.1 * SENSOR.register_max_e * (x - np.tanh(x)))
     assert least_e(SENSOR.changed(register_knee_fraction=1.0)) == 0
 
 
@@ -156,13 +156,14 @@ def test_fixed_patterns_have_the_stated_mean_and_spread() -> None:
 
 def test_soft_saturation_is_exact_below_the_knee_monotone_and_bounded() -> None:
     values = np.linspace(-1e5, 1e5, 20001)
-    held = soft(values, SENSOR)
+    sensor = SENSOR.changed(register_min_e=-30000.0, register_max_e=30000.0)
+    held = soft(values, sensor)
     inside = np.abs(values) <= 27000
     np.testing.assert_array_equal(held[inside], values[inside])
     assert np.all(np.diff(held) >= 0)
     assert np.abs(held).max() <= 30000
     np.testing.assert_allclose(np.diff(held[12700:12703]), 10.0, rtol=0.01)
-    hard = soft(values, SENSOR.changed(register_knee_fraction=1.0))
+    hard = soft(values, sensor.changed(register_knee_fraction=1.0))
     np.testing.assert_array_equal(hard, np.clip(values, -30000, 30000))
     zero = np.array([-0.0, 0.0])
     assert soft(zero, SENSOR).tobytes() == zero.tobytes()

@@ -23,8 +23,9 @@ ROWS, COLS = 6, 9
 QUIET = {
     "analog_noise_lsb": 0.0, "analog_pattern_lsb": 0.0, "analog_bias_lsb": 0.0,
     "leakage_spread_fraction": 0.0, "leakage_tau_s": 0.02, "electrons_per_lsb": 10.0,
-    "register_min_e": -1e9, "register_max_e": 1e9,
+    "analog_gain": 0.96, "analog_move_loss": 0.25, "register_min_e": -1e9, "register_max_e": 1e9,
 }  # fmt: skip
+GAINS = {"gain": 0.96, "move_gain": 0.99}
 
 
 def probed(container: Container, sensor: Sensor, effects: str) -> np.ndarray:
@@ -46,13 +47,19 @@ def probed(container: Container, sensor: Sensor, effects: str) -> np.ndarray:
     ("effects", "model"),
     [
         ("none", WeightModel()),
-        ("analog", WeightModel(gain=0.996)),
+        ("analog", WeightModel(**GAINS)),
         ("leakage", WeightModel(leak_per_s=50.0)),
         ("dead_time", WeightModel(dead_time=True)),
         ("dead_time,black_sun", WeightModel(dead_time=True, lit_level=True)),
         ("decay", WeightModel(decay=True)),
-        ("analog,leakage,dead_time,decay", WeightModel(0.996, 50.0, True, True)),
-        ("analog,leakage,dead_time,black_sun", WeightModel(0.996, 50.0, True, lit_level=True)),
+        (
+            "analog,leakage,dead_time,decay",
+            WeightModel(leak_per_s=50.0, dead_time=True, decay=True, **GAINS),
+        ),
+        (
+            "analog,leakage,dead_time,black_sun",
+            WeightModel(leak_per_s=50.0, dead_time=True, lit_level=True, **GAINS),
+        ),
     ],
 )
 def test_weights_are_those_of_the_words(name: str, effects: str, model: WeightModel) -> None:
@@ -86,8 +93,9 @@ def test_noise_is_as_large_as_the_references(name: str, effect: str) -> None:
     made = AnalysedProgram.of(container, sensor)
     dark = Light.of_clip(np.zeros((container.slots, rows, cols), np.float32))
     found = expose(container, dark, sensor, selected(effect)).exposure_e.reshape(-1, rows * cols)
-    covariance = sigma**2 * made.weights(WeightModel()).covariance(errors.at)
-    variance = sigma**2 * made.weights(WeightModel()).variance(errors.at)
+    weights = made.weights(WeightModel.of(selected(effect), sensor))
+    covariance = sigma**2 * weights.covariance(errors.at)
+    variance = sigma**2 * weights.variance(errors.at)
     for lane in np.unique(made.lanes):
         here = made.lanes == lane
         for bucket in range(len(found)):

@@ -116,12 +116,14 @@ def test_four_images_are_counted_in_two_walks() -> None:
 
 def test_the_error_of_counts_is_what_the_report_says(cell: Path) -> None:
     container = small(CELL, side=64, folder=cell.parent)
-    sensor = default_sensor(container.target).changed(analog_pattern_lsb=0.0, analog_gain=1.0)
+    sensor = default_sensor(container.target).changed(
+        analog_pattern_lsb=0.0, analog_gain=1.0, analog_noise_lsb=0.4, analog_move_noise=1.0
+    )
     runner = PicturedProgram(container, sensor, selected("analog"), threads=1)
     bright = np.random.default_rng(2).random((1, 64, 64)) < 0.5
     (frame,) = runner.frames(Light.of_clip(bright * np.float32(30000)), 3, 1, 1)
     exact = film_of(container, [bright * np.float32(30000)])[0]["image_o"]
-    word_e = sensor.analog_noise_lsb * sensor.electrons_per_lsb
+    word_e = sensor.analog_noise_lsb * sensor.analog_lsb_e
     noise_gain = picture_report(container)["images"]["o"]["noise_gain"]
     error_e = (frame.told["image_o"] - exact).std()
     assert error_e == pytest.approx(noise_gain * word_e, rel=0.06)

@@ -134,11 +134,13 @@ def test_the_error_of_words_is_what_the_report_says() -> None:
     )
     sensor = default_sensor(container.target)
     light = np.full((128, 128), 9000.0, np.float32)
-    quiet = sensor.changed(analog_pattern_lsb=0.0, analog_gain=1.0)
+    quiet = sensor.changed(
+        analog_pattern_lsb=0.0, analog_gain=1.0, analog_noise_lsb=0.4, analog_move_noise=1.0
+    )
     runner = PicturedProgram(container, quiet, selected("analog"), threads=1)
     (frame,) = runner.frames(Light.of_clip(light[None]), 3, 1, 1)
     inside = ~frame.told["margin"]
-    word_e = quiet.analog_noise_lsb * quiet.electrons_per_lsb
+    word_e = quiet.analog_noise_lsb * quiet.analog_lsb_e
     # The exposure has errors of its own: two words, blurred by the kernel.
     exposure_words = 2 * 36 / 256
     report = picture_report(container)["images"]["i"]

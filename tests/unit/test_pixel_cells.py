@@ -159,7 +159,7 @@ def test_noise_of_training_is_that_of_the_emulator() -> None:
     program = compiled_cell(files, KERNELS, target)
     light = np.random.default_rng(0).integers(0, 2, (1, 48, 48)).astype(np.float32) * 28_000
     sensor = {"comparator_noise_fraction": 0.0, "comparator_offset_fraction": 0.0,
-              "analog_pattern_lsb": 0.0}  # fmt: skip
+              "analog_pattern_lsb": 0.0, "analog_gain": 1.0}  # fmt: skip
     exact, noisy = (
         film(program, [light], effects=effects, sensor=sensor) for effects in ("none", "analog")
     )

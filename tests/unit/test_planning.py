@@ -112,9 +112,12 @@ def test_a_single_frame_is_not_measured_and_many_are() -> None:
 def test_a_relative_tolerance_is_that_of_the_frames_noise() -> None:
     container = case("b edges", SLOTS, rows=SIDE, cols=SIDE)
     light = scene("mid", SLOTS, SIDE, SIDE)
-    plan = measured_plan(container, light, sensor_of(container), "0.3noise")
-    taken = nscc_runtime.capture(container, light, effects="all", device_seed=5, repeat=40)
-    codes = taken.frame.astype(np.float64) * sensor_of(container).electrons_per_lsb
+    sensor = sensor_of(container, adc_offset_lsb=30.0)  # no code is clipped at 0
+    plan = measured_plan(container, light, sensor, "0.3noise")
+    taken = nscc_runtime.capture(
+        container, light, sensor=sensor, effects="all", device_seed=5, repeat=40
+    )
+    codes = taken.frame.astype(np.float64) * sensor.electrons_per_lsb
     noise = np.sqrt(codes.var(axis=0, ddof=1).mean(axis=(1, 2))).max()
     assert plan.noise_e == pytest.approx(noise, rel=0.05)
     assert plan.tolerance_e == pytest.approx(0.3 * plan.noise_e)

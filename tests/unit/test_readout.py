@@ -146,7 +146,7 @@ def test_the_words_before_readout_make_their_noise() -> None:
     sensor = default_sensor(target)
     container, light = program_and_light(target)
     numbers = np.random.default_rng(1)
-    sigma_e, count = sensor.analog_noise_lsb * sensor.electrons_per_lsb, 4000
+    sigma_e, count = sensor.analog_noise_lsb * sensor.analog_lsb_e, 4000
     error = sigma_e * numbers.standard_normal((3, count))
     full_e = -WELL_E
     copy, scratch = (-(WELL_E / 2 + full_e) + each for each in error[:2])

@@ -66,10 +66,11 @@ SESSIONS: Mapping[str, tuple[str, ...]] = {
         "design --scene builtin:hdr --criterion sve-risk --target small.toml -o e.nsl",
     ),
     "sensors": (
-        "run open.nsl --scene builtin:flat:4000 --effects all --repeat 4 -o f1.npz",
-        "run open.nsl --scene builtin:flat:9000 --effects all --repeat 4 -o f2.npz",
-        "run open.nsl --scene builtin:flat:15000 --effects all --repeat 4 -o f3.npz",
-        "run open.nsl --scene builtin:dark --effects all --repeat 4 -o d1.npz",
+        "run open.nsl --scene builtin:flat:4000 --effects all --repeat 4 --sensor q.toml -o f1.npz",
+        "run open.nsl --scene builtin:flat:9000 --effects all --repeat 4 --sensor q.toml -o f2.npz",
+        "run open.nsl --scene builtin:flat:15000 --effects all --repeat 4 --sensor q.toml "
+        "-o f3.npz",
+        "run open.nsl --scene builtin:dark --effects all --repeat 4 --sensor q.toml -o d1.npz",
         "calibrate f1.npz f2.npz f3.npz --dark d1.npz --program open.nsl --target small.toml "
         "-o s.toml --json",
         "calibrate f1.npz f2.npz f3.npz --dark d1.npz --crosstalk 0 --target small.toml -o t.toml",
@@ -108,6 +109,12 @@ read edge, strength
 """
 
 
+QUIET = """analog_noise_lsb = 0.2
+adc_pattern_lsb = 0.5
+adc_smooth_lsb = 0.5
+adc_level_lsb = 0.1
+"""
+"""A sensor that few frames of a small array calibrate."""
 OPEN = """nsl 1
 target "small.toml"
 frame 4 slots of 250us
@@ -126,6 +133,7 @@ def folder(tmp_path: Path) -> Path:
     )
     for name, text in {"small": SMALL, "looks": LOOKS, "images": IMAGES, "open": OPEN}.items():
         (tmp_path / f"{name}.nsl").write_text(text)
+    (tmp_path / "q.toml").write_text(QUIET)
     rng = np.random.default_rng(4)
     truth = rng.integers(0, 256, (24, 32))
     np.save(tmp_path / "t.npy", truth.astype(np.uint8))

@@ -127,42 +127,52 @@ def test_soft_saturation_of_registers(lowering: str) -> None:
 
 @dataclass
 class Affine:
-    """A value as mean and coefficients of independent errors, each with the mean of a bias."""
+    """A value as mean and coefficients of independent errors, each with the mean of a bias.
+
+    `moves`: those of moves, which have no bias."""
 
     mean: float = 0.0
     errors: dict[int, float] = field(default_factory=dict)
+    moves: dict[int, float] = field(default_factory=dict)
 
-    def word(self, sign: float, gain: float, fresh: list[int]) -> Affine:
+    def word(self, sign: float, gain: float, fresh: list[int], adds: bool = False) -> Affine:
         """-gain times this, plus a new error with that sign."""
         fresh[0] += 1
         errors = {name: -gain * c for name, c in self.errors.items()}
-        return Affine(-gain * self.mean, {**errors, fresh[0]: sign})
+        moves = {name: -gain * c for name, c in self.moves.items()}
+        (errors if adds else moves)[fresh[0]] = sign
+        return Affine(-gain * self.mean, errors, moves)
 
     def plus(self, other: Affine) -> Affine:
-        names = {*self.errors, *other.errors}
-        return Affine(
-            self.mean + other.mean,
-            {name: self.errors.get(name, 0) + other.errors.get(name, 0) for name in names},
+        pairs = (self.errors, other.errors), (self.moves, other.moves)
+        errors, moves = (
+            {name: a.get(name, 0) + b.get(name, 0) for name in {*a, *b}} for a, b in pairs
         )
+        return Affine(self.mean + other.mean, errors, moves)
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
 def test_errors_of_analog_words(lowering: str) -> None:
     gain, lsb, noise, pattern, bias = 0.98, 10.0, 0.5, 0.2, 0.3
+    move_gain, move_noise = 0.995, 0.4
     found = run(
-        lowering, "analog", analog_gain=gain, electrons_per_lsb=lsb, analog_noise_lsb=noise,
-        analog_pattern_lsb=pattern, analog_bias_lsb=bias,
+        lowering, "analog", analog_gain=gain, analog_lsb_e=lsb, analog_noise_lsb=noise,
+        analog_pattern_lsb=pattern, analog_bias_lsb=bias, analog_move_loss=0.25,
+        analog_move_noise=move_noise,
     )  # fmt: skip
     for stop in range(SLOTS + 1):
         fresh = [0]
-        a = Affine().word(-1, gain, fresh).word(1, gain, fresh)
-        b = Affine().word(-1, gain, fresh).word(1, gain, fresh)
+        a = Affine().word(-1, move_gain, fresh).word(1, move_gain, fresh)
+        b = Affine().word(-1, move_gain, fresh).word(1, move_gain, fresh)
         for added in [E] * stop if lowering == "accumulate" else [stop * E][: stop > 0]:
             before = a if lowering != "latch" else Affine()
-            scratch = before.plus(Affine(added)).word(-1, gain, fresh)
-            a = scratch.plus(b).word(1, gain, fresh)
+            adds = lowering != "latch"
+            first_gain = gain if adds else move_gain
+            scratch = before.plus(Affine(added)).word(-1, first_gain, fresh, adds)
+            a = scratch.plus(b).word(1, gain, fresh, adds=True)
         total = sum(a.errors.values())
         squares = sum(c * c for c in a.errors.values())
+        squares += move_noise**2 * sum(c * c for c in a.moves.values())
         check(
             columns(found, stop),
             (

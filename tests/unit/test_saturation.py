@@ -23,6 +23,12 @@ FULL_E, KNEE = 30000.0, 0.9
 LIMITS = {"well_e": FULL_E, "most_e": FULL_E, "knee": KNEE}
 MUCH_E = 0.17 * (1 - KNEE) * FULL_E
 """What a register has lost where it keeps half of what is added."""
+# Crosstalk takes light where the oracle, pixel by pixel, sees none.
+QUIET = {
+    "crosstalk_fraction": 0.0, "register_min_e": -FULL_E, "register_max_e": FULL_E,
+    "analog_gain": 0.996, "analog_noise_lsb": 0.4, "spread_noise_lsb": 0.65, "adc_pattern_lsb": 0.1,
+    "adc_smooth_lsb": 0.1, "adc_level_lsb": 0.1,
+}  # fmt: skip
 SPARE = 0.15
 """Of light, for noise, gain, and what else no oracle of limits knows."""
 
@@ -49,8 +55,7 @@ def lit(request: pytest.FixtureRequest) -> tuple[Container, np.ndarray]:
 
 
 def taken(container: Container, light: np.ndarray, effects: str) -> Capture:
-    # Crosstalk takes light where the oracle, pixel by pixel, sees none.
-    sensor = sensor_of(container, crosstalk_fraction=0.0)
+    sensor = sensor_of(container, **QUIET)
     found = capture(container, light, sensor=sensor, effects=effects, seed=2, device_seed=4)
     assert found.saturated_by.dtype == np.uint8
     assert np.array_equal(found.saturated, found.saturated_by > 0)
@@ -90,7 +95,7 @@ def test_with_effects_it_is_what_well_and_registers_take(
 def test_fast_paths_and_reference_agree(lit: tuple[Container, np.ndarray], effects: str) -> None:
     container, light = lit
     found = taken(container, light, effects)
-    sensor = sensor_of(container, crosstalk_fraction=0.0)
+    sensor = sensor_of(container, **QUIET)
     (full,) = frames(
         container, Light.of_clip(light), sensor, selected(effects), seed=2, device_seed=4
     )
@@ -104,7 +109,7 @@ def test_of_a_chip_codes_alone_tell_it(lit: tuple[Container, np.ndarray], knee: 
     code."""
     container, light = lit
     still = np.broadcast_to(light.mean(axis=0), light.shape)
-    sensor = sensor_of(container, crosstalk_fraction=0.0, register_knee_fraction=knee)
+    sensor = sensor_of(container, **QUIET, register_knee_fraction=knee)
     found = capture(container, still, sensor=sensor, effects="all", seed=2, device_seed=4)
     size = found.frame.shape
     sent = found.frame.transpose(0, 2, 1).tobytes()  # column by column
@@ -121,7 +126,7 @@ def test_registers_lose_in_many_small_steps_what_no_single_one_shows() -> None:
     """Each write beyond the knee bends again what the one before had bent."""
     container = program(WHOLE.format(slots=256, slot="100us"), "accumulate", *SHAPE)
     ideal = {"analog_gain": 1.0, "leakage_tau_s": 1e9, "analog_bias_lsb": 0.0}
-    sensor = sensor_of(container, **ideal)
+    sensor = sensor_of(container, **QUIET | ideal)
     for slot_e, full in ((95.0, False), (150.0, True)):
         light = np.full((256, *SHAPE), slot_e, np.float32)
         assert (lost_e(container, light, **LIMITS) > MUCH_E).all() == full
@@ -157,6 +162,7 @@ def test_the_dark_and_what_never_opens_are_not_saturated() -> None:
 
 def test_repeats_follow() -> None:
     container = case("b edges", rows=SHAPE[0], cols=SHAPE[1])
-    found = capture(container, light_for(container), effects="all", repeat=3)
+    sensor = sensor_of(container, **QUIET)
+    found = capture(container, light_for(container), sensor=sensor, effects="all", repeat=3)
     assert found.saturated.shape == found.saturated_by.shape == (3, 1, *SHAPE)
     assert 0 < (found.saturated[0] != found.saturated[1]).sum() < 0.05 * found.saturated[0].size

@@ -36,9 +36,13 @@ def test_the_table_covers_every_attribute_once_and_says_where_defaults_come_from
 
 def test_defaults_are_the_targets_and_within_their_ranges() -> None:
     sensor = default_sensor(TARGET)
-    assert (sensor.full_well_e, sensor.register_max_e) == (30000, 30000)
+    assert (sensor.full_well_e, round(sensor.register_max_e * 0.9)) == (30000, 30000)
+    assert sensor.register_min_e == -sensor.register_max_e
     assert sensor.electrons_per_lsb == 30000 / 255
     assert sensor.adc_noise_lsb == 0.65
+    # Words have electrons of their own, whatever the readout.
+    full = default_sensor(replace(TARGET, readout="full"))
+    assert sensor.analog_lsb_e == full.analog_lsb_e == full.electrons_per_lsb == 60000 / 255
     for name in builtin_names():
         found = default_sensor(builtin_target(name))
         for row in parameters():
@@ -66,7 +70,8 @@ def test_missing_lines_have_their_default_and_changes_come_last(tmp_path: Path) 
     file.write_text("full_well_e = 2550\nprnu_fraction = -0.0\n")
     sensor = load_sensor(TARGET, file, ["lag_fraction=0", "lag_fraction=0.5"])
     assert sensor == default_sensor(TARGET).changed(
-        full_well_e=2550.0, electrons_per_lsb=10.0, prnu_fraction=0.0, lag_fraction=0.5,
+        full_well_e=2550.0, electrons_per_lsb=10.0, analog_lsb_e=20.0, prnu_fraction=0.0,
+        lag_fraction=0.5,
     )  # fmt: skip
     assert str(sensor.prnu_fraction) == "0.0"
 

@@ -40,15 +40,17 @@ class CellNoise:
     def of(cls, program: ShutterProgram) -> CellNoise:
         """Return the noise that the emulator gives the compiled program of a cell.
 
-        Words and comparators are independent. The fixed offsets of comparators are included as
-        noise, so that a cell is trained for every device. The gain of words is not included."""
+        Words and comparators are independent. A word of a count is an addition in half of the
+        pixels, and a move in the others. The fixed offsets of comparators are included as noise,
+        so that a cell is trained for every device. The gain of words is not included."""
         from nscc_runtime.exposing import sensor_for
 
         values = sensor_for(program).values
         pictures, target = program.container.pictures, program.container.target
         unit_e = pictures.count_steps * target.electrons_per_step
         words = max(image["noise_gain"] for image in program.report["images"].values())
-        word_e = values["analog_noise_lsb"] * values["electrons_per_lsb"]
+        addition_e = values["analog_noise_lsb"] * values["analog_lsb_e"]
+        word_e = addition_e * hypot(1.0, values["analog_move_noise"]) / sqrt(2)
         comparator = hypot(
             values["comparator_noise_fraction"], values["comparator_offset_fraction"]
         )

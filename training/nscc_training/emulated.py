@@ -18,7 +18,7 @@ from torch import Tensor
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
-from nscc_runtime.effects.parts import Exchange
+from nscc_runtime.effects.parts import CommonCode, Exchange, FixedCodes
 from nscc_runtime.light import Light
 from nscc_runtime.request import Request
 from nscc_runtime.sensor import Sensor
@@ -163,7 +163,12 @@ def emulated_sensor(
     weak = np.geomspace(_DARKEST * full_e / opened.max(), first, _DARK_LEVELS, endpoint=False)
     dense = np.geomspace(first, last, 2 + int(np.log(last / first) / np.log(_DENSE)))
     light_e = np.concatenate([[0.0], weak, dense])
-    code, spread, full = _measured(container, tile, light_e, sensor, chosen, chips)
+    # Errors that many codes have in common need more chips than are exposed, so that their variance
+    # is added.
+    exposed_effects = chosen.without(*chosen.names(FixedCodes, CommonCode))
+    code, spread, full = _measured(container, tile, light_e, sensor, exposed_effects, chips)
+    in_common_lsb2 = chosen.converter_lsb(sensor) ** 2 - exposed_effects.converter_lsb(sensor) ** 2
+    spread = np.sqrt(spread**2 + max(in_common_lsb2, 0.0))
     exchange = chosen.find_part(Exchange)
     crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
     arrays = light_e, share, code, spread, full

@@ -37,6 +37,8 @@ CODES_FILE = "codes.npz"
 TARGET_FILE = "target.toml"
 SENSOR_FILE = "sensor.toml"
 """Files of the user's chip and sensor, beside the program."""
+CAPTURE_FILE = "capture.toml"
+"""The conditions that a run was trained for."""
 MOST_LISTED = 4096
 """Largest tile that is written into the program's text; larger tiles are stored in a file."""
 _MOST_DIGITS = 1 << 15

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+import tomllib
 from collections.abc import Iterator, Sequence
 from hashlib import sha256
 from pathlib import Path
@@ -32,11 +33,12 @@ from nscc_training.frame_reading import (
     undarkened,
 )
 from nscc_training.loop.decoding import decoded_frame, shutters_at
-from nscc_training.programs import TARGET_FILE
+from nscc_training.programs import CAPTURE_FILE, TARGET_FILE
 from nscc_training.reconstruct_any import Reconstruction, overexposed
 from nscc_training.run_folder import RunFolder, load_run
 
-_OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "adc")
+_OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "column_noise", "readout_pattern",
+             "readout_level", "adc")  # fmt: skip
 """Effects that training simulates if `[sensor] effects` is empty."""
 _DARK_HELPS = ("`--dark FRAME` subtracts the charge that words and dark current add",)
 
@@ -165,7 +167,8 @@ def _is_program(folder: RunFolder, digest: object) -> bool:
 def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     """Yield reasons to believe that the frame came from another sensor."""
     model, own_sensor = folder.setup.model, folder.setup.sensor
-    if read.meta.get("sensor_sha256") == sensor_sha256(own_sensor):
+    # Defaults change between versions: a frame may be as old as the run.
+    if read.meta.get("sensor_sha256") in (sensor_sha256(own_sensor), _trained_sensor(folder)):
         return
     frame_sensor = read.meta.get("sensor")
     if (
@@ -181,6 +184,15 @@ def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
             yield f"its sensor has {name} = {have}, but the run's has {expected:g}"
             return
     yield "its sensor has other values than the run's"
+
+
+def _trained_sensor(folder: RunFolder) -> str:
+    """Return the digest of the sensor that the run was trained for; empty if it is not stated."""
+    try:
+        capture = tomllib.loads((folder.path / CAPTURE_FILE).read_text("utf-8"))
+    except (OSError, ValueError):
+        return ""
+    return str(capture.get("sensor_sha256", ""))
 
 
 def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagnostic]:

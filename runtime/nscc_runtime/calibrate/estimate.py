@@ -138,7 +138,7 @@ def calibrated(
     curve = transfer(flat_moments, dark_moments, offset, top_code, crosstalk)
     used = [i for i, flat in enumerate(flat_moments) if flat in curve.used]
     chosen = [light[i] for i in used]
-    refuse_uneven(chosen, good_mask, 0.0 if dark is None else dark.offset)
+    refuse_uneven(chosen, good_mask, 0.0 if dark is None else dark.offset, dim)
 
     spread = response_variance(chosen, [flat_moments[i] for i in used], dark, good_mask)
     full = curve.saturation.mean if curve.saturation else float(top_code)

@@ -75,10 +75,15 @@ def valid_pixels(levels: Sequence[Level]) -> Mask:
     return np.asarray(np.logical_and.reduce([level.valid for level in levels]))
 
 
-def refuse_uneven(flats: Sequence[Level], good_mask: Mask, zero: float) -> None:
-    """Raise NS0759 for a flat whose light varies too much. `zero`: code without charge."""
+def refuse_uneven(
+    flats: Sequence[Level], good_mask: Mask, zero: float, darks: Sequence[Level]
+) -> None:
+    """Raise NS0759 for a flat whose light varies too much. `zero`: code without charge. The pattern
+    of the darks is subtracted."""
+    dark_map = sum((level.mean_map for level in darks), np.zeros(good_mask.shape))
+    pattern = (dark_map - dark_map[good_mask].mean()) / max(len(darks), 1)
     for level in flats:
-        smooth = surface(level.mean_map, good_mask)
+        smooth = surface(level.mean_map - pattern, good_mask)
         light = float(level.mean_map[good_mask].mean()) - zero
         fall = float(np.ptp(smooth[good_mask]))
         if light > 0 and fall > MOST_UNEVEN * light:

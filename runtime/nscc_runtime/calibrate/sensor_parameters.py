@@ -27,7 +27,7 @@ _TAKEN = {
 }  # fmt: skip
 """The measured quantity that equals each of these parameters."""
 _SOURCES = _TAKEN | {
-    "read_noise_e": "dark_noise_e", "analog_pattern_lsb": "dsnu_lsb", "analog_bias_lsb": "offset",
+    "read_noise_e": "dark_noise_e", "adc_pattern_lsb": "dsnu_lsb", "analog_bias_lsb": "offset",
     "adc_offset_lsb": "offset", "analog_noise_lsb": "dark_noise_e", "adc_noise_lsb": "dark_noise_e",
     "spread_noise_lsb": "dark_noise_e", "full_well_e": "full_well",
 }  # fmt: skip
@@ -56,6 +56,8 @@ def parameters(
     _contain(chosen, "analog_gain", 1.0, "electrons_per_lsb")
     for name, source in _TAKEN.items():
         _take(chosen, name, quantity[source])
+    if "electrons_per_lsb" in chosen:  # frames give errors of words in codes of their converter
+        chosen["analog_lsb_e"] = chosen["electrons_per_lsb"]
     _noise(chosen, quantity["dark_noise_e"], chain)
     _pattern(chosen, quantity, chain)
     _range(chosen, quantity["full_well"], target)
@@ -118,11 +120,14 @@ def _pattern(
 ) -> None:
     """Set the code without charge and the fixed pattern of the pixels.
 
-    Whole codes become the ADC's offset, which is added after rounding; the remainder and the
-    pattern become errors of the words."""
+    Whole codes become the ADC's offset, which is added after rounding; the remainder becomes an
+    error of the words. The pattern becomes that of the readout."""
     offset, pattern = quantities["offset"], quantities["dsnu_lsb"]
     if offset.value is None or pattern.value is None:
         return
+    _take(chosen, "adc_pattern_lsb", pattern)
+    for name in ("analog_pattern_lsb", "adc_smooth_lsb", "adc_level_lsb"):
+        _contain(chosen, name, 0.0, "adc_pattern_lsb")
     words = abs(chain.word_sum)
     text = "" if words == 1 else f"; words that add up to {chain.word_sum:.4g}"
     if words < _NO_PART:
@@ -137,10 +142,6 @@ def _pattern(
     bias = (offset.value - whole_codes) / chain.word_sum
     chosen["analog_bias_lsb"] = ParameterChoice(
         bias, se, "measured", f"what adc_offset_lsb leaves of {_shown(offset)}{text}"
-    )
-    se = None if pattern.se is None else pattern.se / words
-    chosen["analog_pattern_lsb"] = ParameterChoice(
-        pattern.value / words, se, "measured", f"DSNU {_shown(pattern)}, {pattern.remark}{text}"
     )
 
 

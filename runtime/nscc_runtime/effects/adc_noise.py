@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
 from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.parameters import CHIP, parameter
 from nscc_runtime.effects.parts import Converter
 
 SIGMA = parameter(
     "adc_noise_lsb", "readout", 0.65, "lsb", 0, 1e6, "temporal noise of the readout",
-    "the scamp5c project's noise model", place=1,
+    f"{CHIP}; the scamp5c project's noise model has the same", place=1,
 )  # fmt: skip
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import TARGET, parameter
+from nscc_runtime.effects.parameters import PUBLISHED, parameter
 from nscc_runtime.effects.parts import Fading
 
 RETENTION = parameter(
     "digital_retention_us", "memory", None, "us", 0, 1e15,
-    "a digital register reads 0 when it was not written for longer", TARGET, low_excluded=True,
+    "a digital register reads 0 when it was not written for longer",
+    f"{PUBLISHED}the chip's library; the target table", low_excluded=True,
 )  # fmt: skip
 
 

@@ -72,6 +72,11 @@ STAGES = {
     "readout": "(pixels, exposure, bucket) -> exposure as it leaves the pixels",
     "converter": "(sensor) -> codes, the standard deviation of a code before it is rounded; all "
     "effects' errors are one draw",
+    "pattern": "(sensor, device_seed, shape) -> codes (rows, cols), which a chip adds to every "
+    "frame before it is rounded",
+    "common": "(sensor) -> codes, the standard deviation of an error of all codes of a readout",
+    "columns": "(sensor) -> six weights of the converter's noise of a pixel and of the five below "
+    "it in its column; their squares add up to 1",
     "codes": "(sensor, exposure, noise, top) -> codes of exposures, `noise` codes off",
 }
 """The stages of a frame in order, and the function of an effect at each stage.

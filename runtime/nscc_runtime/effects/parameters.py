@@ -15,6 +15,9 @@ from nscc_runtime.effects.sensor import Sensor
 
 OURS = "this project's default: not public"
 TARGET = "the target table"
+CHIP = "chip frames: fit to 404 public frames of a SCAMP-5, docs/silicon.md"
+PUBLISHED = "publication: "
+"""How the source of a value starts that was published."""
 
 Default = float | Callable[[Target, Mapping[str, float]], float] | None
 """A number; a function of the target and of the preceding parameters; or None for the target's
@@ -32,6 +35,12 @@ class Parameter(Key):
     def __call__(self, sensor: Sensor) -> float:
         """Return the value of the parameter on a sensor."""
         return sensor.values[self.name]
+
+    @property
+    def basis(self) -> str:
+        """What the default rests on: "chip frames", a "publication", or an "assumption"."""
+        basis, colon, _ = self.source.partition(":")
+        return basis if colon and self.source.startswith((CHIP, PUBLISHED)) else "assumption"
 
     def default_for(self, target: Target, values: Mapping[str, float]) -> float:
         """Return the default on a target, given the values of the preceding parameters."""
@@ -58,7 +67,7 @@ HEADINGS = {
     "dark": "charge without light",
     "noise": "of the photodiode",
     "comparator": "how well pixels compare",
-    "analog": "errors of analog words; counts are codes of the ADC",
+    "analog": "errors of analog words: additions read two sources or more, moves fewer",
     "memory": "what registers lose",
     "readout": "the ADC",
 }

@@ -103,10 +103,13 @@ class Errors(Part):
 
 @dataclass(frozen=True)
 class WordGain(Part, stage="words"):
-    """Declares that a word multiplies by `gain` and adds a fixed error, with mean `mean_e` and
-    standard deviation `spread_e` over the pixels."""
+    """Declares that an addition multiplies by `gain` and adds a fixed error, with mean `mean_e` and
+    standard deviation `spread_e` over the pixels. A move multiplies by `move_gain`. Its random
+    error is the part `move_noise` of the `Errors` of words."""
 
     gain: OfSensor
+    move_gain: OfSensor
+    move_noise: OfSensor
     error_e: OnDevice
     mean_e: OfSensor
     spread_e: OfSensor
@@ -138,11 +141,41 @@ class Fading(Part, stage="digital"):
     """Declares that digital registers lose their values after a time."""
 
 
+class CodeErrors(Part):
+    """Declares errors of codes before they are rounded, with standard deviation `sigma_lsb`."""
+
+    sigma_lsb: OfSensor
+
+
 @dataclass(frozen=True)
-class Converter(Part, stage="converter"):
+class Converter(CodeErrors, stage="converter"):
     """Declares converter noise of `sigma_lsb` codes, one draw for all effects with this part."""
 
     sigma_lsb: OfSensor
+
+
+@dataclass(frozen=True)
+class FixedCodes(CodeErrors, stage="pattern"):
+    """Declares an error of each code that is fixed for a chip: a function of sensor, device seed
+    and shape of the array, with standard deviation `sigma_lsb` codes."""
+
+    sigma_lsb: OfSensor
+    codes: Callable[[Sensor, int, tuple[int, int]], Values]
+
+
+@dataclass(frozen=True)
+class CommonCode(CodeErrors, stage="common"):
+    """Declares an error of `sigma_lsb` codes that all codes of a bucket have in common."""
+
+    sigma_lsb: OfSensor
+
+
+@dataclass(frozen=True)
+class InColumns(Part, stage="columns"):
+    """Declares that converter noise is a weighted sum of the noise of a pixel and of those below
+    it."""
+
+    weights: Callable[[Sensor], Values]
 
 
 @dataclass(frozen=True)

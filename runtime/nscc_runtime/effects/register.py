@@ -12,16 +12,18 @@ from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Values
 
+_KNEE = 0.9
+_BEYOND = f"{TARGET}, over {_KNEE}: codes of a chip are clipped by its converter, not registers"
 LOWEST = parameter(
-    "register_min_e", "range", None, "e", -MOST_E, 0, "least value of an analog register", TARGET,
-    high_excluded=True,
+    "register_min_e", "range", lambda target, _values: target.register_min_e / _KNEE, "e", -MOST_E,
+    0, "least value of an analog register", _BEYOND, high_excluded=True,
 )  # fmt: skip
 HIGHEST = parameter(
-    "register_max_e", "range", None, "e", 0, MOST_E, "largest value of an analog register", TARGET,
-    low_excluded=True,
+    "register_max_e", "range", lambda target, _values: target.register_max_e / _KNEE, "e", 0,
+    MOST_E, "largest value of an analog register", _BEYOND, low_excluded=True,
 )  # fmt: skip
 KNEE = parameter(
-    "register_knee_fraction", "range", 0.9, "1", 0, 1,
+    "register_knee_fraction", "range", _KNEE, "1", 0, 1,
     "a register is linear up to this part of its range and soft beyond; 1: clips hard",
 )  # fmt: skip
 

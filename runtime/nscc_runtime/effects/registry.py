@@ -27,6 +27,7 @@ from nscc_runtime.effects.parameters import Parameter
 from nscc_runtime.effects.parts import Converter, Errors, Part
 from nscc_runtime.effects.prnu import PRNU
 from nscc_runtime.effects.read import READ
+from nscc_runtime.effects.readout import COLUMN_NOISE, READOUT_LEVEL, READOUT_PATTERN
 from nscc_runtime.effects.register import REGISTER
 from nscc_runtime.effects.reset import RESET
 from nscc_runtime.effects.sensor import Sensor
@@ -35,7 +36,8 @@ from nscc_runtime.effects.spreading import SPREADING
 
 _OURS = (
     SHOT, PRNU, DARK, LAG, MOTION, CROSSTALK, FULL_WELL, RESET, READ, DEAD_TIME, BLACK_SUN, ANALOG,
-    REGISTER, COMPARATOR_OFFSET, COMPARATOR_NOISE, LEAKAGE, DECAY, ADC_NOISE, SPREADING, ADC,
+    REGISTER, COMPARATOR_OFFSET, COMPARATOR_NOISE, LEAKAGE, DECAY, ADC_NOISE, SPREADING,
+    COLUMN_NOISE, READOUT_PATTERN, READOUT_LEVEL, ADC,
 )  # fmt: skip
 """The effects of this package, in the order in which they act on charge."""
 
@@ -169,6 +171,7 @@ def effects_json(sensor: Sensor) -> list[dict[str, Any]]:
                     "high": row.kind.high,
                     "meaning": row.meaning,
                     "source": row.source,
+                    "basis": row.basis,
                 }
                 for row in effect.parameters
             ],

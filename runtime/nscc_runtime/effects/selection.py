@@ -13,7 +13,7 @@ from nscc.diagnostics.rejection import rejected, unknown_name
 from nscc.diagnostics.suggest import meant
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects.effect import RESERVED, Effect, Mark
-from nscc_runtime.effects.parts import Converter, Errors, Part
+from nscc_runtime.effects.parts import CodeErrors, Errors, FixedCodes, Part
 from nscc_runtime.effects.registry import always_on, by_name, optional, registered
 from nscc_runtime.effects.sensor import Sensor
 
@@ -91,9 +91,12 @@ class Selection:
         """Return the effects with small errors and their parts: reads, then resets, then words."""
         return sorted(self.having(Errors), key=lambda effect_and_part: effect_and_part[1].at)
 
-    def converter_lsb(self, sensor: Sensor) -> float:
-        """Return the standard deviation of a code before rounding."""
-        return hypot(*(converter.sigma_lsb(sensor) for _, converter in self.having(Converter)))
+    def converter_lsb(self, sensor: Sensor, *, fixed: bool = True) -> float:
+        """Return the standard deviation of a code before rounding, over frames, and over pixels
+        unless `fixed` is False."""
+        errors = [part for _, part in self.having(CodeErrors)]
+        errors = [part for part in errors if fixed or not isinstance(part, FixedCodes)]
+        return hypot(*(part.sigma_lsb(sensor) for part in errors))
 
     def without(self, *names: str) -> Selection:
         """Return the selection without some effects. Equal calls return the same object, because

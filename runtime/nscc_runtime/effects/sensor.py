@@ -69,6 +69,20 @@ class Sensor:
         return Sensor({**self.values, **values})
 
 
+def before_readout_effects(values: Mapping[str, float]) -> dict[str, float]:
+    """Return the parameters that sensors of earlier versions lack, with the values that describe
+    their frames: all words had the same errors, in codes of the converter, and the readout had
+    white noise alone."""
+    return {
+        "analog_lsb_e": values["electrons_per_lsb"],
+        "analog_move_loss": 1.0,
+        "analog_move_noise": 1.0,
+        **dict.fromkeys(
+            ("adc_pattern_lsb", "adc_smooth_lsb", "adc_level_lsb", "adc_column_strength"), 0.0
+        ),
+    }
+
+
 def sensor_sha256(sensor: Sensor) -> str:
     """Return the hexadecimal SHA-256 digest of all parameter values, which identifies a sensor."""
     return hashlib.sha256(json.dumps(dict(sensor.values), sort_keys=True).encode()).hexdigest()

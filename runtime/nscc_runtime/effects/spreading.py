@@ -8,19 +8,21 @@ from nscc.chips.target import Target
 from nscc.words.readout import SPREADING_ERRORS
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
 from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.parameters import CHIP, parameter
 from nscc_runtime.effects.parts import Converter
 
 
 def _of_words(target: Target, values: Mapping[str, float]) -> float:
     spreads = target.spread_level is not None
-    return values["analog_noise_lsb"] * SPREADING_ERRORS**0.5 if spreads else 0.0
+    word_e = values["analog_noise_lsb"] * values["analog_lsb_e"]
+    return word_e / values["electrons_per_lsb"] * SPREADING_ERRORS**0.5 if spreads else 0.0
 
 
 SIGMA = parameter(
     "spread_noise_lsb", "readout", _of_words, "lsb", 0, 1e6,
     "random error of the words that make 2 x exposure - full well before readout",
-    "three analog words, on twice the exposure; nothing where the target does not spread", place=1,
+    f"{CHIP}: three additions, on twice the exposure; nothing where the target does not spread",
+    place=1,
 )  # fmt: skip
 
 SPREADING = Effect(

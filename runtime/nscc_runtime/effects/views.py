@@ -64,12 +64,14 @@ class Where(Device):
 
 class Word(Protocol):
     """A word during execution. `number`: its number among the analog words of a frame. `after_us`:
-    its end in microseconds after its boundary."""
+    its end in microseconds after its boundary. `adds`: whether it has two sources or more."""
 
     @property
     def number(self) -> int: ...
     @property
     def after_us(self) -> float: ...
+    @property
+    def adds(self) -> bool: ...
 
 
 @dataclass(eq=False, kw_only=True)

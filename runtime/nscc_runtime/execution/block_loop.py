@@ -91,8 +91,8 @@ def _drawn(
 
 @compiled
 def _draw(
-    switches: Switches, sizes: BlockSizes, keys: WordKeys, word: LoopWord, w: int, places: Ints,
-    first: int, count: int, state: PixelState,
+    switches: Switches, sizes: BlockSizes, numbers: Numbers, keys: WordKeys, word: LoopWord, w: int,
+    places: Ints, first: int, count: int, state: PixelState,
 ) -> None:  # fmt: skip
     """Draw the normal numbers of word number w: its read or reset, comparison or destinations."""
     running, normals, frame = state.running, state.normals, sizes.frame
@@ -103,7 +103,8 @@ def _draw(
     if word.compares and switches.compares_noisy:
         key = bits(keys.compares, frame, np.uint64(w))
         _drawn(key, places, first, running, count, normals, BLOCK)
-    for d in range(word.destinations if switches.word_errors else 0):
+    is_noisy = switches.word_errors and (word.adds or numbers.move_error)
+    for d in range(word.destinations if is_noisy else 0):
         key = bits(keys.words, frame, np.uint64(w * sizes.numbered + d))
         _drawn(key, places, first, running, count, normals, (1 + d) * BLOCK)
 
@@ -165,7 +166,7 @@ def _along(
         if word.resets or word.reads_pix:
             stretch = segments.stretch[e]
             _fall(switches, sizes, numbers, word, stretch, first, count, charge, state, block)
-        _draw(switches, sizes, keys, word, w, places, first, count, state)
+        _draw(switches, sizes, numbers, keys, word, w, places, first, count, state)
         if word.resets:
             reset(switches, numbers, word, count, state)
             continue

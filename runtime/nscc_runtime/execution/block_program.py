@@ -178,6 +178,7 @@ def program_of(container: Container, words: Sequence[RunningWord]) -> LoopProgra
             "resets": word.resets,
             "compares": word.compares,
             "reads_pix": "PIX" in word.sources,
+            "adds": word.adds,
             "sources": len(word.sources),
             "destinations": len(word.destinations),
             "operands": len(operands),

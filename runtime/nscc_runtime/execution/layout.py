@@ -47,7 +47,9 @@ class Numbers:
     reset_error: float
     read_error: float
     gain: float
+    move_gain: float
     word_error: float
+    move_error: float
     lowest: float
     highest: float
     knee: float
@@ -69,12 +71,13 @@ class WordKeys:
 
 @record
 class LoopWord:
-    """An analog word, as the loops read it. `resets`, `compares`, `reads_pix`: whether it does so.
-    `sources`, `destinations`: numbers of registers."""
+    """An analog word, as the loops read it. `resets`, `compares`, `reads_pix`, `adds`: whether it
+    does so. `sources`, `destinations`: numbers of registers."""
 
     resets: int
     compares: int
     reads_pix: int
+    adds: int
     sources: int
     destinations: int
     operands: int

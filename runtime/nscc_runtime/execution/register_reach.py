@@ -102,7 +102,8 @@ class _RegisterState:
         self.covariance = np.zeros((lanes, len(self.names), len(self.names)))
         gain = effects.find_part(WordGain)
         # Plans may drop the effect, so a gain below 1 counts as 1.
-        self._gain = max(1.0, gain.gain(sensor)) if gain else 1.0
+        self._gain = max(1.0, gain.gain(sensor), gain.move_gain(sensor)) if gain else 1.0
+        self._move_noise = gain.move_noise(sensor) if gain else 1.0
         self._variance = {"reads": 0.0, "resets": 0.0, "words": 0.0}
         for _, errors in effects.errors():
             self._variance[errors.at] += errors.sigma_e(sensor) ** 2
@@ -126,8 +127,9 @@ class _RegisterState:
         lanes = np.flatnonzero(in_lane)
         self._write(lanes, rows, total, read)
         for name, row in zip(word.op.destinations, rows, strict=True):
-            self.held_weights[lanes, row, -1] += error_sign(name, self._container)
-            self.covariance[lanes, row, row] += self._variance["words"]
+            self.held_weights[lanes, row, -1] += error_sign(name, self._container) * word.adds
+            own = 1.0 if word.adds else self._move_noise**2
+            self.covariance[lanes, row, row] += own * self._variance["words"]
 
     def _write(
         self, lanes: NDArray[np.intp], rows: list[int], total: Values, variance: float

@@ -128,15 +128,17 @@ def write(
             full = state.total_full[j]
             exchanged = (full & ADDED) * SUBTRACTED | (full & SUBTRACTED) // SUBTRACTED
             state.total_full[j] = exchanged | full & LEVEL
+    gain = numbers.gain if word.adds else numbers.move_gain
+    sigma = numbers.word_error if word.adds else numbers.move_error
     for d in range(word.destinations):
         register = program.operands[word.operands + word.sources + d]
         for j in range(count):
             i, lost_e = state.running[j], state.total_lost_e[j] / word.divisor
             value = state.total[j] / -word.divisor
             if switches.word_errors:
-                noise = numbers.word_error * state.normals[normals + d * BLOCK + j]
-                error = state.pattern[i] + noise
-                value = numbers.gain * value + program.signs[register] * error
+                noise = sigma * state.normals[normals + d * BLOCK + j] if sigma else 0.0
+                error = state.pattern[i] + noise if word.adds else noise
+                value = gain * value + program.signs[register] * error
             if switches.bends:
                 bent = soft_in_loop(value, numbers.lowest, numbers.highest, numbers.knee)
                 lost_e += abs(value - bent)

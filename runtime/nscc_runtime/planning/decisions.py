@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from nscc_runtime.effects import Effect, everything, registered
-from nscc_runtime.effects.parts import Codes, Converter, Saturates
+from nscc_runtime.effects.parts import CodeErrors, Codes, Saturates
 from nscc_runtime.planning import plan as plans
 from nscc_runtime.planning.plan import Decision, Plan
 from nscc_runtime.planning.plan_request import Names, PlanRequest
@@ -126,8 +126,8 @@ def _after_exposure(effect: Effect, choice: EffectChoice) -> Decision:
     forced = not effect.always and effect.name in request.forced
     code_e = everything().require_part(Codes).electrons(sensor)
     rms_e = code_e / math.sqrt(12.0) if effect.parts_of_kind(Codes) else None
-    for converter in effect.parts_of_kind(Converter):
-        rms_e = converter.sigma_lsb(sensor) * code_e
+    for errors in effect.parts_of_kind(CodeErrors):
+        rms_e = errors.sigma_lsb(sensor) * code_e
     is_on = effect in request.effects or (request.effects.auto and not forced)
     reason = "named in --effects" if forced else "always applied, after the exposure"
     decision: plans.Choice = "kept" if is_on else "dropped"

@@ -147,7 +147,8 @@ def with_readout_e(noise_e: float, sensor: Sensor) -> float:
     """Return noise of exposures combined with that of converter and rounding, in electrons."""
     all_effects = everything()
     code_e = all_effects.require_part(Codes).electrons(sensor)
-    return math.hypot(noise_e, all_effects.converter_lsb(sensor) * code_e, code_e / math.sqrt(12.0))
+    noise_lsb = all_effects.converter_lsb(sensor, fixed=False)
+    return math.hypot(noise_e, noise_lsb * code_e, code_e / math.sqrt(12.0))
 
 
 def _within(tolerance: Tolerance, shown: str) -> Tolerance:

@@ -68,6 +68,11 @@ class RunningWord:
         return () if self.resets else self.op.sources
 
     @property
+    def adds(self) -> bool:
+        """Whether the word adds sources; other words move or load a value."""
+        return len(self.sources) > 1
+
+    @property
     def destinations(self) -> tuple[str, ...]:
         """Names of the analog registers that the word writes."""
         return () if self.resets or self.compares else self.op.destinations

@@ -68,11 +68,14 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
 class WeightModel:
     """The parameters on which weights depend.
 
-    `gain`: gain of a word. `leak_per_s`: leakage rate of registers. `dead_time`: whether light is
-    collected while words run. `decay`: whether digital registers decay. `lit_level`: whether a
-    reset level is read with the light collected since."""
+    `gain`, `move_gain`: gains of an addition and of a move. `move_noise`: random error of a move,
+    as a part of that of an addition. `leak_per_s`: leakage rate of registers. `dead_time`: whether
+    light is collected while words run. `decay`: whether digital registers decay. `lit_level`:
+    whether a reset level is read with the light collected since."""
 
     gain: float = 1.0
+    move_gain: float = 1.0
+    move_noise: float = 1.0
     leak_per_s: float = 0.0
     dead_time: bool = False
     decay: bool = False
@@ -84,6 +87,8 @@ class WeightModel:
         gain, leak = effects.find_part(WordGain), effects.find_part(Leak)
         return cls(
             gain.gain(sensor) if gain else 1.0,
+            gain.move_gain(sensor) if gain else 1.0,
+            gain.move_noise(sensor) if gain else 1.0,
             1.0 / leak.tau_s(sensor) if leak else 0.0,
             effects.find_part(SlowWords) is not None,
             effects.find_part(Fading) is not None,
@@ -97,18 +102,20 @@ class Backward:
 
     `slots` (N, ..): weights of each slot's charge. The others map the number of an analog word to
     the weight of its error: `reads`, the noise of reading PIX; `resets`, the noise that PIX keeps
-    after a reset; `errors`, the error added to the result, keyed by word number and destination
-    index (signed by `error_sign`)."""
+    after a reset; `errors`, the fixed error that an addition adds to its result, keyed by word
+    number and destination index (signed by `error_sign`); `noise`, the random error that a word
+    adds, for that of an addition."""
 
     slots: Weights
     reads: ByName[int]
     resets: ByName[int]
     errors: ByName[tuple[int, int]]
+    noise: ByName[tuple[int, int]]
 
     def covariance(self, at: Literal["reads", "resets", "words"]) -> Weights:
         """Return the covariance (buckets, buckets, lanes) of exposures if each error of a kind has
         variance 1."""
-        weights = {"reads": self.reads, "resets": self.resets, "words": self.errors}[at]
+        weights = {"reads": self.reads, "resets": self.resets, "words": self.noise}[at]
         _, lanes, buckets = self.slots.shape
         total = np.zeros((buckets, buckets, lanes))
         for weight in weights.values():  # type: ignore[attr-defined]
@@ -121,7 +128,7 @@ class Backward:
 
     @cached_property
     def error_sum(self) -> Weights:
-        """Sum (lanes, buckets) of the weights of all words: the effect of an error 1 in each."""
+        """Sum (lanes, buckets) of the weights of additions: the effect of an error 1 in each."""
         return sum(self.errors.values(), np.zeros(self.slots.shape[1:]))
 
     def open(self) -> NDArray[np.bool_]:
@@ -140,11 +147,11 @@ def backward(
 ) -> Backward:
     """Return the weights of `words` in the exposures, for the lanes of the words.
 
-    Each word multiplies its result by the model's gain, and analog registers leak at the rate
+    Words multiply their results by the model's gains, and analog registers leak at the rate
     `leak_per_s`. With `dead_time`, a slot's charge reaches PIX at a constant rate while the words
     of its boundary run. With `lit_level`, words that read PIX after its reset at the same boundary
     also read this charge. Decay must already be contained in the words."""
-    gain, leak_per_s, dead_time = model.gain, model.leak_per_s, model.dead_time
+    leak_per_s, dead_time = model.leak_per_s, model.dead_time
     if container.target.taps:
         return _of_taps(container, leak_per_s, dead_time)
     lanes = len(words[0].lanes) if words else len(container.encoding)
@@ -156,7 +163,8 @@ def backward(
         bucket = container.buckets.index(readout.bucket)
         remaining = exp(-leak_per_s * waits_s[bucket])
         weight[readout.register][:, bucket] += readout.gain * remaining
-    result = Backward(np.zeros((container.slots, lanes, buckets)), ByName(), ByName(), ByName())
+    slots = np.zeros((container.slots, lanes, buckets))
+    result = Backward(slots, ByName(), ByName(), ByName(), ByName())
     start_s = np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6
     later = container.slots
     after_the_last = np.zeros((lanes, buckets))
@@ -176,7 +184,7 @@ def backward(
         fresh, unseen = _fresh(executed, lanes), np.zeros((lanes, buckets))
         for index in reversed(range(len(executed))):
             word, before = executed[index], weight["PIX"]
-            _through(word, weight, container, gain, result)
+            _through(word, weight, container, model, result)
             if not model.lit_level:
                 read = np.zeros_like(before) if word.resets else weight["PIX"] - before
                 unseen = (unseen + read * fresh[index]) * ~(word.lanes[:, None] & word.resets)
@@ -200,7 +208,7 @@ def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backwa
         lit = lit * (1.0 - target.plane_load_us / slot_us)
     slots = shutters.transpose(2, 0, 1) * gains * lit[:, None, None]
     tap_weights = np.broadcast_to(np.eye(len(gains))[:, None, :], (len(gains), *slots.shape[1:]))
-    result = Backward(slots, ByName(), ByName(), ByName())
+    result = Backward(slots, ByName(), ByName(), ByName(), ByName())
     for number, weight in enumerate(tap_weights):
         result.reads.keep(number, weight)
         result.resets.keep(number, weight * gains)
@@ -225,7 +233,7 @@ def _through(
     word: AnalogWord,
     weight: dict[str, Weights],
     container: Container,
-    gain: float,
+    model: WeightModel,
     result: Backward,
 ) -> None:
     """Propagate the weights from after a word to before it, and store the weights of its noise."""
@@ -239,8 +247,13 @@ def _through(
         acting_weight = weight[name] * acts
         weight[name] = weight[name] * ~acts
         through += acting_weight
-        result.errors.keep((word.number, index), error_sign(name, container) * acting_weight)
-    through *= -gain / word.op.operation.divisor
+        error_weight = error_sign(name, container) * acting_weight
+        if word.adds:
+            result.errors.keep((word.number, index), error_weight)
+        if word.adds or model.move_noise:
+            noise_weight = error_weight if word.adds else model.move_noise * error_weight
+            result.noise.keep((word.number, index), noise_weight)
+    through *= -(model.gain if word.adds else model.move_gain) / word.op.operation.divisor
     for name in word.op.sources:
         weight[name] = weight[name] + through
     if "PIX" in word.op.sources:

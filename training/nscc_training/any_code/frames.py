@@ -18,6 +18,7 @@ from nscc.npy import InvalidArrays
 from nscc.options import Options
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
+from nscc_runtime.effects.sensor import before_readout_effects
 from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.frame_file import meta
 from nscc_runtime.light import Light
@@ -231,6 +232,7 @@ def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDAr
     container = with_pixels(load_container(program)[0], program)
     values = meta.get("sensor", default_sensor(container.target).values)
     try:
+        values = {**before_readout_effects(values), **values}
         table = decode_arrays(container, Sensor(values), meta.get("plan"))
     except (KeyError, TypeError, AttributeError) as error:
         raise no_frame(path, f"its meta is damaged: {one_line(error)}", _WRITE) from error

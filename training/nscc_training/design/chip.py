@@ -28,10 +28,9 @@ _POINTS, _REACH = 37, 4.5
 """Number of points of the sum over noise, and its range in standard deviations.
 
 A Gauss-Hermite rule with few points would be wrong by 1 %, because clipping has a kink."""
-_READS, _WORDS = 2, 3
-"""Reads and words of an exposure: PIX and its reset level are each read once, with three words.
-
-Four words are needed if shutters open again."""
+_READS, _ADDITIONS, _MOVES = 2, 1, 3
+"""Reads, additions and moves of an exposure: PIX is moved by a word, and the next adds its reset
+level, which two words have moved. If shutters open again, both words add."""
 _COPIES = 2
 """Copies that a look compares: PIX, and its reset level."""
 
@@ -56,9 +55,11 @@ class DesignChip:
 
     @cached_property
     def gain(self) -> float:
-        """The gain of two analog words."""
+        """The gain of a move and an addition."""
         words = self.effects.find_part(WordGain)
-        return 1.0 if words is None else words.gain(self.sensor) ** 2
+        if words is None:
+            return 1.0
+        return words.gain(self.sensor) * words.move_gain(self.sensor)
 
     @cached_property
     def full_e(self) -> float:
@@ -72,12 +73,20 @@ class DesignChip:
         """Return the standard deviation of an exposure, in electrons of the photodiode."""
         sensor, effects = self.sensor, self.effects
         fixed_e2 = converter_e2(sensor, effects)
-        times = {"reads": _READS, "words": _WORDS, "resets": 0}
-        for _, errors in effects.errors():
-            fixed_e2 += times[errors.at] * errors.sigma_e(sensor) ** 2
+        fixed_e2 += self._words_e2(_READS, _ADDITIONS, _MOVES)
         photons_e2 = electrons if effects.find_part(CountedLight) is not None else 0.0
         unequal_e2 = (gain_spread(sensor, effects) * electrons) ** 2
         return np.asarray(np.sqrt(fixed_e2 / self.gain**2 + photons_e2 + unequal_e2))
+
+    def _words_e2(self, reads: int, additions: int, moves: int) -> float:
+        """Return the variance that words add, in square electrons."""
+        words = self.effects.find_part(WordGain)
+        move_noise = 1.0 if words is None else words.move_noise(self.sensor)
+        times = {"reads": reads, "words": additions + moves * move_noise**2, "resets": 0.0}
+        return sum(
+            times[errors.at] * errors.sigma_e(self.sensor) ** 2
+            for _, errors in self.effects.errors()
+        )
 
     def errors(self, light_e: Values, peak_e: Values, share: Values, curve: Curve) -> Values:
         """Return the mean square error (groups, shares) on `curve` of light from exposures that
@@ -103,11 +112,8 @@ class DesignChip:
     def compared_sd_e(self, electrons: Values) -> Values:
         """Return the standard deviation of one comparison, in electrons."""
         noise_e = self.sensor.comparator_noise_fraction * self.sensor.full_well_e
-        copies = sum(
-            _COPIES * errors.sigma_e(self.sensor) ** 2
-            for _, errors in self.effects.errors() if errors.at != "resets"
-        )  # fmt: skip
-        return np.sqrt(noise_e**2 + copies + electrons)
+        copies_e2 = self._words_e2(_COPIES, 0, _COPIES)
+        return np.sqrt(noise_e**2 + copies_e2 + electrons)
 
     @cached_property
     def levels(self) -> NDArray[np.int64]:

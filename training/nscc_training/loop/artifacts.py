@@ -25,7 +25,7 @@ from nscc_training.loop.decoding import scene_by_words
 from nscc_training.loop.setup import TrainingSetup, started_encoder
 from nscc_training.loop.validation import as_trained, by_model, validated
 from nscc_training.measures import METRIC_NAMES, means_text, score_text
-from nscc_training.programs import CODES_FILE, compiled, program_of, words_per_slot
+from nscc_training.programs import CAPTURE_FILE, CODES_FILE, compiled, program_of, words_per_slot
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.sensor_model import shared_out
 from nscc_training.settings import RunSettings
@@ -67,7 +67,7 @@ def artifacts(
     if program.codes:
         files[CODES_FILE] = program.codes
     files |= setup.files
-    files["capture.toml"] = capture_toml(setup).encode()
+    files[CAPTURE_FILE] = capture_toml(setup).encode()
     side = setup.settings.data.patch
     robustness = _robustness(setup, shown)
     effects, metrics = setup.settings.sensor.effects, setup.protocol.metrics

@@ -1,0 +1,88 @@
+"""Errors of all codes of a readout, in codes before rounding: noise, fixed pattern and level."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import hypot
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects.selection import Selection
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.noise import key, normals
+
+Values = NDArray[np.float64]
+
+WEIGHTS = 6
+"""Number of weights of the noise of a pixel and of those below it, which the loop adds up."""
+
+
+@dataclass(frozen=True, eq=False)
+class ReadoutNoise:
+    """The errors of a chip's readout under some effects.
+
+    `sigma_lsb`: standard deviation of a code's noise. `weights`: those of the noise of a pixel and
+    of the pixels below it. `pattern_lsb` (rows, cols): fixed errors. `common_lsb`: standard
+    deviation of an error of all codes. `streams`: random streams of noise and of the common error.
+    """
+
+    sigma_lsb: float
+    weights: Values
+    pattern_lsb: Values
+    common_lsb: float
+    streams: tuple[int, int]
+
+    @classmethod
+    def of(
+        cls, sensor: Sensor, effects: Selection, device_seed: int, shape: tuple[int, int]
+    ) -> ReadoutNoise:
+        """Return the errors of a readout; the last results are cached with their patterns."""
+        return _readout_noise(sensor, effects, device_seed, shape)
+
+    def codes(self, seed: int, frame: int, buckets: int) -> Values:
+        """Return the errors (buckets, rows, cols) of frame number `frame` in codes."""
+        from nscc_runtime.readout_loop import NoiseSizes, add_noise
+
+        rows, cols = self.pattern_lsb.shape
+        sizes = NoiseSizes(pixels=rows * cols, cols=cols, weights=WEIGHTS)
+        places = _places((rows + WEIGHTS - 1) * cols)
+        errors = np.empty((buckets, rows, cols))
+        for bucket, errors_of_bucket in enumerate(errors):
+            noise, common = (key(seed, s, frame=frame, group=bucket) for s in self.streams)
+            if self.sigma_lsb:
+                add_noise(
+                    sizes=sizes, weights=self.sigma_lsb * self.weights,
+                    normals=normals(noise, places, single=True),
+                    pattern=self.pattern_lsb.reshape(-1), out=errors_of_bucket.reshape(-1),
+                )  # fmt: skip
+            else:
+                errors_of_bucket[:] = self.pattern_lsb
+            if self.common_lsb:
+                errors_of_bucket += self.common_lsb * normals(common, places[:1])
+        return errors
+
+
+@lru_cache(8)
+def _readout_noise(
+    sensor: Sensor, effects: Selection, device_seed: int, shape: tuple[int, int]
+) -> ReadoutNoise:
+    noisy, common = effects.acting("converter"), effects.acting("common")
+    weights = np.eye(1, WEIGHTS)[0]
+    for shared in effects.at("columns"):
+        weights = shared(sensor)
+    pattern = np.zeros(shape)
+    for fixed in effects.at("pattern"):
+        pattern += fixed(sensor, device_seed, shape)
+    # One draw with the first effect's stream: the sum of normal errors is normal.
+    streams = (noisy[0][0].stream if noisy else 0, common[0][0].stream if common else 0)
+    return ReadoutNoise(
+        hypot(*(sigma(sensor) for _, sigma in noisy)),
+        weights, pattern, hypot(*(sigma(sensor) for _, sigma in common)), streams,
+    )  # fmt: skip
+
+
+@lru_cache(4)
+def _places(count: int) -> NDArray[np.int64]:
+    return np.arange(count)
