@@ -176,7 +176,7 @@ def tables(results: Path | None, **outputs: Any) -> None:
 @click.option("-o", "out", type=OUT, required=True, metavar="DIR",
               help="The folder for the pictures.")  # fmt: skip
 def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
-    """Draw Figs. 3, 5, 6, 7 and 8 of the paper, from the runs that come with nscc.
+    """Draw Figs. 5, 6 and 7 of the paper, from the runs that come with nscc.
 
     The figures show coded frames and their reconstructions, several frames decoded from one,
     shutters as mosaics, a still at low and at high exposure, and several tone curves. Each is

@@ -1,4 +1,4 @@
-"""Figs. 3, 5, 6, 7 and 8 of the paper, from the runs that come with nscc.
+"""Figs. 5, 6 and 7 of the paper, from the runs that come with nscc.
 
 The emulated chip exposes a still and a clip with a run's shutters and with always open pixels, and
 the run decodes them. Light is in electrons, over the frame or per slot."""
