@@ -181,7 +181,7 @@ class BitWords:
                 return self._above(node.value, int(node.level * self.count_steps)), None
             case p.Neither():
                 both = [self.bit(node.first), self.bit(node.second)]
-                return self._emit_word("NOR", [register for register, _ in both], both), None
+                return self._nor([register for register, _ in both], both), None
             case p.ChosenPlane():
                 return self._chosen(node), None
             case p.RepeatedPlane():
@@ -210,11 +210,15 @@ class BitWords:
         """Emit a choice between two bits: the NOR of the two ways in which it is 0."""
         then, condition = self.bit(node.then), self.bit(node.condition)
         unchosen = self._emit_word("NOT", [condition[0]], [])
-        chosen_0 = self._emit_word("NOR", [then[0], unchosen], [then, (unchosen, None)])
+        chosen_0 = self._nor([then[0], unchosen], [then, (unchosen, None)])
         otherwise = self.bit(node.otherwise)
         sources = [otherwise[0], condition[0]]
-        other_0 = self._emit_word("NOR", sources, [otherwise, condition])
-        return self._emit_word("NOR", [chosen_0, other_0], [(chosen_0, None), (other_0, None)])
+        other_0 = self._nor(sources, [otherwise, condition])
+        return self._nor([chosen_0, other_0], [(chosen_0, None), (other_0, None)])
+
+    def _nor(self, registers: Sequence[str], used: Sequence[Kept]) -> str:
+        """Emit the NOR of two bits, which may be in one register."""
+        return self._emit_word("NOR" if len({*registers}) > 1 else "NOT", registers, used)
 
     def _above(self, compared: p.Value, steps: int, param: str = "") -> str:
         """Emit a comparison: `where` tests whether the sum of the value and IN is above 0.

@@ -36,6 +36,7 @@ def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
     directions = lowering.bits.steered
     if directions is not None:  # try to choose the neighbours once, before all steps
         lowering.restore(state)
+        state = lowering.state()  # a state can be restored once
         if steered == directions:
             lowering.bits.steered = directions
         else:
