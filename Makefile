@@ -137,7 +137,12 @@ bench: $(VENV)/.test-installed $(VENV)/.compiled
 SITE = PATH="$(abspath $(BIN)):$$PATH" $(BIN)/sphinx-build --quiet --fail-on-warning --keep-going \
   --conf-dir docs --doctree-dir $(OUT)/site-trees
 
-docs: $(VENV)/.docs-installed $(VENV)/.compiled
+# The emulator's loops for the playground, as WebAssembly.
+$(OUT)/loops.wasm: $(VENV)/.docs-installed $(wildcard runtime/nscc_runtime/*.py runtime/nscc_runtime/*/*.py)
+	@mkdir -p $(OUT)
+	$(BIN)/python -m nscc_runtime.compile_ahead --wasm $@
+
+docs: $(VENV)/.docs-installed $(VENV)/.compiled $(OUT)/loops.wasm
 	$(SITE) --builder html . $(OUT)/site
 	@echo "the site: $(abspath $(OUT))/site/index.html"
 

@@ -15,6 +15,7 @@ from nscc_site.docstrings import as_rst
 from nscc_site.gallery import gallery_pages
 from nscc_site.lexer import NslLexer
 from nscc_site.pictures import draw_pictures, pair_pictures
+from nscc_site.playground import offer_playground, write_playground
 from nscc_site.reference import reference_pages
 
 if TYPE_CHECKING:
@@ -31,6 +32,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("builder-inited", write_notebooks)
     app.connect("source-read", offer_notebook)
     app.connect("doctree-read", pair_pictures)
+    app.connect("doctree-resolved", offer_playground)
+    app.connect("build-finished", write_playground)
     app.connect("autodoc-process-docstring", as_rst)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 

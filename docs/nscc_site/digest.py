@@ -13,7 +13,10 @@ def source_digest() -> str:
     running = sha256()
     for folder in ("nscc", "runtime", "training", "cli", "grammars", "examples", "docs/nscc_site"):
         for path in sorted((REPOSITORY / folder).rglob("*")):
-            if path.suffix in (".py", ".toml", ".lark", ".nsl", ".md", ".csv"):
+            if (
+                path.suffix in (".py", ".toml", ".lark", ".nsl", ".md", ".csv")
+                or path.name == "tasks.json"
+            ):
                 running.update(path.relative_to(REPOSITORY).as_posix().encode())
                 running.update(path.read_bytes())
     return running.hexdigest()[:16]

@@ -80,10 +80,15 @@ def guard(
     if isinstance(at_fault, np.ndarray):
         if not at_fault.any():
             return data, before
-        return np.where(at_fault, harmless, data), either(before, at_fault)
+        return _wide(np.where(at_fault, harmless, data)), either(before, at_fault)
     if not at_fault:
         return data, before
     return harmless, either(before, fault())
+
+
+def _wide(data: Any) -> Any:
+    """Return integers as int64: numpy's own choice has 32 bits in WebAssembly. Keep Booleans."""
+    return data if data.dtype == np.bool_ else data.astype(np.int64, copy=False)
 
 
 def _limited(node: Binary, a: Value, b: Value, faults: Faults, data: Data, beyond: Data) -> Value:
@@ -103,7 +108,7 @@ def _sum(node: Binary, a: Value, b: Value) -> Value:
 
 
 def _product(node: Binary, a: Value, b: Value) -> Value:
-    beyond = np.abs(a.data) > LIMIT // np.maximum(np.abs(b.data), 1)
+    beyond = np.abs(a.data) > LIMIT // np.maximum(np.abs(b.data), 1, dtype=np.int64)
     return _limited(node, a, b, either(a.faults, b.faults), a.data * b.data, beyond)
 
 
@@ -261,7 +266,7 @@ def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
         faults_where(condition.data ^ True, otherwise.faults),
     )
     if isinstance(condition.data, np.ndarray):
-        data: Data = np.where(condition.data, then.data, otherwise.data)
+        data: Data = _wide(np.where(condition.data, then.data, otherwise.data))
     else:
         data = then.data if condition.data else otherwise.data
     return Value(data, either(condition.faults, branches))

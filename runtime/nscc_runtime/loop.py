@@ -127,6 +127,8 @@ class Loop(Generic[_P]):
         if values.keys() != self.parameters.keys():
             raise TypeError(f"{self.name}: {_unlike(self.parameters, values)}")
         axes: dict[str, int] = {}
+        if machine_code.IN_WEB:
+            values.update({n: p.widened(values[n]) for n, p in self.parameters.items()})
         self.entry(*[a for n, p in self.parameters.items() for a in p.addresses(values[n], axes)])
 
     def is_compiled(self) -> bool:
@@ -135,6 +137,8 @@ class Loop(Generic[_P]):
 
     def is_kept(self) -> bool:
         """Return whether a file with the machine code exists, which other runs can use."""
+        if machine_code.IN_WEB:
+            return True
         file = object_file(self.module)
         return machine_code.read_object_file(file.name, file.folders) is not None
 
@@ -180,21 +184,24 @@ class ObjectFile:
 
     def code(self) -> bytes:
         """Return the object code, read from a file or compiled."""
+        return machine_code.object_code(self.name, self.folders, self.build)
 
-        def build() -> bytes:
-            from nscc_runtime.loop_types import signature
+    def build(self, for_web: bool = False) -> bytes:
+        """Compile the loops to object code for this processor, or for WebAssembly."""
+        from nscc_runtime.loop_types import signature
 
-            return machine_code.build(
-                (_for_numba(module_loop.function), signature(module_loop.parameters.values()))
-                for module_loop in self.loops
-            )
-
-        return machine_code.object_code(self.name, self.folders, build)
+        loops = (
+            (_for_numba(module_loop.function), signature(module_loop.parameters.values()))
+            for module_loop in self.loops
+        )
+        return machine_code.build(loops, for_web)
 
     @cached_property
     def linked(self) -> dict[str, Callable[..., None]]:
         """The loops linked into this process, by name."""
         takes = {e.name: sum(len(p.arrays) for p in e.parameters.values()) for e in self.loops}
+        if machine_code.IN_WEB:
+            return machine_code.load_in_web(takes)
         return machine_code.load(self.code(), takes)
 
     @cached_property

@@ -84,6 +84,12 @@ class LoopParameter:
                     raise self._unequal(axis, length - extra, axes)
         return (ctypes.c_void_p.from_address(id(value) + _DATA).value or 0,)
 
+    def widened(self, value: Any) -> Any:
+        """Return an argument with indices as int64: those of numpy have 32 bits in WebAssembly."""
+        is_index = isinstance(value, np.ndarray) and value.dtype == np.intp
+        wide = is_index and self.kind == np.int64 and not self.written
+        return value.astype(np.int64, copy=False) if wide else value
+
     def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
         return TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")
 
@@ -100,6 +106,11 @@ class ArrayGroup:
     def sized(self, _axes: set[str]) -> ArrayGroup:
         """Return the group unchanged: arrays contain no lengths of axes."""
         return self
+
+    def widened(self, value: Any) -> Any:
+        """Return the arrays with indices as int64, as `LoopParameter.widened` does."""
+        arrays = zip(self.arrays, value, strict=True)
+        return self.kind(*(parameter.widened(array) for parameter, array in arrays))
 
     def addresses(self, value: Any, axes: dict[str, int]) -> list[int]:
         """Return the addresses of the arrays; arguments as in `LoopParameter.addresses`."""

@@ -10,6 +10,8 @@ import ctypes
 import hashlib
 import os
 import re
+import subprocess
+import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from time import perf_counter
@@ -21,6 +23,11 @@ from nscc.files import store_files
 
 _DIGEST_BYTES = 32
 _BESIDE = "__pycache__"
+IN_WEB = sys.platform == "emscripten"
+"""Whether this is Python in WebAssembly, where nothing is compiled: `WEB_LIBRARY` has all loops."""
+WEB_LIBRARY = Path(__file__).with_name("loops.wasm")
+"""The library that `python -m nscc_runtime.compile_ahead --wasm` writes for a web page."""
+_WEB_TRIPLE = "wasm32-unknown-emscripten"
 _COMPILE_S: list[float] = []
 """Seconds that compiling each object file took in this process."""
 
@@ -80,19 +87,21 @@ def read_object_file(name: str, places: Sequence[Path]) -> bytes | None:
     return None
 
 
-def build(loops: Iterable[tuple[Callable[..., None], Any]]) -> bytes:
-    """Compile functions, each with its numba signature, to one object file for this processor.
-    Raises RuntimeError if they call foreign functions."""
+def build(loops: Iterable[tuple[Callable[..., None], Any]], for_web: bool = False) -> bytes:
+    """Compile functions, each with its numba signature, to one object file for this processor, or
+    for WebAssembly. Raises RuntimeError if they call foreign functions."""
     import llvmlite.binding as llvm
     import numba
 
     linked_module, entries = llvm.parse_assembly(""), set()
+    machine = _web_machine(llvm) if for_web else _machine(llvm)
     for function, signature in loops:
         entry = function.__name__
         cfunc = numba.cfunc(signature, error_model="numpy")(function)
-        module = llvm.parse_assembly(
-            _own_root(cfunc.inspect_llvm()).replace(cfunc.native_name, entry)
-        )
+        text = _own_root(cfunc.inspect_llvm()).replace(cfunc.native_name, entry)
+        if for_web:
+            text = _retargeted(text, str(machine.target_data))
+        module = llvm.parse_assembly(text)
         # If everything else is private, LLVM recognises that nothing can raise, and removes the
         # error handling of numba and Python: the result runs without either.
         for llvm_function in module.functions:
@@ -100,7 +109,6 @@ def build(loops: Iterable[tuple[Callable[..., None], Any]]) -> bytes:
                 llvm_function.linkage = "internal"
         linked_module.link_in(module)
         entries.add(entry)
-    machine = _machine(llvm)
     passes = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=2))
     passes.getModulePassManager().run(linked_module, passes)
     needed = re.findall(r"^declare .*?@([\w.]+)\(", str(linked_module), re.MULTILINE)
@@ -108,6 +116,26 @@ def build(loops: Iterable[tuple[Callable[..., None], Any]]) -> bytes:
     if foreign:
         raise RuntimeError(f"the compiled loops call {', '.join(foreign)}")
     return bytes(machine.emit_object(linked_module))
+
+
+def link_for_web(objects: Sequence[Path], entries: Iterable[str], out: Path) -> None:
+    """Link object files for WebAssembly to a library with the functions `entries`, which Python in
+    a web page loads with ctypes. Raises CalledProcessError if the linker of `ziglang` fails."""
+    linker = [sys.executable, "-m", "ziglang", "wasm-ld", "-shared", "--experimental-pic",
+              "--no-entry", "--strip-all", "--allow-undefined"]  # fmt: skip
+    exports = [f"--export={entry}" for entry in entries]
+    subprocess.run([*linker, *exports, "-o", out, *objects], check=True)
+
+
+def load_in_web(parameters: Mapping[str, int]) -> dict[str, Callable[..., None]]:
+    """Return functions of the library, as `load` does for an object file."""
+    library = ctypes.CDLL(str(WEB_LIBRARY))
+    functions: dict[str, Callable[..., None]] = {}
+    for entry, count in parameters.items():
+        function = library[entry]
+        function.argtypes, function.restype = (ctypes.c_void_p,) * count, None
+        functions[entry] = function
+    return functions
 
 
 def load(code: bytes, parameters: Mapping[str, int]) -> dict[str, Callable[..., None]]:
@@ -166,3 +194,24 @@ def _machine(llvm: Any) -> Any:
         jit=True,
         codemodel="jitdefault",
     )
+
+
+def _web_machine(llvm: Any) -> Any:
+    """Return LLVM's description of WebAssembly, for code of a shared library."""
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    return llvm.Target.from_triple(_WEB_TRIPLE).create_target_machine(
+        features="+simd128,+bulk-memory,+mutable-globals,+sign-ext", opt=3, reloc="pic"
+    )
+
+
+def _retargeted(text: str, layout: str) -> str:
+    """Return numba's LLVM code of this machine as code for WebAssembly with a data `layout`."""
+    for pattern, other in (
+        (r"^target datalayout = .*$", f'target datalayout = "{layout}"'),
+        (r"^target triple = .*$", f'target triple = "{_WEB_TRIPLE}"'),
+        (r'"target-(cpu|features)"="[^"]*"', ""),
+        (r"= common ", "= internal "),
+    ):
+        text = re.sub(pattern, other, text, flags=re.MULTILINE)
+    return text

@@ -210,7 +210,7 @@ def no_compiler(monkeypatch):
     """Compiling takes seconds: count it instead."""
     calls = []
 
-    def build(_loops):
+    def build(_loops, _for_web):
         calls.append(1)
         return b"machine code"
 

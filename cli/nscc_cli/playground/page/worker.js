@@ -34,7 +34,8 @@ onmessage = async ({ data }) => {
     const answer = await ready;
     postMessage({ id: data.id, answer: JSON.parse(answer(data.kind, JSON.stringify(data.values))) });
   } catch (error) {
-    const last = String(error.message).trim().split("\n").pop();
+    const lines = String(error.message).trim().split("\n");
+    const last = lines.findLast((line) => /^\w*(Error|Rejected)\b/.test(line)) ?? lines.at(-1);
     postMessage({ id: data.id, error: `Python in this page: ${last}` });
   }
 };
