@@ -8,16 +8,13 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from nscc import checks
 from nscc.lazy import LazyFunctions
 from nscc.looks.checks import check_looking_gates, check_looking_plan
-from nscc.looks.looking_plan import LookingPlan
 from nscc.looks.looks_proof import LookingReplay
 from nscc.looks.passes import LookingLowered, container_of, lowered_of, plan_of
 from nscc.lower import fit
-from nscc.lower.exposure_plan import Misfit
 from nscc.lower.lowered import Choice
 from nscc.operations import Op
 from nscc.pipeline import Compiled, Found, Job, Pass, ProgramKind
 from nscc.program.problems import counted
-from nscc.program.program import Program
 from nscc.prove.pixels import ReplayPixels
 from nscc.words.container import Container
 
@@ -25,16 +22,6 @@ if TYPE_CHECKING:
     from networkx import DiGraph
 
 _REPORT = LazyFunctions("nscc.looks.looks_report")
-
-
-def make_plan(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
-    """Plan the looks and the exposure; errors are those of `plan_of`."""
-    return plan_of(program, job.options.lowering)
-
-
-def choose_encodings(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found]:
-    """Find encodings and gates; errors are those of `lowered_of`."""
-    return lowered_of(plan, job.options.level, job.options.max_words_per_slot)
 
 
 def lay_out_looking(layouts: Sequence[LookingLowered], job: Job) -> tuple[Choice, Found]:
@@ -47,8 +34,8 @@ class Looks(ProgramKind):
     """A program with senses, or with states that step from slot to slot."""
 
     passes: ClassVar[tuple[Pass, ...]] = (
-        Pass("plan", make_plan, check_looking_plan, _REPORT.moments_text),
-        Pass("gates", choose_encodings, check_looking_gates, _REPORT.all_gates_text),
+        Pass("plan", plan_of, check_looking_plan, _REPORT.moments_text),
+        Pass("gates", lowered_of, check_looking_gates, _REPORT.all_gates_text),
         Pass(
             "schedule", lay_out_looking, checks.check_schedule,
             LazyFunctions("nscc.emit.listing").choice_text,

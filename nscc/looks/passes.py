@@ -12,7 +12,6 @@ from itertools import chain
 import numpy as np
 
 from nscc.chips.target import Target
-from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.logic.problem import Gate, GaveUp, Problem, Segment, Solution
 from nscc.looks.encode import encodings
 from nscc.looks.looking_plan import LookingPlan, Moment, plan_looks
@@ -22,7 +21,6 @@ from nscc.lower.decoding import Decoding
 from nscc.lower.exposure_plan import (
     RESET,
     ExposurePlan,
-    LoweringOption,
     Misfit,
     PlanStep,
     Timeline,
@@ -39,6 +37,7 @@ from nscc.lower.schedule import (
     words,
 )
 from nscc.operations import Op, op
+from nscc.pipeline import Found, Job
 from nscc.program.program import Program
 from nscc.words.container import Container
 from nscc.words.machine import StatePlanes
@@ -253,10 +252,9 @@ ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
 """For each level the number of encodings to try, and the largest number until one fits."""
 
 
-def plan_of(
-    program: Program, lowering: LoweringOption
-) -> tuple[LookingPlan | Misfit, Sequence[Diagnostic]]:
+def plan_of(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
     """Return the plan and no errors, or a Misfit and the error NS0413 or NS0414."""
+    lowering = job.options.lowering
     plan = plan_looks(program, program.machine, lowering)
     if isinstance(plan, Misfit):
         name = "edges" if lowering == "auto" else lowering
@@ -264,9 +262,7 @@ def plan_of(
     return plan, []
 
 
-def lowered_of(
-    plan: LookingPlan, level: int, most_words: int | None
-) -> tuple[list[LookingLowered], Sequence[Diagnostic]]:
+def lowered_of(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found]:
     """Return lowerings with several encodings, best first, and errors (NS0502 if none was
     found)."""
     program = plan.program
@@ -274,6 +270,7 @@ def lowered_of(
     time = frame_time(program)
     lowerings: list[LookingLowered] = []
     reasons: dict[str, None] = {}
+    level, most_words = job.options.level, job.options.max_words_per_slot
     enough, most = ENCODINGS[level]
     for count, encoding in enumerate(encodings(plan.machine, registers)):
         if count >= (enough if any(candidate.fits for candidate in lowerings) else most):

@@ -6,7 +6,6 @@ needs more destinations does not fit."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.lower.resources import at_least, chip_label, chip_note, resource, time_text
+from nscc.pipeline import Found, Job
 from nscc.program.problems import counted
 from nscc.program.program import Program
 from nscc.record import Record
@@ -219,17 +219,13 @@ def no_route(missing_route: NoRoute, chip: str, program: Program | None = None) 
     )
 
 
-Found = Sequence[Diagnostic]
-
-
-def plan_of(
-    program: Program, lowering: str, most_words: int | None
-) -> tuple[Sending | NoRoute, Found]:
+def plan_of(program: Program, job: Job) -> tuple[Sending | NoRoute, Found]:
     """Return the route of the light, or the reason why there is none (NS0509).
 
     Options that only apply to words (a lowering, a limit on words) are refused (NS0510)."""
+    lowering = job.options.lowering
     word_options = [f"--lowering {lowering}"] * (lowering != "auto")
-    word_options += ["--max-words-per-slot"] * (most_words is not None)
+    word_options += ["--max-words-per-slot"] * (job.options.max_words_per_slot is not None)
     if word_options:
         options = " and ".join(word_options)
         no_words = Diagnostic(
@@ -249,7 +245,7 @@ def plan_of(
     return Sending(program, chosen_route), []
 
 
-def timed(sending: Sending) -> tuple[Sending, Found]:
+def timed(sending: Sending, job: Job) -> tuple[Sending, Found]:
     """Return the same plan, and an error (NS0508) if a plane cannot be loaded in time."""
     fault = late_fault(sending)
     return sending, [fault] if fault else []

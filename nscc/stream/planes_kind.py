@@ -14,32 +14,21 @@ from nscc.emit.summary import share_text
 from nscc.operations import Op
 from nscc.pipeline import Compiled, Found, Job, Pass, ProgramKind
 from nscc.program.problems import counted
-from nscc.program.program import Program
 from nscc.prove.proof import Proof
 from nscc.stream import sending_report as texts
 from nscc.stream.checks import check_loadings, check_route
-from nscc.stream.passes import NoRoute, Sending, container_of, plan_of, timed, with_planes
+from nscc.stream.passes import container_of, plan_of, timed, with_planes
 from nscc.stream.planes_proof import prove_planes
 from nscc.words.container import Container
 from nscc.words.legality import refuse_planes
-
-
-def make_route(program: Program, job: Job) -> tuple[Sending | NoRoute, Found]:
-    """Choose the route of the light; errors are those of `plan_of`."""
-    return plan_of(program, job.options.lowering, job.options.max_words_per_slot)
 
 
 class BitPlanes(ProgramKind):
     """A program of a chip without logic: planes instead of words."""
 
     passes: ClassVar[tuple[Pass, ...]] = (
-        Pass("plan", make_route, check_route, texts.sending_text),
-        Pass(
-            "schedule",
-            lambda sending, _job: timed(sending),
-            check_loadings,
-            texts.sending_text,
-        ),
+        Pass("plan", plan_of, check_route, texts.sending_text),
+        Pass("schedule", timed, check_loadings, texts.sending_text),
     )
     subject = "planes"
     one_lowering_for = "a chip without logic"
