@@ -192,7 +192,7 @@ def expected_words(terminals: Set[str]) -> str:
 
     Operators are left out if something else can come next; a comma is left out if a list may end.
     """
-    remaining = set(terminals)
+    remaining = set(terminals) - {"PLACE"}
     choices: list[str] = []
     if {"INTEGER", "NAME", "-"} <= remaining:
         choices.append("a number, a name or another expression")

@@ -42,9 +42,9 @@ from nscc.words.stored_machine import StoredMachine, stored_machine
 from nscc.words.stream import Stream
 
 MAGIC = b"\x89ICW\r\n\x1a\n"
-VERSIONS = (1, 2, 3, 4)
-"""File versions: fixed shutters, pixels that look, chips without logic, and programs with
-images."""
+VERSIONS = (1, 2, 3, 4, 5)
+"""File versions: fixed shutters, pixels that look, chips without logic, programs with images, and
+those with parameters, input planes, kept or repeated images."""
 _PREAMBLE = Struct("<8sIIQ")
 _DIGEST = 32
 LARGEST_FILE = 1 << 31
@@ -137,7 +137,7 @@ def to_bytes(container: Container) -> bytes:
     if not target.has_logic:
         version = 3
     elif container.pictures.outputs:
-        version = 4
+        version = 5 if container.pictures.is_of_version_4 else 4
     else:
         version = 2 if container.machine.stages else 1
     body = b"".join([_PREAMBLE.pack(MAGIC, version, len(text), length), *sections])
