@@ -88,7 +88,10 @@ PROGRAMS = {
     + "bucket b4 open when n < 2\nbucket b5 open when n > 2\nplane p = b0 > 30%\n"
     "read b0, b1, b2, b3, b4, b5, p",
 }  # fmt: skip
-REPORTED = {"reports", "reports of rare bits", "reports beside what is read"}
+REPORTED = {
+    "reports", "reports of rare bits", "reports beside what is read",
+    "repeated steps beside a plane of x and y",
+}  # fmt: skip
 """The programs whose reports are made by the device."""
 FRAMES = 3
 ALL_FORMS = {
