@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -21,10 +22,12 @@ from nscc_runtime.light import Light  # noqa: E402
 from nscc_training import load_run  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import ExposureSet, cut_batch, load_scenes  # noqa: E402
+from nscc_training.evaluation.results import result_text  # noqa: E402
 from nscc_training.evaluation.runs import evaluate  # noqa: E402
 from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.losses import LOSSES  # noqa: E402
 from nscc_training.made_scenes import DIRECTIONS, moving_texture  # noqa: E402
+from nscc_training.protocol_scenes.classes import ClassWindow  # noqa: E402
 
 CLASSES: dict[str, dict[str, Any]] = {
     "shutter": {"class": "d", "slots": 16, "tile": [2, 2], "slot_us": 1000.0},
@@ -50,6 +53,34 @@ def class_folders(root: Path, side: int = 64, count: int = 2) -> Path:
             stored = np.rint(255 * np.moveaxis(clip, 0, 2)).astype(np.uint8)
             savemat(root / label / f"{label}{number}.mat", {"orig": stored})
     return root
+
+
+def test_the_cross_entropy_is_that_of_the_loss() -> None:
+    """It still separates codes where nearly all classes are right."""
+    result = np.array([2.0, -1.0, 0.5])
+    for label in ("a", "b", "c"):
+        scene = SimpleNamespace(classes=("a", "b", "c"), label=label)
+        scores = ClassWindow.scores(scene, result)  # type: ignore[arg-type]
+        truth = torch.tensor([[float(name == label) for name in scene.classes]])
+        loss = float(LOSSES["class"](torch.from_numpy(result)[None].float(), truth))
+        assert scores["cross_entropy"] == pytest.approx(loss, rel=1e-5)
+        assert scores["correct"] == float(label == "a")
+    item = {"correct": 1.0, "class": "a", "decoded": "a", "file": "f", "cross_entropy": 0.25}
+    values = {
+        "method": "m",
+        "protocol": "class-v1",
+        "protocol_sha256": "",
+        "settings": {},
+        "mean": 1.0,
+        "ci95": None,
+        "sees": "capture",
+        "items": [item],
+        "left_out": [],
+        "decoder_ms": None,
+    }
+    assert "100.0% correct, 95 % 100.0% to 100.0%, cross-entropy 0.250" in result_text(values)
+    del item["cross_entropy"]
+    assert "cross-entropy" not in result_text(values)
 
 
 def test_each_patch_has_the_class_of_its_scene() -> None:

@@ -293,3 +293,18 @@ def test_a_codebook_with_a_row_for_each_place_is_as_free_as_class_e() -> None:
     encoder.load_codes({"id": np.arange(16).reshape(4, 4), "book": book})
     assert (encoder.hard().numpy() == wish).all()
     assert encoder.unused_share() == 0  # type: ignore[operator]
+
+
+@pytest.mark.parametrize("kind", ["c", "d", "e", "codebook"])
+def test_yardsticks_have_two_bumps_each_in_a_part_of_the_frame(kind: str) -> None:
+    """Halves of the frame by rows and by places, and rows that overlap: 0..11 and 5..16 of 16."""
+    length = {"rows": 8, "checker": 8, "overlapping-rows": 11}
+    for name, slots in length.items():
+        spec = ShutterSpec(kind, 16, (2, 4), length=slots if kind == "c" else None, rows=2)
+        opened = make_encoder(spec, name).hard().numpy() > 0
+        y, x = np.mgrid[:2, :4]
+        late = (y + x if name == "checker" else y) % 2 == 1
+        n = np.arange(16).reshape(-1, 1, 1)
+        np.testing.assert_array_equal(opened, np.where(late, n >= 16 - slots, n < slots), name)
+    with pytest.raises(ValueError, match="every 2 x 2 places"):
+        make_encoder(ShutterSpec("d", 16, (1, 2)), "rows")

@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 
 ORDERED = ("two-phase", "staggered", "cyclic")
 """Names of initial codes with staggered bumps (`nscc_training.encoders.encoder_classes`)."""
+YARDSTICKS = ("rows", "checker", "overlapping-rows")
+"""Names of hand-made codes with two bumps, with which learned codes are compared
+(`nscc_training.encoders.encoder_classes`)."""
 SCATTERED = ("poisson-disc", "non-adjacent")
 """Names of initial codes in which equal exposure times are far apart
 (`nscc_training.encoders.encoder_classes`)."""
@@ -20,7 +23,7 @@ LOOKS = "looks"
 
 Its shutters are represented by fields (2 looks, rows, cols), boundaries followed by levels, because
 the open time depends on the light (`nscc_training.looking_model`)."""
-STARTS = ("random", "uniform", "quad", *ORDERED, *SCATTERED)
+STARTS = ("random", "uniform", "quad", *ORDERED, *YARDSTICKS, *SCATTERED)
 
 SLOPED = ("straight-through", "sigmoid", "gumbel")
 """Relaxations that pass gradients through the quantisation."""

@@ -10,12 +10,14 @@ from numpy.typing import NDArray
 from nscc.diagnostics.arguments import require_type
 from nscc.toml.arguments import argument
 from nscc.toml.kinds import Integer
-from nscc_training.code_choices import LOOKS, ORDERED, RANKS, SCATTERED, STARTS
+from nscc_training.code_choices import LOOKS, ORDERED, RANKS, SCATTERED, STARTS, YARDSTICKS
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
 from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
 from nscc_training.encoders.looks_encoder import LooksEncoder
 from nscc_training.encoders.patterns import Bits, Codebook
 
+_SIXTEENTHS = {"rows": 8, "checker": 8, "overlapping-rows": 11}
+"""Length of the bumps of a start in sixteenths of the frame; 4 for the others."""
 _SIDE = 4
 """Rows and columns of the repeating tile."""
 
@@ -23,7 +25,7 @@ Places = NDArray[np.int64]
 
 
 def ordered(name: str, spec: ShutterSpec) -> Codes:
-    """Return the codes of a tile for the start `name`, one of ORDERED.
+    """Return the codes of a tile for the start `name`, one of ORDERED or YARDSTICKS.
 
     A pixel measures the light of its bump, and its neighbours the light of other bumps. The 2 x 2
     pattern has edges at three times within the frame; these tiles have edges at more times.
@@ -33,17 +35,20 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
 
     `two-phase`: the 2 x 2 pattern, with every other 2 x 2 block later by half a bump, or by as much
     as the frame allows. `staggered`: sixteen start times from the beginning of the frame to the
-    last at which a bump fits. `cyclic`: sixteen start times around the frame; a bump that reaches
+    last at which a bump fits. `rows`: every other row opens in the second half of the frame.
+    `checker`: every other place does. `overlapping-rows`: as `rows`, with bumps of 11/16 of the
+    frame. `cyclic`: sixteen start times around the frame; a bump that reaches
     the end continues at the beginning."""
     if spec.kind not in _CODES:
         raise ValueError(f"{name} needs bumps for clips, classes {', '.join(_CODES)}")
-    if any(side % _SIDE for side in spec.tile):
-        raise ValueError(f"{name} repeats every {_SIDE} x {_SIDE} places: the tile must be a "
+    period = 2 if name in YARDSTICKS else _SIDE
+    if any(side % period for side in spec.tile):
+        raise ValueError(f"{name} repeats every {period} x {period} places: the tile must be a "
                          f"multiple of that, but is {spec.tile[0]} x {spec.tile[1]}")  # fmt: skip
     if name == "cyclic" and spec.kind in "cd":
         raise ValueError(f"bumps of class {spec.kind} end with the frame, but those of cyclic "
                          "continue at its start: use class e or a codebook of 16 rows")  # fmt: skip
-    length = spec.length or -(-spec.slots // 4)
+    length = spec.length or -(-spec.slots * _SIXTEENTHS.get(name, 4) // 16)
     return _CODES[spec.kind](spec, _first(name, spec, length), length)
 
 
@@ -51,7 +56,9 @@ def _first(name: str, spec: ShutterSpec, length: int) -> Places:
     """Return the slot in which each place of the tile opens."""
     y, x = np.mgrid[: spec.tile[0], : spec.tile[1]]
     last = spec.slots - length
-    if name == "two-phase":
+    if name in YARDSTICKS:
+        first = (y + x if name == "checker" else y) % 2 * last
+    elif name == "two-phase":
         late = (y // 2 + x // 2) % 2 * (length // 2)
         first = np.minimum(np.rint((y % 2 * 2 + x % 2) * (last / 3)) + late, last)
     else:
@@ -151,7 +158,7 @@ def make_encoder(
         raise ValueError(f"{start!r} is not one of {', '.join(STARTS)}")
     if start in SCATTERED:
         _scatter(encoder, start, np.random.default_rng(seed))
-    elif start in ORDERED:
+    elif start in (*ORDERED, *YARDSTICKS):
         encoder.load_codes(ordered(start, spec))
     elif start == "random":
         encoder.start_random(np.random.default_rng(seed))

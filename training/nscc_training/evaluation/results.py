@@ -406,6 +406,9 @@ def result_text(result: dict[str, Any]) -> str:
         if classified:
             low, high = interval or (result["mean"], result["mean"])
             lines.append(f"  {result['mean']:.1%} correct, 95 % {low:.1%} to {high:.1%}")
+            # Results of earlier versions have no cross-entropy.
+            if all("cross_entropy" in item for item in result["items"]):
+                lines[-1] += f", cross-entropy {mean_of([result], 'cross_entropy'):.3f}"
         else:
             between = "one scene" if interval is None else "95 % {:.2f} to {:.2f}".format(*interval)
             lines.append(

@@ -32,7 +32,12 @@ class ClassWindow(ClipWindow):
 
     def scores(self, result_e: NDArray[Any]) -> dict[str, Any]:
         decoded = self.classes[int(np.argmax(result_e))]
-        return {"correct": float(decoded == self.label), "class": self.label, "decoded": decoded}
+        scores = np.asarray(result_e, np.float64)
+        surprise = np.logaddexp.reduce(scores) - scores[self.classes.index(self.label)]
+        return {
+            "correct": float(decoded == self.label), "cross_entropy": float(surprise),
+            "class": self.label, "decoded": decoded,
+        }  # fmt: skip
 
 
 def with_class(window: ClipWindow, label: str, classes: Sequence[str]) -> ClassWindow:
