@@ -117,7 +117,7 @@ def test_light_of_high_range_is_counted_as_protocols_do(folder: Path, run_nscc: 
         float(outcome.err.split(text)[1].split(" dB")[0])
         for text in ("that look ", "automatic exposure ")
     )
-    assert looked > said + 5
+    assert looked > said + 3
     assert float(outcome.err.split("always open ")[1].split(" dB")[0]) < ordinary < looked
 
 
