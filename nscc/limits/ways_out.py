@@ -8,10 +8,12 @@ replaced by pseudo-random rows."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import islice
+from time import process_time
 from typing import Any, Protocol
 
 import numpy as np
@@ -40,6 +42,8 @@ QUICK_LEVEL = 1
 
 Programs with fewer codebook rows use the full level."""
 _FRAME_TRIALS = 8
+_MOST_S = 15.0
+"""Processor seconds after which no further size is tried; the last attempt may take some more."""
 _ROW_TRIALS = 10
 _BOOK_ROWS = 64
 _LONGEST_BOOK = 256
@@ -123,7 +127,7 @@ def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayO
     def of_first(count: int) -> Source:
         return _book(program, table.shutters[table.shutter_of_code[:count]])
 
-    count, lowered = _largest(1, most, of_first, partial(attempt, level=level), _ROW_TRIALS)
+    count, lowered, remark = _largest(1, most, of_first, partial(attempt, level=level), _ROW_TRIALS)
     if lowered is None:
         return
     field, last = program.fields[0], table.codes[count - 1, 0]
@@ -132,7 +136,7 @@ def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayO
     why = f"the first {count} of the {rows} rows {whose}, {until}"
     if count == most:
         why += untried
-    why += f", at most {max(lowered.words_per_boundary)} words in a slot"
+    why += f", at most {max(lowered.words_per_boundary)} words in a slot{remark}"
     yield _way_out(f"K = {count}", why, lowered, level, rows=count)
 
 
@@ -142,21 +146,27 @@ def _largest(
     source: Callable[[int], Source],
     attempt: Callable[[Source, Codes], Lowered | None],
     budget: int,
-) -> tuple[int, Lowered | None]:
-    """Return the largest size that fits (`nscc.limits.survey.largest`), and its lowered program or
-    None."""
+) -> tuple[int, Lowered | None, str]:
+    """Return the largest size that fits (`nscc.limits.survey.largest`), its lowered program or
+    None, and a remark if the time ended before all sizes were tried."""
     built: dict[int, Lowered | None] = {}
+    begin, remark = process_time(), ""
 
     def fits(size: int) -> bool:
-        built[size] = attempt(source(size), "open")
+        nonlocal remark
+        if process_time() > begin + _MOST_S:
+            remark = f"; looked no further after {_MOST_S:g} s"
+        built[size] = None if remark else attempt(source(size), "open")
         return built[size] is not None
 
     size = largest(least, most, fits, budget)
-    return (0, None) if size is None else (size, built[size])
+    return (0, None, "") if size is None else (size, built[size], remark)
 
 
 def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
-    """Yield the complete class with the most slots that fit, if that is fewer than the frame's."""
+    """Yield the complete class with the most slots that fit, if that is fewer than the frame's.
+
+    A rule of no class is kept as it is written; N in it follows the frame."""
     slots = len(program.frame.slot_us)
     registers = len(program.target.digital_registers)
     least, most = 2, slots - 1
@@ -173,14 +183,23 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
         case "e":
             rule, kept_shutters = bits_rule(), "every shutter"
             most = min(most, registers)
-        case _:
+        case "codebook":
             return
-    build = partial(_source, program, rule)
+        case _:
+            rule, kept_shutters = "", "every shutter of the rule"
+    build = partial(_source, program, rule) if rule else partial(_shorter, program)
     quick = partial(attempt, level=level)
-    count, lowered = _largest(least, most, build, quick, _FRAME_TRIALS)
+    count, lowered, remark = _largest(least, most, build, quick, _FRAME_TRIALS)
     if lowered is not None:
-        why = f"{counted(slots - count, 'slot')} fewer, {kept_shutters} still possible"
+        why = f"{counted(slots - count, 'slot')} fewer, {kept_shutters} still possible{remark}"
         yield _way_out(f"frame {count} slots", why, lowered, level)
+
+
+def _shorter(program: Program, slots: int) -> Source:
+    """Return the text of a program with another number of slots; unchanged if none is written."""
+    text, span = program.source.text, program.frame.span
+    frame = re.sub(r"\d+(?=\s+slots?\b)", str(slots), text[span.start : span.end], count=1)
+    return Source("way-out.nsl", text[: span.start] + frame + text[span.end :])
 
 
 def _simpler(program: Program) -> Iterator[tuple[Source, str, str]]:

@@ -184,7 +184,10 @@ class _Writer:
         if isinstance(planned, tuple) and planned[0] == "or":
             return [*self._terms(planned[1], index), *self._terms(planned[2], index)]
         if isinstance(planned, tuple) and planned[0] == "xor":
-            only_one, equal = self._difference([self._value(part, index) for part in planned[1:]])
+            # A covered part comes last, because either polarity takes the same words.
+            first, second = sorted(planned[1:], key=lambda part: isinstance(part, _Covered))
+            value = self._value(first, index)
+            only_one, equal = self._difference([value, self._value(second, index, value[1])])
             return only_one if equal else [self._joined("NOR", only_one)]
         register, positive = self._value(planned, index)
         return [register] if positive else [self._joined("NOR", [register])]
@@ -199,12 +202,15 @@ class _Writer:
         self.free += [source for source in spent if source != target]
         return target
 
-    def _value(self, planned: _Planned, index: int) -> Value:
-        """Add gates for a rule at a demand, and return its value."""
+    def _value(self, planned: _Planned, index: int, wanted: bool | None = None) -> Value:
+        """Add gates for a rule at a demand, and return its value.
+
+        The register holds the value itself (`wanted` is true) or its inverse if that takes no more
+        words."""
         if isinstance(planned, _Counted):
             return planned.state, not planned.closes
         if isinstance(planned, _Covered):
-            return self._cubes(planned.cubes[index], not planned.inverted[index])
+            return self._cubes(planned.cubes[index], not planned.inverted[index], wanted)
         operator, first, second = planned
         if operator == "or":
             return self._joined("OR", self._terms(planned, index)), True
@@ -230,8 +236,10 @@ class _Writer:
         only_b = self._joined("NOR", [neither, a])
         return [only_a, only_b], a_positive == b_positive
 
-    def _cubes(self, cubes: Sequence[Cube], positive: bool) -> Value:
-        """Add gates for an OR of cubes, and return its value, or its inverse if not `positive`."""
+    def _cubes(self, cubes: Sequence[Cube], positive: bool, wanted: bool | None) -> Value:
+        """Add gates for an OR of cubes, and return its value, or its inverse if not `positive`.
+
+        A single cube is a NOR, and its inverse an OR; `wanted` is as in `_value`."""
         if len(cubes) == 1 and len(cubes[0]) == 1:
             ((plane, value),) = cubes[0]
             return f"p{plane}", (value != self.standing.inverted[plane]) == positive
@@ -240,7 +248,10 @@ class _Writer:
             self._end_segment()
             self.segments += self.standing.turn(cube)
             target = self._scratch()
-            self.gates.nor(target, [f"p{plane}" for plane, _ in cube])
+            as_or = len(cubes) == 1 and wanted == (not positive)
+            gate = self.gates.or_ if as_or else self.gates.nor
+            gate(target, [f"p{plane}" for plane, _ in cube])
+            positive ^= as_or
             terms.append(target)
             if len(terms) > 1:
                 terms = [self._joined("OR", terms)]

@@ -27,6 +27,7 @@ from nscc.source import Source
 STEP, DOUBLING = 1.3, 3.0
 ALLOWED = {
     ("d", 64, 128): "128 slots have 8,256 bumps, more than 12 planes distinguish",
+    ("states", 32, 33): "33 values need a sixth bit, which counts by a ripple of carries",
     ("codebook of 16 slots", 32, 33): "33 rows need a sixth plane, and both polarities do not fit",
 }
 """Exceptions: (family, size, next size), with the reason."""
@@ -54,7 +55,33 @@ def kernel(size: int) -> str:
     )
 
 
+def chain(kind: str, count: int) -> str:
+    """A program with `count` planes or images, each of which is read once after all of them."""
+    head = "nsl 3 frame 1 slots of 1ms open when true "
+    if kind == "planes":
+        items = "".join(f"plane v{i} = exposure > {90 * i // count + 5}% " for i in range(count))
+        total, join = "plane t", " xor "
+    else:
+        items = "".join(
+            f"kernel k{i} = [[{i % 7 + 1}, 0, -1]] / 8 image v{i} = abs(k{i}(exposure)) "
+            for i in range(count)
+        )
+        total, join = "image t", f" / {1 << (count - 1).bit_length()} + "
+    last = join.partition("+")[0].rstrip() if kind == "images" else ""
+    return f"{head}{items}{total} = {join.join(f'v{i}' for i in range(count))}{last} read t"
+
+
+def counter(values: int) -> str:
+    """A program whose state counts the looks at which a pixel was bright, to `values` - 1."""
+    return (
+        f"nsl 2 frame {values} slots of 100us sense bright when light > 50% at n > 0 "
+        f"state count : 0..{values - 1} = 0 next count = count + 1 when bright and count < "
+        f"{values - 1} open when true read count"
+    )
+
+
 FAMILIES: dict[str, tuple[Callable[[int], str], int]] = {
+    "a": (lambda n: frame(n, "open when true"), 4096),
     "b": (lambda n: frame(n, "code stop : 1..N open when n < stop"), 4096),
     "c": (lambda n: frame(n, "code start : 0..N - 8 open when start <= n < start + 8"), 1024),
     "d": (lambda n: frame(n, "code start : 0..N - 1 code stop : 1..N require start < stop "
@@ -68,10 +95,15 @@ FAMILIES: dict[str, tuple[Callable[[int], str], int]] = {
                             "open when n < stop and n % 4 != k"), 512),
     "or": (lambda n: frame(n, "code stop : 1..N code k : 0..3 "
                            "open when n < stop or n % 4 == k"), 256),
+    "xor": (lambda n: frame(n, "code stop : 1..N code k : 0..3 "
+                            "open when n < stop xor n % 4 == k"), 256),
     "looks": (lambda n: f"nsl 2 frame {n} slots of 500us sense bright when light > 50% "
               f"at n % 4 == 0 and n > 0 state seen : 0..{n} = 0 "
               "next seen = looks when bright and seen == 0 open when seen == 0 read seen", 32),
+    "states": (counter, 256),
     "kernel": (kernel, 9),
+    "planes": (lambda n: chain("planes", n), 32),
+    "images": (lambda n: chain("images", n), 32),
 }  # fmt: skip
 """For each family the text of a program of a size, and the largest size."""
 

@@ -40,7 +40,7 @@ RULES = [
 def test_two_parts_take_few_words_a_slot(rule, slots):
     found = words(problem(rule, slots), chip())
     assert found
-    assert min(found) <= 14 * slots
+    assert min(found) <= 11 * slots
 
 
 @pytest.mark.parametrize(

@@ -126,6 +126,18 @@ def test_ways_out_of_free_bits():
     assert offered[:2] == ["`--codes fixed`", "frame 13 slots"]
 
 
+def test_ways_out_of_a_rule_of_no_class():
+    """The rule keeps its text; the frame gets the largest number of slots that fits."""
+    text = "frame {} slots of 1ms\ncode s : 1..N code a : bit[9]\nopen when n < s xor a[n % 9]"
+    offered = check_ways_out(
+        fault(text.format(20)), 20,
+        {"frame 13 slots": lambda: compiled(text.format(13), level=1)},
+    )  # fmt: skip
+    assert offered[0] == "frame 13 slots"
+    with pytest.raises(Rejected):
+        compiled(text.format(14), level=1)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("slots", "code"), [(200, "NS0412"), (127, "NS0502")])
 def test_ways_out_of_bumps(slots, code):
