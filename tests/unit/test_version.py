@@ -24,6 +24,7 @@ def test_the_version_is_stated_once() -> None:
     released = [title for title in versions() if title != "Unreleased"]
     date = re.search(r'^date-released: "(.*)"$', citation, re.MULTILINE).group(1)
     assert released[0] == f"{__version__} ({date})"
+    assert f"nscc-{__version__}-py3-none-any.whl" in (ROOT / "docs/start.md").read_text()
     package = json.loads((ROOT / "editors/vscode/package.json").read_text())
     assert package["version"] == __version__
 
