@@ -207,7 +207,20 @@ class Target:
         return self.full_well_e * self.wells_read / ((1 << self.adc_bits) - 1)
 
     def level_e(self, value: float, unit: str) -> float:
-        """Convert a level to electrons; its unit is "%" of a full well, "e" or "lsb"."""
+        """Convert a level to electrons.
+
+        Parameters
+        ----------
+        value : float
+            The number of the level.
+        unit : {"%", "e", "lsb"}
+            Percent of a full well, electrons, or converter codes.
+
+        Returns
+        -------
+        float
+            Electrons.
+        """
         sizes_e = {"%": self.full_well_e / 100, "e": 1.0, "lsb": self.electrons_per_lsb}
         return value * sizes_e[unit]
 
