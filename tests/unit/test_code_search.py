@@ -252,7 +252,7 @@ def test_speeds_are_those_of_the_scene() -> None:
 
 def test_the_design_follows_the_motion() -> None:
     slow, fast = (
-        design_motion("scene", [moving(speed)], Frame(slots=16, level=0)) for speed in (2.0, 48.0)
+        design_motion("scene", [moving(speed)], Frame(slots=16, level=0)) for speed in (2.0, 96.0)
     )
     assert slow.expected[slow.name] > slow.expected[fast.name]
     assert fast.expected[fast.name] > fast.expected[slow.name]

@@ -9,7 +9,8 @@ from pathlib import Path
 from nscc import __version__
 
 ROOT = Path(__file__).resolve().parents[2]
-SECTION_LINES = 15
+SECTION_ENTRIES = 15
+VERSION_LINES = 60
 
 
 def versions() -> dict[str, str]:
@@ -31,10 +32,11 @@ def test_the_version_is_stated_once() -> None:
 
 def test_the_changelog_is_divided() -> None:
     for title, text in versions().items():
+        assert text.count("\n") <= VERSION_LINES, title
         parts = re.split(r"^### (.*)$", text, flags=re.MULTILINE)
         names, contents = parts[1::2], parts[2::2]
         assert set(names) <= {"Added", "Changed", "Fixed"}, title
         assert not parts[0].strip(), f"{title}: entries before the first heading"
         for name, content in zip(names, contents, strict=True):
             entries = re.findall(r"^\* ", content, re.MULTILINE)
-            assert 0 < len(entries) <= SECTION_LINES, f"{title}, {name}"
+            assert 0 < len(entries) <= SECTION_ENTRIES, f"{title}, {name}"
