@@ -78,7 +78,7 @@ def test_the_search_says_what_its_program_reaches(
                   "cyclic, 1/4 of the frame, two readouts, one always open")  # fmt: skip
     assert len(codes) == 3
     monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
-    light = scene(0.2)
+    light = scene(0.4)
     np.savez(tmp_path / "clip.npz", light=light)
     chip = ["--target", target]
     done = invoke(["design", "--search", "--scene", "clip.npz", "-o", "p.nsl", *chip], tmp_path)

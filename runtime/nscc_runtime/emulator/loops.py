@@ -34,6 +34,8 @@ from nscc_runtime.loop import (
 )
 
 _GOLDEN = 0.6180339887498949
+_MOST_START_E = 1e38
+"""Limit of initial analog values: float32 holds it."""
 
 
 @compiled
@@ -78,7 +80,7 @@ def _start(
             if values[light + i] > 0.0:
                 value = values[light + i] * (0.25 + 0.5 * abs(spread))
             # With few bits, sums with light are as exact as those of light alone.
-            value = float(np.float32(value))
+            value = float(np.float32(min(value, _MOST_START_E)))
             values[row + i] = sign * (value * lowest if spread < 0.0 else value)
 
 
