@@ -298,8 +298,9 @@ async function openLink() {
     open(link.program, link.scene, link.exposure);
     return true;
   } catch {
+    // Nothing else is opened: its progress would replace the message.
     say("the part of the address after # is not a program: copy the whole link");
-    return false;
+    return true;
   }
 }
 
