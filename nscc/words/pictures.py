@@ -345,7 +345,7 @@ class PlaneReport(Record):
 
     @property
     def subject(self) -> str:
-        """The name of the plane or image of which the report tells."""
+        """The name of the reported plane or image."""
         return self.plane.removesuffix(GROWS) if self.kind == "flood" else self.plane
 
     @property

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import http.client
 import json
-import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -13,6 +11,7 @@ from urllib.parse import urlsplit
 
 import pytest
 from nscc_command import invoke
+from play_session import play_session
 
 from nscc_cli.playground.page_files import PAGE
 
@@ -21,15 +20,8 @@ PROGRAM = "nsl 1\nframe 8 slots of 1ms\nopen when n < 4\n"
 
 @pytest.fixture(scope="module")
 def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    folder = tmp_path_factory.mktemp("play")
-    (folder / "mine.nsl").write_text(PROGRAM)
-    command = [sys.executable, "-m", "nscc_cli", "play", "mine.nsl", "--no-browser"]
-    with subprocess.Popen(
-        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as server:
-        assert server.stdout is not None
-        yield urlsplit(server.stdout.readline().strip())
-        server.terminate()
+    with play_session(tmp_path_factory.mktemp("play"), PROGRAM) as served:
+        yield urlsplit(served)
 
 
 def ask(address: Any, method: str, path: str, body: str = "", **headers: str) -> tuple[int, Any]:
