@@ -64,9 +64,13 @@ def printed(command: str) -> str:
     program, *arguments = shlex.split(command)
     started = {"nscc": ["-m", "nscc_cli"], "python": []}[program]
     ended = subprocess.run(
-        [sys.executable, *started, *arguments], cwd=REPOSITORY, stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT, text=True, check=False,
-    )  # fmt: skip
+        [sys.executable, *started, *arguments],
+        cwd=REPOSITORY,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+    )
     if ended.returncode != 0:
         raise RuntimeError(f"{command}: status {ended.returncode}\n{ended.stdout}")
     return ended.stdout

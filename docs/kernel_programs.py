@@ -172,10 +172,11 @@ def row_of(
     goal = goal * pow(divisor, PRIME - 2, PRIME) % PRIME
     box = np.array([-(width // 2), width // 2, -(height // 2), height // 2])
     tables = (
-        np.array([1, up, across, down, back], np.int64), np.array(STEPS),
+        np.array([1, up, across, down, back], np.int64),
+        np.array(STEPS),
         np.array([mask.bit_count() for mask in range(1 << MOST_REGISTERS)]),
         np.array([MOST_SOURCES if all_forms else 2, all_forms]),
-    )  # fmt: skip
+    )
     total = sum(abs(weight) for row in rows for weight in row)
     for length in range(1, most_words + 1):
         values, boxes = np.zeros(32, np.int64), np.zeros((32, 4), np.int64)

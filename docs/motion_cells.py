@@ -42,19 +42,33 @@ from nscc_training.motion_cells import DECODER, STATE, LinearDecoder
 PROGRAM, KERNELS = "direction.nsl", "direction.kernels.npz"
 FOLDER = Path(__file__).resolve().parents[1] / "build/cells"
 CELLS: dict[str, dict[str, Any]] = {
-    "direction": {}, "kernel_5": {"kernel": 5}, "outputs_1": {"outputs": 1},
-    "outputs_2": {"outputs": 2}, "noise_0": {"noise": 0.0}, "noise_2": {"noise": 2.0},
-}  # fmt: skip
+    "direction": {},
+    "kernel_5": {"kernel": 5},
+    "outputs_1": {"outputs": 1},
+    "outputs_2": {"outputs": 2},
+    "noise_0": {"noise": 0.0},
+    "noise_2": {"noise": 2.0},
+}
 """Settings of the cells of the table, where they differ from the defaults."""
 ACCURACIES = {
-    "real": "real weights, torch", "binary": "binary, torch", "noisy": "binary, torch with noise",
-    "exact": "emulated, no effects", "effects": "emulated, every effect",
+    "real": "real weights, torch",
+    "binary": "binary, torch",
+    "noisy": "binary, torch with noise",
+    "exact": "emulated, no effects",
+    "effects": "emulated, every effect",
     "tuned": "the same, decoder fitted to emulated films",
-}  # fmt: skip
+}
 COLUMNS = {
-    "kernel": "kernel", "outputs": "outputs", "noise": "noise", "words": "words", "us": "us",
-    "bits_per_frame": "bits", "binary": "binary", "effects": "effects", "tuned": "tuned",
-}  # fmt: skip
+    "kernel": "kernel",
+    "outputs": "outputs",
+    "noise": "noise",
+    "words": "words",
+    "us": "us",
+    "bits_per_frame": "bits",
+    "binary": "binary",
+    "effects": "effects",
+    "tuned": "tuned",
+}
 _RATE = 0.02
 _BLOCK = 32
 """Number of films that torch computes at once."""
@@ -146,10 +160,12 @@ def motion_films(settings: MotionSettings, count: int, stream: CellStream) -> tu
     """Return films (count, frames, size, size) in full wells, and their directions."""
     generator = np.random.default_rng([settings.seed, stream])
     directions = np.arange(count) % len(DIRECTIONS)
-    light = np.stack([
-        moving_texture(generator, settings.frames, settings.size, DIRECTIONS[k], settings.speed)
-        for k in directions
-    ])  # fmt: skip
+    light = np.stack(
+        [
+            moving_texture(generator, settings.frames, settings.size, DIRECTIONS[k], settings.speed)
+            for k in directions
+        ]
+    )
     return torch.from_numpy(light), torch.from_numpy(directions)
 
 
@@ -162,9 +178,13 @@ def train_motion_cell(settings: MotionSettings, track: Progress = unseen) -> Mot
     target = replace(load_target(settings.target, Path()), rows=settings.size, cols=settings.size)
     torch.manual_seed(settings.seed)
     cell = PixelCell(
-        kernel=settings.kernel, states=settings.states, outputs=settings.outputs,
-        pool=settings.pool, update=settings.update, level=level_on_chip(0.5, target),
-    )  # fmt: skip
+        kernel=settings.kernel,
+        states=settings.states,
+        outputs=settings.outputs,
+        pool=settings.pool,
+        update=settings.update,
+        level=level_on_chip(0.5, target),
+    )
     set_moving_edges(cell)
     films, directions = motion_films(settings, settings.films, CellStream.TRAINING_FILMS)
     test_films, test_directions = motion_films(settings, settings.test_films, CellStream.TEST_FILMS)
@@ -209,9 +229,11 @@ def motion_cell_files(trained: MotionCell) -> dict[str, bytes]:
     torch.save(trained.cell.state_dict(), state)
     decoder = {"weight": trained.decoder.weight, "bias": trained.decoder.bias}
     return {
-        PROGRAM: trained.files.text.encode(), KERNELS: trained.files.kernels,
-        DECODER: save(decoder), STATE: state.getvalue(),
-    }  # fmt: skip
+        PROGRAM: trained.files.text.encode(),
+        KERNELS: trained.files.kernels,
+        DECODER: save(decoder),
+        STATE: state.getvalue(),
+    }
 
 
 def fit_decoder(shares: Tensor, directions: Tensor) -> LinearDecoder:
@@ -243,15 +265,25 @@ def _program(cell: PixelCell, target: Target) -> tuple[ShutterProgram, CellFiles
 
 
 def _emulated(
-    cell: PixelCell, program: ShutterProgram, files: CellFiles, seed: int, track: Progress,
-    light: Tensor, effects: str,
-) -> Tensor:  # fmt: skip
+    cell: PixelCell,
+    program: ShutterProgram,
+    files: CellFiles,
+    seed: int,
+    track: Progress,
+    light: Tensor,
+    effects: str,
+) -> Tensor:
     """Return the bits of emulated films (films, frames, outputs, rows, cols)."""
-    return torch.stack([
-        torch.from_numpy(cell_film(program, cell, film.numpy(), files.planes,
-                                   effects=effects, seed=seed + number))
-        for number, film in enumerate(track(light, f"films, effects: {effects}", len(light)))
-    ])  # fmt: skip
+    return torch.stack(
+        [
+            torch.from_numpy(
+                cell_film(
+                    program, cell, film.numpy(), files.planes, effects=effects, seed=seed + number
+                )
+            )
+            for number, film in enumerate(track(light, f"films, effects: {effects}", len(light)))
+        ]
+    )
 
 
 def _means(bits: Tensor) -> Tensor:
@@ -263,16 +295,22 @@ def _shares(cell: PixelCell, light: Tensor, noise: CellNoise | None, seed: int) 
     """Return the fraction of 1 bits (films, outputs) of films computed in torch."""
     generator = generator_of(light.device, seed, CellStream.NOISE)
     with torch.no_grad():
-        return torch.cat([
-            (cell.film(part, noise=noise, generator=generator).mean((1, 3, 4)) + 1) / 2
-            for part in torch.split(light, _BLOCK)
-        ])  # fmt: skip
+        return torch.cat(
+            [
+                (cell.film(part, noise=noise, generator=generator).mean((1, 3, 4)) + 1) / 2
+                for part in torch.split(light, _BLOCK)
+            ]
+        )
 
 
 def _train(
-    cell: PixelCell, settings: MotionSettings, films: Tensor, directions: Tensor, steps: int,
+    cell: PixelCell,
+    settings: MotionSettings,
+    films: Tensor,
+    directions: Tensor,
+    steps: int,
     noise: CellNoise | None,
-) -> None:  # fmt: skip
+) -> None:
     """Train a cell together with a linear decoder, which is then discarded."""
     generator = generator_of(films.device, settings.seed, CellStream.BATCHES, steps)
     decoder = nn.Sequential(
@@ -305,10 +343,13 @@ def figures_of(name: str) -> dict[str, Any]:
         trained = train_motion_cell(settings)
         report = trained.program.report
         figures = {
-            **trained.accuracies, "different_bits": trained.different_bits,
-            "words": report["images_words_total"], "us": report["images_us"],
-            "bits_per_frame": trained.bits_per_frame, "full_frame_bits": trained.full_frame_bits,
-        }  # fmt: skip
+            **trained.accuracies,
+            "different_bits": trained.different_bits,
+            "words": report["images_words_total"],
+            "us": report["images_us"],
+            "bits_per_frame": trained.bits_per_frame,
+            "full_frame_bits": trained.full_frame_bits,
+        }
         products = {folder / name: data for name, data in motion_cell_files(trained).items()}
         write_together({**products, stored: json.dumps(figures).encode()})
     return {**vars(settings), **json.loads(stored.read_text())}
@@ -323,8 +364,9 @@ def accuracies_text(figures: Mapping[str, Any]) -> str:
         "bits that are read out of a frame": f"{bits}, 1/{full / bits:.0f} of a full frame",
     }
     lines = [f"{text:<44}{100 * figures[name]:6.1f} %" for name, text in ACCURACIES.items()]
-    lines += [f"{text:<44}{' ' * (6 - len(value.split(',')[0]))}{value}"
-              for text, value in rows.items()]  # fmt: skip
+    lines += [
+        f"{text:<44}{' ' * (6 - len(value.split(',')[0]))}{value}" for text, value in rows.items()
+    ]
     return "\n".join(lines)
 
 
@@ -332,8 +374,10 @@ def table(cells: list[Mapping[str, Any]]) -> str:
     """Return a table with a line for each cell."""
     lines = ["".join(f"{title:>9}" for title in COLUMNS.values())]
     for figures in cells:
-        texts = (f"{100 * figures[name]:.1f} %" if name in ACCURACIES
-                 else f"{round(figures[name], 1):g}" for name in COLUMNS)  # fmt: skip
+        texts = (
+            f"{100 * figures[name]:.1f} %" if name in ACCURACIES else f"{round(figures[name], 1):g}"
+            for name in COLUMNS
+        )
         lines.append("".join(f"{text:>9}" for text in texts))
     return "\n".join(lines)
 

@@ -57,9 +57,11 @@ class Page:
             return NOT_RUN
         if share:
             values = [
-                entry[f"mean_{metric}"] for result in results for entry in result["also_saturated"]
+                entry[f"mean_{metric}"]
+                for result in results
+                for entry in result["also_saturated"]
                 if entry["saturated_fraction"] == float(share)
-            ]  # fmt: skip
+            ]
             return _digits(sum(values) / len(values), metric)
         if way not in ("", "source", "interval"):
             raise ValueError(f"a metric ends in /source or /interval, not /{way}")
@@ -145,8 +147,10 @@ class Page:
         outcome = "better" if low > 0 else "worse" if high < 0 else "not proved better"
         if all(entry["settings"].get("moved") == 0 for entry in results):
             return f"* {label}, {unit}: **not learned**, since no place moved from the start."
-        return (f"* {label}, {unit}: **{outcome}** than the best code of the table that was "
-                f"not learned, {best} ({self.gain(best_name, name, metric)}).")  # fmt: skip
+        return (
+            f"* {label}, {unit}: **{outcome}** than the best code of the table that was "
+            f"not learned, {best} ({self.gain(best_name, name, metric)})."
+        )
 
     def columns(self, label: str, metrics: str, *names: str) -> str:
         """Return a table row with a cell for each result, NAME[@SHARE], of `metrics` A+B."""

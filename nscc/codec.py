@@ -50,7 +50,7 @@ from typing import (
     get_args,
     get_origin,
     get_type_hints,
-)  # fmt: skip
+)
 
 from nscc.record import Record
 
@@ -236,9 +236,16 @@ def _shown(value: Any) -> str:
 
 _NAMES: Mapping[type, str] = defaultdict(
     lambda: "an unknown value",
-    {int: "an integer of 64 bits", float: "a finite number", str: "a text", list: "a list",
-     bool: "true or false", NoneType: "null", dict: "an object"},
-)  # fmt: skip
+    {
+        int: "an integer of 64 bits",
+        float: "a finite number",
+        str: "a text",
+        list: "a list",
+        bool: "true or false",
+        NoneType: "null",
+        dict: "an object",
+    },
+)
 
 
 def _refused(value: Any, needed: str) -> InvalidRecord:

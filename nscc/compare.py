@@ -69,10 +69,16 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
     words = container.words_stored
     stored = f"{counted(words, 'word')}, {planes}" if words else "nothing"
     return OnChip(
-        target, compiled, None, layout.shortest_slot_us,
-        layout.frame_us + kind.readout_us(container), layout.bits_a_frame, layout.bits_per_us,
-        stored, noise,
-    )  # fmt: skip
+        target,
+        compiled,
+        None,
+        layout.shortest_slot_us,
+        layout.frame_us + kind.readout_us(container),
+        layout.bits_a_frame,
+        layout.bits_per_us,
+        stored,
+        noise,
+    )
 
 
 def compared_text(chips: Sequence[OnChip]) -> str:

@@ -41,8 +41,13 @@ def _cell(kind: str, text: str) -> dict[str, Any]:
     tags = _TAGS.match(text)
     metadata = {} if tags is None else {"tags": [tag.strip(" \"'") for tag in tags[1].split(",")]}
     source = _TAGS.sub("", text).strip("\n")
-    return {"cell_type": kind, "execution_count": None, "metadata": metadata, "outputs": [],
-            "source": source}  # fmt: skip
+    return {
+        "cell_type": kind,
+        "execution_count": None,
+        "metadata": metadata,
+        "outputs": [],
+        "source": source,
+    }
 
 
 _ENDINGS = (".nsl", ".toml")
@@ -81,8 +86,9 @@ def examples() -> Mapping[str, Path]:
 
     The name of a tutorial is that of its notebook; its path is the page from which `contents` makes
     the notebook."""
-    files = sorted(path for path in _folder("example_files", "examples").iterdir()
-                   if path.suffix in _ENDINGS)  # fmt: skip
+    files = sorted(
+        path for path in _folder("example_files", "examples").iterdir() if path.suffix in _ENDINGS
+    )
     known = {path.stem if path.suffix == ".nsl" else path.name: path for path in files}
     tutorials = sorted(_folder("tutorial_files", "docs/tutorials").glob("*.md"))
     return known | {f"{path.stem}.ipynb": path for path in tutorials if path.stem != "index"}

@@ -69,9 +69,11 @@ class ExperimentStore:
     NS0834 if it is not a store."""
 
     def __init__(
-        self, path: Path | None = None, experiment: str = "",
+        self,
+        path: Path | None = None,
+        experiment: str = "",
         report: Callable[[str], object] = lambda _text: None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self._path, self._of, self._report = path, experiment, report
         self._claims: int | None = None
         self._known = False
@@ -153,8 +155,9 @@ class ExperimentStore:
         """Return the timings, in the order in which its measurements ended."""
         rows = self._execute(
             "SELECT name, label, seconds, ended, worker FROM measurement WHERE experiment = ? "
-            "ORDER BY rowid", self._of,
-        )  # fmt: skip
+            "ORDER BY rowid",
+            self._of,
+        )
         return [Timing(*row) for row in rows]
 
     def get(self, name: str) -> Any | None:
@@ -166,17 +169,28 @@ class ExperimentStore:
         return json.loads(rows[0][0]) if rows else None
 
     def keep(
-        self, name: str, value: Any, *, label: str = "", seconds: float = 0.0,
+        self,
+        name: str,
+        value: Any,
+        *,
+        label: str = "",
+        seconds: float = 0.0,
         worker: str = "",
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Store a measurement; raise ValueError for None, NaN and infinity, which JSON cannot
         represent."""
         if value is None:
             raise ValueError(f"the measurement '{name}' has no value")
         self._execute(
             "INSERT OR IGNORE INTO measurement VALUES (?, ?, ?, ?, ?, ?, ?)",
-            self._of, name, json.dumps(value, allow_nan=False), label, seconds, time(), worker,
-        )  # fmt: skip
+            self._of,
+            name,
+            json.dumps(value, allow_nan=False),
+            label,
+            seconds,
+            time(),
+            worker,
+        )
         self._known = True
 
     def forget(self, *names: str) -> None:
@@ -224,9 +238,11 @@ class ExperimentStore:
         return self
 
     def __exit__(
-        self, _type: type[BaseException] | None, value: BaseException | None,
+        self,
+        _type: type[BaseException] | None,
+        value: BaseException | None,
         _trace: TracebackType | None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.close()
         if isinstance(value, KeyboardInterrupt) and self._known and self._path is not None:
             raise KeyboardInterrupt(

@@ -25,30 +25,40 @@ class Options:
     error."""
 
     level: int = key(
-        Integer(0, 3), "Effort of the search for fewer words", 2,
-        option="-O", default_text="2; check: 1",
-    )  # fmt: skip
+        Integer(0, 3),
+        "Effort of the search for fewer words",
+        2,
+        option="-O",
+        default_text="2; check: 1",
+    )
     codes: Codes = key(
         TextKind(("fixed", "open")), "Compile for the codes in use, or for every legal one", "fixed"
     )
     lowering: LoweringOption = key(
-        TextKind(("auto", "accumulate", "latch", "edges")), "How the exposure is computed", "auto",
+        TextKind(("auto", "accumulate", "latch", "edges")),
+        "How the exposure is computed",
+        "auto",
         default_text="auto, the cheapest",
-    )  # fmt: skip
+    )
     target: Target | str | None = key(
         Instance(
             (str, os.PathLike, "nscc.chips.target:Target"), "a chip's name, its file or a Target"
         ),
-        "The chip, instead of the chip in the program", None, notation="NAME|FILE.toml",
-    )  # fmt: skip
+        "The chip, instead of the chip in the program",
+        None,
+        notation="NAME|FILE.toml",
+    )
     cache: bool = key(
         Flag(),
         "Store search results of -O2 and -O3 and reuse them (default), or search again",
-        True, option="--cache/--no-cache",
-    )  # fmt: skip
+        True,
+        option="--cache/--no-cache",
+    )
     max_words_per_slot: int | None = key(
         Integer(1, inf),
-        "Reject programs that execute more words than this in any slot", None, notation="W",
-    )  # fmt: skip
+        "Reject programs that execute more words than this in any slot",
+        None,
+        notation="W",
+    )
     price_all: bool = False
     unproved_is_error: bool = True

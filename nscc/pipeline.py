@@ -346,7 +346,7 @@ _WRITING = (
         lambda c: KINDS.of(c).words_text(c),
     ),
     Pass("prove", prove_words, checks.check_proof, _TEXTS.proof_text),
-)  # fmt: skip
+)
 PASSES = ("parse", "program", "plan", "gates", "schedule", "words", "prove")
 """The names of the passes, in order. `nscc build --print-after PASS` prints the value after one."""
 

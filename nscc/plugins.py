@@ -18,9 +18,13 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 
 Group = Literal[
-    "nscc.commands", "nscc.decoders", "nscc.effects", "nscc.encodings", "nscc.measurements",
+    "nscc.commands",
+    "nscc.decoders",
+    "nscc.effects",
+    "nscc.encodings",
+    "nscc.measurements",
     "nscc.targets",
-]  # fmt: skip
+]
 
 
 def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, Any]:

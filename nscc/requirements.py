@@ -5,8 +5,14 @@ from __future__ import annotations
 import re
 from functools import cache
 
-_MODULES = {"cv2": "opencv-python-headless", "PIL": "pillow", "pillow_heif": "pillow-heif",
-            "serial": "pyserial", "OpenEXR": "openexr", "pyxel": "pyxel-sim"}  # fmt: skip
+_MODULES = {
+    "cv2": "opencv-python-headless",
+    "PIL": "pillow",
+    "pillow_heif": "pillow-heif",
+    "serial": "pyserial",
+    "OpenEXR": "openexr",
+    "pyxel": "pyxel-sim",
+}
 """Distributions whose name differs from the name of their module, by module."""
 
 _REQUIREMENT = re.compile(

@@ -177,10 +177,13 @@ class CellWriter:
                 when, when_make = self.condition(1)
                 cell.lines.append(f"next {name} = {text} when {when}")
                 cell.nexts.append(
-                    (name, lambda known, name=name, make=make, when=when_make: np.where(
-                        when(known), make(known), known[name]
-                    ))
-                )  # fmt: skip
+                    (
+                        name,
+                        lambda known, name=name, make=make, when=when_make: np.where(
+                            when(known), make(known), known[name]
+                        ),
+                    )
+                )
             else:
                 cell.lines.append(f"next {name} = {text}")
                 cell.nexts.append((name, make))

@@ -98,10 +98,17 @@ def linked(core: str, root: Path, folder: Path) -> Image:
     path = folder / f"loader-{core}.elf"
     subprocess.run(
         [
-            f"{PREFIX}g++", *CHIP_FLAGS, f"-mcpu=cortex-{core}",
-            *(f"-I{each}" for each in includes), *map(str, sources),
-            f"-L{SOURCES / 'port'}", f"-T{layer / f'lpc4357_{core}.ld'}", "-o", str(path),
+            f"{PREFIX}g++",
+            *CHIP_FLAGS,
+            f"-mcpu=cortex-{core}",
+            *(f"-I{each}" for each in includes),
+            *map(str, sources),
+            f"-L{SOURCES / 'port'}",
+            f"-T{layer / f'lpc4357_{core}.ld'}",
+            "-o",
+            str(path),
         ],
-        check=True, cwd=folder,
-    )  # fmt: skip
+        check=True,
+        cwd=folder,
+    )
     return Image(path)

@@ -31,8 +31,9 @@ settings.register_profile(
     derandomize=True,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture],
 )
-settings.register_profile("search", parent=settings.get_profile("ci"), max_examples=2000,
-                          derandomize=False)  # fmt: skip
+settings.register_profile(
+    "search", parent=settings.get_profile("ci"), max_examples=2000, derandomize=False
+)
 settings.load_profile("ci")
 
 RunNscc = Callable[[Sequence[str], Path], Outcome]

@@ -66,9 +66,13 @@ def examples(slot_us: float = 100.0) -> tuple[Example, ...]:
             container = replace(container, readouts=(Readout("A", "frame", -0.5),))
         light = Light.of_clip(random_numbers.random((SLOTS, *SHAPE), np.float32) * 5000)
         made.append(
-            Example(container, light, upload_of(container, bytes([number] * 32)),
-                    emulated(container, light))
-        )  # fmt: skip
+            Example(
+                container,
+                light,
+                upload_of(container, bytes([number] * 32)),
+                emulated(container, light),
+            )
+        )
     return tuple(made)
 
 
@@ -83,9 +87,12 @@ def emulated(container: Container, light: Light) -> bytes:
 def board_program(container: Container) -> BoardProgram:
     """What a loader's board executes for a container without images."""
     chip = ChipProgram(
-        container.target, container.slots, decoded(container), container.launches,
+        container.target,
+        container.slots,
+        decoded(container),
+        container.launches,
         container.planes(),
-    )  # fmt: skip
+    )
     readouts = tuple((readout.register, readout.gain) for readout in container.readouts)
     return BoardProgram(chip, container.slot_us, readouts, (), ())
 

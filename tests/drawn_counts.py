@@ -17,10 +17,15 @@ def by_plan(stream: np.uint64, pixels: np.ndarray, rate: np.ndarray) -> np.ndarr
         counting=Counting(
             begin=0, end=len(rates), pixels=len(rates), groups=1, accumulates=0, rate_cap=RATE_CAP
         ),
-        keys=np.array([stream], np.uint64), rates=rates[None], places=pixels,
-        values=np.empty(BLOCK), scratch=np.empty(ROOM), pending_rates=np.empty(BLOCK),
-        pending_pixels=np.empty(BLOCK, np.int64), away=away,
-    )  # fmt: skip
+        keys=np.array([stream], np.uint64),
+        rates=rates[None],
+        places=pixels,
+        values=np.empty(BLOCK),
+        scratch=np.empty(ROOM),
+        pending_rates=np.empty(BLOCK),
+        pending_pixels=np.empty(BLOCK, np.int64),
+        away=away,
+    )
     # A rate that is not finite has no deviation.
     with np.errstate(invalid="ignore"):
         counts = np.where(np.isfinite(rates), np.rint(away[0] + rates), 0.0)

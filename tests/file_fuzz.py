@@ -33,14 +33,14 @@ MOST_KB = 2_000_000
 """No command may take more memory: 2 GB, as `getrusage` counts it."""
 
 PROGRAMS = {
-    "p.nsl": "nsl 1\ntarget \"small.toml\"\nframe 4 slots of 1ms\ncode stop : 1..4\n"
-             "open when n < stop\npixels stop = 1 + (x + y) % 4\n",
-    "flat.nsl": "nsl 1\ntarget \"small.toml\"\nframe 4 slots of 1ms\nopen when true\n",
-    "look.nsl": "nsl 2\ntarget \"small.toml\"\nframe 5 slots of 1ms\n"
-                "sense full when exposure > 30% at n == 5\nstate short : bit = 0 kept\n"
-                "state was : bit = 0\nnext was = short\nnext short = full\n"
-                "open when n < 4 and (not short or n < 2)\nread short, was\n",
-}  # fmt: skip
+    "p.nsl": 'nsl 1\ntarget "small.toml"\nframe 4 slots of 1ms\ncode stop : 1..4\n'
+    "open when n < stop\npixels stop = 1 + (x + y) % 4\n",
+    "flat.nsl": 'nsl 1\ntarget "small.toml"\nframe 4 slots of 1ms\nopen when true\n',
+    "look.nsl": 'nsl 2\ntarget "small.toml"\nframe 5 slots of 1ms\n'
+    "sense full when exposure > 30% at n == 5\nstate short : bit = 0 kept\n"
+    "state was : bit = 0\nnext was = short\nnext short = full\n"
+    "open when n < 4 and (not short or n < 2)\nread short, was\n",
+}
 _DARK = "--scene builtin:dark -o out.npz"
 _SCENE = "--fit scale --exposure 4000 -o out.npz"
 READERS: dict[str, tuple[str, ...]] = {
@@ -102,10 +102,13 @@ def make_files(folder: Path, *, with_run: bool) -> None:
     savemat(folder / "scene.mat", {"light": light}, do_compression=True)
     _make_pictures(folder, rng)
     made = (
-        "build p.nsl -o p.icw", "build look.nsl -o look.icw", "disasm p.icw -o p.asm",
+        "build p.nsl -o p.icw",
+        "build look.nsl -o look.icw",
+        "disasm p.icw -o p.asm",
         "run p.nsl --scene builtin:hdr --effects auto --plan plan.json -o f.npz",
-        "run look.nsl --scene builtin:hdr -o look.npz", "effects --toml sensor.toml",
-    )  # fmt: skip
+        "run look.nsl --scene builtin:hdr -o look.npz",
+        "effects --toml sensor.toml",
+    )
     for line in made[:-1]:
         outcome = invoke(shlex.split(line), folder)
         assert outcome.status == 0, (line, outcome.err)
@@ -201,9 +204,16 @@ def _mutated_bytes(choose: Random, data: bytes) -> bytes:
             len(data) + 1 if choose.random() < 0.5 else min(200, len(data)) + 1
         )
         end = min(len(data), begin + choose.choice((0, 1, 1, 2, 4, 8, 64)))
-        middle = choose.choice((
-            b"", b"\x00", b"\xff", b"\xff\xff\xff\x7f", choose.randbytes(4), data[:end][-64:],
-        ))  # fmt: skip
+        middle = choose.choice(
+            (
+                b"",
+                b"\x00",
+                b"\xff",
+                b"\xff\xff\xff\x7f",
+                choose.randbytes(4),
+                data[:end][-64:],
+            )
+        )
         data = data[:begin] + middle + (b"" if choose.random() < 0.1 else data[end:])
     return data
 
@@ -252,11 +262,13 @@ def _mutated_container(choose: Random, whole: bytes) -> bytes:
     else:
         for _ in range(choose.choice((1, 1, 2, 8))):
             place = choose.randrange(len(arrays))
-            arrays[place : place + 8] = choose.choice((
-                bytes([choose.randrange(256)]) + arrays[place + 1 : place + 8],
-                np.float64(choose.choice((np.nan, np.inf, -1.0, 1e300, 1e-300))).tobytes(),
-                choose.randbytes(8),
-            ))[: len(arrays[place : place + 8])]  # fmt: skip
+            arrays[place : place + 8] = choose.choice(
+                (
+                    bytes([choose.randrange(256)]) + arrays[place + 1 : place + 8],
+                    np.float64(choose.choice((np.nan, np.inf, -1.0, 1e300, 1e-300))).tobytes(),
+                    choose.randbytes(8),
+                )
+            )[: len(arrays[place : place + 8])]
     length = start + len(text) + len(arrays) + 32
     body = _PREAMBLE.pack(magic, version, len(text), length) + text + bytes(arrays)
     return body + sha256(body).digest()
@@ -377,9 +389,12 @@ def fault_of(folder: Path, line: str, run: Callable[[Path, str], Outcome]) -> st
 
 
 def faults(
-    folder: Path, names: tuple[str, ...], seed: int, count: int,
+    folder: Path,
+    names: tuple[str, ...],
+    seed: int,
+    count: int,
     run: Callable[[Path, str], Outcome] = run_in_process,
-) -> list[str]:  # fmt: skip
+) -> list[str]:
     """Mutate `count` files of those `names` in turn, each with its own seed, and list what the
     commands that read them do wrong."""
     found = []

@@ -247,7 +247,13 @@ def random_solution(seed: int, machine: Machine) -> tuple[Problem, Solution]:
     closing = write.take()
     problem = Problem(tuple(demands), shutters, ((),), lasts, {})
     solution = Solution(
-        "random", vectors, tuple(f"plane {i}" for i in range(planes)), states, scratch,
-        opening, tuple(answers), closing,
-    )  # fmt: skip
+        "random",
+        vectors,
+        tuple(f"plane {i}" for i in range(planes)),
+        states,
+        scratch,
+        opening,
+        tuple(answers),
+        closing,
+    )
     return problem, solution

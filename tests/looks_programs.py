@@ -84,9 +84,13 @@ class _Known:
     """Expressions over what a rule may read."""
 
     def __init__(
-        self, choose: Random, fields: list[str], senses: list[str], numbers: dict[str, int],
+        self,
+        choose: Random,
+        fields: list[str],
+        senses: list[str],
+        numbers: dict[str, int],
         bits: set[str],
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.choose, self.fields, self.senses = choose, fields, senses
         self.numbers, self.bits = numbers, sorted(bits)
 

@@ -27,24 +27,41 @@ COUNT = 40
 MOST_FILES = 24
 """Files of tests that are run for a change, besides those of `RECORDED_RESULTS`."""
 RECORDED_RESULTS = (
-    "tests/unit/test_planning_recorded.py", "tests/unit/test_recorded_commands.py",
-    "tests/unit/test_training_recorded.py", "tests/unit/test_pictures.py",
-    "tests/unit/test_training_pictures.py", "tests/e2e/test_cases.py",
+    "tests/unit/test_planning_recorded.py",
+    "tests/unit/test_recorded_commands.py",
+    "tests/unit/test_training_recorded.py",
+    "tests/unit/test_pictures.py",
+    "tests/unit/test_training_pictures.py",
+    "tests/e2e/test_cases.py",
     "tests/e2e/test_examples.py::test_builds_and_proves",
-)  # fmt: skip
+)
 """Tests that compare results with recorded ones; they run much, so they come last."""
 SECONDS = 600
 """How long the tests of a change may take; a change that makes them hang is noticed."""
 
 _OTHER_COMPARISON: dict[type[ast.cmpop], type[ast.cmpop]] = {
-    ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq,
-    ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In,
-}  # fmt: skip
+    ast.Lt: ast.LtE,
+    ast.LtE: ast.Lt,
+    ast.Gt: ast.GtE,
+    ast.GtE: ast.Gt,
+    ast.Eq: ast.NotEq,
+    ast.NotEq: ast.Eq,
+    ast.Is: ast.IsNot,
+    ast.IsNot: ast.Is,
+    ast.In: ast.NotIn,
+    ast.NotIn: ast.In,
+}
 _OTHER_OPERATOR: dict[type[ast.operator], type[ast.operator]] = {
-    ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
-    ast.FloorDiv: ast.Mult, ast.LShift: ast.RShift, ast.RShift: ast.LShift,
-    ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd,
-}  # fmt: skip
+    ast.Add: ast.Sub,
+    ast.Sub: ast.Add,
+    ast.Mult: ast.Div,
+    ast.Div: ast.Mult,
+    ast.FloorDiv: ast.Mult,
+    ast.LShift: ast.RShift,
+    ast.RShift: ast.LShift,
+    ast.BitAnd: ast.BitOr,
+    ast.BitOr: ast.BitAnd,
+}
 
 
 @dataclass(frozen=True)
@@ -187,9 +204,12 @@ def _copied(folder: Path) -> Path:
     """A copy of the tree, with the machine code of compiled loops."""
     shutil.rmtree(folder, ignore_errors=True)
     listed = subprocess.run(
-        ["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, capture_output=True, check=True,
+        ["git", "ls-files", "-co", "--exclude-standard"],
+        cwd=ROOT,
+        capture_output=True,
+        check=True,
         text=True,
-    )  # fmt: skip
+    )
     compiled = (path.relative_to(ROOT).as_posix() for path in ROOT.glob("*/**/__pycache__/*.o"))
     for name in [*listed.stdout.splitlines(), *compiled]:
         if not name.startswith((".venv", "build")) and (ROOT / name).is_file():

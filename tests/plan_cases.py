@@ -125,11 +125,18 @@ def plan_of(effects: str, tolerance_e: float = 5.0, **values: Any) -> Plan:
     on = selected(effects)
     decisions = tuple(
         Decision(
-            effect.name, effect.kind, "kept" if effect in on else "dropped", not effect.always,
-            "", 0.0, 0.0, 0.0, 0.0,
+            effect.name,
+            effect.kind,
+            "kept" if effect in on else "dropped",
+            not effect.always,
+            "",
+            0.0,
+            0.0,
+            0.0,
+            0.0,
         )
         for effect in registered()
-    )  # fmt: skip
+    )
     plan = Plan(
         f"{tolerance_e:g}e", tolerance_e, 0.0, 0.0, 0.0, False, (), 0.5, 1.0, 2.0, 3.0, decisions
     )
@@ -137,9 +144,13 @@ def plan_of(effects: str, tolerance_e: float = 5.0, **values: Any) -> Plan:
 
 
 def measured_plan(
-    container: Container, light: Light, sensor: Sensor, tolerance: str | float,
-    effects: str = "auto", device_seed: int = 5,
-) -> Plan:  # fmt: skip
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    tolerance: str | float,
+    effects: str = "auto",
+    device_seed: int = 5,
+) -> Plan:
     """A plan with every figure of its table."""
     scene = planning_of(container, sensor, light, device_seed, threads=1)
     return make_plan(scene, PlanRequest(selected(effects), tolerance, figures=True))

@@ -70,9 +70,14 @@ class Outcome:
 
 
 def loop_frames(
-    container: Container, light: Light, sensor: Sensor, effects: Selection, count: int,
-    seed: int = 3, device_seed: int = 5,
-) -> np.ndarray:  # fmt: skip
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    effects: Selection,
+    count: int,
+    seed: int = 3,
+    device_seed: int = 5,
+) -> np.ndarray:
     """Exposures (count, buckets, pixels) of whole frames by the loop over words."""
     places = np.arange(light.shape[0] * light.shape[1])
     laid = lay_out(container, sensor, light, effects, places, device_seed)
@@ -84,8 +89,14 @@ def pool(light: Light) -> int:
     return math.ceil(POOLED / (light.shape[0] * light.shape[1]))
 
 
-def error_of(made: Plan, full: np.ndarray, container: Container, light: Light, sensor: Sensor,
-             device_seed: int = 5) -> float:  # fmt: skip
+def error_of(
+    made: Plan,
+    full: np.ndarray,
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    device_seed: int = 5,
+) -> float:
     """The RMS error of a plan's effects beside the frames `full` with every effect."""
     planned = loop_frames(container, light, sensor, made.kept, len(full), device_seed=device_seed)
     return float(np.sqrt(((planned - full) ** 2).mean(axis=(0, 2))).max())
@@ -99,9 +110,15 @@ def full_frames(
 
 
 def outcome(
-    container: Container, light: Light, sensor: Sensor, tolerance: float | str, full: np.ndarray,
-    device_seed: int = 5, effects: str = "auto", figures: bool = True,
-) -> Outcome:  # fmt: skip
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    tolerance: float | str,
+    full: np.ndarray,
+    device_seed: int = 5,
+    effects: str = "auto",
+    figures: bool = True,
+) -> Outcome:
     """Plan, with the figures of the table or as quickly as for frames of a run, and measure the
     plan's error beside the frames `full`."""
     scene = planning_of(container, sensor, light, device_seed, threads=1)

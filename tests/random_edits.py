@@ -7,8 +7,15 @@ from pathlib import Path
 from random import Random
 
 _ROOT = Path(__file__).parents[1]
-_LONG = ("spike", "auto_exposure", "first_light", "slot_too_short", "burst16", "class_b_4096",
-         "huge_number")  # fmt: skip
+_LONG = (
+    "spike",
+    "auto_exposure",
+    "first_light",
+    "slot_too_short",
+    "burst16",
+    "class_b_4096",
+    "huge_number",
+)
 """Checked in more than a tenth of a second, or full of numbers that make it so."""
 
 PROGRAMS = [

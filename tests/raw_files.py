@@ -22,6 +22,9 @@ def write_dng(path: Path, mosaic: np.ndarray, **changes: Any) -> None:
     }  # fmt: skip
     photometric = tags.pop("photometric", 32803)
     tifffile.imwrite(
-        path, mosaic, photometric=photometric, metadata=None,
+        path,
+        mosaic,
+        photometric=photometric,
+        metadata=None,
         extratags=[(*tag, True) for tag in sorted(t for t in tags.values() if t is not None)],
-    )  # fmt: skip
+    )

@@ -80,9 +80,14 @@ def exposures(
 ) -> np.ndarray:
     """(count, buckets, rows, cols) of electrons."""
     made = frames(
-        container, light, sensor, selected(effects),
-        seed=seed, device_seed=device_seed, count=count,
-    )  # fmt: skip
+        container,
+        light,
+        sensor,
+        selected(effects),
+        seed=seed,
+        device_seed=device_seed,
+        count=count,
+    )
     return np.stack([frame.exposure_e for frame in made])
 
 

@@ -49,8 +49,10 @@ def exposures(container: Container, light: np.ndarray, **limits: float) -> np.nd
     digital = dict.fromkeys((*target.digital_registers, "SELECT"), nothing)
     chip = LimitedChip(
         analog={name: np.zeros(shape) for name in (*target.analog_registers, "PIX", "IN")},
-        digital={**digital, **container.planes()}, flag=~nothing, reset=np.zeros(shape),
-    )  # fmt: skip
+        digital={**digital, **container.planes()},
+        flag=~nothing,
+        reset=np.zeros(shape),
+    )
     for name, value in limits.items():
         setattr(chip, name, value)
     kernels = decoded(container)

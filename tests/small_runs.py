@@ -23,19 +23,32 @@ STILL: dict[str, dict[str, Any]] = {
 }
 CLIP: dict[str, dict[str, Any]] = {
     "shutter": {
-        "class": "codebook", "slots": 8, "tile": [4, 4], "rows": 16, "init": "random",
-        "relaxation": "gumbel", "words_weight": 0.01,
+        "class": "codebook",
+        "slots": 8,
+        "tile": [4, 4],
+        "rows": 16,
+        "init": "random",
+        "relaxation": "gumbel",
+        "words_weight": 0.01,
     },
     "decoder": {"name": "unet3d"},
     "loss": {"name": "l1"},
     "data": {"protocol": "video-v1", "patch": 16, "scenes": 3, "val_items": 2},
     "train": {"steps": 4, "batch": 2, "validate_every": 2, "code_rate": 0.05},
-}  # fmt: skip
+}
 FILES = {
-    "checkpoint.safetensors", "config.resolved.toml", "environment.json", "metrics.csv",
-    "shutter.nsl", "codes.npz", "capture.toml", "decoder.safetensors", "split.json",
-    "result.json", "model_card.md",
-}  # fmt: skip
+    "checkpoint.safetensors",
+    "config.resolved.toml",
+    "environment.json",
+    "metrics.csv",
+    "shutter.nsl",
+    "codes.npz",
+    "capture.toml",
+    "decoder.safetensors",
+    "split.json",
+    "result.json",
+    "model_card.md",
+}
 
 
 def run(values: dict[str, dict[str, Any]], out: Path, **more: Any) -> None:

@@ -67,9 +67,13 @@ def succession(seed: int, scenes: int = 5) -> list[str]:
         with warnings.catch_warnings(record=True) as said:
             warnings.simplefilter("always")
             taken: Capture = capture(
-                container, light, sensor=sensor, tolerance=tolerance, device_seed=5,
+                container,
+                light,
+                sensor=sensor,
+                tolerance=tolerance,
+                device_seed=5,
                 turn=Turn(plans, number),
-            )  # fmt: skip
+            )
         plan = taken.plan
         assert plan is not None
         if plan.tolerance_e is None or any("NS0749" in str(each.message) for each in said):

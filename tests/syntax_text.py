@@ -18,10 +18,38 @@ LOOKING = frozenset(
     ("sense", "state", "kept", "next", "reset", "read", "at", "in", "light", "exposure")
 )
 RESERVED = frozenset(
-    ("nsl", "target", "frame", "let", "code", "require", "shutters", "open", "bucket", "pixels",
-     "slots", "of", "when", "tile", "from", "bit", "row", "key", "sha256", "if", "else", "and",
-     "or", "xor", "not", "true", "false", "min", "max")
-)  # fmt: skip
+    (
+        "nsl",
+        "target",
+        "frame",
+        "let",
+        "code",
+        "require",
+        "shutters",
+        "open",
+        "bucket",
+        "pixels",
+        "slots",
+        "of",
+        "when",
+        "tile",
+        "from",
+        "bit",
+        "row",
+        "key",
+        "sha256",
+        "if",
+        "else",
+        "and",
+        "or",
+        "xor",
+        "not",
+        "true",
+        "false",
+        "min",
+        "max",
+    )
+)
 _LEVEL = {"or": 1, "xor": 2, "and": 3, "<<": 6, "+": 7, "-": 7, "*": 8, "/": 8, "%": 8}
 _COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
 _NOT, _COMPARE, _SHIFT, _NEGATION, _ATOM = 4, 5, 6, 9, 10
@@ -225,10 +253,12 @@ def _branch(inner: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
         st.builds(t.IfElse, st.just(NOWHERE), inner, inner, inner),
         st.builds(t.Index, st.just(NOWHERE), _names, inner),
         st.builds(
-            t.Call, st.just(NOWHERE), function,
+            t.Call,
+            st.just(NOWHERE),
+            function,
             st.lists(inner, min_size=1, max_size=3).map(tuple),
         ),
-    )  # fmt: skip
+    )
 
 
 _leaves = st.one_of(
@@ -286,15 +316,19 @@ _levels = st.one_of(_amounts, EXPRESSIONS)
 _signals = st.one_of(_make(t.Light), _make(t.Exposure, st.none() | _names))
 LOOKING_STATEMENTS = st.one_of(
     _make(
-        t.Sense, _names, _signals, st.sampled_from(_COMPARISONS),
-        _levels | _make(t.Levels, _many(_levels)), EXPRESSIONS,
+        t.Sense,
+        _names,
+        _signals,
+        st.sampled_from(_COMPARISONS),
+        _levels | _make(t.Levels, _many(_levels)),
+        EXPRESSIONS,
     ),
     _make(t.StateRange, _names, EXPRESSIONS, EXPRESSIONS, EXPRESSIONS, st.booleans()),
     _make(t.StateBit, _names, EXPRESSIONS, st.booleans()),
     _make(t.Next, _names, EXPRESSIONS, st.none() | EXPRESSIONS),
     _make(t.Reset, EXPRESSIONS),
     _make(t.Read, _many(_names)),
-)  # fmt: skip
+)
 LOOKING_PROGRAMS = st.lists(st.one_of(LOOKING_STATEMENTS, STATEMENTS), max_size=5).filter(
     lambda program: LOOKING.isdisjoint(n.text for n in nodes(tuple(program)) if type(n) is t.Name)
 )

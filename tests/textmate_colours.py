@@ -17,8 +17,10 @@ def colours(grammar: Mapping[str, Any], text: str) -> list[Token]:
     for row, line in enumerate(text.split("\n")):
         at = 0
         while at < len(line):
-            tries = ((rule, re.compile(rule.get("match") or rule["begin"]).search(line, at))
-                     for rule in patterns)  # fmt: skip
+            tries = (
+                (rule, re.compile(rule.get("match") or rule["begin"]).search(line, at))
+                for rule in patterns
+            )
             hits = [(hit.start(), k, rule, hit) for k, (rule, hit) in enumerate(tries) if hit]
             if not hits:
                 break

@@ -33,10 +33,12 @@ class WebLoops:
             return w.Global(self.store, w.GlobalType(i32, mutable), w.Val.i32(value))
 
         known = {
-            "memory": self.memory, "__indirect_function_table": table,
-            "__memory_base": place(_DATA), "__table_base": place(1),
+            "memory": self.memory,
+            "__indirect_function_table": table,
+            "__memory_base": place(_DATA),
+            "__table_base": place(1),
             "__stack_pointer": place(_STACK, True),
-        }  # fmt: skip
+        }
         imports = [
             known.get(each.name)
             or w.Func(self.store, w.FuncType([number], [number]), getattr(math, each.name))

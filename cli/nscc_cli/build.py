@@ -23,14 +23,26 @@ from nscc_cli.support import common_command, say, say_done
 
 @common_command("build")
 @click.argument("file", type=PATH)
-@click.option("-o", "out", type=OUT, metavar="OUT.icw",
-              help="The container (default: FILE with .icw; with --emit, none).")  # fmt: skip
-@click.option("--emit", "kinds", type=PRODUCTS, default="", metavar="KINDS",
-              help=f"Write these files next to OUT or FILE, separated by commas: "
-              f"{', '.join(SUFFIXES)}. KIND=- prints one. The container is written only "
-              "with icw or -o.")  # fmt: skip
-@click.option("--print-after", "after", type=PASS, metavar="PASS",
-              help="Print the result of a compiler pass.")  # fmt: skip
+@click.option(
+    "-o",
+    "out",
+    type=OUT,
+    metavar="OUT.icw",
+    help="The container (default: FILE with .icw; with --emit, none).",
+)
+@click.option(
+    "--emit",
+    "kinds",
+    type=PRODUCTS,
+    default="",
+    metavar="KINDS",
+    help=f"Write these files next to OUT or FILE, separated by commas: "
+    f"{', '.join(SUFFIXES)}. KIND=- prints one. The container is written only "
+    "with icw or -o.",
+)
+@click.option(
+    "--print-after", "after", type=PASS, metavar="PASS", help="Print the result of a compiler pass."
+)
 @build_options
 def command(file: Path, out: Path | None, kinds: str, after: str | None, **options: Any) -> None:
     """Compile FILE, prove the words, and write the container or the products that --emit names."""

@@ -40,23 +40,47 @@ class _Calibrate(CommonCommand):
 
 @click.command(name="calibrate", cls=_Calibrate)
 @click.argument("flats", nargs=-1, required=True, metavar="FLATS..")
-@click.option(_DARK, "darks", multiple=True, required=True, metavar="DARKS..",
-              help="Frames without light: every file up to the next option.")  # fmt: skip
-@click.option("-o", "out", type=OUT, required=True, metavar="sensor.toml",
-              help="The sensor file to write.")  # fmt: skip
+@click.option(
+    _DARK,
+    "darks",
+    multiple=True,
+    required=True,
+    metavar="DARKS..",
+    help="Frames without light: every file up to the next option.",
+)
+@click.option(
+    "-o", "out", type=OUT, required=True, metavar="sensor.toml", help="The sensor file to write."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print all results as JSON.")
-@click.option("--program", type=PATH, metavar="FILE.nsl|FILE.icw",
-              help="The program that exposed the frames: its reads and words are "
-                   "counted.")  # fmt: skip
-@click.option("--crosstalk", type=NumberRange(0, 0.2), metavar="C", help="Take crosstalk as known "
-              "(0: as EMVA 1288 does) instead of measuring it.")  # fmt: skip
-@click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,
-              show_default=True,
-              help="The chip: the bits of its ADC, and the defaults.")  # fmt: skip
+@click.option(
+    "--program",
+    type=PATH,
+    metavar="FILE.nsl|FILE.icw",
+    help="The program that exposed the frames: its reads and words are counted.",
+)
+@click.option(
+    "--crosstalk",
+    type=NumberRange(0, 0.2),
+    metavar="C",
+    help="Take crosstalk as known (0: as EMVA 1288 does) instead of measuring it.",
+)
+@click.option(
+    "--target",
+    type=TARGET,
+    metavar="NAME|FILE.toml",
+    default=DEFAULT_NAME,
+    show_default=True,
+    help="The chip: the bits of its ADC, and the defaults.",
+)
 def command(
-    flats: tuple[str, ...], darks: tuple[str, ...], out: Path, as_json: bool, program: Path | None,
-    crosstalk: float | None, target: str,
-) -> None:  # fmt: skip
+    flats: tuple[str, ...],
+    darks: tuple[str, ...],
+    out: Path,
+    as_json: bool,
+    program: Path | None,
+    crosstalk: float | None,
+    target: str,
+) -> None:
     """Measure a sensor by photon transfer, from flat and dark frames at several exposures.
 
     Each of FLATS and DARKS is one exposure level: two or more frames with the same light and

@@ -26,10 +26,10 @@ _MOST_ROUNDS = 20
 
 @common_command("check")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...", type=PATH)
-@click.option("--fix", is_flag=True,
-              help="First apply all safe fixes to the files; names are not guessed.")  # fmt: skip
-@click.option("--watch", is_flag=True,
-              help="Check again whenever a file changes, until Ctrl-C.")  # fmt: skip
+@click.option(
+    "--fix", is_flag=True, help="First apply all safe fixes to the files; names are not guessed."
+)
+@click.option("--watch", is_flag=True, help="Check again whenever a file changes, until Ctrl-C.")
 @build_options
 def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> int:
     """Check programs: report errors, whether they fit the chip, and whether their words are right.

@@ -24,9 +24,15 @@ class Name(click.types.StringParamType):
     name = "text"
 
     def __init__(
-        self, source: str, further_names: Sequence[str] = (), *, files: bool = False,
-        several: bool = False, signs: str = "", ending: str = "",
-    ) -> None:  # fmt: skip
+        self,
+        source: str,
+        further_names: Sequence[str] = (),
+        *,
+        files: bool = False,
+        several: bool = False,
+        signs: str = "",
+        ending: str = "",
+    ) -> None:
         self.source, self.more, self.ending = source, further_names, ending
         self.files, self.several, self.signs = files, several, signs
 

@@ -26,8 +26,13 @@ _LARGEST_TEXT = 1 << 30
 
 @common_command("asm")
 @click.argument("file", metavar="FILE|-")
-@click.option("-o", "output", type=OutPath(str), metavar="OUT",
-              help="Where to write (default: FILE with .icw).")  # fmt: skip
+@click.option(
+    "-o",
+    "output",
+    type=OutPath(str),
+    metavar="OUT",
+    help="Where to write (default: FILE with .icw).",
+)
 @click.option("--words", is_flag=True, help="Print each word's five integers instead.")
 def asm(file: str, output: str | None, words: bool) -> None:
     """Assemble FILE, or standard input for `-`, into a container (.icw)."""
@@ -71,8 +76,13 @@ def read_text(file: str) -> Source:
 
 @common_command("disasm")
 @click.argument("file", metavar="FILE.icw")
-@click.option("-o", "output", type=OutPath(str), metavar="OUT",
-              help="Where to write (default: standard output).")  # fmt: skip
+@click.option(
+    "-o",
+    "output",
+    type=OutPath(str),
+    metavar="OUT",
+    help="Where to write (default: standard output).",
+)
 def disasm(file: str, output: str | None) -> None:
     """Write FILE.icw as assembly text, from which `nscc asm` makes the same file again."""
     text = disassemble(read_container(Path(file)))
@@ -122,8 +132,9 @@ def prove(file: Path, **options: Any) -> None:
 
 @common_command("shutters")
 @click.argument("file", type=PATH)
-@click.option("-o", "out", required=True, metavar="S.npz|S.mat|S.npy", type=OUT,
-              help="The file to write.")  # fmt: skip
+@click.option(
+    "-o", "out", required=True, metavar="S.npz|S.mat|S.npy", type=OUT, help="The file to write."
+)
 @build_options
 def shutters(file: Path, out: Path, **options: Any) -> None:
     """Write the shutters of all pixels of FILE (.nsl or .icw), as its words open them.

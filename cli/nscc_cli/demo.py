@@ -19,25 +19,50 @@ from nscc_runtime.simulate import Listener
 
 @common_command("demo")
 @click.argument("scene", metavar="[PHOTO|CLIP]", required=False)
-@click.option("-o", "out", type=OUT, metavar="DIR",
-              help="The folder for the pictures (default: NAME_demo, or demo).")  # fmt: skip
+@click.option(
+    "-o",
+    "out",
+    type=OUT,
+    metavar="DIR",
+    help="The folder for the pictures (default: NAME_demo, or demo).",
+)
 @section(SCENE, declared(Scene, fit="scale"), declared(Scene, "color"))
-@click.option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P "
-              "(default: as the run was trained).")  # fmt: skip
-@click.option("--fps", type=float, help="Frame rate of the clip (default: each slot shows the next "
-              "frame).")  # fmt: skip
+@click.option(
+    "--exposure",
+    metavar="E[@P]",
+    help="Electrons over the frame at percentile P (default: as the run was trained).",
+)
+@click.option(
+    "--fps", type=float, help="Frame rate of the clip (default: each slot shows the next frame)."
+)
 @tone_option
 @click.option("--merge", is_flag=True, help="Reconstruct without the decoder, which needs torch.")
-@click.option("--readouts", type=click.IntRange(1, 4), metavar="K",
-              help="Readouts of one exposure of a clip, 1 to 4 (default: 4).")  # fmt: skip
-@click.option("--run", type=RUN, metavar="RUN",
-              help="A run of nscc train, whose shutters and decoder are shown.")  # fmt: skip
+@click.option(
+    "--readouts",
+    type=click.IntRange(1, 4),
+    metavar="K",
+    help="Readouts of one exposure of a clip, 1 to 4 (default: 4).",
+)
+@click.option(
+    "--run",
+    type=RUN,
+    metavar="RUN",
+    help="A run of nscc train, whose shutters and decoder are shown.",
+)
 @declared(Request, "seed", show=True)
 def command(
-    scene: str | None, out: Path | None, fit: str, color: bool | None, exposure: str | None,
-    fps: float | None, tone: str | None, merge: bool, readouts: int | None, run: Path | None,
+    scene: str | None,
+    out: Path | None,
+    fit: str,
+    color: bool | None,
+    exposure: str | None,
+    fps: float | None,
+    tone: str | None,
+    merge: bool,
+    readouts: int | None,
+    run: Path | None,
     seed: int,
-) -> None:  # fmt: skip
+) -> None:
     """Expose a photo or a clip with shutters that come with nscc, and reconstruct it.
 
     Writes a sheet with the ground truth, an ordinary exposure, the readout, the reconstruction and
@@ -53,12 +78,14 @@ def command(
     from nscc_training.demo import BUILTIN, Settings, demo, readouts_text
 
     if run is not None and (merge or readouts):
-        raise click.UsageError("--run has its own decoder and readout: leave out --merge and "
-                               "--readouts")  # fmt: skip
+        raise click.UsageError(
+            "--run has its own decoder and readout: leave out --merge and --readouts"
+        )
     settings = Settings(fit, bool(color), exposure, tone, seed, readouts=readouts, run=run)  # type: ignore[arg-type]  # Choice
     if (merge or not settings.learned) and (readouts or 1) > 1:
-        raise click.UsageError("several readouts are joined by a decoder: leave out --merge, or "
-                               "install torch")  # fmt: skip
+        raise click.UsageError(
+            "several readouts are joined by a decoder: leave out --merge, or install torch"
+        )
     if merge:
         settings = replace(settings, learned=False)
     elif not settings.learned:

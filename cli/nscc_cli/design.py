@@ -39,42 +39,84 @@ _CLIP_PARTS = 16
 
 
 @common_command("design")
-@shared.section(shared.SCENE, click.option(
-    "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
-    help="A scene as in nscc run; for several scenes the errors are averaged in decibels.",
-))  # fmt: skip
-@click.option("--looks", type=click.IntRange(2, 32), metavar="K",
-              help="Design pixels that look: K exposures; the last is the whole "
-                   "frame.")  # fmt: skip
-@click.option("--criterion", type=click.Choice(["mu", "linear", "log", _SVE_RISK]),
-              help="The error to minimise: of the light on a mu-law curve (default), "
-                   "linear, or of its logarithm; sve-risk designs a fixed 2 x 2 tile "
-                   "of stops instead.")  # fmt: skip
-@click.option("--search", is_flag=True, help="Search all simple patterns of stops for stills, or "
-              "codes for clips, judged by a decoder under every effect.")  # fmt: skip
-@click.option("--motion", type=click.Choice(["slow", "fast", "scene"]),
-              help="Choose a code for clips by their motion: slow, fast, or as in "
-                   "the scenes.")  # fmt: skip
-@click.option("--max-words", type=NumberRange(0.1, 1000), default=4.0, show_default=True,
-              help="With --motion: the largest mean number of words per slot.")  # fmt: skip
-@click.option("--slots", type=click.IntRange(2, 4096),
-              help=f"Slots of the frame (default: {_STILL_SLOTS}, for clips "
-              f"{_CLIP_SLOTS}).")  # fmt: skip
-@click.option("--slot-us", type=NumberRange(0.01, 1e6), default=125.0, show_default=True,
-              help="The length of each slot in microseconds.")  # fmt: skip
+@shared.section(
+    shared.SCENE,
+    click.option(
+        "--scene",
+        "scenes",
+        type=SCENE,
+        multiple=True,
+        metavar="SCENE",
+        help="A scene as in nscc run; for several scenes the errors are averaged in decibels.",
+    ),
+)
+@click.option(
+    "--looks",
+    type=click.IntRange(2, 32),
+    metavar="K",
+    help="Design pixels that look: K exposures; the last is the whole frame.",
+)
+@click.option(
+    "--criterion",
+    type=click.Choice(["mu", "linear", "log", _SVE_RISK]),
+    help="The error to minimise: of the light on a mu-law curve (default), "
+    "linear, or of its logarithm; sve-risk designs a fixed 2 x 2 tile "
+    "of stops instead.",
+)
+@click.option(
+    "--search",
+    is_flag=True,
+    help="Search all simple patterns of stops for stills, or "
+    "codes for clips, judged by a decoder under every effect.",
+)
+@click.option(
+    "--motion",
+    type=click.Choice(["slow", "fast", "scene"]),
+    help="Choose a code for clips by their motion: slow, fast, or as in the scenes.",
+)
+@click.option(
+    "--max-words",
+    type=NumberRange(0.1, 1000),
+    default=4.0,
+    show_default=True,
+    help="With --motion: the largest mean number of words per slot.",
+)
+@click.option(
+    "--slots",
+    type=click.IntRange(2, 4096),
+    help=f"Slots of the frame (default: {_STILL_SLOTS}, for clips {_CLIP_SLOTS}).",
+)
+@click.option(
+    "--slot-us",
+    type=NumberRange(0.01, 1e6),
+    default=125.0,
+    show_default=True,
+    help="The length of each slot in microseconds.",
+)
 @shared.chip_option
 @shared.declared(Options, "level", show=True)
 @placing_options
 @fit_option
 @shared.sensor_options
-@shared.section(shared.OUTPUT, click.option(
-    "-o", "out", type=OUT,
-    help="The program (default: looks-K.nsl, sve-risk.nsl, searched.nsl or motion-KIND.nsl).",
-))  # fmt: skip
+@shared.section(
+    shared.OUTPUT,
+    click.option(
+        "-o",
+        "out",
+        type=OUT,
+        help="The program (default: looks-K.nsl, sve-risk.nsl, searched.nsl or motion-KIND.nsl).",
+    ),
+)
 def command(
-    scenes: tuple[str, ...], looks: int | None, criterion: str | None, search: bool,
-    motion: Kind | None, level: int, out: Path | None, **options: Any,
-) -> None:  # fmt: skip
+    scenes: tuple[str, ...],
+    looks: int | None,
+    criterion: str | None,
+    search: bool,
+    motion: Kind | None,
+    level: int,
+    out: Path | None,
+    **options: Any,
+) -> None:
     """Compute a program for scenes, write it, and print its expected error.
 
     --looks: each pixel closes at the first look that finds its light above a level. The times and

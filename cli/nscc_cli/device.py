@@ -31,18 +31,35 @@ def command() -> None:
 
 
 @command.command("serve")
-@shared.section(shared.SCENE, click.option(
-    "--scene", type=SCENE, help="The scene of the stand-in: a file, a folder or builtin:NAME."
-))  # fmt: skip
-@click.option("--target", type=TARGET, default="scamp5", show_default=True,
-              metavar="NAME|FILE.toml", help="The chip to simulate.")  # fmt: skip
-@click.option("--fault", metavar="F=V,..",
-              help="Simulate a bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
-                   "disconnect=after:20000,reboot=after:40000 (rates per byte).")  # fmt: skip
-@click.option("--on", "machine", type=click.Choice(["host", "qemu", "qemu-m0"]), default="host",
-              show_default=True,
-              help="The machine that runs the firmware: this one, or a Cortex-M4 (or "
-                   "Cortex-M0) emulated by QEMU.")  # fmt: skip
+@shared.section(
+    shared.SCENE,
+    click.option(
+        "--scene", type=SCENE, help="The scene of the stand-in: a file, a folder or builtin:NAME."
+    ),
+)
+@click.option(
+    "--target",
+    type=TARGET,
+    default="scamp5",
+    show_default=True,
+    metavar="NAME|FILE.toml",
+    help="The chip to simulate.",
+)
+@click.option(
+    "--fault",
+    metavar="F=V,..",
+    help="Simulate a bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
+    "disconnect=after:20000,reboot=after:40000 (rates per byte).",
+)
+@click.option(
+    "--on",
+    "machine",
+    type=click.Choice(["host", "qemu", "qemu-m0"]),
+    default="host",
+    show_default=True,
+    help="The machine that runs the firmware: this one, or a Cortex-M4 (or "
+    "Cortex-M0) emulated by QEMU.",
+)
 @placing_options
 @shared.sensor_options
 @shared.declared(Request, "device_seed", show=True)
@@ -63,9 +80,13 @@ def serve(**options: Any) -> None:
     sensor = sensor_of(target, options)
     scene = scene_of(options, "--scene is missing: the stand-in needs a scene")
     chip = stand_in.emulated_chip(
-        scene, target, sensor, options["device_seed"],
-        warn=lambda diagnostic: support.show([diagnostic]), failed=_report,
-    )  # fmt: skip
+        scene,
+        target,
+        sensor,
+        options["device_seed"],
+        warn=lambda diagnostic: support.show([diagnostic]),
+        failed=_report,
+    )
     support.say_compiling(expose_pixels, "the emulator's loops")
     expose_pixels.load()
     with stand_in.loaded(options["machine"], target, chip, say_done) as running:
@@ -126,11 +147,14 @@ def upload(port: str, program: Path, **options: Any) -> None:
 @click.argument("port")
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
 @click.option("-o", "out", type=OUT, help="A frame file: one frame.")
-@click.option("--to", "folder", type=OUT,
-              help="A folder: write frame after frame, until Ctrl-C.")  # fmt: skip
+@click.option("--to", "folder", type=OUT, help="A folder: write frame after frame, until Ctrl-C.")
 @click.option("--count", type=click.IntRange(1, 1_000_000), help="With --to: the number of frames.")
-@click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,
-              help="With --to: seconds between frames (default: 0).")  # fmt: skip
+@click.option(
+    "--every",
+    type=NumberRange(0, _LONGEST_S),
+    default=0.0,
+    help="With --to: seconds between frames (default: 0).",
+)
 @click.option(
     "--target", type=TARGET, metavar="NAME|FILE.toml", help="The chip of the stored program."
 )
@@ -184,8 +208,12 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
 @command.command("calibrate")
 @click.argument("port")
 @click.option("-o", "out", type=OUT, required=True, help="The target file.")
-@click.option("--target", type=TARGET, metavar="NAME|FILE.toml",
-              help="The chip, if it is not a built-in target.")  # fmt: skip
+@click.option(
+    "--target",
+    type=TARGET,
+    metavar="NAME|FILE.toml",
+    help="The chip, if it is not a built-in target.",
+)
 @link_options
 def calibrate(port: str, out: Path, **options: Any) -> None:
     """Measure the duration of launches, words, waits and readouts on the device at PORT.

@@ -27,18 +27,31 @@ _WIDTH = 98
 @click.option("--json", "as_json", is_flag=True, help="Print every effect for programs.")
 @click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")
 @click.option("--cost", is_flag=True, help="Print the simulation times on this machine.")
-@click.option("--plan", type=PATH, metavar="FILE",
-              help="Print the table of a plan, from a file of `nscc run --plan` or a frame "
-              "file.")  # fmt: skip
-@click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,
-              show_default=True,
-              help="The chip whose values are the defaults.")  # fmt: skip
+@click.option(
+    "--plan",
+    type=PATH,
+    metavar="FILE",
+    help="Print the table of a plan, from a file of `nscc run --plan` or a frame file.",
+)
+@click.option(
+    "--target",
+    type=TARGET,
+    metavar="NAME|FILE.toml",
+    default=DEFAULT_NAME,
+    show_default=True,
+    help="The chip whose values are the defaults.",
+)
 @click.option("--sensor", type=PATH, help="Show the values in this file, not the defaults.")
 @click.option("--sensor-set", type=SETTING, multiple=True, metavar="K=V", help="Change one value.")
 def command(
-    name: str | None, as_json: bool, toml: bool, cost: bool, plan: Path | None, target: str,
+    name: str | None,
+    as_json: bool,
+    toml: bool,
+    cost: bool,
+    plan: Path | None,
+    target: str,
     **options: Any,
-) -> None:  # fmt: skip
+) -> None:
     """List the effects of the sensor model, or describe one (EFFECT)."""
     from nscc_runtime.effects import effects_json
     from nscc_runtime.sensor import sensor_toml
@@ -91,8 +104,9 @@ def costs() -> str:
     measured = {price.name for price in prices}
     rows += [
         (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel that the effect changes")
-        for e in registered() if e.cost_ns and e.name not in measured
-    ]  # fmt: skip
+        for e in registered()
+        if e.cost_ns and e.name not in measured
+    ]
     return columns(rows, left_aligned=(0, 3, 4)) + (
         "\n\ntimes of one core; plans use the prices in the column `shipped`, so that the same "
         "input gives the same bytes on every machine"

@@ -48,17 +48,28 @@ _outputs = together(
     click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
     click.option("-o", "out", type=OUT, help="Write it to a file."),
 )
-_seed_option = click.option("--seed", type=click.IntRange(0, 2**31), default=0, show_default=True,
-              help="Seed of random codes and noise.")  # fmt: skip
-_save_option = click.option("--save", type=OUT, metavar="DIR",
-              help="Write reconstructions and truth into this folder.")  # fmt: skip
+_seed_option = click.option(
+    "--seed",
+    type=click.IntRange(0, 2**31),
+    default=0,
+    show_default=True,
+    help="Seed of random codes and noise.",
+)
+_save_option = click.option(
+    "--save", type=OUT, metavar="DIR", help="Write reconstructions and truth into this folder."
+)
 
 
 @command.command("sci8", cls=CommonCommand)
 @click.argument("clips", metavar="CLIP.mat...", nargs=-1, required=True, type=PATH)
-@click.option("--method", default="gap-tv", show_default=True, metavar="M",
-              help="any, the decoder for any code; gap-tv, admm-tv, dictionary, adjoint; or an "
-                   "oracle: bilinear, thin-out.")  # fmt: skip
+@click.option(
+    "--method",
+    default="gap-tv",
+    show_default=True,
+    metavar="M",
+    help="any, the decoder for any code; gap-tv, admm-tv, dictionary, adjoint; or an "
+    "oracle: bilinear, thin-out.",
+)
 @declared(TvSettings, show=True)
 @_save_option
 @_outputs
@@ -88,31 +99,57 @@ def sci8(
 
 @command.command("of", cls=CommonCommand)
 @click.argument("subject", type=RUN_OR_ANY, metavar="RUN|BASELINE")
-@click.option("--data", type=PATH, metavar="DIR",
-              help="The folder of scenes; for class-v1 also `procedural`.")  # fmt: skip
-@click.option("--protocol", type=PROTOCOL, metavar="P",
-              help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1, staggered-v1, "
-              "codes-v1, class-v1.")  # fmt: skip
-@click.option("--split", type=click.Choice(["val"]), metavar="val",
-              help="Instead of --data and --protocol: the run's validation scenes, evaluated as "
-                   "in its metrics.csv.")  # fmt: skip
+@click.option(
+    "--data", type=PATH, metavar="DIR", help="The folder of scenes; for class-v1 also `procedural`."
+)
+@click.option(
+    "--protocol",
+    type=PROTOCOL,
+    metavar="P",
+    help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1, staggered-v1, codes-v1, class-v1.",
+)
+@click.option(
+    "--split",
+    type=click.Choice(["val"]),
+    metavar="val",
+    help="Instead of --data and --protocol: the run's validation scenes, evaluated as "
+    "in its metrics.csv.",
+)
 @_seed_option
-@click.option("--skip-seen", is_flag=True,
-              help="Leave out files that the run was trained or validated on.")  # fmt: skip
-@click.option("--shutter", default="", metavar="CLASS[:START]",
-              help="The codes of a baseline: c, c:quad, d:random, ... for clips, "
-                   "b:quad, b:random for stills, or those of a run; a class alone "
-                   "uses random codes.")  # fmt: skip
-@click.option("--effects", type=EFFECTS, default="", metavar="E",
-              help="Expose with an emulated chip instead of the protocol's sensor: auto, all, "
-                   "or names, as in nscc run. For runs and pixels that look.")  # fmt: skip
+@click.option(
+    "--skip-seen", is_flag=True, help="Leave out files that the run was trained or validated on."
+)
+@click.option(
+    "--shutter",
+    default="",
+    metavar="CLASS[:START]",
+    help="The codes of a baseline: c, c:quad, d:random, ... for clips, "
+    "b:quad, b:random for stills, or those of a run; a class alone "
+    "uses random codes.",
+)
+@click.option(
+    "--effects",
+    type=EFFECTS,
+    default="",
+    metavar="E",
+    help="Expose with an emulated chip instead of the protocol's sensor: auto, all, "
+    "or names, as in nscc run. For runs and pixels that look.",
+)
 @trust_code_option
 @_save_option
 @_outputs
 def of(
-    subject: str, data: Path | None, protocol: str | None, split: str | None, seed: int,
-    skip_seen: bool, shutter: str, effects: str, trust_code: bool, **outputs: Any,
-) -> int:  # fmt: skip
+    subject: str,
+    data: Path | None,
+    protocol: str | None,
+    split: str | None,
+    seed: int,
+    skip_seen: bool,
+    shutter: str,
+    effects: str,
+    trust_code: bool,
+    **outputs: Any,
+) -> int:
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
     A run that was trained on one of the files is refused; --skip-seen leaves these files out.
@@ -133,8 +170,16 @@ def of(
     predict classes."""
     if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
         raise click.UsageError("name --data and --protocol, or else --split val")
-    known = {"subject": subject, "data": data, "protocol": protocol, "split": split, "seed": seed,
-             "skip_seen": skip_seen, "shutter": shutter, "effects": effects}  # fmt: skip
+    known = {
+        "subject": subject,
+        "data": data,
+        "protocol": protocol,
+        "split": split,
+        "seed": seed,
+        "skip_seen": skip_seen,
+        "shutter": shutter,
+        "effects": effects,
+    }
     if data is None or protocol is None:
         from nscc_training.evaluation.runs import evaluate_validation
         from nscc_training.run_folder import load_run
@@ -144,16 +189,26 @@ def of(
     from nscc_training.evaluation.runs import evaluate
 
     named = partial(
-        evaluate, subject, data, protocol, seed, codes=shutter, effects=effects,
-        skip_seen=skip_seen, trust_code=trust_code,
-    )  # fmt: skip
+        evaluate,
+        subject,
+        data,
+        protocol,
+        seed,
+        codes=shutter,
+        effects=effects,
+        skip_seen=skip_seen,
+        trust_code=trust_code,
+    )
     return _of_scenes(named, known, **outputs)
 
 
 @command.command("tables", cls=CommonCommand)
-@click.option("--results", type=PATH, metavar="DIR",
-              help="The results of a sweep, DIR/results or DIR (default: those that come with "
-              "nscc).")  # fmt: skip
+@click.option(
+    "--results",
+    type=PATH,
+    metavar="DIR",
+    help="The results of a sweep, DIR/results or DIR (default: those that come with nscc).",
+)
 @_outputs
 def tables(results: Path | None, **outputs: Any) -> None:
     """Print Tables 2, 3 and 4 of the paper in Markdown, with our measurements beside them.
@@ -166,15 +221,24 @@ def tables(results: Path | None, **outputs: Any) -> None:
 
 
 @command.command("figures", cls=CommonCommand)
-@click.option("--data", type=PATH, metavar="DIR",
-              help="Panoramas and clips, or folders hdr and video of them (default: built-in "
-                   "scenes).")  # fmt: skip
-@click.option("--effects", type=EFFECTS, default="auto", show_default=True, metavar="E",
-              help="Effects of the emulated chip: auto, all, or names, as in nscc "
-                   "run.")  # fmt: skip
+@click.option(
+    "--data",
+    type=PATH,
+    metavar="DIR",
+    help="Panoramas and clips, or folders hdr and video of them (default: built-in scenes).",
+)
+@click.option(
+    "--effects",
+    type=EFFECTS,
+    default="auto",
+    show_default=True,
+    metavar="E",
+    help="Effects of the emulated chip: auto, all, or names, as in nscc run.",
+)
 @_seed_option
-@click.option("-o", "out", type=OUT, required=True, metavar="DIR",
-              help="The folder for the pictures.")  # fmt: skip
+@click.option(
+    "-o", "out", type=OUT, required=True, metavar="DIR", help="The folder for the pictures."
+)
 def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
     """Draw Figs. 5, 6 and 7 of the paper, from the runs that come with nscc.
 
@@ -191,10 +255,16 @@ def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
 
 
 @command.command("compare", cls=CommonCommand)
-@click.argument("results", metavar="A.json B.json [A.json B.json ...]", nargs=-1, required=True,
-                type=PATH)  # fmt: skip
-@click.option("--metric", default="psnr_db", show_default=True, metavar="NAME_db",
-              help="The metric to compare; hdr-v1 also has mu_psnr_db.")  # fmt: skip
+@click.argument(
+    "results", metavar="A.json B.json [A.json B.json ...]", nargs=-1, required=True, type=PATH
+)
+@click.option(
+    "--metric",
+    default="psnr_db",
+    show_default=True,
+    metavar="NAME_db",
+    help="The metric to compare; hdr-v1 also has mu_psnr_db.",
+)
 @_outputs
 def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     """Print by how much B is better than A, in pairs: the same items of the same scenes.
@@ -212,8 +282,10 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
 
 def _of_scenes(
     evaluate: Callable[..., tuple[dict[str, Any], dict[str, NDArray[Any]]]],
-    known: Mapping[str, Any], save: Path | None, **outputs: Any,
-) -> int:  # fmt: skip
+    known: Mapping[str, Any],
+    save: Path | None,
+    **outputs: Any,
+) -> int:
     """Score scenes, print and write the result; return 1 if a file could not be read, else 0.
 
     With `-o` the scores are kept beside it until it is written, so that the same command continues
@@ -246,15 +318,23 @@ def _finish(
 @click.command("metrics", cls=CommonCommand)
 @click.argument("truth", type=PATH)
 @click.argument("result", metavar="REC", type=PATH)
-@click.option("--data-range", type=float, required=True, metavar="R",
-              help="The peak value that errors are compared with: 255 for 8-bit "
-                   "values, 1 for values on [0, 1].")  # fmt: skip
+@click.option(
+    "--data-range",
+    type=float,
+    required=True,
+    metavar="R",
+    help="The peak value that errors are compared with: 255 for 8-bit "
+    "values, 1 for values on [0, 1].",
+)
 @click.option("--truth-key", help="The array of TRUTH, if it contains several.")
 @click.option("--rec-key", "result_key", help="The array of REC, if it contains several.")
-@click.option("--nits", type=NumberRange(0.005, 10000.0, min_open=True), default=1000.0,
-              show_default=True,
-              help="The luminance in cd/m2 that the data range R represents, for "
-                   "PU21-PSNR.")  # fmt: skip
+@click.option(
+    "--nits",
+    type=NumberRange(0.005, 10000.0, min_open=True),
+    default=1000.0,
+    show_default=True,
+    help="The luminance in cd/m2 that the data range R represents, for PU21-PSNR.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, with every frame of a clip.")
 @click.option("-o", "out", type=OUT, help="Write the JSON to a file.")
 def metrics(as_json: bool, out: Path | None, **pair: Any) -> None:

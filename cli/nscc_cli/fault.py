@@ -36,8 +36,10 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     if isinstance(error, MemoryError | RuntimeError) and _no_memory(error):
         on_gpu = type(error).__name__ == "OutOfMemoryError"
         less = "use fewer slots, codes or repeats, a smaller array, or leave `--keep` out"
-        processor = ("with CUDA_VISIBLE_DEVICES= before the command it runs on the processor, "
-                     "which is slower")  # fmt: skip
+        processor = (
+            "with CUDA_VISIBLE_DEVICES= before the command it runs on the processor, "
+            "which is slower"
+        )
         return Diagnostic(
             "NS0902",
             _memory_text(error_text, on_gpu),
@@ -82,8 +84,9 @@ def _memory_text(error_text: str, on_gpu: bool) -> str:
         return f"there is not enough memory on the GPU: {asked}"
     page = os.sysconf("SC_PAGE_SIZE") / (1 << 30)
     free, total = (os.sysconf(name) * page for name in ("SC_AVPHYS_PAGES", "SC_PHYS_PAGES"))
-    return (f"there is not enough memory: {asked}, but {free:.1f} of {total:.1f} GiB of memory "
-            "are free")  # fmt: skip
+    return (
+        f"there is not enough memory: {asked}, but {free:.1f} of {total:.1f} GiB of memory are free"
+    )
 
 
 def _no_memory(error: Exception) -> bool:

@@ -121,10 +121,18 @@ def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
 
 
 def write_frame(
-    out: Path, options: Mapping[str, Any], keep: Sequence[str], container: Container,
-    light: Light | None, frame: Frame, meta: Mapping[str, Any], title: str, timings: Timings,
-    response: Callable[[], Response], plan: str | None = None,
-) -> list[Path]:  # fmt: skip
+    out: Path,
+    options: Mapping[str, Any],
+    keep: Sequence[str],
+    container: Container,
+    light: Light | None,
+    frame: Frame,
+    meta: Mapping[str, Any],
+    title: str,
+    timings: Timings,
+    response: Callable[[], Response],
+    plan: str | None = None,
+) -> list[Path]:
     """Write the frame file and the requested picture, plan and timings, and return the paths.
     `response` computes the sensor response for the picture."""
     from nscc.container_proof import replayed
@@ -137,9 +145,12 @@ def write_frame(
         shutters = replayed(container) if "shutter" in keep else None
         file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
         content = frame_content(
-            with_table(file, container), container, light, lambda: replayed(container),
+            with_table(file, container),
+            container,
+            light,
+            lambda: replayed(container),
             options["tone"],
-        )  # fmt: skip
+        )
         products: dict[Path, Product] = {out: file_of(out, content, "a frame")}
         if options["png"]:
             products[options["png"]] = _picture(container, frame, response, content, title)
@@ -152,9 +163,12 @@ def write_frame(
 
 
 def _picture(
-    container: Container, frame: Frame, response: Callable[[], Response], content: Content,
+    container: Container,
+    frame: Frame,
+    response: Callable[[], Response],
+    content: Content,
     title: str,
-) -> Product:  # fmt: skip
+) -> Product:
     """Return the picture for `--png`; of several frames the first is drawn."""
     from nscc_runtime.formats.content import content_sheet
     from nscc_runtime.pictures.sheet import png_of

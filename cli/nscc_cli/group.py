@@ -94,9 +94,13 @@ def added_by_packages() -> dict[str, click.Command]:
 _version_option = click.version_option(
     __version__, message="nscc %(version)s", help="Print the version and exit."
 )
-group = _version_option(LazyGroup(
-    name="nscc",
-    help="Compile per-pixel shutter programs for SCAMP-5 class vision chips, and run them.",
-    epilog="`nscc COMMAND --help` describes a command; `nscc explain NSxxxx` describes a message.",
-    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-))  # fmt: skip
+group = _version_option(
+    LazyGroup(
+        name="nscc",
+        help="Compile per-pixel shutter programs for SCAMP-5 class vision chips, and run them.",
+        epilog=(
+            "`nscc COMMAND --help` describes a command; `nscc explain NSxxxx` describes a message."
+        ),
+        context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    )
+)

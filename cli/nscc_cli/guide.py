@@ -23,8 +23,14 @@ def explain(code: str | None) -> None:
 
 @common_command("examples")
 @click.argument("names", type=EXAMPLE, metavar="[NAME..]", nargs=-1)
-@click.option("-o", "folder", type=OUT, metavar="DIR", default=Path(),
-              help="The folder for the copies (default: this folder).")  # fmt: skip
+@click.option(
+    "-o",
+    "folder",
+    type=OUT,
+    metavar="DIR",
+    default=Path(),
+    help="The folder for the copies (default: this folder).",
+)
 def examples(names: tuple[str, ...], folder: Path) -> None:
     """List the programs that come with nscc, or copy the named ones."""
     from nscc.examples import about, contents, example, examples

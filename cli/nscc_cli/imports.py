@@ -40,8 +40,13 @@ def _beside_program(out: Path, arrays: str) -> Path:
 @common_command("import-mask")
 @click.argument("mask", metavar="MASK.npy|npz|mat", type=PATH)
 @_PROGRAM
-@click.option("--slot-us", type=NumberRange(1e-3, 1e9), default=125.0, show_default=True,
-              help="Length of a slot in microseconds.")  # fmt: skip
+@click.option(
+    "--slot-us",
+    type=NumberRange(1e-3, 1e9),
+    default=125.0,
+    show_default=True,
+    help="Length of a slot in microseconds.",
+)
 @slots_axis_option
 @chip_option
 def import_mask(
@@ -64,19 +69,28 @@ def import_mask(
         products[codes] = imported.codes
     write_together(products)
     rows, cols = imported.tile
-    say_done("\n".join([
-        f"class {imported.kind}, a tile of {rows} x {cols}, {imported.axes}, "
-        f"{imported.words_per_slot:g} words a slot",
-        *(f"  not {reason}" for reason in imported.reasons),
-        *(f"wrote {path.as_posix()}" for path in products),
-    ]))  # fmt: skip
+    say_done(
+        "\n".join(
+            [
+                f"class {imported.kind}, a tile of {rows} x {cols}, {imported.axes}, "
+                f"{imported.words_per_slot:g} words a slot",
+                *(f"  not {reason}" for reason in imported.reasons),
+                *(f"wrote {path.as_posix()}" for path in products),
+            ]
+        )
+    )
 
 
 @common_command("import-network")
 @click.argument("model", metavar="MODEL.pt|onnx", type=PATH)
 @_PROGRAM
-@click.option("--frame-us", type=NumberRange(1e-3, 1e9), default=33_000.0, show_default=True,
-              help="Exposure time of a frame in microseconds.")  # fmt: skip
+@click.option(
+    "--frame-us",
+    type=NumberRange(1e-3, 1e9),
+    default=33_000.0,
+    show_default=True,
+    help="Exposure time of a frame in microseconds.",
+)
 @chip_option
 def import_network(model: Path, out: Path, frame_us: float, target: str) -> None:
     """Write the program of a recurrent cell of bits, and its kernels beside it.
@@ -93,12 +107,16 @@ def import_network(model: Path, out: Path, frame_us: float, target: str) -> None
     )
     write_together({out: imported.text.encode(), kernels: imported.kernels})
     cell = imported.cell
-    say_done("\n".join([
-        f"{counted(cell.states, 'state')}, {counted(cell.outputs, 'output')}, "
-        f"kernels {cell.kernel} x {cell.kernel}, {imported.words} words a frame",
-        f"exposures are compared with {100 * imported.level:.4g} % of a full well",
-        *(f"wrote {path.as_posix()}" for path in (out, kernels)),
-    ]))  # fmt: skip
+    say_done(
+        "\n".join(
+            [
+                f"{counted(cell.states, 'state')}, {counted(cell.outputs, 'output')}, "
+                f"kernels {cell.kernel} x {cell.kernel}, {imported.words} words a frame",
+                f"exposures are compared with {100 * imported.level:.4g} % of a full well",
+                *(f"wrote {path.as_posix()}" for path in (out, kernels)),
+            ]
+        )
+    )
 
 
 def _place(
@@ -134,9 +152,14 @@ def _place(
 @pixels_option
 @build_options
 def import_frame(
-    program: Path, files: tuple[str, ...], out: Path, crop: tuple[int, int] | None,
-    flip: str | None, transpose: bool, **options: Any,
-) -> None:  # fmt: skip
+    program: Path,
+    files: tuple[str, ...],
+    out: Path,
+    crop: tuple[int, int] | None,
+    flip: str | None,
+    transpose: bool,
+    **options: Any,
+) -> None:
     """Write the frame file of pictures that a chip's own host saved.
 
     FILE is an 8-bit grey picture of codes, or a picture of bits: .bmp, .png, .tiff, .npy or .csv.
@@ -156,9 +179,11 @@ def import_frame(
     say(messages)
     known = [name for names in readout_names(container) for name in names]
     pairs = [
-        (name, Path(path)) for file in files for name, mark, path in [file.partition("=")]
+        (name, Path(path))
+        for file in files
+        for name, mark, path in [file.partition("=")]
         if mark and (name in known or not Path(file).exists())
-    ]  # fmt: skip
+    ]
     if pairs and len(pairs) < len(files):
         raise click.UsageError("give all files as NAME=FILE, or none")
     if len(dict(pairs)) < len(pairs):
@@ -169,8 +194,12 @@ def import_frame(
     sensor = sensor_of(converter_of(container), options)
     file = imported(container, named, orientation, sensor)
     write_together({out: file.write})
-    say_done("\n".join([
-        *frame_lines(container, file.frame),
-        f"assumed: {orientation}; no picture tells how the host turned the array",
-        f"wrote {out.as_posix()}",
-    ]))  # fmt: skip
+    say_done(
+        "\n".join(
+            [
+                *frame_lines(container, file.frame),
+                f"assumed: {orientation}; no picture tells how the host turned the array",
+                f"wrote {out.as_posix()}",
+            ]
+        )
+    )

@@ -96,10 +96,11 @@ def _checked(document: Text) -> tuple[Diagnostic, ...]:
         error_text = " ".join(str(error).split())[:200]
         return (
             Diagnostic(
-                "NS0901", f"nscc itself failed: {type(error).__name__}: {error_text}",
+                "NS0901",
+                f"nscc itself failed: {type(error).__name__}: {error_text}",
                 helps=("save the text and run `nscc check`: it writes a reproducer to report",),
             ),
-        )  # fmt: skip
+        )
 
 
 def make_server() -> Server:

@@ -11,8 +11,9 @@ from nscc_cli.support import common_command, say_done
 
 
 @common_command("lsp")
-@click.option("--stdio", is_flag=True,
-              help="Use standard input and output, the only supported transport.")  # fmt: skip
+@click.option(
+    "--stdio", is_flag=True, help="Use standard input and output, the only supported transport."
+)
 def command(stdio: bool) -> None:
     """Serve editors over standard input and output, by the Language Server Protocol.
 

@@ -78,15 +78,20 @@ def some_option(
 ) -> Callable[..., Any]:
     """Return an option that takes a comma-separated choice of `names`, by default all."""
     return option(
-        name, callback=chosen_names(names), metavar=metavar, default=default or ",".join(names),
-        show_default=True, help=text,
-    )  # fmt: skip
+        name,
+        callback=chosen_names(names),
+        metavar=metavar,
+        default=default or ",".join(names),
+        show_default=True,
+        help=text,
+    )
 
 
 program_argument = argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)
-pixels_option = section(COMPILE, option(
-    "--pixels", type=PATH, help="The pixels' codes (.npz), or a mask (.npy .npz .mat)."
-))  # fmt: skip
+pixels_option = section(
+    COMPILE,
+    option("--pixels", type=PATH, help="The pixels' codes (.npz), or a mask (.npy .npz .mat)."),
+)
 
 
 def declared(
@@ -164,18 +169,28 @@ def _tone(_context: Context, _option: Parameter, name: str | None) -> str | None
     return name
 
 
-tone_option = section(OUTPUT, option(
-    "--tone", metavar="CURVE", callback=_tone,
-    help="The tone curve of .png, .gif and .mp4: log, reinhard, mu-law, srgb, linear.",
-))  # fmt: skip
+tone_option = section(
+    OUTPUT,
+    option(
+        "--tone",
+        metavar="CURVE",
+        callback=_tone,
+        help="The tone curve of .png, .gif and .mp4: log, reinhard, mu-law, srgb, linear.",
+    ),
+)
 
 
 sensor_options = section(
     EFFECTS,
     option("--sensor", type=PATH, help="The sensor parameters (nscc effects --toml)."),
-    option("--sensor-set", type=SETTING, multiple=True, metavar="K=V",
-           help="Change one of the sensor parameters."),
-)  # fmt: skip
+    option(
+        "--sensor-set",
+        type=SETTING,
+        multiple=True,
+        metavar="K=V",
+        help="Change one of the sensor parameters.",
+    ),
+)
 
 csv_options = section(
     OUTPUT,
@@ -192,31 +207,47 @@ tradeoff_options = section(
 
 def repeats_option(default: int) -> Callable[..., Any]:
     """Return the option `--repeats`: how often each measurement is repeated."""
-    return option("--repeats", type=COUNT, default=default, show_default=True,
-                  help="How often each setting is timed; the median is used.")  # fmt: skip
+    return option(
+        "--repeats",
+        type=COUNT,
+        default=default,
+        show_default=True,
+        help="How often each setting is timed; the median is used.",
+    )
 
 
 chip_option = option(
-    "--target", type=TARGET, default="scamp5", show_default=True, metavar="NAME|FILE.toml",
+    "--target",
+    type=TARGET,
+    default="scamp5",
+    show_default=True,
+    metavar="NAME|FILE.toml",
     help="The chip.",
-)  # fmt: skip
+)
 
 slots_axis_option = option(
-    "--slots-axis", type=click.Choice(("first", "last")),
+    "--slots-axis",
+    type=click.Choice(("first", "last")),
     help="The axis of a mask that counts slots, for a mask whose sizes do not tell it.",
-)  # fmt: skip
+)
 
 trust_code_option = option(
-    "--trust-code", is_flag=True,
+    "--trust-code",
+    is_flag=True,
     help="Allow the run to execute its custom Python code (module:name).",
-)  # fmt: skip
+)
 """The option of commands that load a run folder."""
 
 made_scenes_option = option(
-    "--data", type=PATH, metavar="DIR",
+    "--data",
+    type=PATH,
+    metavar="DIR",
     help="A folder of clips, panoramas or both, instead of synthetic scenes.",
-)  # fmt: skip
+)
 made_seed_option = option(
-    "--seed", type=IntRange(0, 2**31 - 1), default=0, show_default=True,
+    "--seed",
+    type=IntRange(0, 2**31 - 1),
+    default=0,
+    show_default=True,
     help="Seed of synthetic scenes, random codes and noise.",
-)  # fmt: skip
+)

@@ -38,8 +38,12 @@ _HEADERS = {
 
 @common_command("play")
 @click.argument("program", metavar="[FILE]", required=False, type=PATH)
-@click.option("--port", type=click.IntRange(0, 65535), default=0,
-              help="The port of the page (default: any free one).")  # fmt: skip
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=0,
+    help="The port of the page (default: any free one).",
+)
 @click.option("--no-browser", is_flag=True, help="Print the address, but open no browser.")
 def command(program: Path | None, port: int, no_browser: bool) -> None:
     """Try programs in a page of your browser: check, words, frames, reconstructions.

@@ -22,41 +22,78 @@ if TYPE_CHECKING:
 @common_command("reconstruct")
 @click.argument("run", type=RUN_OR_ANY, metavar="[any|RUN]")
 @click.argument("frame", metavar="FRAME.npz", type=PATH, required=False)
-@click.option("-o", "out", required=True, metavar="OUT", type=OUT,
-              help="The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, "
-              ".tiff.")  # fmt: skip
+@click.option(
+    "-o",
+    "out",
+    required=True,
+    metavar="OUT",
+    type=OUT,
+    help="The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, .tiff.",
+)
 @click.option("--png", type=OUT, help="Also write a picture of the result for the screen.")
 @tone_option
-@click.option("--dark", type=PATH, metavar="DARK.npz",
-              help="A frame file of the same program without light, with many "
-                   "repeats: it is subtracted from FRAME.")  # fmt: skip
-@click.option("--as", "kind", type=click.Choice(("image", "video")),
-              help="With any: reconstruct a picture or a clip. Default: a picture if all "
-                   "shutters open at the start of the frame (class b), else a clip.")  # fmt: skip
-@click.option("--method", type=click.Choice(("network", "merge", "gap-tv")),
-              help="With any: the network (default), or without torch: merge neighbours of a "
-              "picture, total variation (GAP-TV) of a clip.")  # fmt: skip
-@click.option("--program", type=PATH, metavar="FILE",
-              help="With any: the program that exposed FRAME, for older files "
-                   "without shutters.")  # fmt: skip
-@click.option("--mask", type=PATH, metavar="MASK",
-              help="With any and an own measurement: the file of its mask, if FRAME "
-                   "does not contain `mask`.")  # fmt: skip
+@click.option(
+    "--dark",
+    type=PATH,
+    metavar="DARK.npz",
+    help="A frame file of the same program without light, with many "
+    "repeats: it is subtracted from FRAME.",
+)
+@click.option(
+    "--as",
+    "kind",
+    type=click.Choice(("image", "video")),
+    help="With any: reconstruct a picture or a clip. Default: a picture if all "
+    "shutters open at the start of the frame (class b), else a clip.",
+)
+@click.option(
+    "--method",
+    type=click.Choice(("network", "merge", "gap-tv")),
+    help="With any: the network (default), or without torch: merge neighbours of a "
+    "picture, total variation (GAP-TV) of a clip.",
+)
+@click.option(
+    "--program",
+    type=PATH,
+    metavar="FILE",
+    help="With any: the program that exposed FRAME, for older files without shutters.",
+)
+@click.option(
+    "--mask",
+    type=PATH,
+    metavar="MASK",
+    help="With any and an own measurement: the file of its mask, if FRAME does not contain `mask`.",
+)
 @slots_axis_option
-@click.option("--noise", metavar="SD[,GAIN]",
-              help="With any and an own measurement: the standard deviation of its "
-                   "readout, and the amount that one photon adds, in the unit of "
-                   "`meas` (default: none).")  # fmt: skip
-@click.option("--force", is_flag=True,
-              help="With RUN: only warn if the frame belongs to another program or "
-                   "sensor.")  # fmt: skip
+@click.option(
+    "--noise",
+    metavar="SD[,GAIN]",
+    help="With any and an own measurement: the standard deviation of its "
+    "readout, and the amount that one photon adds, in the unit of "
+    "`meas` (default: none).",
+)
+@click.option(
+    "--force",
+    is_flag=True,
+    help="With RUN: only warn if the frame belongs to another program or sensor.",
+)
 @trust_code_option
 def command(
-    run: str, frame: Path | None, out: Path, png: Path | None, tone: str | None,
-    dark: Path | None, kind: Literal["image", "video"] | None, method: Method | None,
-    program: Path | None, mask: Path | None, slots_axis: Axis | None, noise: str | None,
-    force: bool, trust_code: bool,
-) -> None:  # fmt: skip
+    run: str,
+    frame: Path | None,
+    out: Path,
+    png: Path | None,
+    tone: str | None,
+    dark: Path | None,
+    kind: Literal["image", "video"] | None,
+    method: Method | None,
+    program: Path | None,
+    mask: Path | None,
+    slots_axis: Axis | None,
+    noise: str | None,
+    force: bool,
+    trust_code: bool,
+) -> None:
     """Reconstruct a picture or a clip from FRAME, a file that `nscc run` wrote.
 
     The first argument names the decoder. `any` decodes frames of every program and needs no
@@ -155,9 +192,13 @@ def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
 
 
 def _of_measurement(
-    path: Path, mask: Path | None, slots_axis: Axis | None, noise: str | None,
-    method: Method | None, *of_frames: object,
-) -> Reconstruction | None:  # fmt: skip
+    path: Path,
+    mask: Path | None,
+    slots_axis: Axis | None,
+    noise: str | None,
+    method: Method | None,
+    *of_frames: object,
+) -> Reconstruction | None:
     """Return the clip of a measurement file without options `of_frames`, else None."""
     from nscc_training.reconstruct_any import (
         NoiseModel,
@@ -187,11 +228,16 @@ def _of_measurement(
 @click.argument("run", type=RUN, metavar="RUN")
 @click.argument("frame", metavar="FRAME.npz", type=PATH)
 @click.option("--json", "as_json", is_flag=True, help="Print the likelihoods as JSON.")
-@click.option("--dark", type=PATH, metavar="DARK.npz",
-              help="A frame file of the same program without light, with many "
-                   "repeats: it is subtracted from FRAME.")  # fmt: skip
-@click.option("--force", is_flag=True,
-              help="Only warn if the frame belongs to another program or sensor.")  # fmt: skip
+@click.option(
+    "--dark",
+    type=PATH,
+    metavar="DARK.npz",
+    help="A frame file of the same program without light, with many "
+    "repeats: it is subtracted from FRAME.",
+)
+@click.option(
+    "--force", is_flag=True, help="Only warn if the frame belongs to another program or sensor."
+)
 @trust_code_option
 def classify(
     run: Path, frame: Path, as_json: bool, dark: Path | None, force: bool, trust_code: bool

@@ -41,8 +41,14 @@ if TYPE_CHECKING:
     from nscc_training.run_files import RunCapture
 
 _SIMULATION = (
-    "effects", "tolerance", "fidelity", "audit", "plan", "seed", "device_seed",
-)  # fmt: skip
+    "effects",
+    "tolerance",
+    "fidelity",
+    "audit",
+    "plan",
+    "seed",
+    "device_seed",
+)
 """Options of the emulator, which have no meaning for a device."""
 
 
@@ -72,10 +78,14 @@ def named_values(
 @shared.section(
     shared.SCENE,
     shared.declared(Scene, "name"),
-    click.option("--like", type=RUN, metavar="RUN",
-                 help="Expose as the run was trained: with its exposure and sensor, and without "
-                      "a FILE its program."),
-)  # fmt: skip
+    click.option(
+        "--like",
+        type=RUN,
+        metavar="RUN",
+        help="Expose as the run was trained: with its exposure and sensor, and without "
+        "a FILE its program.",
+    ),
+)
 @placing_options
 @fit_option
 @shared.section(
@@ -94,34 +104,62 @@ def named_values(
 )
 @shared.section(
     shared.SCENE,
-    click.option("--param", "params", multiple=True, metavar="NAME=VALUE", callback=named_values,
-                 help="Values of parameters, set before the frame, for instance t=4% or m=8."),
-    click.option("--input", "inputs", multiple=True, metavar="NAME=FILE", callback=named_values,
-                 help="Bits of input planes, loaded before the frame: .npy, .npz or a picture."),
-)  # fmt: skip
+    click.option(
+        "--param",
+        "params",
+        multiple=True,
+        metavar="NAME=VALUE",
+        callback=named_values,
+        help="Values of parameters, set before the frame, for instance t=4% or m=8.",
+    ),
+    click.option(
+        "--input",
+        "inputs",
+        multiple=True,
+        metavar="NAME=FILE",
+        callback=named_values,
+        help="Bits of input planes, loaded before the frame: .npy, .npz or a picture.",
+    ),
+)
 @shared.sensor_options
 @shared.pixels_option
 @shared.build_options
 @shared.section(
     shared.DEVICE,
-    click.option("--on", "place", default="emulator", show_default=True,
-                 metavar="emulator|PORT|host:MODULE",
-                 help="Where to run: the emulator, a device at a serial port, or a chip "
-                      "that a host module of its vendor drives."),
-)  # fmt: skip
+    click.option(
+        "--on",
+        "place",
+        default="emulator",
+        show_default=True,
+        metavar="emulator|PORT|host:MODULE",
+        help="Where to run: the emulator, a device at a serial port, or a chip "
+        "that a host module of its vendor drives.",
+    ),
+)
 @link_options
 @shared.section(
     shared.OUTPUT,
-    click.option("-o", "out", type=OUT,
-                 help="The frame file (default: NAME.frame.npz in this folder), or a part of it "
-                      "as .npy .mat .hdr .exr .pfm .tiff .png .gif .mp4."),
+    click.option(
+        "-o",
+        "out",
+        type=OUT,
+        help="The frame file (default: NAME.frame.npz in this folder), or a part of it "
+        "as .npy .mat .hdr .exr .pfm .tiff .png .gif .mp4.",
+    ),
     click.option("--png", type=OUT, help="Also write a picture of the frame."),
-    click.option("--keep", type=KEPT, default="",
-                 help="Also store, comma-separated: light,truth,shutter,codes."),
+    click.option(
+        "--keep",
+        type=KEPT,
+        default="",
+        help="Also store, comma-separated: light,truth,shutter,codes.",
+    ),
     click.option("--timings", type=OUT, help="Write the times in seconds to a JSON file."),
-    click.option("--verbose", is_flag=True,
-                 help="Print the plan's table: each effect, its error and why it was chosen."),
-)  # fmt: skip
+    click.option(
+        "--verbose",
+        is_flag=True,
+        help="Print the plan's table: each effect, its error and why it was chosen.",
+    ),
+)
 @shared.tone_option
 def command(program: Path | None, like: Path | None, **options: Any) -> None:
     """Expose one frame of a scene with a program, and write it as an .npz file.
@@ -179,10 +217,18 @@ def _run_on_emulator(
     simulated, frame, container = exposed.simulated, exposed.simulated.frame, exposed.container
     about = meta(container, exposed.light, frame, simulated.origin) | exposed.laid
     files = write_frame(
-        out, options, keep, container, exposed.light, frame, about,
-        f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
-        lambda: exposed.response(sensor), simulated.plan_file,
-    )  # fmt: skip
+        out,
+        options,
+        keep,
+        container,
+        exposed.light,
+        frame,
+        about,
+        f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}",
+        timings,
+        lambda: exposed.response(sensor),
+        simulated.plan_file,
+    )
     if simulated.plan is not None and options["verbose"]:
         from nscc_runtime.planning.plan_file import plan_table
 
@@ -260,9 +306,17 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
             effects = chip.effects
     title = f"{program.name}  ·  on the device"
     files = write_frame(
-        out, options, keep, container, light, frame, meta, title, timings,
+        out,
+        options,
+        keep,
+        container,
+        light,
+        frame,
+        meta,
+        title,
+        timings,
         lambda: response_of(container, sensor, effects),
-    )  # fmt: skip
+    )
     say_done(summary(container, frame, files, alike=False))
 
 

@@ -19,10 +19,18 @@ from nscc_runtime.scene_settings import Scene
 placing_options = section(
     SCENE,
     declared(
-        Scene, "exposure", "transfer", "white", "skip", "bracket", "times", "fps", "crop",
+        Scene,
+        "exposure",
+        "transfer",
+        "white",
+        "skip",
+        "bracket",
+        "times",
+        "fps",
+        "crop",
         "frames_are",
     ),
-)  # fmt: skip
+)
 """Options that place a scene on the array."""
 
 fit_option = section(SCENE, declared(Scene, "fit", show=True))
@@ -32,6 +40,9 @@ link_options = section(DEVICE, declared(LinkSettings, show=True))
 
 measured_options = together(
     declared(Request, "seed", "device_seed", show=True),
-    pixels_option, placing_options, sensor_options, build_options,
-)  # fmt: skip
+    pixels_option,
+    placing_options,
+    sensor_options,
+    build_options,
+)
 """Options of tradeoffs that measure frames of a program."""

@@ -57,12 +57,16 @@ def open_streams() -> None:
         if number == 0:
             sys.stdin = stream or open(0, encoding="utf-8")  # noqa: SIM115  # of the process
             continue
-        setattr(sys, name, io.TextIOWrapper(
-            io.BufferedWriter(_Dropping(number)),
-            encoding=getattr(stream, "encoding", "utf-8"),
-            errors=getattr(stream, "errors", "surrogateescape"),
-            line_buffering=getattr(stream, "line_buffering", False) or number == 2,
-        ))  # fmt: skip
+        setattr(
+            sys,
+            name,
+            io.TextIOWrapper(
+                io.BufferedWriter(_Dropping(number)),
+                encoding=getattr(stream, "encoding", "utf-8"),
+                errors=getattr(stream, "errors", "surrogateescape"),
+                line_buffering=getattr(stream, "line_buffering", False) or number == 2,
+            ),
+        )
 
 
 def output_failure() -> OSError | None:

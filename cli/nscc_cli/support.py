@@ -177,15 +177,21 @@ class CommonCommand(click.Command):
         super().__init__(*arguments, **settings)
         self.params += [
             click.Option(
-                ["--message-format"], type=click.Choice(FORMATS), default=None,
-                expose_value=False, callback=_to_session,
+                ["--message-format"],
+                type=click.Choice(FORMATS),
+                default=None,
+                expose_value=False,
+                callback=_to_session,
                 help="How messages are written to standard error (default: human).",
             ),
             click.Option(
-                ["--deny-warnings"], is_flag=True, expose_value=False, callback=_to_session,
+                ["--deny-warnings"],
+                is_flag=True,
+                expose_value=False,
+                callback=_to_session,
                 help="Treat warnings as errors.",
             ),
-        ]  # fmt: skip
+        ]
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Parse the arguments; every usage error names the command, so that its help is found."""

@@ -22,29 +22,55 @@ def _print_part(context: click.Context, _option: click.Parameter, kind: str | No
 
 @click.command("sweep", cls=CommonCommand)
 @click.argument("grid", metavar="GRID.toml", type=PATH)
-@click.option("--out", required=True, metavar="DIR", type=OUT,
-              help="The folder of the results.")  # fmt: skip
-@click.option("--part", "grid_parts", multiple=True, metavar="PART",
-              help="Compute only the points of this part of the grid, and the runs that they "
-                   "need; may be repeated.")  # fmt: skip
-@click.option("--workers", type=click.IntRange(0, 1024), metavar="N",
-              help="Processes on this machine (default: one per processor; 0: only "
-                   "this one).")  # fmt: skip
-@click.option("--threads", type=click.IntRange(1, 1024), default=1, show_default=True,
-              metavar="T",
-              help="Threads of each process: results of training depend on it.")  # fmt: skip
-@click.option("--scheduler", metavar="tcp://HOST:PORT",
-              help="The workers of a Dask scheduler instead.")  # fmt: skip
+@click.option("--out", required=True, metavar="DIR", type=OUT, help="The folder of the results.")
+@click.option(
+    "--part",
+    "grid_parts",
+    multiple=True,
+    metavar="PART",
+    help="Compute only the points of this part of the grid, and the runs that they "
+    "need; may be repeated.",
+)
+@click.option(
+    "--workers",
+    type=click.IntRange(0, 1024),
+    metavar="N",
+    help="Processes on this machine (default: one per processor; 0: only this one).",
+)
+@click.option(
+    "--threads",
+    type=click.IntRange(1, 1024),
+    default=1,
+    show_default=True,
+    metavar="T",
+    help="Threads of each process: results of training depend on it.",
+)
+@click.option(
+    "--scheduler", metavar="tcp://HOST:PORT", help="The workers of a Dask scheduler instead."
+)
 @click.option("--again", is_flag=True, help="Compute failed points again.")
 @click.option("--dry-run", is_flag=True, help="Print the number of points and stop.")
 @click.option("--parquet", is_flag=True, help="Write the table as Parquet, too.")
-@click.option("--schema", type=click.Choice(_KINDS), is_eager=True, expose_value=False,
-              callback=_print_part, metavar="KIND", help=f"Print a complete part of a kind "
-              f"({', '.join(_KINDS)}), and exit.")  # fmt: skip
+@click.option(
+    "--schema",
+    type=click.Choice(_KINDS),
+    is_eager=True,
+    expose_value=False,
+    callback=_print_part,
+    metavar="KIND",
+    help=f"Print a complete part of a kind ({', '.join(_KINDS)}), and exit.",
+)
 def command(
-    grid: Path, out: Path, grid_parts: tuple[str, ...], workers: int | None, threads: int,
-    scheduler: str | None, again: bool, dry_run: bool, parquet: bool,
-) -> int:  # fmt: skip
+    grid: Path,
+    out: Path,
+    grid_parts: tuple[str, ...],
+    workers: int | None,
+    threads: int,
+    scheduler: str | None,
+    again: bool,
+    dry_run: bool,
+    parquet: bool,
+) -> int:
     """Compute every point of a grid: compile programs, expose scenes, train and score runs.
 
     Lists in GRID.toml are axes. Each result row is stored in DIR, so that the same command resumes
@@ -78,9 +104,14 @@ def command(
         click.echo(work_text(count, count - known_count))
         return 0
     swept = sweep(
-        whole_grid, out, how, grid_parts=grid_parts, parquet=parquet, track=progress,
+        whole_grid,
+        out,
+        how,
+        grid_parts=grid_parts,
+        parquet=parquet,
+        track=progress,
         report=say_done,
-    )  # fmt: skip
+    )
     for line in summary_lines(swept):
         say_done(line)
     if swept.failed:

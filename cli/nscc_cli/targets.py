@@ -38,21 +38,46 @@ def _checked_times(
 @common_command("targets")
 @click.argument("name", required=False, type=TARGET, metavar="[NAME|FILE.toml|FILE.nsl]")
 @click.option("--toml", is_flag=True, help="Print a complete file that --target accepts.")
-@click.option("--limits", is_flag=True, help="Compile every class at growing sizes: what fits, "
-              "what cannot, what is unknown.")  # fmt: skip
-@click.option("--compare", "compared", nargs=2, type=TARGET, metavar="A B",
-              help="Compile the program NAME for two chips: what fits, shortest slot, data rate, "
-              "expected noise.")  # fmt: skip
+@click.option(
+    "--limits",
+    is_flag=True,
+    help="Compile every class at growing sizes: what fits, what cannot, what is unknown.",
+)
+@click.option(
+    "--compare",
+    "compared",
+    nargs=2,
+    type=TARGET,
+    metavar="A B",
+    help="Compile the program NAME for two chips: what fits, shortest slot, data rate, "
+    "expected noise.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print limits or comparison for programs.")
-@click.option("--slot", "slots", multiple=True, metavar="TIME", callback=_checked_times,
-              help="Length of the slots that limits are found for; may be repeated (default: 1ms "
-              "and 10us).")  # fmt: skip
-@click.option("-O", "level", type=LEVEL, default=1, show_default=True,
-              help="Optimisation level with which --limits compiles.")  # fmt: skip
+@click.option(
+    "--slot",
+    "slots",
+    multiple=True,
+    metavar="TIME",
+    callback=_checked_times,
+    help="Length of the slots that limits are found for; may be repeated (default: 1ms and 10us).",
+)
+@click.option(
+    "-O",
+    "level",
+    type=LEVEL,
+    default=1,
+    show_default=True,
+    help="Optimisation level with which --limits compiles.",
+)
 def command(
-    name: str | None, toml: bool, limits: bool, compared: tuple[str, str] | None, as_json: bool,
-    slots: tuple[str, ...], level: int,
-) -> None:  # fmt: skip
+    name: str | None,
+    toml: bool,
+    limits: bool,
+    compared: tuple[str, str] | None,
+    as_json: bool,
+    slots: tuple[str, ...],
+    level: int,
+) -> None:
     """List the known chips, or describe one (NAME or FILE.toml)."""
     if compared is not None:
         if name is None or toml or limits or slots:

@@ -64,9 +64,14 @@ def command() -> None:
 @command.command("of", cls=CommonCommand)
 @click.argument("program", metavar="FILE.nsl|FILE.icw|RUN", type=PATH)
 @shared.section(shared.SCENE, click.option("--scene", type=SCENE, help="As in nscc run."))
-@click.option("--target-error", metavar="1%|5e|0.1lsb|1noise", default="1%", show_default=True,
-              help="The largest error that you accept: in percent of the scene's mean signal, in "
-              "electrons, in converter codes, or relative to the frame's own noise.")  # fmt: skip
+@click.option(
+    "--target-error",
+    metavar="1%|5e|0.1lsb|1noise",
+    default="1%",
+    show_default=True,
+    help="The largest error that you accept: in percent of the scene's mean signal, in "
+    "electrons, in converter codes, or relative to the frame's own noise.",
+)
 @some_option("--stages", STAGES, "NAME,..", "Stages to measure.")
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O to compare.", default="0,1,2")
 @shared.repeats_option(3)
@@ -93,10 +98,16 @@ def joint(program: Path, **options: Any) -> int:
     scene = scene_of(options)
     named = ("pixels", "sensor", "seed", "device_seed", "repeats", "trust_code")
     request = JointRequest(
-        program if captured is None else captured.program, scene, options["target_error"],
-        options["stages"], compile_options(options), tuple(map(int, options["levels"])),
-        changes=options["sensor_set"], run=run, **{name: options[name] for name in named},
-    )  # fmt: skip
+        program if captured is None else captured.program,
+        scene,
+        options["target_error"],
+        options["stages"],
+        compile_options(options),
+        tuple(map(int, options["levels"])),
+        changes=options["sensor_set"],
+        run=run,
+        **{name: options[name] for name in named},
+    )
     study = joint_study(request, lambda message: say([message]))
     known = {**options, "program": request.program, "run": run}
     return 0 if run_study(study, files, known).points else 1
@@ -104,25 +115,51 @@ def joint(program: Path, **options: Any) -> int:
 
 @command.command("emulator", cls=CommonCommand)
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
-@shared.section(shared.SCENE, click.option(
-    "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
-    help="A scene as in nscc run; may be repeated (default: three built-in scenes).",
-))  # fmt: skip
-@click.option("--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e",
-              show_default=True,
-              help="Tolerances to plan for: electrons (5e), codes (0.1lsb), or a part of each "
-              "scene's mean signal (1%).")  # fmt: skip
-@click.option("--budget", metavar="T", default="5e", show_default=True,
-              help="The tolerance whose plans are shown effect by effect.")  # fmt: skip
-@click.option("--frames", type=click.IntRange(2, 1000), default=2, show_default=True,
-              help="Number of frames for measuring errors; more if they have few "
-                   "pixels.")  # fmt: skip
+@shared.section(
+    shared.SCENE,
+    click.option(
+        "--scene",
+        "scenes",
+        type=SCENE,
+        multiple=True,
+        metavar="SCENE",
+        help="A scene as in nscc run; may be repeated (default: three built-in scenes).",
+    ),
+)
+@click.option(
+    "--tolerances",
+    metavar="T,..",
+    default="0.5e,1e,2e,5e,10e,20e,50e",
+    show_default=True,
+    help="Tolerances to plan for: electrons (5e), codes (0.1lsb), or a part of each "
+    "scene's mean signal (1%).",
+)
+@click.option(
+    "--budget",
+    metavar="T",
+    default="5e",
+    show_default=True,
+    help="The tolerance whose plans are shown effect by effect.",
+)
+@click.option(
+    "--frames",
+    type=click.IntRange(2, 1000),
+    default=2,
+    show_default=True,
+    help="Number of frames for measuring errors; more if they have few pixels.",
+)
 @shared.repeats_option(5)
 @measured_options
-@shared.section(shared.OUTPUT, click.option(
-    "-o", "out", type=OUT, metavar="OUT",
-    help="Write OUT.csv, OUT.png, OUT_calibration.png and OUT_budget.png.",
-))  # fmt: skip
+@shared.section(
+    shared.OUTPUT,
+    click.option(
+        "-o",
+        "out",
+        type=OUT,
+        metavar="OUT",
+        help="Write OUT.csv, OUT.png, OUT_calibration.png and OUT_budget.png.",
+    ),
+)
 @shared.csv_options
 def emulator(program: Path | None, **options: Any) -> int:
     """Measure the error against the reference and the simulation time of one frame.
@@ -141,9 +178,13 @@ def emulator(program: Path | None, **options: Any) -> int:
     sensor = sensor_of(converter_of(container), options)
     repeats = options["repeats"]
     settings = StudySettings(
-        tuple(options["tolerances"].split(",")), options["budget"], options["frames"], repeats,
-        options["seed"], options["device_seed"],
-    )  # fmt: skip
+        tuple(options["tolerances"].split(",")),
+        options["budget"],
+        options["frames"],
+        repeats,
+        options["seed"],
+        options["device_seed"],
+    )
     scenes = _scenes(container, options, messages)
     _refuse(container)
     benches = EmulatorBenches.of(analysed(container, sensor), scenes, settings)
@@ -245,30 +286,70 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
 
 
 @command.command("sensor", cls=CommonCommand)
-@some_option("--classes", ("b", "c", "d", "e", "codebook"), "CLASS,..",
-             "Classes of shutters for clips.")  # fmt: skip
-@click.option("--slots", callback=_divisors, metavar="N,..", default="8,16", show_default=True,
-              help="Slots of a frame, for clips.")  # fmt: skip
-@click.option("--stop-slots", callback=_counts, metavar="N,..", default="16,64", show_default=True,
-              help="Slots of a frame for stills, which class b exposes.")  # fmt: skip
-@click.option("--looks", callback=_numbers("exposures", 2, 32), metavar="K,..",
-              default="2,5,9", show_default=True,
-              help="Exposures of pixels that look, for stills, or none.")  # fmt: skip
-@click.option("--readouts", callback=_numbers("readouts", 1, 4), metavar="K,..",
-              default="1,2,3,4", show_default=True,
-              help="Readouts of one exposure, for clips, or none.")  # fmt: skip
-@some_option("--codes", ("fixed", "open"), "MODE,..",
-             "Compile for the codes in use, for every legal one.")  # fmt: skip
+@some_option(
+    "--classes", ("b", "c", "d", "e", "codebook"), "CLASS,..", "Classes of shutters for clips."
+)
+@click.option(
+    "--slots",
+    callback=_divisors,
+    metavar="N,..",
+    default="8,16",
+    show_default=True,
+    help="Slots of a frame, for clips.",
+)
+@click.option(
+    "--stop-slots",
+    callback=_counts,
+    metavar="N,..",
+    default="16,64",
+    show_default=True,
+    help="Slots of a frame for stills, which class b exposes.",
+)
+@click.option(
+    "--looks",
+    callback=_numbers("exposures", 2, 32),
+    metavar="K,..",
+    default="2,5,9",
+    show_default=True,
+    help="Exposures of pixels that look, for stills, or none.",
+)
+@click.option(
+    "--readouts",
+    callback=_numbers("readouts", 1, 4),
+    metavar="K,..",
+    default="1,2,3,4",
+    show_default=True,
+    help="Readouts of one exposure, for clips, or none.",
+)
+@some_option(
+    "--codes", ("fixed", "open"), "MODE,..", "Compile for the codes in use, for every legal one."
+)
 @some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
 @shared.chip_option
 @declared(Options, level=1)
-@click.option("--slot-us", type=NumberRange(0.01, 1e6), metavar="T", help="Capture with slots of "
-              "this length instead of each configuration's shortest.")  # fmt: skip
-@click.option("--effects", type=EFFECTS, default="auto", show_default=True, metavar="E",
-              help="The sensor's effects, as nscc run takes them.")  # fmt: skip
+@click.option(
+    "--slot-us",
+    type=NumberRange(0.01, 1e6),
+    metavar="T",
+    help="Capture with slots of this length instead of each configuration's shortest.",
+)
+@click.option(
+    "--effects",
+    type=EFFECTS,
+    default="auto",
+    show_default=True,
+    metavar="E",
+    help="The sensor's effects, as nscc run takes them.",
+)
 @shared.made_scenes_option
-@click.option("--scenes", "count", type=COUNT, default=1, show_default=True,
-              help="Number of scenes of each kind.")  # fmt: skip
+@click.option(
+    "--scenes",
+    "count",
+    type=COUNT,
+    default=1,
+    show_default=True,
+    help="Number of scenes of each kind.",
+)
 @shared.made_seed_option
 @shared.tradeoff_options
 def sensor(**options: Any) -> int:
@@ -293,17 +374,34 @@ def sensor(**options: Any) -> int:
 
 
 @command.command("decoder", cls=CommonCommand)
-@click.option("--run", "runs", multiple=True, type=PATH, metavar="RUN",
-              help="A run folder of nscc train; may be repeated.")  # fmt: skip
+@click.option(
+    "--run",
+    "runs",
+    multiple=True,
+    type=PATH,
+    metavar="RUN",
+    help="A run folder of nscc train; may be repeated.",
+)
 @shared.made_scenes_option
-@click.option("--scenes", type=COUNT, default=2, show_default=True,
-              help="Number of scenes of each kind.")  # fmt: skip
-@click.option("--size", type=click.IntRange(32, 512), default=128, show_default=True,
-              help="Rows and columns of a scene.")  # fmt: skip
+@click.option(
+    "--scenes", type=COUNT, default=2, show_default=True, help="Number of scenes of each kind."
+)
+@click.option(
+    "--size",
+    type=click.IntRange(32, 512),
+    default=128,
+    show_default=True,
+    help="Rows and columns of a scene.",
+)
 @shared.repeats_option(3)
-@click.option("--budget", type=NumberRange(0, 1e6), default=40.0, show_default=True,
-              metavar="S", help="Seconds after which no repeat starts; everything is measured at "
-              "least once.")  # fmt: skip
+@click.option(
+    "--budget",
+    type=NumberRange(0, 1e6),
+    default=40.0,
+    show_default=True,
+    metavar="S",
+    help="Seconds after which no repeat starts; everything is measured at least once.",
+)
 @shared.made_seed_option
 @shared.trust_code_option
 @shared.tradeoff_options
@@ -333,14 +431,28 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
 @tradeoff_options
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O.")
 @some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
-@click.option("--repeats", type=COUNT, default=3, show_default=True,
-              help="How often each setting is compiled; the median is used.")  # fmt: skip
-@click.option("--count", type=click.Choice(["all", "logic"]), default="all", show_default=True,
-              help="All words of a frame, or only those that decode codes.")  # fmt: skip
+@click.option(
+    "--repeats",
+    type=COUNT,
+    default=3,
+    show_default=True,
+    help="How often each setting is compiled; the median is used.",
+)
+@click.option(
+    "--count",
+    type=click.Choice(["all", "logic"]),
+    default="all",
+    show_default=True,
+    help="All words of a frame, or only those that decode codes.",
+)
 def synthesis(
-    files: tuple[Path, ...], levels: tuple[str, ...], lowerings: tuple[Lowering, ...], repeats: int,
-    count: Any, **places: Any,
-) -> int:  # fmt: skip
+    files: tuple[Path, ...],
+    levels: tuple[str, ...],
+    lowerings: tuple[Lowering, ...],
+    repeats: int,
+    count: Any,
+    **places: Any,
+) -> int:
     """Measure the words per frame against compile time, at each level and lowering.
 
     Compiles FILEs, or else programs of all classes, from text to proof and without the cache. A
@@ -356,8 +468,14 @@ def synthesis(
 
 @command.command("images", cls=CommonCommand)
 @click.argument("file", metavar="FILE.nsl", type=PATH)
-@click.option("-O", "level", type=click.Choice(_LEVELS), default="2", show_default=True,
-              help="Level of optimisation of the search.")  # fmt: skip
+@click.option(
+    "-O",
+    "level",
+    type=click.Choice(_LEVELS),
+    default="2",
+    show_default=True,
+    help="Level of optimisation of the search.",
+)
 @tradeoff_options
 def images(file: Path, level: str, **places: Any) -> int:
     """Compare programs of words for the kernels of a program's images: noise against time.

@@ -90,11 +90,14 @@ def run_study(
         click.echo(study.text(measured))
         refused = measured.refused if study.lists_refused else ()
         if measured.points:
-            write_together({
-                path: csv_text(study.csv_of(measured.points), device, refused).encode()
-                if name == "csv" else png_of(study.diagrams[name], measured, device)
-                for name, path in files.items()
-            })  # fmt: skip
+            write_together(
+                {
+                    path: csv_text(study.csv_of(measured.points), device, refused).encode()
+                    if name == "csv"
+                    else png_of(study.diagrams[name], measured, device)
+                    for name, path in files.items()
+                }
+            )
         store.remove()
     if files and measured.points:
         say_done("wrote " + ", ".join(path.as_posix() for path in files.values()))

@@ -21,16 +21,26 @@ def _print_schema(context: click.Context, _option: click.Parameter, value: bool)
 
 @common_command("train")
 @click.argument("config", metavar="CONFIG.toml|FOLDER", type=PATH)
-@click.option("--out", required=True, metavar="RUN", type=OUT,
-              help="The run folder.")  # fmt: skip
-@click.option("--set", "changes", multiple=True, metavar="K=V",
-              help="Change a setting: train.steps=100.")  # fmt: skip
-@click.option("--resume", type=OutPath(str), default="auto", show_default=True,
-              metavar="auto|never|PATH",  # checkpoints replace each other
-              help="Resume from RUN's checkpoint, start again, or resume from "
-                   "another checkpoint.")  # fmt: skip
-@click.option("--schema", is_flag=True, is_eager=True, expose_value=False, callback=_print_schema,
-              help="Print a complete configuration with every default, and exit.")  # fmt: skip
+@click.option("--out", required=True, metavar="RUN", type=OUT, help="The run folder.")
+@click.option(
+    "--set", "changes", multiple=True, metavar="K=V", help="Change a setting: train.steps=100."
+)
+@click.option(
+    "--resume",
+    type=OutPath(str),
+    default="auto",
+    show_default=True,
+    metavar="auto|never|PATH",  # checkpoints replace each other
+    help="Resume from RUN's checkpoint, start again, or resume from another checkpoint.",
+)
+@click.option(
+    "--schema",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_print_schema,
+    help="Print a complete configuration with every default, and exit.",
+)
 def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> None:
     """Train shutters together with a decoder, within the limits of the chip.
 

@@ -19,9 +19,12 @@ _PROGRAMS = (".nsl", ".icw")
 
 @common_command("view")
 @click.argument("program", metavar="FILE|RUN", type=PATH)
-@click.option("-o", "out", type=OUT,
-              help="The picture (default: the program's name with .png, in this "
-              "folder).")  # fmt: skip
+@click.option(
+    "-o",
+    "out",
+    type=OUT,
+    help="The picture (default: the program's name with .png, in this folder).",
+)
 @click.option("--gates", is_flag=True, help="Draw the gates that decode the codes instead.")
 @tone_option
 @build_options

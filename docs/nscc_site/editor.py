@@ -59,8 +59,9 @@ def _figure(folder: Path) -> Figure:
     top = figure.get_figheight()
     for (document, offset, box), count in zip(panels, lines, strict=True):
         top -= _LINE * count
-        axes = figure.add_axes((0, top / figure.get_figheight(), 1,
-                                _LINE * count / figure.get_figheight()))  # fmt: skip
+        axes = figure.add_axes(
+            (0, top / figure.get_figheight(), 1, _LINE * count / figure.get_figheight())
+        )
         axes.set(xlim=(0, WIDTH), ylim=(_LINE * count, 0))
         axes.axis("off")
         _write(axes, document, offset, box)
@@ -99,8 +100,16 @@ def _write(axes: Axes, document: Document, offset: int, box: list[str]) -> None:
     from matplotlib.patches import Rectangle
 
     left, height = _AROUND + 3 * _LETTER, (_height(box) - 0.1) * _LINE
-    axes.add_patch(Rectangle((left, (below + 1.05) * _LINE), WIDTH - left - _AROUND, height,
-                             facecolor=chosen.grid, edgecolor=chosen.faint, zorder=0))  # fmt: skip
+    axes.add_patch(
+        Rectangle(
+            (left, (below + 1.05) * _LINE),
+            WIDTH - left - _AROUND,
+            height,
+            facecolor=chosen.grid,
+            edgecolor=chosen.faint,
+            zorder=0,
+        )
+    )
 
 
 def _text(axes: Axes, row: float, column: int, text: str, colour: str, **more: str) -> None:

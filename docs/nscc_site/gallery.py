@@ -112,20 +112,27 @@ def _remark(path: Path, sentences: int | None = None) -> str:
 def _page(path: Path, shown: ExampleScene, folder: Path) -> str:
     text, name = path.read_text(), path.stem
     commands = "\n".join(f"$ nscc {command}" for command in _commands(path.name, shown))
-    light = () if shown.reconstruct is None else (
-        "Light that was reconstructed from the frame:\n",
-        f"![The reconstruction](../pictures/{name}_light_light.png)\n",
-    )  # fmt: skip
-    return "\n".join((
-        f"# {name}\n", f"{_remark(path)}\n",
-        f"![A frame of {shown.scene}](../pictures/{name}_frame_light.png)\n",
-        *light,
-        "## Shutters\n",
-        f"![The shutters of {path.name}](../pictures/{name}_shutters_light.png)\n",
-        "## Program\n",
-        block(text, "nsl"),
-        block(f"$ nscc examples {name}\n$ nscc check {path.name}", "console"),
-        block(said(f"check {path.name}", folder)),
-        "The pictures:\n",
-        block(commands, "console"),
-    ))  # fmt: skip
+    light = (
+        ()
+        if shown.reconstruct is None
+        else (
+            "Light that was reconstructed from the frame:\n",
+            f"![The reconstruction](../pictures/{name}_light_light.png)\n",
+        )
+    )
+    return "\n".join(
+        (
+            f"# {name}\n",
+            f"{_remark(path)}\n",
+            f"![A frame of {shown.scene}](../pictures/{name}_frame_light.png)\n",
+            *light,
+            "## Shutters\n",
+            f"![The shutters of {path.name}](../pictures/{name}_shutters_light.png)\n",
+            "## Program\n",
+            block(text, "nsl"),
+            block(f"$ nscc examples {name}\n$ nscc check {path.name}", "console"),
+            block(said(f"check {path.name}", folder)),
+            "The pictures:\n",
+            block(commands, "console"),
+        )
+    )

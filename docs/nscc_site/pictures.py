@@ -42,10 +42,17 @@ def _decoders(repository: Path) -> bytes:
     file = repository / "training/results/evaluations/decoders.csv"
     rows = [*csv.DictReader(file.read_text().splitlines())]
     points = [
-        Point(*row["method"].rsplit(", ", 1), row["setting"], float(row["error"]),
-              row["error_unit"], (float(row["time_ms"]),), more_is_better=True)
-        for row in rows if row["error"]
-    ]  # fmt: skip
+        Point(
+            *row["method"].rsplit(", ", 1),
+            row["setting"],
+            float(row["error"]),
+            row["error_unit"],
+            (float(row["time_ms"]),),
+            more_is_better=True,
+        )
+        for row in rows
+        if row["error"]
+    ]
     return png_of(decoder_diagram, StudyResult(tuple(points)), rows[0]["device"])
 
 

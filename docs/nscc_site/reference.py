@@ -65,8 +65,11 @@ def _command(command: click.Command, path: str) -> str:
     assert isinstance(command, CommonCommand)
     rows = [("option", "meaning")]
     for title, records in command.option_sections(context).items():
-        known = [(f"`{option}`", _plain(text)) for option, text in records
-                 if not option.startswith(_OF_ALL)]  # fmt: skip
+        known = [
+            (f"`{option}`", _plain(text))
+            for option, text in records
+            if not option.startswith(_OF_ALL)
+        ]
         rows += [(f"**{title}**", "")] * (bool(known) and title != "Options") + known
     return "\n".join(parts + [table(rows)] * (len(rows) > 1))
 
@@ -101,11 +104,22 @@ def _effects() -> str:
             parts.append(f"**{heading}**: {_plain(getattr(each, heading))}\n")
         if each.parameters:
             head = [("parameter", "default", "unit", "range", "meaning", "source")]
-            parts.append(table(head + [
-                (f"`{row.name}`", f"{getattr(sensor, row.name):.10g}", row.kind.unit,
-                 _plain(row.kind.range), _plain(row.meaning), _plain(row.source))
-                for row in each.parameters
-            ]))  # fmt: skip
+            parts.append(
+                table(
+                    head
+                    + [
+                        (
+                            f"`{row.name}`",
+                            f"{getattr(sensor, row.name):.10g}",
+                            row.kind.unit,
+                            _plain(row.kind.range),
+                            _plain(row.meaning),
+                            _plain(row.source),
+                        )
+                        for row in each.parameters
+                    ]
+                )
+            )
     return "\n".join(parts)
 
 
@@ -114,18 +128,22 @@ def _targets() -> str:
     parts = ["# Targets\n", "`nscc targets` prints this list.\n", block(said("targets"))]
     for name in target_names():
         parts += [
-            f"## {name}\n", block(said(f"targets {name}")),
+            f"## {name}\n",
+            block(said(f"targets {name}")),
             f"As a file (`nscc targets {name} --toml`):\n",
             block(said(f"targets {name} --toml"), "toml"),
-        ]  # fmt: skip
+        ]
     return "\n".join(parts)
 
 
 def _settings() -> str:
-    return "\n".join((
-        "# Training settings\n", "`nscc train --schema` prints this text.\n",
-        block(said("train --schema"), "toml"),
-    ))  # fmt: skip
+    return "\n".join(
+        (
+            "# Training settings\n",
+            "`nscc train --schema` prints this text.\n",
+            block(said("train --schema"), "toml"),
+        )
+    )
 
 
 def _protocols() -> str:

@@ -118,9 +118,8 @@ def added_targets() -> dict[str, Target]:
     file. Raises Rejected (NS0905) for other objects, for a name of a built-in target, for a name
     that differs from the one in the table, and for an invalid table."""
     return {
-        name: _added(name, value)
-        for name, value in added("nscc.targets", builtin_names()).items()
-    }  # fmt: skip
+        name: _added(name, value) for name, value in added("nscc.targets", builtin_names()).items()
+    }
 
 
 def load_target(

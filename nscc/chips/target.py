@@ -52,9 +52,12 @@ class Target:
     cols: int = key(_SIDE, "pixels from left to right", section="array", required=True)
 
     analog_registers: tuple[str, ...] = key(
-        _REGISTERS, "analog registers of one pixel", section="registers", name="analog",
+        _REGISTERS,
+        "analog registers of one pixel",
+        section="registers",
+        name="analog",
         required=True,
-    )  # fmt: skip
+    )
     analog_scratch: str = key(
         _REGISTER,
         "register that every analog sequence overwrites",
@@ -62,22 +65,32 @@ class Target:
         required=True,
     )
     digital_registers: tuple[str, ...] = key(
-        _REGISTERS, "one-bit registers of one pixel", section="registers", name="digital",
+        _REGISTERS,
+        "one-bit registers of one pixel",
+        section="registers",
+        name="digital",
         required=True,
-    )  # fmt: skip
+    )
     mask_register: str | None = key(
-        _REGISTER, "a word changes `masked` only in pixels where this register is 1",
-        section="registers", name="mask", default=None,
-    )  # fmt: skip
+        _REGISTER,
+        "a word changes `masked` only in pixels where this register is 1",
+        section="registers",
+        name="mask",
+        default=None,
+    )
     masked_register: str | None = key(
-        _REGISTER, 'the register that `mask` guards; both are "none" on a chip without this',
-        section="registers", name="masked", default=None,
-    )  # fmt: skip
+        _REGISTER,
+        'the register that `mask` guards; both are "none" on a chip without this',
+        section="registers",
+        name="masked",
+        default=None,
+    )
 
     reset_honours_flag: Literal["no", "yes", "unknown"] = _ours(
         TextKind(("no", "yes", "unknown")),
-        'does rpix reset only where FLAG is 1? "no", "yes" or "unknown"', section="behaviour",
-    )  # fmt: skip
+        'does rpix reset only where FLAG is 1? "no", "yes" or "unknown"',
+        section="behaviour",
+    )
     where_reads_flag: bool = _ours(
         Flag(), "may WHERE read FLAG, which it also writes?", section="behaviour"
     )
@@ -98,17 +111,22 @@ class Target:
         name="words",
     )
     tables_count_against_store: bool = _ours(
-        Flag(), "do constant kernel tables count against the store?", section="store",
+        Flag(),
+        "do constant kernel tables count against the store?",
+        section="store",
         name="tables_count",
-    )  # fmt: skip
+    )
 
     analog_word_us: float = _ours(_WORD_US, "one analog word", section="time")
     digital_word_us: float = _ours(_WORD_US, "one digital word", section="time")
     launch_us: float = _ours(Number(0, 1e9), "overhead of one kernel launch", section="time")
     wait_us: float = _ours(
-        Number(0, 1e9), "the frame loop's own time at a boundary", section="time", later=True,
+        Number(0, 1e9),
+        "the frame loop's own time at a boundary",
+        section="time",
+        later=True,
         default=1.0,
-    )  # fmt: skip
+    )
     readout_us: float = _ours(
         Number(0, 1e12),
         "reading one analog register, or all taps, of the whole array out",
@@ -120,9 +138,10 @@ class Target:
 
     full_well_e: float = _ours(_ABOVE_0, "electrons that PIX, or a tap, can hold", section="range")
     register_min_e: float = _ours(
-        Number(-1e15, 0, high_excluded=True), "least value of an analog register, below 0",
+        Number(-1e15, 0, high_excluded=True),
+        "least value of an analog register, below 0",
         section="range",
-    )  # fmt: skip
+    )
     register_max_e: float = _ours(
         _ABOVE_0, "largest value of an analog register, above 0", section="range"
     )
@@ -136,26 +155,31 @@ class Target:
         TextKind(("spread", "full", "half")),
         "codes of 0 .. full_well_e: spread, all of them (2 x exposure - full well is converted); "
         "full, the upper half, for the converter is symmetric around 0; half, 0 to the middle",
-        section="range", default="spread", later=True, source="not public",
-    )  # fmt: skip
+        section="range",
+        default="spread",
+        later=True,
+        source="not public",
+    )
 
     in_low: int = _in(Integer(-32767, 0), "least value of IN, in steps", default=-127)
     in_high: int = _in(Integer(1, 32767), "largest value of IN, in steps", default=126)
     in_step_e: float | None = _in(
         Number(0, 1e15, low_excluded=True, automatic=True),
-        'electrons a step of IN; "auto": register_max_e / 127', default=None,
-    )  # fmt: skip
+        'electrons a step of IN; "auto": register_max_e / 127',
+        default=None,
+    )
     in_settle_us: float = _in(
         Number(0, 1e9), "time from setting IN to the first word that reads it", default=5.0
     )
 
     sees_neighbours: bool = _neighbours_key(
         Flag(), "do words reach the NEWS, and the digital registers, of neighbours?", default=True
-    )  # fmt: skip
+    )
     directed_sources: int = _neighbours_key(
-        Integer(1, 4), "most analog sources of a word that writes or reads a neighbour's NEWS",
+        Integer(1, 4),
+        "most analog sources of a word that writes or reads a neighbour's NEWS",
         default=2,
-    )  # fmt: skip
+    )
     directed_halving: bool = _neighbours_key(
         Flag(), "may a bus2 word read a neighbour's NEWS?", default=False
     )
@@ -165,21 +189,24 @@ class Target:
 
     taps: tuple[str, ...] = _stream(
         Several(_TAP, text="a list of names of capital letters, digits and `_`"),
-        "where a pixel can collect charge, in the order of a program's buckets", default=(),
+        "where a pixel can collect charge, in the order of a program's buckets",
+        default=(),
         required=True,
-    )  # fmt: skip
+    )
     drain: bool = _stream(Flag(), "can a slot's bit also select a drain?", default=False)
     row_load_us: float = _stream(
         _WORD_US, "time to send one row of a bit plane", default=1.0, required=True
     )
     pipelined: bool = _stream(
-        Flag(), "is a bit plane loaded while the previous one acts?",
+        Flag(),
+        "is a bit plane loaded while the previous one acts?",
         default=True,
-    )  # fmt: skip
+    )
     tap_gain: tuple[float, ...] = _stream(
         Several(Number(0, 1e6, low_excluded=True), text="a list of numbers above 0, one per tap"),
-        "gain from a tap's charge to the converter; [] is 1 for each", default=(),
-    )  # fmt: skip
+        "gain from a tap's charge to the converter; [] is 1 for each",
+        default=(),
+    )
 
     @property
     def has_logic(self) -> bool:
@@ -278,9 +305,16 @@ class Target:
 
 _CODES = FileCodes("NS0231", "NS0232", unknown="NS0233", wrong_value="NS0235", missing="NS0234")
 _OF_STREAMS = (
-    "name", "kind", "description", "array.rows", "array.cols", "time.readout_us",
-    "range.full_well_e", "range.adc_bits", "range.adc_offset_lsb",
-)  # fmt: skip
+    "name",
+    "kind",
+    "description",
+    "array.rows",
+    "array.cols",
+    "time.readout_us",
+    "range.full_well_e",
+    "range.adc_bits",
+    "range.adc_offset_lsb",
+)
 """Keys that both kinds of chip have."""
 
 SCHEMA = Schema(

@@ -121,8 +121,10 @@ def _row(values: Any, who: str) -> Operation:
             f"{who} is not a valid name: use letters and digits, starting with a letter"
         )
     if effect is None:
-        raise ValueError(f"{who} has the unknown effect {str(keys['effect'])[:40]!a}: the "
-                         f"effects are {', '.join(EFFECTS)}")  # fmt: skip
+        raise ValueError(
+            f"{who} has the unknown effect {str(keys['effect'])[:40]!a}: the "
+            f"effects are {', '.join(EFFECTS)}"
+        )
     written_, read = _counts(who, effect, keys["destinations"], keys["sources"])
     divisor = keys["divisor"]
     if not _is_integer_within(divisor, 1, 64) or (divisor != 1 and effect is not WordEffect.BUS):

@@ -121,7 +121,7 @@ def _picture(document: Document, name: str) -> str | None:
         (declared.params, "a parameter: the host sets it before a frame"),
         (declared.inputs, "an input plane: the host loads its bits before a frame"),
         (declared.kept_images, "a kept image: others read its values of the previous frame"),
-    ):  # fmt: skip
+    ):
         if name in names:
             return description
     if name in declared.kernels:
@@ -160,8 +160,10 @@ def _field(document: Document, name: str) -> str:
     if field is None:
         return "a field of the pixel code"
     kinds = {
-        "range": "", "bits": f", {field.bits} free bits", "row": f", a row of `{field.book}`",
-    }  # fmt: skip
+        "range": "",
+        "bits": f", {field.bits} free bits",
+        "row": f", a row of `{field.book}`",
+    }
     text = f"a field of the pixel code{kinds[field.kind]}, {field.low}..{field.high}"
     compiled = document.checked.compiled
     if compiled is None or compiled.program.mode != "fixed":

@@ -98,16 +98,26 @@ class NetworkMaker:
         self.holds[gate.destination] = node
 
     def value(
-        self, kind: str, function: str, name: str, written: Sequence[Op], boundary: int,
+        self,
+        kind: str,
+        function: str,
+        name: str,
+        written: Sequence[Op],
+        boundary: int,
         **look: str | int,
-    ) -> str:  # fmt: skip
+    ) -> str:
         """Add the value of a gate or look that the words `written` store in the register `name`."""
         node = self._named(kind[0])
         self.network.add_node(
-            node, kind=kind, function=function, name=name, register=self.places.get(name, name),
-            **look or {"words": len(written)}, boundary=boundary,
+            node,
+            kind=kind,
+            function=function,
+            name=name,
+            register=self.places.get(name, name),
+            **look or {"words": len(written)},
+            boundary=boundary,
             kernel=self.kernels.kernel_of(tuple(written), boundary),
-        )  # fmt: skip
+        )
         return node
 
     def demand(self, edge: str, bucket: str, boundary: int) -> None:
@@ -193,9 +203,13 @@ def graphml_bytes(network: nx.DiGraph) -> bytes:
 
 
 _SHAPES = {
-    "plane": "box", "gate": "ellipse", "look": "diamond", "demand": "invhouse", "end": "box",
+    "plane": "box",
+    "gate": "ellipse",
+    "look": "diamond",
+    "demand": "invhouse",
+    "end": "box",
     "state": "box",
-}  # fmt: skip
+}
 
 
 def dot_text(network: nx.DiGraph) -> str:

@@ -57,13 +57,16 @@ def families() -> list[Family]:
         ),
         *map(_fixed_bump, BUMP_LENGTHS),
         _by_slots(
-            "d", "one bump, any start and stop", bump_rule(), lambda n: n * (n + 1) // 2,
+            "d",
+            "one bump, any start and stop",
+            bump_rule(),
+            lambda n: n * (n + 1) // 2,
             "N (N + 1) / 2 bumps",
         ),
         _by_slots("e", "every pattern of N bits", bits_rule(), lambda n: 1 << n, "2^N patterns"),
         *map(_book_by_slots, BOOK_ROWS),
         _book_by_rows(BOOK_SLOTS),
-    ]  # fmt: skip
+    ]
 
 
 def stop_rule(first: str) -> str:
@@ -147,9 +150,18 @@ def _by_slots(
     if ceiling == MOST_SLOTS:
         reason = f"a frame has at most {MOST_SLOTS} slots (NS0308)"
     return Family(
-        name, description, "slots", lambda size, slot: program_text(size, slot, rule), shutters,
-        counted_as, lambda size: size, True, least, ceiling, reason,
-    )  # fmt: skip
+        name,
+        description,
+        "slots",
+        lambda size, slot: program_text(size, slot, rule),
+        shutters,
+        counted_as,
+        lambda size: size,
+        True,
+        least,
+        ceiling,
+        reason,
+    )
 
 
 def _fixed_bump(length: int) -> Family:

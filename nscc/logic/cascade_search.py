@@ -164,9 +164,13 @@ class Search:
         count = len(on)
         none = np.zeros(count, dtype=np.int64)
         start = _Values(
-            on, self._table.everything & ~on, np.arange(count), none - 1, none > 0,
+            on,
+            self._table.everything & ~on,
+            np.arange(count),
+            none - 1,
+            none > 0,
             np.zeros((count, self._scratch), dtype=np.int64),
-        )  # fmt: skip
+        )
         self._recorded: list[tuple[int, _Values, bool]] = []
         self._flag_before = flag_before
         self._ends: list[tuple[int, _Way] | None] = [None] * count

@@ -52,8 +52,13 @@ _ALL_STEPS = 15.0
 Kind = Literal["direct", "family", "equality", "cascade", "cover", "last"]
 
 FROM_LEVEL: dict[Kind, int] = {
-    "direct": 0, "family": 2, "equality": 0, "cascade": 2, "cover": 0, "last": 0
-}  # fmt: skip
+    "direct": 0,
+    "family": 2,
+    "equality": 0,
+    "cascade": 2,
+    "cover": 0,
+    "last": 0,
+}
 """The lowest optimisation level at which generators of each kind are tried.
 
 * direct: one word per demand; nothing is cheaper, so no other kind is tried after a solution

@@ -10,9 +10,14 @@ from collections.abc import Sequence
 from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution, quietest
 
 _SOURCES = {
-    "WHERE": (1, None), "OR": (1, None), "NOR": (1, None), "NOT": (1, 1), "MOV": (1, 1),
-    "SET": (0, 0), "CLR": (0, 0),
-}  # fmt: skip
+    "WHERE": (1, None),
+    "OR": (1, None),
+    "NOR": (1, None),
+    "NOT": (1, 1),
+    "MOV": (1, 1),
+    "SET": (0, 0),
+    "CLR": (0, 0),
+}
 """Fewest and most sources of each gate; None is the machine's limit."""
 
 _INVERTED = ("NOR", "NOT", "SET")

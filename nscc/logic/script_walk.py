@@ -132,9 +132,15 @@ class _Walker:
             if self.values[f"p{i}"] != vector:
                 raise GaveUp("the script does not restore its planes")
         return Solution(
-            script.encoding, planes, holders, script.states, self.used, script.opening,
-            tuple(answers), script.closing,
-        )  # fmt: skip
+            script.encoding,
+            planes,
+            holders,
+            script.states,
+            self.used,
+            script.opening,
+            tuple(answers),
+            script.closing,
+        )
 
     def _run(self, segments: Sequence[Segment]) -> None:
         """Update the truth vectors by scripted gates."""

@@ -170,9 +170,13 @@ class Board:
             yield from self._covers(names, values, target, destination, most_cubes)
 
     def _covers(
-        self, names: Sequence[str], values: Sequence[int], vector: int, destination: str,
+        self,
+        names: Sequence[str],
+        values: Sequence[int],
+        vector: int,
+        destination: str,
         most_cubes: int,
-    ) -> Iterator[GateSequence]:  # fmt: skip
+    ) -> Iterator[GateSequence]:
         for inverted in (False, True):
             target = self.everything & ~vector if inverted else vector
             covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))

@@ -81,7 +81,7 @@ def _outlasts(machine: StateMachine, k: int) -> bool:
     other_values = np.delete(machine.values, k, axis=1)
     alike = np.unique(
         np.column_stack([machine.behaviour, other_values]), axis=0, return_inverse=True
-    )[1].reshape(-1)  # fmt: skip
+    )[1].reshape(-1)
     # Nodes of the next stage that differ only in the answer count as one; -1 stands for none.
     after = np.where(machine.steps >= 0, alike[machine.steps], -1)
     for stage in range(machine.stages):

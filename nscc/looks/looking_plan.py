@@ -119,9 +119,14 @@ def plan_looks(
     if lowering == "edges":
         moments = (replace(m, copies=(False,) * len(m.copies)) for m in moments)
     plan = LookingPlan(
-        program, machine, tuple(moments), analog.holders, analog.buckets, analog.reference,
+        program,
+        machine,
+        tuple(moments),
+        analog.holders,
+        analog.buckets,
+        analog.reference,
         analog.scratch,
-    )  # fmt: skip
+    )
     if lowering == "latch" and not plan.latches:
         return Misfit(
             "latch requires shutters that open in slot 0 and close once, with no `reset` before"

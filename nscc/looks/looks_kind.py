@@ -37,10 +37,12 @@ class Looks(ProgramKind):
         Pass("plan", plan_of, check_looking_plan, _REPORT.moments_text),
         Pass("gates", lowered_of, check_looking_gates, _REPORT.all_gates_text),
         Pass(
-            "schedule", lay_out_looking, checks.check_schedule,
+            "schedule",
+            lay_out_looking,
+            checks.check_schedule,
             LazyFunctions("nscc.emit.listing").choice_text,
         ),
-    )  # fmt: skip
+    )
     shutters_known = False
     one_lowering_for = "pixels that look"
     has_simpler_programs = False

@@ -59,13 +59,17 @@ def looks_report(program: Program) -> dict[str, Any]:
         ],
         "states": [
             {
-                "name": state.name, "low": state.low, "high": state.high, "start": state.start,
-                "kept": state.is_kept, "read": state.read,
+                "name": state.name,
+                "low": state.low,
+                "high": state.high,
+                "start": state.start,
+                "kept": state.is_kept,
+                "read": state.read,
             }
             for state in machine.states
         ],
         "nodes": len(machine.behaviour),
-    }  # fmt: skip
+    }
 
 
 def looks_lines(program: Program) -> list[str]:

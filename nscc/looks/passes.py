@@ -65,9 +65,15 @@ def lay_out_looks(
         for items in solution.items.values()
     )
     general = Solution(
-        solution.encoding.name, solution.planes, solution.holders, len(solution.states),
-        solution.scratch, (), answers, (),
-    )  # fmt: skip
+        solution.encoding.name,
+        solution.planes,
+        solution.holders,
+        len(solution.states),
+        solution.scratch,
+        (),
+        answers,
+        (),
+    )
     allocation = allocate(general, target)
     if _mask_is_lost(solution, allocation):
         return None
@@ -201,9 +207,14 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
     steps = [PlanStep(0, "setup", -1, None, _setup(plan))]
     steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
     return ExposurePlan(
-        "latch" if plan.latches else "edges", tuple(steps), plan.registers, plan.bucket_registers,
-        len(plan.program.table.shutters), plan.machine.slots, _analog_writes(plan),
-    )  # fmt: skip
+        "latch" if plan.latches else "edges",
+        tuple(steps),
+        plan.registers,
+        plan.bucket_registers,
+        len(plan.program.table.shutters),
+        plan.machine.slots,
+        _analog_writes(plan),
+    )
 
 
 def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:

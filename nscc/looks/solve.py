@@ -100,9 +100,14 @@ class Solver:
         contents = self.vectors(start)
         planes = tuple(contents[f"p{i}"] for i in range(len(self.holders)))
         return LookingSolution(
-            self.encoding, planes, tuple(self.holders), tuple(self.states), self.registers,
-            scratch, dict(reversed(items.items())),
-        )  # fmt: skip
+            self.encoding,
+            planes,
+            tuple(self.holders),
+            tuple(self.states),
+            self.registers,
+            scratch,
+            dict(reversed(items.items())),
+        )
 
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
         """Return the content of every register in lanes at these nodes."""

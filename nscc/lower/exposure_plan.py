@@ -221,8 +221,10 @@ def analog_registers(
         return Misfit(
             f"{lowering} needs {required} analog registers beside {target.analog_scratch}: "
             f"{len(buckets)} buckets{' and the reset level' * reference}; there are {len(free)}",
-            "analog registers", required, len(free),
-        )  # fmt: skip
+            "analog registers",
+            required,
+            len(free),
+        )
     pairs = zip(free[: len(buckets)], buckets, strict=True)
     holders = {register: f"exposure of {bucket.name}" for register, bucket in pairs}
     level = free[len(buckets)] if reference else None
@@ -275,10 +277,14 @@ class _Builder:
         lowerings = {"accumulate": self._accumulate, "latch": self._latch, "edges": self._edges}
         lowerings[self.lowering]()
         return ExposurePlan(
-            self.lowering, tuple(self.steps), self.holders, self.registers,
-            len(self.program.table.shutters), self.slots,
+            self.lowering,
+            tuple(self.steps),
+            self.holders,
+            self.registers,
+            len(self.program.table.shutters),
+            self.slots,
             _analog_writes(self.program, self.steps),
-        )  # fmt: skip
+        )
 
     def _step(
         self, boundary: int, role: Role, bucket: int, predicate: int, words: tuple[Op, ...]

@@ -91,7 +91,7 @@ def capacity_fault(program: Program) -> Diagnostic | None:
             f"bits by holder: {', '.join(ledger)}{'; scratch 0' * (len(ledger) > 1)}",
         ),
         data=resource("digital registers", required, available, proved=True),
-    )  # fmt: skip
+    )
 
 
 def plan_fault(

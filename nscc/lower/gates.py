@@ -72,11 +72,13 @@ def find_gates(
     # of an open pixel; words; peak.
     lowerings.sort(
         key=lambda lowered: (
-            *lowered.price[:2], lowered.schedule.words_total > _DEAR * least,
-            lowered.plan.analog_writes[1], lowered.schedule.words_total,
+            *lowered.price[:2],
+            lowered.schedule.words_total > _DEAR * least,
+            lowered.plan.analog_writes[1],
+            lowered.schedule.words_total,
             max(lowered.words_per_boundary),
         )
-    )  # fmt: skip
+    )
     return Gated(
         planned.program,
         planned.time,

@@ -213,8 +213,13 @@ def _scheduled(
     apart: set[Words] = set()
     for n in time.refresh_at or ():
         # A state that was not written yet in this frame needs no refresh.
-        written = {register for run in boundaries[:n] for words_ in run for word in words_
-                   for register in word.destinations}  # fmt: skip
+        written = {
+            register
+            for run in boundaries[:n]
+            for words_ in run
+            for word in words_
+            for register in word.destinations
+        }
         to_refresh = (*refreshed, *(r for r in allocation.state_registers if r in written))
         if to_refresh:
             boundaries[n].insert(0, refresh_words(to_refresh, allocation))

@@ -132,9 +132,12 @@ class BitWords:
         last = words[place][0]
         digital = last.operation.effect in (WordEffect.DIGITAL, WordEffect.DIGITAL_NEIGHBOURS)
         if (
-            owner is None and digital and last.operation.phase is Phase.WHOLE
-            and last.destinations == (source,) and register not in last.sources
-        ):  # fmt: skip
+            owner is None
+            and digital
+            and last.operation.phase is Phase.WHOLE
+            and last.destinations == (source,)
+            and register not in last.sources
+        ):
             words[place] = (op(last.name, [register], last.sources), None)
         else:
             self.lowering.word(op("MOV", [register], [source]))

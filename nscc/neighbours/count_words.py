@@ -154,9 +154,10 @@ class CountEmitter(Emitter):
         return self.added(signed_terms)
 
     def _count(
-        self, sums: Sequence[tuple[str, CountSum]],
+        self,
+        sums: Sequence[tuple[str, CountSum]],
         directions_of: Callable[[Sequence[Direction], int], list[Direction]],
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Count images in one walk for each plane, and note their accumulators in `ready`."""
         weights = [total.weights(self.weights) for _, total in sums]
         places = list(dict.fromkeys(place for image in weights for place in image))

@@ -28,9 +28,12 @@ class Lowering(RegisterEmitter):
     """Emits the words of all items. After `run`, `registers` maps each output to its register."""
 
     def __init__(
-        self, pictures: p.Pictures, container: Container, synthesis: Synthesis,
+        self,
+        pictures: p.Pictures,
+        container: Container,
+        synthesis: Synthesis,
         kept_ranges: Mapping[str, tuple[float, float]] = MappingProxyType({}),
-    ) -> None:  # fmt: skip
+    ) -> None:
         super().__init__(pictures, container, kept_ranges)
         self.synthesis, self.is_output = synthesis, False
         self.registers: dict[str, str] = {}

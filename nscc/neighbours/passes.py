@@ -39,7 +39,7 @@ from nscc.words.pictures import (
     Sum,
     TailLaunch,
     with_operands,
-)  # fmt: skip
+)
 
 _LEVEL_OF_ALTERNATIVES = 2
 _MOST_RANGES = 6
@@ -169,9 +169,11 @@ def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> 
 
 
 def _lowered_with(
-    container: Container, pictures: Pictures, synthesis: Synthesis,
+    container: Container,
+    pictures: Pictures,
+    synthesis: Synthesis,
     ranges: Mapping[str, tuple[float, float]],
-) -> Lowering:  # fmt: skip
+) -> Lowering:
     for most_together in range(MOST_IMAGES, 0, -1):
         lowering = Lowering(pictures, container, synthesis, ranges)
         lowering.most_together = most_together
@@ -218,8 +220,10 @@ def grouped(
         first, end = launch_at[loop.begin], launch_at[loop.end]
         stored_loops.append(LaunchLoop(first, end - first, loop.times, loop.values))
     fields = {
-        "loops": tuple(stored_loops), "levels_of": tuple(levels_of), "launches": tuple(launches)
-    }  # fmt: skip
+        "loops": tuple(stored_loops),
+        "levels_of": tuple(levels_of),
+        "launches": tuple(launches),
+    }
     return list(number), fields
 
 
@@ -272,11 +276,13 @@ def _fading(pictures: Pictures, program: Program) -> Diagnostic | None:
         f"its readouts; {target.name} keeps them for {time_text(target.digital_retention_us)}",
         source=program.source,
         label=Label(program.frame.span, "too long for a state that is kept"),
-        notes=("a state is written once a frame, after the last slot; nscc uses "
-               f"{RETENTION_SHARE:.0%} of the retention time",),
+        notes=(
+            "a state is written once a frame, after the last slot; nscc uses "
+            f"{RETENTION_SHARE:.0%} of the retention time",
+        ),
         helps=("use shorter slots, or read fewer images",),
         data={"resource": "retention_us", "required": frame_us, "available": keep_us},
-    )  # fmt: skip
+    )
 
 
 def _refusal(
@@ -307,7 +313,7 @@ def _refusal(
         notes=tuple(notes),
         helps=tuple(helps),
         data={"resource": resource, "required": needed, "available": available, "proved": False},
-    )  # fmt: skip
+    )
 
 
 def _beyond_range(

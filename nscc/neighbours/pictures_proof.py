@@ -121,9 +121,13 @@ def _end_steps(
 
 
 def _compare(
-    name: str, node: Node, value: LoopValue, replay: PictureReplay, meaning: PictureMeaning,
+    name: str,
+    node: Node,
+    value: LoopValue,
+    replay: PictureReplay,
+    meaning: PictureMeaning,
     middle: Place,
-) -> None:  # fmt: skip
+) -> None:
     """Raise PictureReplayError unless a register holds an expression where it is known."""
     if meaning.forms.compares_equal(meaning.of(node, middle)):
         raise AlwaysEqual(name)
@@ -134,9 +138,13 @@ def _compare(
 
 
 def _differs(
-    name: str, contents: Fields | Bits | None, expected: Callable[[Place], Form | int], sign: int,
-    replay: PictureReplay, middle: Place,
-) -> str | None:  # fmt: skip
+    name: str,
+    contents: Fields | Bits | None,
+    expected: Callable[[Place], Form | int],
+    sign: int,
+    replay: PictureReplay,
+    middle: Place,
+) -> str | None:
     """Return how register contents differ from `sign` times an expression; None if they do not."""
     forms = replay.forms
     if contents is None:

@@ -148,9 +148,7 @@ def turned_taps(taps: Taps, turn: int) -> Polynomial:
 def turned(program: Program, turn: int) -> Program:
     """Return the program of the rotated or mirrored convolution kernel; see `turned_taps`."""
     a, b, c, d = _TURNS[turn]
-    names = {
-        name: OF_STEP[a * x + b * y, c * x + d * y] for name, (x, y) in STEPS.items()
-    }  # fmt: skip
+    names = {name: OF_STEP[a * x + b * y, c * x + d * y] for name, (x, y) in STEPS.items()}
 
     def of(operands: tuple[str, ...]) -> tuple[str, ...]:
         return tuple(names.get(name, name) for name in operands)

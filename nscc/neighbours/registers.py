@@ -35,9 +35,12 @@ class Reuse(Record):
 
 
 def reuse(
-    program: Program, base: str, contents: Mapping[str, Contents], free: Collection[str],
+    program: Program,
+    base: str,
+    contents: Mapping[str, Contents],
+    free: Collection[str],
     news_keeps: bool,
-) -> Reuse:  # fmt: skip
+) -> Reuse:
     """Return the words of a program that must run on the value `base`.
 
     `contents`: what registers hold. The result is reused only from a `free` register, because the
@@ -96,9 +99,11 @@ class RegisterEmitter(CountEmitter):
     `loop_registers`: the registers of planes that are repeated now."""
 
     def __init__(
-        self, pictures: p.Pictures, container: Container,
+        self,
+        pictures: p.Pictures,
+        container: Container,
         kept_ranges: Mapping[str, tuple[float, float]],
-    ) -> None:  # fmt: skip
+    ) -> None:
         super().__init__(pictures)
         self.kept_ranges = kept_ranges
         self.loops: list[LoopWords] = []
@@ -264,11 +269,19 @@ class RegisterEmitter(CountEmitter):
         """Return the state of the emitter, for `restore`."""
         bits = self.bits
         return (
-            len(self.words), self.free[:], dict(self.held), dict(self.uses), self.masked,
+            len(self.words),
+            self.free[:],
+            dict(self.held),
+            dict(self.uses),
+            self.masked,
             dict(self.contents),
-            bits.free[:], dict(bits.planes), dict(bits.uses), bits.steered,
-            {name: terms[:] for name, terms in self.ready.items()}, self.walks,
-        )  # fmt: skip
+            bits.free[:],
+            dict(bits.planes),
+            dict(bits.uses),
+            bits.steered,
+            {name: terms[:] for name, terms in self.ready.items()},
+            self.walks,
+        )
 
     def restore(self, state: tuple[Any, ...]) -> None:
         """Remove the words since `state`, and set everything back."""

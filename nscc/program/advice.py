@@ -45,16 +45,24 @@ def judge_looking(
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)
         state = f"`state changed_at : 0..{len(machine.looks)} = 0`"
-        helps = (f"`read {names}` gives the open time",) if names else (
-            f"add a state that stores the look at which the shutter changes, {state}, and read it",
-            "use this state in the rule, so that the shutter changes only once: "
+        helps = (
+            (f"`read {names}` gives the open time",)
+            if names
+            else (
+                f"add a state that stores the look at which the shutter changes, {state}, and "
+                "read it",
+                "use this state in the rule, so that the shutter changes only once: "
                 "`changed_at == 0` or `changed_at > 0`",
-        )  # fmt: skip
+            )
+        )
         problems.error(
-            "NS0324", "the readout does not determine how long a pixel was open", rule.span,
-            "pixels with the same code are open for different times", helps=helps,
+            "NS0324",
+            "the readout does not determine how long a pixel was open",
+            rule.span,
+            "pixels with the same code are open for different times",
+            helps=helps,
             data={"missing": list(untold.states)},
-        )  # fmt: skip
+        )
     if declared.reset is not None and target.reset_honours_flag != "yes":
         _judge_resets(declared.reset, machine, target, problems)
     for k, rule in enumerate(declared.rules):
@@ -118,7 +126,9 @@ def _judge_resets(
         if differ.any():
             boundary = slots.start + int(differ.argmax())
             problems.error(
-                "NS0415", f"{target.name} resets all pixels at once", statement.condition.span,
+                "NS0415",
+                f"{target.name} resets all pixels at once",
+                statement.condition.span,
                 f"at n = {boundary} the condition selects only some pixels",
                 notes=("the reset of the photodiode ignores FLAG",),
                 helps=(
@@ -126,7 +136,7 @@ def _judge_resets(
                     "`target scamp5-algorithm1`",
                 ),
                 data={"boundary": boundary},
-            )  # fmt: skip
+            )
             return
 
 
@@ -268,9 +278,11 @@ def judge_names(
             why = "all its values give the same shutter"
             problems.warning("NS0352", f"no rule depends on the field `{field.name}`", place, why)
     mentions = Counter(
-        node.text for statement in declared.statements for node in nodes_in(statement)
+        node.text
+        for statement in declared.statements
+        for node in nodes_in(statement)
         if isinstance(node, tree.Name)
-    )  # fmt: skip
+    )
     for name, let in declared.lets.items():
         if mentions[name] == 1:
             problems.note("NS0355", f"`{name}` is not used", let.name.span, "not used")

@@ -178,9 +178,12 @@ class Gap(NamedTuple):
 
 
 def values_of(
-    expr: Checked, bindings: Bindings, books: Books, shape: tuple[int, ...],
+    expr: Checked,
+    bindings: Bindings,
+    books: Books,
+    shape: tuple[int, ...],
     needed: NDArray[np.bool_] | bool = True,
-) -> tuple[NDArray[Any], Gap | None]:  # fmt: skip
+) -> tuple[NDArray[Any], Gap | None]:
     """Return the values of `expr` as an array of `shape`, and which `needed` values are missing."""
     value = evaluate(expr, bindings, books)
     data = np.broadcast_to(np.asarray(value.data), shape)
@@ -336,5 +339,10 @@ def _digit(node: tree.Index, index: Value, book: NDArray[np.bool_], slot: Value)
 
 
 _COMPARE: Mapping[str, Callable[[Data, Data], Data]] = {
-    "<": lt, "<=": le, ">": gt, ">=": ge, "==": eq, "!=": ne,
-}  # fmt: skip
+    "<": lt,
+    "<=": le,
+    ">": gt,
+    ">=": ge,
+    "==": eq,
+    "!=": ne,
+}

@@ -53,9 +53,13 @@ class PlaneMaker:
             if name not in self.fields:
                 helps = (f"declare it with `code {name} : LO..HI`",)
                 self.declared.report_other(
-                    statement.field, "a field", ": `pixels` needs a field", self.fields, helps,
+                    statement.field,
+                    "a field",
+                    ": `pixels` needs a field",
+                    self.fields,
+                    helps,
                     self.problems,
-                )  # fmt: skip
+                )
             if isinstance(statement, PixelsExpr):
                 plane = self._expression(statement)
             else:
@@ -290,9 +294,13 @@ def planes_of(
 
 
 def _single_bits(
-    stored: NDArray[Any], name: str, shape: tuple[int, int], chunk_count: int, bits: int | None,
+    stored: NDArray[Any],
+    name: str,
+    shape: tuple[int, int],
+    chunk_count: int,
+    bits: int | None,
     origin: str,
-) -> NDArray[Any]:  # fmt: skip
+) -> NDArray[Any]:
     count = stored.shape[2]
     least = bits or (chunk_count - 1) * CHUNK_BITS + 1
     most = bits or chunk_count * CHUNK_BITS

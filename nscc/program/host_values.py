@@ -32,9 +32,13 @@ class HostValues:
     have their text as a name."""
 
     def __init__(
-        self, declared: Declarations, constants: Mapping[str, Meaning], target: Target,
-        planes: PlaneMaker, problems: Problems,
-    ) -> None:  # fmt: skip
+        self,
+        declared: Declarations,
+        constants: Mapping[str, Meaning],
+        target: Target,
+        planes: PlaneMaker,
+        problems: Problems,
+    ) -> None:
         self.declared, self.constants, self.target = declared, constants, target
         self.planes, self.problems = planes, problems
         self.params: dict[str, HostParam] = {}
@@ -50,9 +54,12 @@ class HostValues:
                 bits = planes.bits(start.value)
             elif start is not None:
                 problems.error(
-                    "NS0545", f"the start of `{name}` is not a condition", start.span, "a tile",
+                    "NS0545",
+                    f"the start of `{name}` is not a condition",
+                    start.span,
+                    "a tile",
                     helps=(f"write `pixels {name} = CONDITION` over x and y",),
-                )  # fmt: skip
+                )
             self.inputs[name] = InputPlane(name, 0 if bits is None else packed_bits(bits), True)
 
     def _param(self, name: str, statement: tree.Param) -> HostParam | None:
@@ -76,10 +83,15 @@ class HostValues:
             if not text:
                 return HostParam(name, kind, low, high, start)
         self.problems.error(
-            "NS0545", f"`{name}` is not a valid parameter: {text}", statement.span, "this range",
-            helps=("write all levels, `param t : 1% .. 20% = 4%`, or all integers, "
-                   "`param n : 0 .. 64 = 8`",),
-        )  # fmt: skip
+            "NS0545",
+            f"`{name}` is not a valid parameter: {text}",
+            statement.span,
+            "this range",
+            helps=(
+                "write all levels, `param t : 1% .. 20% = 4%`, or all integers, "
+                "`param n : 0 .. 64 = 8`",
+            ),
+        )
         return None
 
     @property
@@ -131,9 +143,12 @@ class HostValues:
         if not isinstance(inner, tree.Name) or param.kind == "level":
             what = "a level" if param.kind == "level" else "not only a sum"
             self.problems.error(
-                "NS0545", f"{role} is an integer parameter plus or minus an integer", expr.span,
-                what, helps=("declare `param n : 0 .. 64 = 8`, and write `n` or `n + 1`",),
-            )  # fmt: skip
+                "NS0545",
+                f"{role} is an integer parameter plus or minus an integer",
+                expr.span,
+                what,
+                helps=("declare `param n : 0 .. 64 = 8`, and write `n` or `n + 1`",),
+            )
             return None
         most = offset + max(sign * param.low, sign * param.high)
         return Times(offset, max(0, most), name, sign)

@@ -125,10 +125,12 @@ class _Maker:
         signal = self._signal(sense.signal)
         if sense.comparison not in ("<", ">"):
             self.problems.error(
-                "NS0323", "unsupported comparison: use `>` or `<`", sense.span,
+                "NS0323",
+                "unsupported comparison: use `>` or `<`",
+                sense.span,
                 f"this is `{sense.comparison}`",
                 notes=("a comparator cannot test whether two charges are equal",),
-            )  # fmt: skip
+            )
         at = self._boundaries(sense)
         if at is None or signal is None or self.target is None:
             return None
@@ -148,9 +150,12 @@ class _Maker:
                 return 0
             helps = (f"name the bucket: `exposure {next(iter(self.buckets), 'NAME')}`",)
             self.problems.error(
-                "NS0323", "this program has several buckets", signal.span, "whose exposure?",
+                "NS0323",
+                "this program has several buckets",
+                signal.span,
+                "whose exposure?",
                 helps=helps,
-            )  # fmt: skip
+            )
             return None
         number = self.buckets.get(signal.bucket.text)
         if number is None:
@@ -178,10 +183,12 @@ class _Maker:
         at = numbers[np.broadcast_to(np.asarray(evaluated.data, np.bool_), numbers.shape)]
         if not at.size:
             self.problems.error(
-                "NS0322", f"the sense `{sense.name.text}` never looks", sense.at.span,
+                "NS0322",
+                f"the sense `{sense.name.text}` never looks",
+                sense.at.span,
                 f"false at every boundary 1..{self.slots}",
                 helps=("name boundaries, `at n in [1, 2]`, or give a condition, `at n % 8 == 0`",),
-            )  # fmt: skip
+            )
             return None
         judge_values([checked], {"n": (1, self.slots)}, self.problems)
         return tuple(at.tolist())
@@ -212,12 +219,15 @@ class _Maker:
             number = constant(level, self.constants, self.problems, "a level")
             if number is not None:
                 self.problems.error(
-                    "NS0320", f"the level {number} has no unit", level.span, "of what?",
+                    "NS0320",
+                    f"the level {number} has no unit",
+                    level.span,
+                    "of what?",
                     helps=(
                         f"write {number}% of a full well, {number}e electrons or {number}lsb "
                         "converter codes; the values of a field are converter codes",
                     ),
-                )  # fmt: skip
+                )
             return None
         unit, value = level.unit, level.value
         most_e, full_e = target.in_high * target.electrons_per_step, _full_e(target)
@@ -228,7 +238,8 @@ class _Maker:
             self.problems.error(
                 "NS0321",
                 f"the level {target.level_e(float(value), unit):g} e is out of range",
-                level.span, "this level",
+                level.span,
+                "this level",
                 notes=(
                     f"a full well of {target.name} holds {target.full_well_e:g} e; PIX "
                     "cannot hold more",
@@ -238,7 +249,7 @@ class _Maker:
                 helps=(
                     f"give a level from {least:.3g}% to {'below ' * (full_e <= most_e)}{most:.3g}%",
                 ),
-            )  # fmt: skip
+            )
             return None
         return level_steps(float(value), unit, target)
 
@@ -282,9 +293,12 @@ class _Maker:
             return None
         boolean = isinstance(self.declared.states[statement.name.text], tree.StateBit)
         value = check(
-            statement.value, "boolean" if boolean else "integer", self.scope, self.problems,
+            statement.value,
+            "boolean" if boolean else "integer",
+            self.scope,
+            self.problems,
             "the next value of a bit" if boolean else "the next value",
-        )  # fmt: skip
+        )
         condition = None
         if statement.condition is not None:
             condition = check(

@@ -102,11 +102,16 @@ class Declarations:
     def declared(self) -> Iterator[tuple[str, str]]:
         """Yield every declared name that expressions may use, with a description."""
         kinds: dict[str, Iterable[str]] = {
-            "a let": self.lets, "a field": self.codes, "a codebook": self.books,
-            "a sense": self.senses, "a state": self.states, "a kernel": self.kernels,
-            "a parameter": self.params, "an input plane": self.inputs,
+            "a let": self.lets,
+            "a field": self.codes,
+            "a codebook": self.books,
+            "a sense": self.senses,
+            "a state": self.states,
+            "a kernel": self.kernels,
+            "a parameter": self.params,
+            "an input plane": self.inputs,
             "a kept image": self.kept_images,
-        }  # fmt: skip
+        }
         for kind, names in kinds.items():
             for name in names:
                 yield name, kind
@@ -114,9 +119,14 @@ class Declarations:
             yield picture.name.text, "an image" if isinstance(picture, tree.Image) else "a plane"
 
     def report_other(
-        self, name: tree.Name, kind: str, note: str, known: Iterable[str], helps: tuple[str, ...],
+        self,
+        name: tree.Name,
+        kind: str,
+        note: str,
+        known: Iterable[str],
+        helps: tuple[str, ...],
         problems: Problems,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Report a name that is not of `kind` (NS0209, or NS0214 for an unknown one)."""
         text = name.text
         if text in self.refused:

@@ -82,12 +82,16 @@ class PictureComparer(ABC):
         ):
             if op in ("==", "!="):
                 raise self._report(
-                    "NS0533", "images are compared by `>`, `<`, `>=` and `<=`", compare.span,
+                    "NS0533",
+                    "images are compared by `>`, `<`, `>=` and `<=`",
+                    compare.span,
                     "tests whether they are equal",
-                    ("compare with both sides of a small range: `-2% < image < 2%`, "
-                     "`3 <= count <= 3`",),
+                    (
+                        "compare with both sides of a small range: `-2% < image < 2%`, "
+                        "`3 <= count <= 3`",
+                    ),
                     notes=("no comparator can tell whether two charges are equal",),
-                )  # fmt: skip
+                )
             comparison = self._one_comparison(op, first, second, compare.span)
             condition = comparison if condition is None else self._both(condition, comparison)
         assert condition is not None
@@ -100,9 +104,12 @@ class PictureComparer(ABC):
             if not self._is_level(second):
                 return self._one_comparison(_MIRRORED[op], second, first, span)
             raise self._report(
-                "NS0533", "a comparison has an image on at least one side", span, "two levels",
+                "NS0533",
+                "a comparison has an image on at least one side",
+                span,
+                "two levels",
                 ("compare an image with a level: `image > 6%`",),
-            )  # fmt: skip
+            )
         value, level = self._image(first), second
         if not self._is_level(second):
             other, level = self._image(second), tree.Int(second.span, 0)
@@ -121,10 +128,12 @@ class PictureComparer(ABC):
         sign, parameter = param
         if parameter.kind == "integer":
             raise self._report(
-                "NS0533", f"`{parameter.name}` is an integer, but a level has a unit", level.span,
+                "NS0533",
+                f"`{parameter.name}` is an integer, but a level has a unit",
+                level.span,
                 "without a unit",
                 (f"declare levels: `param {parameter.name} : 1% .. 20% = 4%`",),
-            )  # fmt: skip
+            )
         return p.AboveParam(value, parameter.name, sign)
 
     def _is_level(self, expr: tree.Expr) -> bool:
@@ -139,19 +148,25 @@ class PictureComparer(ABC):
         """Return a comparison of a count with a level half-way between attainable counts."""
         if not self._is_number(level):
             raise self._report(
-                "NS0533", "a level of counts is an integer", level.span, "with a unit",
+                "NS0533",
+                "a level of counts is an integer",
+                level.span,
+                "with a unit",
                 ("write a number without a unit: `count > 3`",),
-            )  # fmt: skip
+            )
         number = constant(level, self.constants, self.problems, "a level")
         if number is None:
             raise WrongPicture
         split = counts.half_way(Fraction(number), or_equal=op in (">=", "<"))
         if split is None:
             raise self._report(
-                "NS0533", f"these counts lie from {counts.low} to {counts.high}: this comparison "
-                "has the same answer in every pixel", level.span, "beyond all counts",
+                "NS0533",
+                f"these counts lie from {counts.low} to {counts.high}: this comparison "
+                "has the same answer in every pixel",
+                level.span,
+                "beyond all counts",
                 (f"compare with a number from {counts.low} to {counts.high}",),
-            )  # fmt: skip
+            )
         test = p.Exceeds(value, split)
         return test if op[0] == ">" else p.Inverse(test)
 
@@ -161,11 +176,20 @@ class PictureComparer(ABC):
             number = constant(expr, self.constants, self.problems, "a level")
             if number == 0:
                 return 0
-            raise WrongPicture if number is None else self._report(
-                "NS0533", "a level has a unit", expr.span, "without a unit",
-                (f"write `{number}%` of a full well, `{number}e` or `{number}lsb`; "
-                 "only `0` needs none",),
-            )  # fmt: skip
+            raise (
+                WrongPicture
+                if number is None
+                else self._report(
+                    "NS0533",
+                    "a level has a unit",
+                    expr.span,
+                    "without a unit",
+                    (
+                        f"write `{number}%` of a full well, `{number}e` or `{number}lsb`; "
+                        "only `0` needs none",
+                    ),
+                )
+            )
         target = self.target
         electrons = sign * target.level_e(float(inner.value), inner.unit)
         steps = round(electrons / target.electrons_per_step)
@@ -173,11 +197,16 @@ class PictureComparer(ABC):
         if abs(steps) > reach or steps == 0 != electrons:
             least, most = target.electrons_per_step, reach * target.electrons_per_step
             raise self._report(
-                "NS0533", f"IN cannot be {electrons:g} e", expr.span, "this level",
-                (f"give a level from {100 * least / target.full_well_e:.3g}% to "
-                 f"{100 * most / target.full_well_e:.3g}%, or scale the image",),
+                "NS0533",
+                f"IN cannot be {electrons:g} e",
+                expr.span,
+                "this level",
+                (
+                    f"give a level from {100 * least / target.full_well_e:.3g}% to "
+                    f"{100 * most / target.full_well_e:.3g}%, or scale the image",
+                ),
                 notes=(f"IN has steps of {least:.4g} e, up to {reach} of them",),
-            )  # fmt: skip
+            )
         return steps
 
     def _is_number(self, expr: tree.Expr) -> bool:

@@ -81,18 +81,23 @@ class Reader(LoopReader):
                     if len(self.buckets) == 1:
                         return p.Source(self.buckets[0])
                     raise self._report(
-                        "NS0323", "this program has several buckets", expr.span, "whose exposure?",
+                        "NS0323",
+                        "this program has several buckets",
+                        expr.span,
+                        "whose exposure?",
                         (f"name the bucket: `{self.buckets[0]}`",),
-                    )  # fmt: skip
+                    )
                 kind = self.kinds.get(text)
                 if kind == "image":
                     return p.Source(text)
                 if kind == "plane":
                     raise self._report(
-                        "NS0531", f"`{text}` is a plane, but this must be an image", expr.span,
+                        "NS0531",
+                        f"`{text}` is a plane, but this must be an image",
+                        expr.span,
                         "a plane",
                         (f"choose between two images with it: `A if {text} else B`",),
-                    )  # fmt: skip
+                    )
                 if text in self.buckets and text not in self.kinds:
                     return p.Source(text)
                 raise self._unknown("an image or a bucket", expr, "image")
@@ -115,20 +120,27 @@ class Reader(LoopReader):
             case tree.Place() if self.declared.version > 3:
                 return cast(p.Value, self._shifted(expr, self._image(expr.base)))
         raise self._report(
-            "NS0531", "this is not an image", expr.span, "no image",
-            ("an image combines `exposure`, buckets and images with `+`, `-`, `* integer`, "
-             "`/ power of two`, kernels, `abs(..)`, `max(EXPR, kernel)`, `agree(PLANE, kernel)` "
-             "and `A if PLANE else B`",),
-        )  # fmt: skip
+            "NS0531",
+            "this is not an image",
+            expr.span,
+            "no image",
+            (
+                "an image combines `exposure`, buckets and images with `+`, `-`, `* integer`, "
+                "`/ power of two`, kernels, `abs(..)`, `max(EXPR, kernel)`, `agree(PLANE, kernel)` "
+                "and `A if PLANE else B`",
+            ),
+        )
 
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
         counts = [counts_of(value, self.counts, self.kernels) for value in (first, second)]
         if counts.count(None) == 1:
             raise self._report(
-                "NS0531", "counts and electrons do not mix", span,
+                "NS0531",
+                "counts and electrons do not mix",
+                span,
                 "one of the two is a count, made by `agree`",
                 ("compare each of them, and join the planes: `a > 6% and c > 3`",),
-            )  # fmt: skip
+            )
 
     def _scaled(self, expr: tree.Binary, image: tree.Expr, factor: tree.Expr) -> p.Value:
         if expr.op == "*" and self._is_number(image):
@@ -136,10 +148,12 @@ class Reader(LoopReader):
         if not self._is_number(factor):
             both = [self._image(side) for side in (image, factor) if not self._is_number(side)]
             raise self._report(
-                "NS0531", "an image can be multiplied or divided only by an integer", expr.span,
+                "NS0531",
+                "an image can be multiplied or divided only by an integer",
+                expr.span,
                 "two images" if len(both) > 1 else "divided by an image",
                 ("a pixel can add, subtract and halve values, but not multiply two values",),
-            )  # fmt: skip
+            )
         number = constant(factor, self.constants, self.problems, "a factor")
         if number is None:
             raise WrongPicture
@@ -160,23 +174,32 @@ class Reader(LoopReader):
             return p.Agreement(self._condition(arguments[0]), kernel)
         if name == "min":
             raise self._report(
-                "NS0531", "there is no `min` of images", call.span, "not a function of images",
+                "NS0531",
+                "there is no `min` of images",
+                call.span,
+                "not a function of images",
                 ("write `-max(-EXPR, kernel)`",),
-            )  # fmt: skip
+            )
         if name in ("any", "all"):
             raise self._report(
-                "NS0531", f"`{name}(..)` is a plane, but this must be an image", call.span,
-                "a plane", (f"declare `plane p = {name}(..)` and write `A if p else B`",),
-            )  # fmt: skip
+                "NS0531",
+                f"`{name}(..)` is a plane, but this must be an image",
+                call.span,
+                "a plane",
+                (f"declare `plane p = {name}(..)` and write `A if p else B`",),
+            )
         if name != "abs" and name not in self.kernels:
             if name in self.declared.kernels:
                 raise WrongPicture
             raise self._unknown("a kernel", call.function, "kernel")
         if len(arguments) != 1:
             raise self._report(
-                "NS0531", f"`{name}` takes one image", call.span, f"{len(arguments)} arguments",
+                "NS0531",
+                f"`{name}` takes one image",
+                call.span,
+                f"{len(arguments)} arguments",
                 (f"write `{name}(EXPR)`",),
-            )  # fmt: skip
+            )
         value = self._image(arguments[0])
         return p.Absolute(value) if name == "abs" else p.Filtered(name, value)
 
@@ -223,17 +246,25 @@ class Reader(LoopReader):
                     if not image:
                         raise self._unknown("a function of planes", expr.function, "function")
                     raise self._report(
-                        "NS0531", f"`{kind}(..)` is an image, but this must be a plane", expr.span,
-                        "an image", (f"compare it with a level: `{kind}(..) > 6%`",),
-                    )  # fmt: skip
+                        "NS0531",
+                        f"`{kind}(..)` is an image, but this must be a plane",
+                        expr.span,
+                        "an image",
+                        (f"compare it with a level: `{kind}(..) > 6%`",),
+                    )
                 kernel = self._kernel_of(expr, "PLANE")
                 self._needs_outside(expr.span)
                 return p.Near(cast(Any, kind), self._condition(expr.arguments[0]), kernel)
         raise self._report(
-            "NS0531", "this is not a plane", expr.span, "no condition",
-            ("a plane combines comparisons such as `image > 6%` and planes with `and`, `or`, "
-             "`xor`, `not`, `any(PLANE, kernel)`, `all(PLANE, kernel)` and `PLANE[dx, dy]`",),
-        )  # fmt: skip
+            "NS0531",
+            "this is not a plane",
+            expr.span,
+            "no condition",
+            (
+                "a plane combines comparisons such as `image > 6%` and planes with `and`, `or`, "
+                "`xor`, `not`, `any(PLANE, kernel)`, `all(PLANE, kernel)` and `PLANE[dx, dy]`",
+            ),
+        )
 
     def _named_plane(self, name: tree.Name) -> p.Condition:
         kind = self.kinds.get(name.text)
@@ -241,9 +272,12 @@ class Reader(LoopReader):
             return p.Bit(name.text)
         if kind == "image" or name.text in (*self.buckets, "exposure"):
             raise self._report(
-                "NS0531", f"`{name.text}` is an image, but this must be a plane", name.span,
-                "an image", (f"compare it with a level: `{name.text} > 6%`",),
-            )  # fmt: skip
+                "NS0531",
+                f"`{name.text}` is an image, but this must be a plane",
+                name.span,
+                "an image",
+                (f"compare it with a level: `{name.text} > 6%`",),
+            )
         raise self._unknown("a plane", name, "plane")
 
     def _kernel_of(self, call: tree.Call, first: str) -> str:
@@ -252,9 +286,12 @@ class Reader(LoopReader):
         if len(arguments) != 2 or not isinstance(arguments[1], tree.Name):
             what = "a plane" if first == "PLANE" else "an image"
             raise self._report(
-                "NS0531", f"`{name}` takes {what} and a kernel", call.span, "these arguments",
+                "NS0531",
+                f"`{name}` takes {what} and a kernel",
+                call.span,
+                "these arguments",
                 (f"write `{name}({first}, KERNEL)`",),
-            )  # fmt: skip
+            )
         kernel = arguments[1]
         if kernel.text not in self.kernels:
             if kernel.text in self.declared.kernels:
@@ -267,10 +304,12 @@ class Reader(LoopReader):
             return
         self._outside_asked = True
         self.problems.error(
-            "NS0534", "the bits of neighbours outside the array are not defined", span,
+            "NS0534",
+            "the bits of neighbours outside the array are not defined",
+            span,
             "reads them in pixels at the border",
             helps=("define these bits: `outside 0` or `outside 1`",),
-        )  # fmt: skip
+        )
 
     # --- both
 
@@ -278,24 +317,34 @@ class Reader(LoopReader):
         text = name.text
         if text in ("x", "y") and self.declared.version > 3:
             return self._report(
-                "NS0531", f"`{text}` is compared only with constants", name.span, "a position",
-                ("a plane of x and y is known before the exposure: for one that the host sets, "
-                 "declare `input plane NAME`",),
-            )  # fmt: skip
+                "NS0531",
+                f"`{text}` is compared only with constants",
+                name.span,
+                "a position",
+                (
+                    "a plane of x and y is known before the exposure: for one that the host sets, "
+                    "declare `input plane NAME`",
+                ),
+            )
         if text in self.failed or text in self.declared.refused:
             return WrongPicture()
         later = [picture for picture in self.declared.pictures if picture.name.text == text]
         if later:
             return self._report(
-                "NS0531", f"`{text}` is used before its declaration", name.span, "not computed yet",
+                "NS0531",
+                f"`{text}` is used before its declaration",
+                name.span,
+                "not computed yet",
                 ("images and planes are computed in the order of the program: move it up",),
-            )  # fmt: skip
+            )
         if text in (*self.declared.senses, *self.declared.states):
             return self._report(
-                "NS0539", f"`{text}` in images and planes is not supported yet", name.span,
+                "NS0539",
+                f"`{text}` in images and planes is not supported yet",
+                name.span,
                 "not yet",
                 ("use `exposure`, buckets, images, planes, and states that step on them",),
-            )  # fmt: skip
+            )
         known = {
             "kernel": [*self.kernels, *_FUNCTIONS[:3]],
             "function": ["any", "all"],
@@ -325,7 +374,11 @@ def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
         helps = (text, *helps)
         fixes = (Fix(f"divide by {power}", span, str(power), sure=False),)
     problems.error(
-        "NS0532", f"a pixel cannot divide by {divisor}", span, "not a power of two",
+        "NS0532",
+        f"a pixel cannot divide by {divisor}",
+        span,
+        "not a power of two",
         notes=("a word can halve a value; there is no other division",),
-        helps=helps, fixes=fixes,
-    )  # fmt: skip
+        helps=helps,
+        fixes=fixes,
+    )

@@ -74,9 +74,12 @@ class LoopReader(PictureComparer):
         times = self.host.number(statement.count, "the number of steps")
         if times is not None and times.param == "" and times.offset < 0:
             self.problems.error(
-                "NS0531", f"a number of steps cannot be {times.offset}", statement.count.span,
-                "negative", helps=("repeat 0 times or more",),
-            )  # fmt: skip
+                "NS0531",
+                f"a number of steps cannot be {times.offset}",
+                statement.count.span,
+                "negative",
+                helps=("repeat 0 times or more",),
+            )
             times = None
         starts = [self._node(item.kind, item.start) for item in statement.items]
         for item, start in zip(statement.items, starts, strict=True):
@@ -84,9 +87,12 @@ class LoopReader(PictureComparer):
             counts = item.name.text in self.counts
             if counts:
                 self._report(
-                    "NS0539", "counts cannot be repeated yet", item.start.span, "a count",
+                    "NS0539",
+                    "counts cannot be repeated yet",
+                    item.start.span,
+                    "a count",
                     ("compare the count, and repeat the plane",),
-                )  # fmt: skip
+                )
         self._in_step = True
         steps = [self._node(item.kind, item.step) for item in statement.items]
         self._in_step = False
@@ -115,10 +121,13 @@ class LoopReader(PictureComparer):
             far = max(abs(distance.offset), distance.most) if not distance.param else distance.most
             if far >= size:
                 raise self._report(
-                    "NS0541", f"`{expr.base.text}` is shifted by {far}, but the array of "
-                    f"{self.target.name} has {size} {what.split()[0]}", axis.span, "too far",
+                    "NS0541",
+                    f"`{expr.base.text}` is shifted by {far}, but the array of "
+                    f"{self.target.name} has {size} {what.split()[0]}",
+                    axis.span,
+                    "too far",
                     (f"shift by at most {size - 1}",),
-                )  # fmt: skip
+                )
         return base
 
     def _along(self, base: p.Node, distance: p.Times, step: tuple[int, int], name: str) -> p.Node:
@@ -127,8 +136,9 @@ class LoopReader(PictureComparer):
             for sign in (1, -1):
                 part = p.Times(sign * distance.offset, 0, distance.param, sign * distance.factor)
                 param = self.host.params[distance.param]
-                part = replace(part, most=max(part.at({param.name: end}) for end in
-                                              (param.low, param.high)))  # fmt: skip
+                part = replace(
+                    part, most=max(part.at({param.name: end}) for end in (param.low, param.high))
+                )
                 if part.most:
                     base = self._loop(f"{name} {sign:+}", base, base, part, step, sign)
             return base
@@ -142,16 +152,23 @@ class LoopReader(PictureComparer):
         return shifted
 
     def _loop(
-        self, name: str, base: p.Node, start: p.Node, times: p.Times, step: tuple[int, int],
+        self,
+        name: str,
+        base: p.Node,
+        start: p.Node,
+        times: p.Times,
+        step: tuple[int, int],
         pixels: int,
-    ) -> p.Node:  # fmt: skip
+    ) -> p.Node:
         """Declare the name of a far shift, once, and return its value."""
         if self._in_step:
             raise self._report(
-                "NS0539", "a shift by a parameter is not supported inside `repeat` yet",
-                self.declared.statements[0].span, "in this program",
+                "NS0539",
+                "a shift by a parameter is not supported inside `repeat` yet",
+                self.declared.statements[0].span,
+                "in this program",
                 ("shift by a constant, or shift before the `repeat`",),
-            )  # fmt: skip
+            )
         own: Any = p.Bit(name) if isinstance(base, p.Condition) else p.Source(name)
         make: Any = p.RepeatedPlane if isinstance(base, p.Condition) else p.RepeatedImage
         if all(item.name != name for item in self.items):
@@ -168,15 +185,20 @@ class LoopReader(PictureComparer):
         name = self.now
         if len(call.arguments) != 3 or not isinstance(call.arguments[2], tree.Name):
             raise self._report(
-                "NS0531", "`flood` takes a seed, a mask and a kernel", call.span,
-                "these arguments", ("write `flood(SEED, MASK, KERNEL)`, or "
-                                    "`flood(SEED, MASK, KERNEL, at most 100)`",),
-            )  # fmt: skip
+                "NS0531",
+                "`flood` takes a seed, a mask and a kernel",
+                call.span,
+                "these arguments",
+                ("write `flood(SEED, MASK, KERNEL)`, or `flood(SEED, MASK, KERNEL, at most 100)`",),
+            )
         if self._in_step or any(report.plane == name + p.GROWS for report in self.floods):
             raise self._report(
-                "NS0539", "a plane has one flood, which is not inside `repeat`", call.span,
-                "not supported yet", ("declare a plane for each flood",),
-            )  # fmt: skip
+                "NS0539",
+                "a plane has one flood, which is not inside `repeat`",
+                call.span,
+                "not supported yet",
+                ("declare a plane for each flood",),
+            )
         kernel = self._kernel_of(replace(call, arguments=call.arguments[1:]), "PLANE")
         self._needs_outside(call.span)
         seed, mask = self._condition(call.arguments[0]), self._condition(call.arguments[1])
@@ -185,9 +207,12 @@ class LoopReader(PictureComparer):
             steps = constant(call.most, self.constants, self.problems, "the number of steps")
         if steps is None or steps < 1 or not self.kernels[kernel].taps.keys() - {(0, 0)}:
             raise self._report(
-                "NS0531", "a flood has at least one step, and a kernel with neighbours", call.span,
-                "no step to a neighbour", ("use a kernel such as the cross of neighbours",),
-            )  # fmt: skip
+                "NS0531",
+                "a flood has at least one step, and a kernel with neighbours",
+                call.span,
+                "no step to a neighbour",
+                ("use a kernel such as the cross of neighbours",),
+            )
         around = self._around(kernel)
         area, flooded = p.Bit(f"{name} bounds"), p.Bit(f"{name} flooded")
         near = p.Near("any", flooded, around)

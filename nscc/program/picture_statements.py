@@ -79,9 +79,15 @@ class PictureMaker:
         )
         host = HostValues(self.declared, self.constants, self.target, planes, self.problems)
         reader = Reader(
-            self.declared, self.constants, self.target, self.buckets, known, outside,
-            self.problems, host,
-        )  # fmt: skip
+            self.declared,
+            self.constants,
+            self.target,
+            self.buckets,
+            known,
+            outside,
+            self.problems,
+            host,
+        )
         for picture in self.declared.pictures:
             reader.now = name = picture.name.text
             if name in self.declared.repeats:
@@ -89,9 +95,11 @@ class PictureMaker:
                 continue
             if isinstance(picture, tree.Plane) and reader.declare_places(name, picture.condition):
                 continue
-            node = reader.condition(picture.condition) if isinstance(picture, tree.Plane) else (
-                reader.image(picture.value)
-            )  # fmt: skip
+            node = (
+                reader.condition(picture.condition)
+                if isinstance(picture, tree.Plane)
+                else (reader.image(picture.value))
+            )
             reader.declare(name, node)
             if node is not None:
                 reader.items.append(Picture(name, node))
@@ -111,16 +119,27 @@ class PictureMaker:
         limits = self._limits()
         if not (reads or reports) and not self.problems.has_errors():
             self.problems.error(
-                "NS0536", "this program reads out and reports nothing", self._place(),
+                "NS0536",
+                "this program reads out and reports nothing",
+                self._place(),
                 "computed, but not used",
-                helps=("read it out with the frame: `read NAME`",
-                       "or report only whether any bit is 1: `report any PLANE`"),
-            )  # fmt: skip
+                helps=(
+                    "read it out with the frame: `read NAME`",
+                    "or report only whether any bit is 1: `report any PLANE`",
+                ),
+            )
         pictures = Pictures(
-            tuple(known.values()), tuple(reader.items), outside, limits, reads, reports,
-            states=states, inputs=tuple(host.inputs.values()), kept_images=kept_images,
+            tuple(known.values()),
+            tuple(reader.items),
+            outside,
+            limits,
+            reads,
+            reports,
+            states=states,
+            inputs=tuple(host.inputs.values()),
+            kept_images=kept_images,
             params=tuple(host.params.values()),
-        )  # fmt: skip
+        )
         return self._with_unit(pictures)
 
     def _with_unit(self, pictures: Pictures) -> Pictures:
@@ -133,13 +152,17 @@ class PictureMaker:
             place = next(item for item in items if item.name.text == unit.name).span
             most = unit.steps_available // unit.least
             self.problems.error(
-                "NS0540", f"`{unit.name}` counts up to {unit.peak}, and registers hold {most}",
-                place, "too many weights at once",
-                notes=(f"a count takes {counted(unit.least, 'step')} of IN or more, and registers "
-                       f"of {self.target.name} hold {unit.steps_available}",),
+                "NS0540",
+                f"`{unit.name}` counts up to {unit.peak}, and registers hold {most}",
+                place,
+                "too many weights at once",
+                notes=(
+                    f"a count takes {counted(unit.least, 'step')} of IN or more, and registers "
+                    f"of {self.target.name} hold {unit.steps_available}",
+                ),
                 helps=("use smaller kernels, or fewer of them in one sum",),
                 data={"resource": "counts", "required": float(unit.peak), "available": most},
-            )  # fmt: skip
+            )
         return replace(pictures, count_steps=unit.steps)
 
     def _place(self) -> Span:
@@ -159,20 +182,26 @@ class PictureMaker:
             lacks = f"use NEWS for exposures, because `analog_scratch` is {target.analog_scratch}"
         if lacks is not None:
             self.problems.error(
-                "NS0538", f"the pixels of {target.name} {lacks}", self._place(),
+                "NS0538",
+                f"the pixels of {target.name} {lacks}",
+                self._place(),
                 "needs pixels that compute after the exposure",
                 helps=("compile for a chip with such pixels: `target scamp5`",),
-            )  # fmt: skip
+            )
             return False
         if self.declared.senses or (self.declared.states and not self.declared.keeps_planes):
             statement = next(iter([*self.declared.senses.values(), *self.declared.states.values()]))
             self.problems.error(
-                "NS0539", "images and planes are not supported together with senses and states yet",
-                statement.span, "declared here",
+                "NS0539",
+                "images and planes are not supported together with senses and states yet",
+                statement.span,
+                "declared here",
                 related=(Label(self._place(), "the images"),),
-                helps=("use fixed shutters, or compute images and planes on the host",
-                       "a state that steps on planes needs no sense: `next h = PLANE`"),
-            )  # fmt: skip
+                helps=(
+                    "use fixed shutters, or compute images and planes on the host",
+                    "a state that steps on planes needs no sense: `next h = PLANE`",
+                ),
+            )
             return False
         return True
 
@@ -182,9 +211,12 @@ class PictureMaker:
             return None
         if outside.bit.value not in (0, 1):
             self.problems.error(
-                "NS0534", "`outside` must be 0 or 1", outside.bit.span,
-                f"this is {outside.bit.value}", helps=("write `outside 0` or `outside 1`",),
-            )  # fmt: skip
+                "NS0534",
+                "`outside` must be 0 or 1",
+                outside.bit.span,
+                f"this is {outside.bit.value}",
+                helps=("write `outside 0` or `outside 1`",),
+            )
         return outside.bit.value & 1
 
     # --- kernels
@@ -235,11 +267,16 @@ class PictureMaker:
 
     def _bad_kernel(self, name: str, fault: str, span: Span, helps: tuple[str, ...] = ()) -> None:
         self.problems.error(
-            "NS0530", f"`{clipped(name)}` is not a valid convolution kernel: {fault}", span,
-            "this kernel", helps=helps,
-            notes=(f"the numbers of rows and columns must be odd and at most {MOST_SIDE}; the "
-                   "centre is the pixel itself",),
-        )  # fmt: skip
+            "NS0530",
+            f"`{clipped(name)}` is not a valid convolution kernel: {fault}",
+            span,
+            "this kernel",
+            helps=helps,
+            notes=(
+                f"the numbers of rows and columns must be odd and at most {MOST_SIDE}; the "
+                "centre is the pixel itself",
+            ),
+        )
 
     # --- kept states: they step once a frame, after all images and planes
 
@@ -263,12 +300,16 @@ class PictureMaker:
     def _start(self, name: str, state: State) -> int | None:
         if isinstance(state, tree.StateRange) or not state.kept:
             self.problems.error(
-                "NS0543", f"`{name}` is not a kept bit, but the program has images or planes",
-                state.span, "this state",
-                notes=("images and planes are computed after the last slot, so the new value of "
-                       "the state is used in the next frame",),
+                "NS0543",
+                f"`{name}` is not a kept bit, but the program has images or planes",
+                state.span,
+                "this state",
+                notes=(
+                    "images and planes are computed after the last slot, so the new value of "
+                    "the state is used in the next frame",
+                ),
                 helps=(f"write `state {name} : bit = 0 kept`",),
-            )  # fmt: skip
+            )
             return None
         if isinstance(state.start, tree.Bool):
             return int(state.start.value)
@@ -313,11 +354,16 @@ class PictureMaker:
                 or not (target.register_min_e <= start_e <= target.register_max_e)
             ):
                 self.problems.error(
-                    "NS0543", f"`{name}` is not a valid kept image", state.span, "this state",
-                    notes=("a kept image starts with a level that a register can hold, and keeps "
-                           "its value from frame to frame",),
+                    "NS0543",
+                    f"`{name}` is not a valid kept image",
+                    state.span,
+                    "this state",
+                    notes=(
+                        "a kept image starts with a level that a register can hold, and keeps "
+                        "its value from frame to frame",
+                    ),
                     helps=(f"write `state {name} : image kept = 4%`",),
-                )  # fmt: skip
+                )
                 continue
             step = self.declared.nexts.get(name)
             value = Source(name) if step is None else reader.image(step.value)
@@ -361,9 +407,12 @@ class PictureMaker:
         alike = (each for each in self.declared.reports if each.kind.text == kind)
         if report is not next(each for each in alike if each.plane.text == plane):
             self.problems.error(
-                "NS0536", f"`report {kind} {plane}` is given twice", report.span, "the second",
+                "NS0536",
+                f"`report {kind} {plane}` is given twice",
+                report.span,
+                "the second",
                 helps=("keep one of them",),
-            )  # fmt: skip
+            )
             return None
         return PlaneReport(cast(Any, kind), plane, most)
 
@@ -387,19 +436,23 @@ class PictureMaker:
             first = assumed.setdefault(names[0] if assumption.bucket else None, assumption)
             if first is not assumption:
                 self.problems.error(
-                    "NS0537", "`assume` is given twice for the same exposure", assumption.span,
-                    "the second", related=(Label(first.span, "the first"),),
+                    "NS0537",
+                    "`assume` is given twice for the same exposure",
+                    assumption.span,
+                    "the second",
+                    related=(Label(first.span, "the first"),),
                     helps=("keep one of them",),
-                )  # fmt: skip
+                )
                 continue
             most_e = target.level_e(float(assumption.level.value), assumption.level.unit)
             if assumption.comparison != "<=" or not 0 < most_e <= full_e:
                 self.problems.error(
-                    "NS0537", "invalid assumption: use `<=`, and a level up to a full well",
+                    "NS0537",
+                    "invalid assumption: use `<=`, and a level up to a full well",
                     assumption.span,
                     f"`{assumption.comparison}`, {most_e:g} e",
                     helps=(f"write `assume exposure <= 50%`; a full well is {full_e:g} e",),
-                )  # fmt: skip
+                )
                 continue
             limits.update(dict.fromkeys(names, most_e))
         return limits

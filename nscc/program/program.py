@@ -123,9 +123,12 @@ def chunks_of(field: Field) -> Iterator[Field]:
     for chunk in range(-(-bits // CHUNK_BITS)):
         count = min(CHUNK_BITS, bits - chunk * CHUNK_BITS)
         yield replace(
-            field, name=chunk_name(field.name, chunk), high=2**count - 1, bits=count,
+            field,
+            name=chunk_name(field.name, chunk),
+            high=2**count - 1,
+            bits=count,
             first_bit=chunk * CHUNK_BITS,
-        )  # fmt: skip
+        )
 
 
 def chunks_of_bits(bits: NDArray[np.integer]) -> list[Plane]:

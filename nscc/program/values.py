@@ -29,6 +29,8 @@ def judge_values(
                     low, high = ranges[name]
                     if not low <= value <= high:
                         problems.warning(
-                            "NS0358", f"`{name}` is never {printable(value)}", other.span,
+                            "NS0358",
+                            f"`{name}` is never {printable(value)}",
+                            other.span,
                             f"`{name}` is in {low}..{high}",
-                        )  # fmt: skip
+                        )

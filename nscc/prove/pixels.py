@@ -86,9 +86,15 @@ class ReplayPixels:
     describes why known bits became unknown, and which analog word first found FLAG unknown."""
 
     def __init__(
-        self, container: Container, kernels: Sequence[Sequence[Op]], encoding: NDArray[np.bool_],
-        *, lights: int = 1, terms: int = 0, quiet: bool = False,
-    ) -> None:  # fmt: skip
+        self,
+        container: Container,
+        kernels: Sequence[Sequence[Op]],
+        encoding: NDArray[np.bool_],
+        *,
+        lights: int = 1,
+        terms: int = 0,
+        quiet: bool = False,
+    ) -> None:
         self.container, self.kernels, self.target = container, kernels, container.target
         self.lights, self.parts, self.quiet = lights, lights + terms, quiet
         self.doubts: list[str] = []

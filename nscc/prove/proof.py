@@ -41,9 +41,13 @@ class Replay(ReplayPixels):
     """The simulated pixels of all codes."""
 
     def __init__(
-        self, container: Container, kernels: Sequence[Sequence[Op]], *, lights: int = 1,
+        self,
+        container: Container,
+        kernels: Sequence[Sequence[Op]],
+        *,
+        lights: int = 1,
         quiet: bool = False,
-    ) -> None:  # fmt: skip
+    ) -> None:
         super().__init__(container, kernels, container.encoding, lights=lights, quiet=quiet)
         self.code = self.code_bits(container.encoding)
 

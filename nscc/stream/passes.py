@@ -51,8 +51,11 @@ def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target)
     taps = len(target.taps)
     if len(buckets) > taps:
         most = f"keep at most {taps} buckets, one for each tap"
-        return NoRoute(f"{len(buckets)} buckets need as many taps, but the chip has {taps}", most,
-                       bucket=len(buckets) - 1)  # fmt: skip
+        return NoRoute(
+            f"{len(buckets)} buckets need as many taps, but the chip has {taps}",
+            most,
+            bucket=len(buckets) - 1,
+        )
     both = shutters.sum(axis=1) > 1
     if both.any():
         slot = int(np.flatnonzero(both.any(axis=0))[0])
@@ -60,8 +63,10 @@ def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target)
         return NoRoute(
             f"in slot {slot} a pixel is open in `{buckets[first]}` and in "
             f"`{buckets[second]}`, but its light can go to only one tap",
-            "let the buckets' rules exclude each other", slot, int(second),
-        )  # fmt: skip
+            "let the buckets' rules exclude each other",
+            slot,
+            int(second),
+        )
     away = DRAIN if target.drain else len(buckets) if len(buckets) < taps else None
     open_in = np.where(shutters.any(axis=1), shutters.argmax(axis=1), _NOWHERE)
     return _chosen(open_in.astype(np.int8), away, buckets, target)
@@ -85,17 +90,19 @@ def _chosen(
                 f"in slot {slot} light has {len(places)} destinations ({listed}), but a bit "
                 "chooses between two",
                 "use at most two destinations in every slot: two buckets, or one bucket and "
-                    "the drain", slot,
+                "the drain",
+                slot,
                 len(buckets) - 1,
-            )  # fmt: skip
+            )
         if away is None and _NOWHERE in places:
             return NoRoute(
                 f"in slot {slot} a pixel is open in no bucket, but {target.name} has no "
                 "drain: light always goes to a tap",
                 f"let one bucket collect the remaining light: `bucket {buckets[-1]} open "
-                    "when not (..)`", slot,
+                "when not (..)`",
+                slot,
                 len(buckets) - 1,
-            )  # fmt: skip
+            )
         named = [place for place in places if place != _NOWHERE]
         ones[slot] = named[0] if named else 0
         other_buckets = [place for place in range(len(buckets)) if place != ones[slot]]

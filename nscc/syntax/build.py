@@ -76,9 +76,12 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
 
 
 def _from_file(
-    make: Callable[..., Any], span: Span, name: tree.Name, path: tree.Text,
+    make: Callable[..., Any],
+    span: Span,
+    name: tree.Name,
+    path: tree.Text,
     *options: tree.Name | tree.Text,
-) -> Any:  # fmt: skip
+) -> Any:
     """Make a statement with a file and its options, which come in any order."""
     key = next((option for option in options if isinstance(option, tree.Name)), None)
     sha256 = next((option for option in options if isinstance(option, tree.Text)), None)

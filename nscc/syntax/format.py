@@ -30,9 +30,15 @@ _OPERANDS = frozenset(("NAME", "INTEGER", "AMOUNT", "true", "false", ")", "]"))
 """Tokens that end an operand; a minus after any other token is a sign."""
 _OPENING = ("(", "[", "PLACE")
 _LOOSEST_FIRST = (
-    ("if", "else"), ("or",), ("xor",), ("and",), ("COMPARISON", "in"), ("<<",), ("+", "-"),
+    ("if", "else"),
+    ("or",),
+    ("xor",),
+    ("and",),
+    ("COMPARISON", "in"),
+    ("<<",),
+    ("+", "-"),
     ("*", "/", "%"),
-)  # fmt: skip
+)
 """Operators before which a long line is broken, in order of preference."""
 
 
@@ -189,9 +195,10 @@ def _with_comments(lines: Sequence[_Line]) -> Iterator[str]:
 def _statement_lines(tokens: list[_Token]) -> list[_Line]:
     followers = [token.kind for token in tokens[1:]] + [""]
     tokens = [
-        token for token, after in zip(tokens, followers, strict=True)
+        token
+        for token, after in zip(tokens, followers, strict=True)
         if token.kind != "," or token.comments or after not in ("]", ")", "")
-    ]  # fmt: skip
+    ]
     rows = _Rows.of(tokens)
     table_lines = None if rows is None else rows.book() if rows.is_book else rows.tile()
     if table_lines is not None:

@@ -328,7 +328,7 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
         yield (
             "the language has no `>>`: `A / (1 << n)` shifts; bit i of a field `code NAME : "
             "bit[K]` is NAME[i]"
-        )  # fmt: skip
+        )
     elif kind == "[" and before == "]":
         yield "one index is enough: `book[id]` is the digit of slot n in row id"
     elif kind == "[" and statement == "code":

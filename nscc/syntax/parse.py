@@ -34,9 +34,18 @@ _OTHER_LANGUAGE = re.compile(
     re.VERBOSE,
 )
 _BEFORE_A_NAME = (
-    "let", "code", "pixels", "shutters", "bucket", "state", "next", "kernel", "image", "plane",
+    "let",
+    "code",
+    "pixels",
+    "shutters",
+    "bucket",
+    "state",
+    "next",
+    "kernel",
+    "image",
+    "plane",
     "param",
-)  # fmt: skip
+)
 _AFTER_A_NAME = ("=", ":", "[", "from", "open")
 _BEFORE_A_KIND = (":", "WITH", "input")
 """The tokens before `image` and `plane` where these words begin no statement."""
@@ -284,6 +293,8 @@ def _not_text(path: Path, reason: str) -> Rejected:
             "accept it; this command needs the .nsl file",
         )
     elif ending != ".nsl":
-        helps = ("name a shutter program, a text file that ends in .nsl; `nscc run PROGRAM.nsl "
-                 "--scene SCENE` accepts pictures and clips",)  # fmt: skip
+        helps = (
+            "name a shutter program, a text file that ends in .nsl; `nscc run PROGRAM.nsl "
+            "--scene SCENE` accepts pictures and clips",
+        )
     return rejected("NS0102", message, helps=helps, status=1, source=Source(path.as_posix(), ""))

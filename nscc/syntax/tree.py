@@ -403,12 +403,41 @@ class PixelsFromFile(Node):
 
 
 Statement = (
-    Version | TargetByName | TargetFromFile | EqualSlots | ListedSlots | Let | CodeRange
-    | CodeBits | CodeRow | Require | BookInline | BookFromFile | Open | Bucket | Sense
-    | StateRange | StateBit | Next | Reset | Read | Kernel | KernelFromFile | Image | Plane
-    | Outside | Assume | Report | PixelsExpr | PixelsTile | PixelsFromFile
-    | Repeat | Input | Param | StateImage
-)  # fmt: skip
+    Version
+    | TargetByName
+    | TargetFromFile
+    | EqualSlots
+    | ListedSlots
+    | Let
+    | CodeRange
+    | CodeBits
+    | CodeRow
+    | Require
+    | BookInline
+    | BookFromFile
+    | Open
+    | Bucket
+    | Sense
+    | StateRange
+    | StateBit
+    | Next
+    | Reset
+    | Read
+    | Kernel
+    | KernelFromFile
+    | Image
+    | Plane
+    | Outside
+    | Assume
+    | Report
+    | PixelsExpr
+    | PixelsTile
+    | PixelsFromFile
+    | Repeat
+    | Input
+    | Param
+    | StateImage
+)
 
 
 class File(Node):

@@ -82,8 +82,17 @@ def spellings() -> dict[str, str]:
 
 
 STATEMENT_WORDS = (
-    "nsl", "target", "frame", "let", "code", "require", "shutters", "open", "bucket", "pixels",
-)  # fmt: skip
+    "nsl",
+    "target",
+    "frame",
+    "let",
+    "code",
+    "require",
+    "shutters",
+    "open",
+    "bucket",
+    "pixels",
+)
 
 LOOKING_WORDS = ("sense", "state", "next", "reset", "read")
 """Keywords added in version 2, for pixels that look at their light."""
@@ -94,8 +103,11 @@ PICTURE_WORDS = ("kernel", "image", "plane", "outside", "report", "assume")
 HOST_WORDS = ("param", "input")
 """Keywords added in version 4, for values that the host sets before a frame."""
 
-_ADDED = {2: frozenset({*LOOKING_WORDS, "kept", "at", "in", "light", "exposure"}),
-          3: frozenset(PICTURE_WORDS), 4: frozenset(HOST_WORDS)}  # fmt: skip
+_ADDED = {
+    2: frozenset({*LOOKING_WORDS, "kept", "at", "in", "light", "exposure"}),
+    3: frozenset(PICTURE_WORDS),
+    4: frozenset(HOST_WORDS),
+}
 """The keywords that each version adds; in files of earlier versions they are names."""
 
 
@@ -172,8 +184,18 @@ _OPERATORS = {
     "WITH",
 }  # fmt: skip
 _OPERANDS = {
-    "INTEGER", "NAME", "(", "-", "not", "true", "false", "min", "max", "FUNCTION", "AMOUNT"
-}  # fmt: skip
+    "INTEGER",
+    "NAME",
+    "(",
+    "-",
+    "not",
+    "true",
+    "false",
+    "min",
+    "max",
+    "FUNCTION",
+    "AMOUNT",
+}
 _PIECES = {
     "NAME": "a name",
     "TARGET_NAME": "a target's name",

@@ -80,8 +80,9 @@ class Number(Kind):
 
     def __post_init__(self) -> None:
         for end, excluded, least in (
-            ("low", "low_excluded", LEAST), ("high", "high_excluded", -LEAST)
-        ):  # fmt: skip
+            ("low", "low_excluded", LEAST),
+            ("high", "high_excluded", -LEAST),
+        ):
             if getattr(self, end) == 0 and getattr(self, excluded):
                 object.__setattr__(self, end, least)
                 object.__setattr__(self, excluded, False)

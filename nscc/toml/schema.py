@@ -99,10 +99,18 @@ def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
 
     Keys without their own section are in `section`."""
     return tuple(
-        Key(**{"section": section, "name": member.name, "attribute": member.name,
-               "default": member.default, **member.metadata})
-        for member in fields(settings) if "kind" in member.metadata
-    )  # fmt: skip
+        Key(
+            **{
+                "section": section,
+                "name": member.name,
+                "attribute": member.name,
+                "default": member.default,
+                **member.metadata,
+            }
+        )
+        for member in fields(settings)
+        if "kind" in member.metadata
+    )
 
 
 @cache
@@ -259,9 +267,15 @@ class Schema(Generic[Row]):
         return f"the {self.noun}s here are {', '.join(known)}" if len(known) <= _FEW else self.start
 
     def problem(
-        self, code: str, message: str, section: str, name: str, source: Source | None,
-        help_text: str = "", note: str = "",
-    ) -> Diagnostic:  # fmt: skip
+        self,
+        code: str,
+        message: str,
+        section: str,
+        name: str,
+        source: Source | None,
+        help_text: str = "",
+        note: str = "",
+    ) -> Diagnostic:
         """Return an error at a key of a file; if `section` is "", `name` may also be a table."""
         return Diagnostic(
             code,
@@ -296,9 +310,13 @@ def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
 
 
 def file_values(
-    schema: Schema[Row], data: bytes, name: str, *, status: int = 2,
+    schema: Schema[Row],
+    data: bytes,
+    name: str,
+    *,
+    status: int = 2,
     choose: Callable[[Mapping[str, Any]], Schema[Row]] | None = None,
-) -> tuple[KeyValues, list[Diagnostic], Source]:  # fmt: skip
+) -> tuple[KeyValues, list[Diagnostic], Source]:
     """Return the valid values in a file's bytes, the errors of the others, and the text.
 
     Messages call the file `name`. `choose` selects one of several schemas by the file's values.

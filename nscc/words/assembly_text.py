@@ -137,11 +137,13 @@ def block_text(lines: Sequence[str]) -> list[str]:
 
     Unprintable lines and lines with trailing blanks are written as JSON."""
     return [
-        f"| {line}" if line.isprintable() and not line.endswith(" ") and line
-        else "|" if not line
+        f"| {line}"
+        if line.isprintable() and not line.endswith(" ") and line
+        else "|"
+        if not line
         else f"|= {json.dumps(line)}"
         for line in lines
-    ]  # fmt: skip
+    ]
 
 
 def base64_lines(data: bytes) -> list[str]:

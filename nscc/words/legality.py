@@ -135,9 +135,14 @@ def picture_fault(operation: Op, target: Target) -> str | None:
     """Return why `target` does not support this word after the exposure, as half a sentence, or
     None."""
     known = (
-        *target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT",
+        *target.analog_registers,
+        *target.digital_registers,
+        "PIX",
+        "IN",
+        "FLAG",
+        "SELECT",
         *(NEIGHBOURS if "NEWS" in target.analog_registers else ()),
-    )  # fmt: skip
+    )
     for register in operation.destinations + operation.sources:
         if register not in known:
             return f"{target.name} has no register {register}"

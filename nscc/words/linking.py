@@ -235,9 +235,13 @@ def _readouts(
 
 
 def _table_of_planes(
-    draft: Draft, target: Target, base: Path, load: tuple[str, ...], buckets: tuple[str, ...],
+    draft: Draft,
+    target: Target,
+    base: Path,
+    load: tuple[str, ...],
+    buckets: tuple[str, ...],
     faults: Faults,
-) -> tuple[DecodeTable, NDArray[np.bool_], NDArray[np.int32] | None, tuple[str, ...]]:  # fmt: skip
+) -> tuple[DecodeTable, NDArray[np.bool_], NDArray[np.int32] | None, tuple[str, ...]]:
     """Return a table without open slots, for pixels of which only register contents are known,
     with encoding, pixel codes and loading order.
 
@@ -335,9 +339,11 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray
         faults.add("NS0714", f"the lines below are not {rows} x {cols} codes", place)
         return None
     values = values.reshape(rows, cols)
-    if rows > target.rows or cols > target.cols or (
-        form == "plane" and values.shape != (target.rows, target.cols)
-    ):  # fmt: skip
+    if (
+        rows > target.rows
+        or cols > target.cols
+        or (form == "plane" and values.shape != (target.rows, target.cols))
+    ):
         message = f"{rows} x {cols} does not match {target.name}: {target.rows} x {target.cols}"
         faults.add("NS0714", message, place)
         return None

@@ -29,9 +29,12 @@ def faults(container: Container) -> Iterator[str]:
     ):
         yield "the looks of its machine are out of order"
     sizes = {
-        "nodes": nodes, "states": len(machine.states), "buckets": buckets, "slots": slots,
+        "nodes": nodes,
+        "states": len(machine.states),
+        "buckets": buckets,
+        "slots": slots,
         "outcomes": machine.steps.shape[-1],
-    }  # fmt: skip
+    }
     if wrong := list(array_faults(machine, sizes)):
         yield f"its machine's {wrong[0]}"
         return

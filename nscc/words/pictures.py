@@ -231,13 +231,21 @@ class RepeatedPlane(Record):
     leader: str
 
 
-Value = (
-    Source | Sum | Filtered | Absolute | Chosen | Largest | Agreement | Shifted | RepeatedImage
-)  # fmt: skip
+Value = Source | Sum | Filtered | Absolute | Chosen | Largest | Agreement | Shifted | RepeatedImage
 Condition = (
-    Bit | Constant | Above | Exceeds | Inverse | Joined | Near | At | AboveParam | ChosenPlane
-    | Neither | RepeatedPlane
-)  # fmt: skip
+    Bit
+    | Constant
+    | Above
+    | Exceeds
+    | Inverse
+    | Joined
+    | Near
+    | At
+    | AboveParam
+    | ChosenPlane
+    | Neither
+    | RepeatedPlane
+)
 Node = Value | Condition
 
 
@@ -493,9 +501,10 @@ class Pictures:
         """The names of images, planes and states that read bits of neighbours."""
         reading = Near | At | Agreement
         return tuple(
-            name for name, expression in self.expressions.items()
+            name
+            for name, expression in self.expressions.items()
             if any(isinstance(node, reading) for node in subexpressions(expression))
-        )  # fmt: skip
+        )
 
     @property
     def outputs(self) -> tuple[str, ...]:

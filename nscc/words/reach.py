@@ -34,9 +34,11 @@ class Reach(NamedTuple):
     def moved(self, right: int, down: int) -> Reach:
         """Return the reach of the same value of the pixel `right` columns and `down` rows away."""
         return Reach(
-            max(0, self.left - right), max(0, self.right + right),
-            max(0, self.up - down), max(0, self.down + down),
-        )  # fmt: skip
+            max(0, self.left - right),
+            max(0, self.right + right),
+            max(0, self.up - down),
+            max(0, self.down + down),
+        )
 
     def margin(self, shape: tuple[int, int]) -> NDArray[np.bool_]:
         """Return the pixels of an array (rows, cols) that depend on pixels beyond the array."""
@@ -54,9 +56,13 @@ class RegisterReaches:
     directions in which the neighbour's bit itself depends on a bus."""
 
     def __init__(
-        self, target: Target, words: Iterable[Op], *, bits_known: bool = False,
+        self,
+        target: Target,
+        words: Iterable[Op],
+        *,
+        bits_known: bool = False,
         before: Mapping[str, Reach] = MappingProxyType({}),
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.target, self.bits_known = target, bits_known
         self.reach: dict[str, Reach] = {**before}
         self._constant: dict[str, bool] = {}
@@ -110,9 +116,10 @@ class RegisterReaches:
 
 
 def beyond_reaches(
-    container: Container, before: Mapping[str, Reach] = MappingProxyType({}),
+    container: Container,
+    before: Mapping[str, Reach] = MappingProxyType({}),
     params: Mapping[str, int] = MappingProxyType({}),
-) -> dict[str, Reach]:  # fmt: skip
+) -> dict[str, Reach]:
     """Return how far around a pixel each output and each state depends on buses, by name.
 
     `before` is the result for the previous frame, on whose states this frame depends. `params`:
@@ -127,9 +134,10 @@ def beyond_reaches(
 
 
 def reaches_of_frames(
-    container: Container, first: dict[str, Reach] | None = None,
+    container: Container,
+    first: dict[str, Reach] | None = None,
     params: Iterable[Mapping[str, int]] = repeat(MappingProxyType({})),
-) -> Iterator[dict[str, Reach]]:  # fmt: skip
+) -> Iterator[dict[str, Reach]]:
     """Yield `beyond_reaches` frame by frame; `first` is that of the first frame.
 
     `params`: the values of parameters in each frame, by default their starts without end."""

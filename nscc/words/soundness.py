@@ -24,9 +24,16 @@ def faults(container: Container) -> list[str]:
     Words are only checked to be five 32-bit integers each and to fit the target's store. The module
     `nscc.words.legality` checks their meaning."""
     checks = (
-        _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults,
-        machine_soundness.faults, _stream_faults, _picture_faults,
-    )  # fmt: skip
+        _time_faults,
+        _table_faults,
+        _kernel_faults,
+        _register_faults,
+        _pixel_faults,
+        _text_faults,
+        machine_soundness.faults,
+        _stream_faults,
+        _picture_faults,
+    )
     return [fault for check in checks for fault in check(container)]
 
 
@@ -55,10 +62,13 @@ def _table_faults(container: Container) -> Iterator[str]:
     yield from _names("field", table.fields)
     codes, shutters = len(table.codes), len(table.shutters)
     sizes = {
-        "codes": codes, "shutters": shutters, "fields": len(table.fields),
-        "buckets": len(container.buckets), "slots": container.slots,
+        "codes": codes,
+        "shutters": shutters,
+        "fields": len(table.fields),
+        "buckets": len(container.buckets),
+        "slots": container.slots,
         "registers": len(container.target.digital_registers),
-    }  # fmt: skip
+    }
     yield from array_faults(table, sizes)
     encoded = shutters, sizes["registers"]
     yield from array_fault("encoding", container.encoding, np.bool_, encoded)

@@ -22,7 +22,7 @@ from nscc.words.machine import (
     StateMachine,
     StatePlanes,
     StateValue,
-)  # fmt: skip
+)
 from nscc.words.stored_arrays import StoredArray, layout_of, packed, unpacked
 
 
@@ -57,9 +57,12 @@ class StoredMachine:
         if not self.first:
             raise ValueError("its machine has no nodes")
         sizes = {
-            "nodes": self.first[-1], "states": len(self.states), "outcomes": self.outcomes,
-            "buckets": buckets, "slots": slots,
-        }  # fmt: skip
+            "nodes": self.first[-1],
+            "states": len(self.states),
+            "outcomes": self.outcomes,
+            "buckets": buckets,
+            "slots": slots,
+        }
         return layout_of(StateMachine, sizes)
 
     def machine(self, arrays: Mapping[str, NDArray[Any]]) -> StateMachine:

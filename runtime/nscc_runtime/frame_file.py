@@ -187,8 +187,14 @@ class Provenance:
 
 
 _UNPLANNED = (
-    "tolerance", "tolerance_e", "signal_e", "noise_e", "predicted_e", "bound_e", "worst_e",
-)  # fmt: skip
+    "tolerance",
+    "tolerance_e",
+    "signal_e",
+    "noise_e",
+    "predicted_e",
+    "bound_e",
+    "worst_e",
+)
 """Keys of a plan that are None in a run without a plan."""
 
 

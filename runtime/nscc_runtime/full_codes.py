@@ -109,9 +109,14 @@ def _steady(
     scale = effects.require_part(Well).full_e(sensor) / np.where(never, 1.0, seen_s)
     rate = (_LEVELS[:, None] * np.where(never, 0.0, scale)).reshape(-1)
     pixels = _SteadyPixels(
-        sensor=sensor, seed=0, device_seed=0, frame=0, places=np.arange(rate.size),
-        container=container, effects=effects,
-    )  # fmt: skip
+        sensor=sensor,
+        seed=0,
+        device_seed=0,
+        frame=0,
+        places=np.arange(rate.size),
+        container=container,
+        effects=effects,
+    )
     exposure, marked = pixels.run(program, rate, np.tile(lanes, len(_LEVELS)))
     shape = len(container.buckets), len(_LEVELS), len(lanes)
     return exposure.reshape(shape), marked.reshape(shape)
@@ -125,9 +130,7 @@ class _SteadyPixels(WordPixels):
 
     def fixed(self, make: OnDevice) -> Values:
         gain, leak = self.effects.require_part(WordGain), self.effects.require_part(Leak)
-        means = {
-            gain.error_e: gain.mean_e(self.sensor), leak.per_s: 1.0 / leak.tau_s(self.sensor)
-        }  # fmt: skip
+        means = {gain.error_e: gain.mean_e(self.sensor), leak.per_s: 1.0 / leak.tau_s(self.sensor)}
         return np.asarray(means[make])
 
     def run(self, program: AnalysedProgram, rate: Values, lanes: NDArray[np.integer]) -> Marked:

@@ -97,8 +97,9 @@ def _params(container: Container, values: Mapping[str, Any]) -> dict[str, int]:
 def _number(param: HostParam, value: Any, target: Target) -> int:
     """Return the value of a parameter as words use it; raise Rejected if it is invalid."""
     unit_e = target.electrons_per_step if param.kind == "level" else 1.0
-    ends = [f"{end * unit_e:g}{'e' if param.kind == 'level' else ''}" for end in
-            (param.low, param.high)]  # fmt: skip
+    ends = [
+        f"{end * unit_e:g}{'e' if param.kind == 'level' else ''}" for end in (param.low, param.high)
+    ]
     helps = (f"`{param.name}` is a {param.kind} from {ends[0]} to {ends[1]}",)
     number: int | None = None
     if param.kind == "level":

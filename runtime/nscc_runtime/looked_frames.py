@@ -50,9 +50,14 @@ Exposing = Callable[[Planes, int], Executed]
 
 
 def exposing(
-    container: Container, light: Light, sensor: Sensor, effects: Selection,
-    seeds: tuple[int, int], threads: int, by_words: bool = False,
-) -> Exposing:  # fmt: skip
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    effects: Selection,
+    seeds: tuple[int, int],
+    threads: int,
+    by_words: bool = False,
+) -> Exposing:
     """Return a function that exposes frames of one light.
 
     `seeds`: noise seed, device seed. `by_words`: use the reference, as for effects and programs
@@ -82,10 +87,17 @@ def exposing(
 
 
 def frames(
-    container: Container, light: Light, sensor: Sensor, effects: Selection, *,
-    seed: int = 0, device_seed: int = 0, count: int = 1, threads: int | None = None,
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    effects: Selection,
+    *,
+    seed: int = 0,
+    device_seed: int = 0,
+    count: int = 1,
+    threads: int | None = None,
     by_words: bool = False,
-) -> Iterator[Frame]:  # fmt: skip
+) -> Iterator[Frame]:
     """Yield frames 0 to `count` - 1 of `light`; kept states continue from frame to frame.
 
     `by_words`: use the reference. Results do not depend on `threads` (None: all processors). Raises
@@ -98,9 +110,13 @@ def frames(
 
 
 def _film(
-    expose: Exposing, container: Container, sensor: Sensor, effects: Selection,
-    seeds: tuple[int, int], count: int,
-) -> Iterator[Frame]:  # fmt: skip
+    expose: Exposing,
+    container: Container,
+    sensor: Sensor,
+    effects: Selection,
+    seeds: tuple[int, int],
+    count: int,
+) -> Iterator[Frame]:
     """Yield frames 0 to `count` - 1; kept states continue from frame to frame."""
     loaded: Planes = container.planes()
     for number in range(count):

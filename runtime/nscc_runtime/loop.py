@@ -146,8 +146,10 @@ class Loop(Generic[_P]):
         """Return a message: `subject` is compiled once, or in every run if no cache is writable."""
         if machine_code.can_keep(object_file(self.module).folders):
             return f"compiling {subject} for this processor: once, some seconds"
-        return ("compiling loops: some seconds in every run, because no cache folder can be "
-                "written; XDG_CACHE_HOME names one")  # fmt: skip
+        return (
+            "compiling loops: some seconds in every run, because no cache folder can be "
+            "written; XDG_CACHE_HOME names one"
+        )
 
     def load(self) -> None:
         """Load the machine code, compiling it if necessary."""

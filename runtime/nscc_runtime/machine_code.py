@@ -121,8 +121,17 @@ def build(loops: Iterable[tuple[Callable[..., None], Any]], for_web: bool = Fals
 def link_for_web(objects: Sequence[Path], entries: Iterable[str], out: Path) -> None:
     """Link object files for WebAssembly to a library with the functions `entries`, which Python in
     a web page loads with ctypes. Raises CalledProcessError if the linker of `ziglang` fails."""
-    linker = [sys.executable, "-m", "ziglang", "wasm-ld", "-shared", "--experimental-pic",
-              "--no-entry", "--strip-all", "--allow-undefined"]  # fmt: skip
+    linker = [
+        sys.executable,
+        "-m",
+        "ziglang",
+        "wasm-ld",
+        "-shared",
+        "--experimental-pic",
+        "--no-entry",
+        "--strip-all",
+        "--allow-undefined",
+    ]
     exports = [f"--export={entry}" for entry in entries]
     subprocess.run([*linker, *exports, "-o", out, *objects], check=True)
 

@@ -47,11 +47,12 @@ class BucketReadout:
 def readouts(container: Container, frame: Frame, response: Response) -> list[BucketReadout]:
     """Return the buckets of a frame of pixels. Raises Rejected for images and planes."""
     refuse_pictures(
-        container, "merging does not apply to a program with images or planes",
+        container,
+        "merging does not apply to a program with images or planes",
         "merging estimates light from neighbours with different open times; images and planes are "
         "results",
         "use the images and planes of the frame as they are, or expose a program without them",
-    )  # fmt: skip
+    )
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
     most_e = response.electrons(np.full_like(frame.frame, container.target.top_code))

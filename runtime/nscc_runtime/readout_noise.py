@@ -53,10 +53,12 @@ class ReadoutNoise:
             noise, common = (key(seed, s, frame=frame, group=bucket) for s in self.streams)
             if self.sigma_lsb:
                 add_noise(
-                    sizes=sizes, weights=self.sigma_lsb * self.weights,
+                    sizes=sizes,
+                    weights=self.sigma_lsb * self.weights,
                     normals=normals(noise, places, single=True),
-                    pattern=self.pattern_lsb.reshape(-1), out=errors_of_bucket.reshape(-1),
-                )  # fmt: skip
+                    pattern=self.pattern_lsb.reshape(-1),
+                    out=errors_of_bucket.reshape(-1),
+                )
             else:
                 errors_of_bucket[:] = self.pattern_lsb
             if self.common_lsb:
@@ -79,8 +81,11 @@ def _readout_noise(
     streams = (noisy[0][0].stream if noisy else 0, common[0][0].stream if common else 0)
     return ReadoutNoise(
         hypot(*(sigma(sensor) for _, sigma in noisy)),
-        weights, pattern, hypot(*(sigma(sensor) for _, sigma in common)), streams,
-    )  # fmt: skip
+        weights,
+        pattern,
+        hypot(*(sigma(sensor) for _, sigma in common)),
+        streams,
+    )
 
 
 @lru_cache(4)

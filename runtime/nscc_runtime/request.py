@@ -38,11 +38,12 @@ class Request:
 
     effects: Selection = key(
         Instance(
-            (str, _NONE, "nscc_runtime.effects:Selection"), "text",
+            (str, _NONE, "nscc_runtime.effects:Selection"),
+            "text",
             ("for instance effects='auto', 'all', 'none' or 'shot,read'",),
         ),
         "Sensor effects: auto, all, none (the default), or names; +NAME turns one on, -NAME off",
-    )  # fmt: skip
+    )
     tolerance: ToleranceInput = key(
         Instance(
             (str, int, float, _NONE, "nscc_runtime.planning.tolerance:Tolerance"),
@@ -50,18 +51,22 @@ class Request:
         ),
         "Largest RMS error of a plan; %: of the mean signal. Default: 0.15noise, a fraction of the "
         "frame's own noise",
-        "0.15noise", notation="5e|0.1lsb|1%", default_text="",
-    )  # fmt: skip
+        "0.15noise",
+        notation="5e|0.1lsb|1%",
+        default_text="",
+    )
     fidelity: Fidelity = key(
         TextKind(get_args(Fidelity)),
         "reference: simulate effects slot by slot, exactly (slow). planned (default): within a "
         "tolerance",
-        "planned", default_text="",
-    )  # fmt: skip
+        "planned",
+        default_text="",
+    )
     audit: bool = key(
         Flag(),
-        "Compare with the reference; exit with status 1 if the error exceeds the tolerance", False,
-    )  # fmt: skip
+        "Compare with the reference; exit with status 1 if the error exceeds the tolerance",
+        False,
+    )
     plan: Plan | Path | None = key(
         FilePath("a plan or a plan file", ("nscc_runtime.planning.plan:Plan",)),
         "Use this plan; if it does not exist, write it",
@@ -73,12 +78,14 @@ class Request:
     threads: int | None = key(Integer(1, inf), "Number of threads", None)
     params: Any = key(
         Instance((dict, list, tuple, _NONE), "a mapping, or a list with one for each frame"),
-        "Values of parameters, set before the frame", None,
-    )  # fmt: skip
+        "Values of parameters, set before the frame",
+        None,
+    )
     inputs: Any = key(
         Instance((dict, list, tuple, _NONE), "a mapping, or a list with one for each frame"),
-        "Bits of input planes, loaded before the frame", None,
-    )  # fmt: skip
+        "Bits of input planes, loaded before the frame",
+        None,
+    )
     planned: bool = True
     turn: Turn | None = None
     settings: tuple[HostSetting, ...] = ()
@@ -108,8 +115,10 @@ class Request:
         from nscc_runtime.effects import selected
 
         given_options = {
-            "tolerance": tolerance is not None, "audit": audit, "plan": plan is not None
-        }  # fmt: skip
+            "tolerance": tolerance is not None,
+            "audit": audit,
+            "plan": plan is not None,
+        }
         planning_options = [name for name, present in given_options.items() if present]
         text = effects if effects is not None else "auto" if planning_options else "none"
         chosen = selected(text) if isinstance(text, str) else text

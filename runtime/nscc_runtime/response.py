@@ -155,8 +155,15 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
 
 
 _KNOWN: tuple[type[Part], ...] = (
-    Converter, CountedDark, CountedLight, Errors, Leak, LitLevel, SlowWords, WordGain,
-)  # fmt: skip
+    Converter,
+    CountedDark,
+    CountedLight,
+    Errors,
+    Leak,
+    LitLevel,
+    SlowWords,
+    WordGain,
+)
 """Kinds of effects whose variance follows from the words, or is known to the reader. The plan
 states the size of other effects."""
 
@@ -221,9 +228,10 @@ def _planned_e2(kept_effects: Selection, plan: Mapping[str, Any] | None) -> floa
     known = set().union(*(kept_effects.names(kind) for kind in _KNOWN))
     plan_effects = [] if plan is None else plan["effects"]
     return sum(
-        (row["predicted_rms_e"] or 0.0) ** 2 for row in plan_effects
+        (row["predicted_rms_e"] or 0.0) ** 2
+        for row in plan_effects
         if row["decision"] == "kept" and row["name"] not in known and row["kind"] != "after"
-    )  # fmt: skip
+    )
 
 
 def expected_noise(

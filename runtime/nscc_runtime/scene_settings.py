@@ -31,13 +31,15 @@ class Scene:
 
     name: str = key(
         Instance(
-            (str, os.PathLike), "the name of a scene",
+            (str, os.PathLike),
+            "the name of a scene",
             ("an array is already light: capture(program, array)",),
         ),
         "A file, a folder of pictures, or builtin:hdr, builtin:motion, builtin:flat:E, "
         "builtin:dark",
-        name="scene", required=True,
-    )  # fmt: skip
+        name="scene",
+        required=True,
+    )
     exposure: str | float | None = key(
         TextOrNumbers(1),
         "Electrons over the frame at percentile P (99)",
@@ -46,19 +48,25 @@ class Scene:
     )
     transfer: Transfer | None = key(TextKind(get_args(Transfer)), "The scene's curve", None)
     white: float | None = key(
-        ANY_NUMBER, "The sample value of white, such as 4095", None,
-        notation="W", default_text="the largest value of the type",
-    )  # fmt: skip
+        ANY_NUMBER,
+        "The sample value of white, such as 4095",
+        None,
+        notation="W",
+        default_text="the largest value of the type",
+    )
     skip: bool = key(Flag(), "Leave out missing frames of a folder", False)
     bracket: bool = key(
         Flag(),
-        "Merge photos with several exposures, a folder or 'DIR/*.jpg', to one still", False,
-    )  # fmt: skip
+        "Merge photos with several exposures, a folder or 'DIR/*.jpg', to one still",
+        False,
+    )
     times: str | tuple[float, ...] | None = key(
         TextOrNumbers(None),
-        "With --bracket: the exposure times in seconds", None,
-        notation="S,S..", default_text="from EXIF data",
-    )  # fmt: skip
+        "With --bracket: the exposure times in seconds",
+        None,
+        notation="S,S..",
+        default_text="from EXIF data",
+    )
     fps: float | None = key(
         ANY_NUMBER, "The frame rate of the clip, in the time of the slots", None
     )

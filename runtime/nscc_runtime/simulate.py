@@ -112,9 +112,13 @@ def _simulated(
     if reason:
         plan["slot_loop_reasons"] = [reason]
     origin = Provenance(
-        digest_of(container), sensor, request.seed, request.device_seed,
-        "planned" if noiseless or (kind.is_fast and request.planned) else "reference", plan,
-    )  # fmt: skip
+        digest_of(container),
+        sensor,
+        request.seed,
+        request.device_seed,
+        "planned" if noiseless or (kind.is_fast and request.planned) else "reference",
+        plan,
+    )
     values = [setting.plain(container) for setting in request.settings]
     origin = replace(origin, params=tuple(values))
     return Simulated(frame, origin, effects)
@@ -154,9 +158,14 @@ def _planned(
         if not report.holds:
             broken = run_messages.broken(plan, report, plan_given)
     origin = Provenance(
-        digest, sensor, seed, request.device_seed, "planned", plan,
+        digest,
+        sensor,
+        seed,
+        request.device_seed,
+        "planned",
+        plan,
         None if report is None else asdict(report),
-    )  # fmt: skip
+    )
     text = plan_text(plan, digest, sensor) if is_new_file else None
     return Simulated(frame, origin, plan.kept, plan, report, text, broken)
 
@@ -180,10 +189,11 @@ def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: boo
         return make_plan(scene, plan_request)
     key = scene.container, scene.sensor, scene.device_seed, plan_request
     return turn.plans.plan(
-        turn, key,
+        turn,
+        key,
         lambda frames: make_plan(scene, replace(plan_request, frames=frames * repeat)),
         lambda plan: served_plan(scene, plan, request.tolerance),
-    )  # fmt: skip
+    )
 
 
 def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:

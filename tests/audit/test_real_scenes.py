@@ -30,16 +30,20 @@ pytestmark = pytest.mark.skipif(
 )
 
 
-def measured(path: Path, program: str, electrons: float, tolerances: tuple[float, ...]) -> list[
-    tuple[str, Outcome]
-]:  # fmt: skip
+def measured(
+    path: Path, program: str, electrons: float, tolerances: tuple[float, ...]
+) -> list[tuple[str, Outcome]]:
     """A part from the middle of the scene, `electrons` at the 99th percentile of the frame."""
     container = case(program, SLOTS, "2ms", ROWS, COLS)
     sensor = sensor_of(container)
     whole = load_scene(
-        str(path), slot_us=container.slot_us, rows=192, cols=192, exposure=ExposureLevel(electrons),
+        str(path),
+        slot_us=container.slot_us,
+        rows=192,
+        cols=192,
+        exposure=ExposureLevel(electrons),
         warn=lambda _: None,
-    )  # fmt: skip
+    )
     frames = np.ascontiguousarray(whole.dense()[:, 64:128, 64:128])
     light = Light.of_clip(frames)
     full = full_frames(container, light, sensor, math.ceil(POOLED / (ROWS * COLS)))
@@ -79,8 +83,10 @@ def test_all_of_them(path: Path) -> None:
             each
             for shift, electrons in enumerate((500.0, 8000.0, 60_000.0))
             for each in measured(
-                path, PROGRAMS[(number + shift) % len(PROGRAMS)], electrons,
+                path,
+                PROGRAMS[(number + shift) % len(PROGRAMS)],
+                electrons,
                 (0.5, 2.0, 5.0, 15.0, 50.0),
             )
         ]
-    )  # fmt: skip
+    )

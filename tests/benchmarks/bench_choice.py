@@ -22,9 +22,14 @@ from time import process_time
 from beside import ROOT, add_option, in_turns, show
 
 PROGRAMS = (
-    ("class_e", "30000"), ("class_c", "30000"), ("hdr_doubling", "30000"), ("class_b", "10000"),
-    ("hdr_2x2", "300000"), ("two_buckets", "30000"), ("flutter", "30000"),
-)  # fmt: skip
+    ("class_e", "30000"),
+    ("class_c", "30000"),
+    ("hdr_doubling", "30000"),
+    ("class_b", "10000"),
+    ("hdr_2x2", "300000"),
+    ("two_buckets", "30000"),
+    ("flutter", "30000"),
+)
 """Programs with fixed shutters, and the exposure of a still."""
 TOLERANCES = "0.5e", "5e", "50e", "0.15noise"
 KINDS = "repeat", "single", "film"

@@ -55,8 +55,10 @@ def main() -> int:
         most = quantiles(found, n=20)[-1]
         mark = "  OVER" if most > MOST_MS else ""
         slow += bool(mark)
-        print(f"{name:12} median {median(found):6.1f} ms, 95 % below {most:6.1f} ms of processor"
-              f"  (at most {MOST_MS:g}){mark}")  # fmt: skip
+        print(
+            f"{name:12} median {median(found):6.1f} ms, 95 % below {most:6.1f} ms of processor"
+            f"  (at most {MOST_MS:g}){mark}"
+        )
     return 1 if slow else 0
 
 

@@ -59,9 +59,11 @@ WHOLE_GOALS = {"auto, 5 e": 0.25, "all": 0.35}
 COPIES_GOAL = 10.0
 REPEATS, REPEAT_GOAL = 20, 0.4
 SATURATING = (
-    ("class_c", "builtin:hdr", "300000"), ("flutter", "builtin:hdr", "300000"),
-    ("flutter", "builtin:motion", "30000"), ("hdr_2x2", "builtin:hdr", "300000"),
-)  # fmt: skip
+    ("class_c", "builtin:hdr", "300000"),
+    ("flutter", "builtin:hdr", "300000"),
+    ("flutter", "builtin:motion", "30000"),
+    ("hdr_2x2", "builtin:hdr", "300000"),
+)
 SLOTS_GOAL = 1.2
 NOISY = "shot,read,full_well"
 PROGRAMS = {
@@ -210,9 +212,12 @@ def saturating(rounds: int) -> None:
         program: Container | None = compile_file(EXAMPLES / f"{name}.nsl", Options()).container
         assert program is not None
         light = load_scene(
-            scene, slot_us=program.slot_us, rows=program.target.rows, cols=program.target.cols,
+            scene,
+            slot_us=program.slot_us,
+            rows=program.target.rows,
+            cols=program.target.cols,
             exposure=parse_exposure(exposure),
-        )  # fmt: skip
+        )
         scene_of = planning_of(program, default_sensor(program.target), light)
         part = len(scene_of.near_pixels(everything()).places)
         one = partial(_fresh, program, light, threads=1, effects="all")

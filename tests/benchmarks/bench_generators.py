@@ -82,9 +82,13 @@ def random_program(seed: int) -> str:
 
 STOPS = ("n < stop", "n >= stop", "n != stop", "n < stop and n % {} != 1")
 TWO_FIELDS = (
-    "n <= a and n != b", "n < a or n / 2 == b", "n % (b + 1) == 0 and n >= a",
-    "a <= n < a + b + 1", "n > a xor n % 3 == b", "a <= n and n % 2 == b % 2",
-)  # fmt: skip
+    "n <= a and n != b",
+    "n < a or n / 2 == b",
+    "n % (b + 1) == 0 and n >= a",
+    "a <= n < a + b + 1",
+    "n > a xor n % 3 == b",
+    "a <= n and n % 2 == b % 2",
+)
 
 
 @contextmanager

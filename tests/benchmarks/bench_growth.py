@@ -159,8 +159,11 @@ def main() -> None:
                 both = isinstance(last, int) and isinstance(known[now], int)
                 growth = f"{known[now] / last:.2f}" if both else ""  # type: ignore[operator]
                 columns = f"{growth:>8}{'':>9}" if now == before + 1 else f"{'':>8}{growth:>9}"
-                print(f"{family:<22}{now:>6}{known[now]:>8}{columns}{seconds:>8.2f}{memory:>7.0f}"
-                      f"  {fault}", flush=True)  # fmt: skip
+                print(
+                    f"{family:<22}{now:>6}{known[now]:>8}{columns}{seconds:>8.2f}{memory:>7.0f}"
+                    f"  {fault}",
+                    flush=True,
+                )
                 cliffs += bool(fault)
             size *= 2
     sys.exit(cliffs > 0)

@@ -70,10 +70,18 @@ class Chip:
 
         zero = np.zeros(shape[0] * shape[1])
         return ArrayPixels(
-            sensor=self.sensor, seed=1, device_seed=1, frame=frame,
-            places=np.arange(zero.size), container=self.container, effects=self.effects,
-            code={}, shape=shape, exposed={}, exposed_by={},
-        )  # fmt: skip
+            sensor=self.sensor,
+            seed=1,
+            device_seed=1,
+            frame=frame,
+            places=np.arange(zero.size),
+            container=self.container,
+            effects=self.effects,
+            code={},
+            shape=shape,
+            exposed={},
+            exposed_by={},
+        )
 
     def codes(self, pixels, shape: tuple[int, int], frame: int) -> np.ndarray:
         """Return the codes of register F."""

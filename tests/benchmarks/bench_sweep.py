@@ -58,8 +58,10 @@ def main() -> int:
     ratio = serial_s / two_s
     overhead_ms = (between_s * WORKERS - sum(work_s)) / len(work_s) * 1e3
     print(f"{len(work_s)} points, of {min(work_s):.2f} to {max(work_s):.2f} s each")
-    print(f"serial {serial_s:.1f} s, {WORKERS} workers {two_s:.1f} s: x {ratio:.2f} "
-          f"(goal: {LEAST_RATIO})")  # fmt: skip
+    print(
+        f"serial {serial_s:.1f} s, {WORKERS} workers {two_s:.1f} s: x {ratio:.2f} "
+        f"(goal: {LEAST_RATIO})"
+    )
     print(
         f"two commands with half of the points each {halves_s:.1f} s: x {serial_s / halves_s:.2f}"
     )
@@ -93,10 +95,11 @@ def halved_s(folder: Path, points: int) -> float:
         write(grid, range(first, points, 2))
     begin = perf_counter()
     started = [
-        subprocess.Popen(command(grid, 0), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                         env=ALONE)
+        subprocess.Popen(
+            command(grid, 0), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=ALONE
+        )
         for grid in grids
-    ]  # fmt: skip
+    ]
     for process in started:
         if process.wait():
             raise subprocess.CalledProcessError(process.returncode, process.args)

@@ -43,12 +43,23 @@ KNOWN: dict[tuple[str, int], tuple[int, int | None]] = {
 }  # fmt: skip
 """Operations and words of the level lowering."""
 
-MASKED = {("b", 1024), ("b", 2048), ("b", 4096), ("c_8", 256), ("c_32", 1024), ("d", 32),
-          ("d", 64), ("d_never", 64)}  # fmt: skip
+MASKED = {
+    ("b", 1024),
+    ("b", 2048),
+    ("b", 4096),
+    ("c_8", 256),
+    ("c_32", 1024),
+    ("d", 32),
+    ("d", 64),
+    ("d_never", 64),
+}
 """Those that leave out SET R0."""
 
-EDGES = {("d", 64): 384, ("d_never", 64): 384,
-         **{("b", n): 3 * n for n in (64, 256, 1024, 2048, 4096)}}  # fmt: skip
+EDGES = {
+    ("d", 64): 384,
+    ("d_never", 64): 384,
+    **{("b", n): 3 * n for n in (64, 256, 1024, 2048, 4096)},
+}
 """Operations of the edge lowering: about."""
 
 HEAD = ("case", "level", "ops", "words", "largest slot", "registers", "bound", "s", "to reach")

@@ -92,9 +92,10 @@ def main() -> None:
 def operators_us(seen: profile) -> float:
     """How long operators of torch ran, those that others call counted once."""
     spans = sorted(
-        (event.time_range.start, event.time_range.end) for event in seen.events()
+        (event.time_range.start, event.time_range.end)
+        for event in seen.events()
         if event.name.startswith(("aten::", "autograd::", "Optimizer"))
-    )  # fmt: skip
+    )
     total = end = 0.0
     for first, last in spans:
         total += max(0.0, last - max(first, end))

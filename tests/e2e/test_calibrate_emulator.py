@@ -46,18 +46,39 @@ def taken(folder: Path, effects: str, sensor: list[str], seed: int = 0) -> list[
     """Frame files of flats and darks as the arguments of `nscc calibrate`."""
     names: list[str] = []
     for kind, scene, times, count in (
-        ("flat", "lit.npz", FLAT_MS, 10), ("dark", "dim.npz", DARK_MS, 8),
-    ):  # fmt: skip
+        ("flat", "lit.npz", FLAT_MS, 10),
+        ("dark", "dim.npz", DARK_MS, 8),
+    ):
         names += ["--dark"] if kind == "dark" else []
         for ms in times:
             seed += 1
             name = f"{kind}{ms}.npz"
             found = invoke(
-                ["run", f"p{ms}.nsl", "--scene", scene, "--lowering", "edges", "--target",
-                 "small.toml", "--effects", effects, "--fidelity", "reference", "--repeat",
-                 str(count), "--seed", str(seed), "--device-seed", "5", "-o", name, *sensor],
+                [
+                    "run",
+                    f"p{ms}.nsl",
+                    "--scene",
+                    scene,
+                    "--lowering",
+                    "edges",
+                    "--target",
+                    "small.toml",
+                    "--effects",
+                    effects,
+                    "--fidelity",
+                    "reference",
+                    "--repeat",
+                    str(count),
+                    "--seed",
+                    str(seed),
+                    "--device-seed",
+                    "5",
+                    "-o",
+                    name,
+                    *sensor,
+                ],
                 folder,
-            )  # fmt: skip
+            )
             assert found.status == 0, found.err
             names.append(name)
     return names
@@ -93,9 +114,14 @@ def test_the_sensor_comes_back(folder: Path) -> None:
 def test_a_calibrated_emulator_takes_the_same_frames(folder: Path) -> None:
     """With every effect the frames' noise has many sources; the file holds what they add up to."""
     changes = {
-        **SENSOR, "adc_noise_lsb": 0.65, "analog_lsb_e": 20.0, "analog_noise_lsb": 0.75,
-        "analog_bias_lsb": 0.3, "analog_pattern_lsb": 0.2, "adc_level_lsb": 0.0,
-    }  # fmt: skip
+        **SENSOR,
+        "adc_noise_lsb": 0.65,
+        "analog_lsb_e": 20.0,
+        "analog_noise_lsb": 0.75,
+        "analog_bias_lsb": 0.3,
+        "analog_pattern_lsb": 0.2,
+        "adc_level_lsb": 0.0,
+    }
     given = [word for k, v in changes.items() for word in ("--sensor-set", f"{k}={v}")]
     names = taken(folder, "all", given)
     build = ["build", "p4.nsl", "--lowering", "edges", "--target", "small.toml", "-o", "p4.icw"]

@@ -44,9 +44,11 @@ def test_the_script_of_a_shell(shell: str, environment: dict[str, str], root: Pa
     line = said_in((root / "docs/commands.md").read_text(), shell)
     variable = line[line.index("_NSCC") :].split()[0]
     found = subprocess.run(
-        [environment["PATH"].partition(os.pathsep)[0] + "/nscc"], capture_output=True, text=True,
+        [environment["PATH"].partition(os.pathsep)[0] + "/nscc"],
+        capture_output=True,
+        text=True,
         env={**environment, **dict([variable.split("=")])},
-    )  # fmt: skip
+    )
     assert (found.returncode, found.stderr) == (0, "")
     assert f"_NSCC_COMPLETE={shell}_complete" in found.stdout
     if shutil.which(shell):
@@ -54,8 +56,9 @@ def test_the_script_of_a_shell(shell: str, environment: dict[str, str], root: Pa
         assert (checked.returncode, checked.stderr) == (0, "")
 
 
-def offers(shell: str, typed: str, monkeypatch: pytest.MonkeyPatch,
-           capsys: pytest.CaptureFixture[str]) -> list[tuple[str, str]]:  # fmt: skip
+def offers(
+    shell: str, typed: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> list[tuple[str, str]]:
     """Kind and text of what is offered for the last word, read as that shell's script does."""
     words = typed.split(" ")
     monkeypatch.setenv("_NSCC_COMPLETE", f"{shell}_complete")
@@ -97,9 +100,13 @@ def offers(shell: str, typed: str, monkeypatch: pytest.MonkeyPatch,
     ],
 )
 def test_what_is_offered(
-    shell: str, typed: str, offered: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    shell: str,
+    typed: str,
+    offered: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
-) -> None:  # fmt: skip
+) -> None:
     for run in ("my_run", "deep/other"):
         (tmp_path / run).mkdir(parents=True)
         (tmp_path / run / "config.resolved.toml").touch()
@@ -148,7 +155,5 @@ def test_bash_itself_completes(environment: dict[str, str], root: Path) -> None:
         "$(complete -p nscc | sed 's/.*-F \\([^ ]*\\).*/\\1/') nscc bui nscc\n"
         'echo "${COMPREPLY[@]}"'
     )
-    found = subprocess.run(
-        ["bash", "-c", script], capture_output=True, text=True, env=environment
-    )  # fmt: skip
+    found = subprocess.run(["bash", "-c", script], capture_output=True, text=True, env=environment)
     assert (found.stdout.strip(), found.stderr) == ("build", "")

@@ -54,12 +54,15 @@ def assert_coloured(text: str, found: Iterable[Token]) -> None:
         start = span.start - (text.rfind("\n", 0, span.start) + 1)
         end, given = at[row, start]
         assert (text[span.start : span.end], end - start) == (
-            text[span.start : span.end], span.end - span.start,
-        )  # fmt: skip
+            text[span.start : span.end],
+            span.end - span.start,
+        )
         assert given.startswith(scope), (text[span.start : span.end], given)
     lines = text.split("\n")
-    assert all(scope == "comment.line.number-sign.nsl" or "#" not in lines[row][start:end]
-               for (row, start), (end, scope) in at.items())  # fmt: skip
+    assert all(
+        scope == "comment.line.number-sign.nsl" or "#" not in lines[row][start:end]
+        for (row, start), (end, scope) in at.items()
+    )
 
 
 def test_the_grammar_is_what_the_generator_makes() -> None:
@@ -110,8 +113,12 @@ def test_the_packed_extension(tmp_path: Path) -> None:
         packed.extractall(tmp_path / "packed")
     unpacked = tmp_path / "packed" / "extension"
     names = {path.relative_to(unpacked).as_posix() for path in unpacked.rglob("*.js*")}
-    assert names == {"package.json", "language-configuration.json", "dist/extension.js",
-                     "syntaxes/nsl.tmLanguage.json"}  # fmt: skip
+    assert names == {
+        "package.json",
+        "language-configuration.json",
+        "dist/extension.js",
+        "syntaxes/nsl.tmLanguage.json",
+    }
     program = tmp_path / "a.nsl"
     program.write_text("nsl 1\nframe 8 slots of 1ms\nopen when n <= 7\n")
     command = json.dumps([sys.executable, "-m", "nscc_cli"])
@@ -122,8 +129,9 @@ def test_the_packed_extension(tmp_path: Path) -> None:
     program.write_text("nsl 1\nframe 8 slots of 1ms\nopen when m < 7\n")
     failed = subprocess.run(
         ["node", str(ROOT / "tests/editors/host.js"), str(unpacked), str(program), command],
-        capture_output=True, text=True,
-    )  # fmt: skip
+        capture_output=True,
+        text=True,
+    )
     assert '[["NS0214",2]]' in failed.stdout + failed.stderr
 
 
@@ -143,10 +151,15 @@ def test_in_the_workbench_itself(tmp_path: Path) -> None:
     program = Path(shutil.copy(ROOT / "examples/class_b.nsl", folder))
     settings = tmp_path / "data/User/settings.json"
     settings.parent.mkdir(parents=True)
-    settings.write_text(json.dumps({
-        "nscc.command": [sys.executable, "-m", "nscc_cli"],
-        "security.workspace.trust.enabled": False, "workbench.startupEditor": "none",
-    }))  # fmt: skip
+    settings.write_text(
+        json.dumps(
+            {
+                "nscc.command": [sys.executable, "-m", "nscc_cli"],
+                "security.workspace.trust.enabled": False,
+                "workbench.startupEditor": "none",
+            }
+        )
+    )
     own = ["--extensions-dir", str(tmp_path / "ext"), "--user-data-dir", str(tmp_path / "data")]
     start = ["node", str(server), *own]
     subprocess.run([*start, "--install-extension", str(tmp_path / "nscc.vsix")], check=True)
@@ -156,8 +169,9 @@ def test_in_the_workbench_itself(tmp_path: Path) -> None:
         try:
             assert serving.stdout
             assert any("HTTP server listening" in line for line in serving.stdout)
-            seen = said_by("workbench.mjs", modules / "playwright-core", browser,
-                           f"http://{address}", program)  # fmt: skip
+            seen = said_by(
+                "workbench.mjs", modules / "playwright-core", browser, f"http://{address}", program
+            )
         finally:
             serving.terminate()
     assert re.search(r"\d+ words a frame, shortest slot", seen["remark"].replace("\xa0", " "))
@@ -180,7 +194,9 @@ def free_port() -> int:
 def said_by(script: str, *arguments: object) -> Any:
     found = subprocess.run(
         ["node", str(ROOT / "tests/editors" / script), *map(str, arguments)],
-        capture_output=True, text=True, timeout=300,
-    )  # fmt: skip
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
     assert found.returncode == 0, found.stderr
     return json.loads(found.stdout)

@@ -123,9 +123,12 @@ def test_with_the_longest_search(name: str, tmp_path: Path) -> None:
 
 
 def sweep(
-    name: str, folder: Path, chips: tuple[str, ...], levels: tuple[str, ...],
+    name: str,
+    folder: Path,
+    chips: tuple[str, ...],
+    levels: tuple[str, ...],
     lowerings: tuple[str, ...] = ("auto", "accumulate", "latch", "edges"),
-) -> None:  # fmt: skip
+) -> None:
     """Builds, proves and runs a program in every way, and compares each frame."""
     slots, text, rules = PROGRAMS[name]
     (folder / "p.nsl").write_text(f"nsl 1 frame {slots} slots of 50us {text}\n")

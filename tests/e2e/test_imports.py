@@ -166,7 +166,7 @@ def test_circles_and_arrows_up_are_seen(tmp_path: Path) -> None:
         "high/a/other.py": "",
         "high/b/second.py": "import json\n",
         "high/b/back.py": "import high.a.other as it\n",
-    }  # fmt: skip
+    }
     for name, text in texts.items():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)

@@ -53,10 +53,13 @@ device = "cpu"
 def started(folder: Path, arguments: Sequence[str]) -> subprocess.Popen[bytes]:
     """A command in a session of its own, so that its workers are killed with it."""
     return subprocess.Popen(
-        [sys.executable, "-m", "nscc_cli", *arguments], cwd=folder, stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE, start_new_session=True,
+        [sys.executable, "-m", "nscc_cli", *arguments],
+        cwd=folder,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
-    )  # fmt: skip
+    )
 
 
 def finished(folder: Path, arguments: Sequence[str]) -> float:

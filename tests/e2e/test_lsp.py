@@ -85,10 +85,11 @@ async def messages_come_as_one_types(client: LanguageClient, tmp_path: Path) -> 
     assert wrong.range.end == types.Position(4, 18)
     (fix,) = await client.text_document_code_action_async(
         types.CodeActionParams(
-            text.asked, types.Range(text.position("stpo"), text.position("stpo")),
+            text.asked,
+            types.Range(text.position("stpo"), text.position("stpo")),
             types.CodeActionContext([wrong]),
         )
-    )  # fmt: skip
+    )
     (edit,) = fix.edit.changes[text.uri]
     assert (edit.range, edit.new_text) == (wrong.range, "stop")
     assert not fix.is_preferred
@@ -182,10 +183,12 @@ def test_a_session(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
     async def session(client: LanguageClient) -> None:
         for scenario in (
-            messages_come_as_one_types, what_is_asked_is_answered, texts_are_changed,
+            messages_come_as_one_types,
+            what_is_asked_is_answered,
+            texts_are_changed,
             assembly_text_is_checked,
             a_file_beside_the_text_changes,
-        ):  # fmt: skip
+        ):
             (tmp_path / scenario.__name__).mkdir()
             await scenario(client, tmp_path / scenario.__name__)
 
@@ -212,8 +215,9 @@ async def ask_everything(text: Text, choose: Random) -> None:
     )
 
 
-async def follow(client: LanguageClient, path: Path, seed: int, edits: int,
-                 capsys: pytest.CaptureFixture[str]) -> None:  # fmt: skip
+async def follow(
+    client: LanguageClient, path: Path, seed: int, edits: int, capsys: pytest.CaptureFixture[str]
+) -> None:
     """Random edits: after each the server says what `nscc check` says of the same text."""
     choose = Random(seed)
     text = Text(client, path)
@@ -232,8 +236,13 @@ async def follow(client: LanguageClient, path: Path, seed: int, edits: int,
 
 def found_by_server(said: types.Diagnostic) -> tuple[object, ...]:
     names = {1: "error", 2: "warning", 3: "note"}
-    return (said.code, names[int(said.severity or 0)], said.message.split("\n")[0],
-            said.range.start, said.range.end)  # fmt: skip
+    return (
+        said.code,
+        names[int(said.severity or 0)],
+        said.message.split("\n")[0],
+        said.range.start,
+        said.range.end,
+    )
 
 
 def found_by_check(found: dict[str, Any], text: Text) -> tuple[object, ...]:

@@ -49,9 +49,13 @@ def test_the_page_works_from_top_to_bottom(
 
 
 DOCUMENTED = (
-    "nscc", "nscc.shutter_program", "nscc_runtime", "nscc_runtime.exposing", "nscc_training",
+    "nscc",
+    "nscc.shutter_program",
+    "nscc_runtime",
+    "nscc_runtime.exposing",
+    "nscc_training",
     "nscc_training.deepinv",
-)  # fmt: skip
+)
 
 
 @pytest.mark.parametrize("name", DOCUMENTED)

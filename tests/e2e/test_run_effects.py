@@ -63,9 +63,16 @@ def test_meta_says_which_effects_were_forced_and_which_sensor(folder: Path) -> N
     assert run(folder, "--effects", "none").status == 0
     before, plain = loaded(folder)
     status = run(
-        folder, *REFERENCE, "all,-analog,-lag", "--sensor-set", "read_noise_e=3",
-        "--seed", "7", "--device-seed", "8",
-    ).status  # fmt: skip
+        folder,
+        *REFERENCE,
+        "all,-analog,-lag",
+        "--sensor-set",
+        "read_noise_e=3",
+        "--seed",
+        "7",
+        "--device-seed",
+        "8",
+    ).status
     assert status == 0
     _, meta = loaded(folder)
     found = {row["name"]: row for row in meta["plan"]["effects"]}  # type: ignore[index]

@@ -19,12 +19,38 @@ code stop : 0..4
 open when n < stop
 pixels stop = x % 5
 """
-META = {"tolerance_e", "predicted_e", "bound_e", "slot_loop", "slot_loop_reasons",
-        "sampled_fraction", "worst_e", "effects"}  # fmt: skip
-EFFECT = {"name", "kind", "decision", "forced", "reason", "predicted_rms_e", "predicted_bias_e",
-          "predicted_if_dropped_e", "cost_ms_model"}  # fmt: skip
-AUDIT = {"measured_rms_e", "bias_e", "std_ratio", "samples", "mc_error_e", "holds",
-         "measured_max_e", "path_e", "path_mc_error_e2"}  # fmt: skip
+META = {
+    "tolerance_e",
+    "predicted_e",
+    "bound_e",
+    "slot_loop",
+    "slot_loop_reasons",
+    "sampled_fraction",
+    "worst_e",
+    "effects",
+}
+EFFECT = {
+    "name",
+    "kind",
+    "decision",
+    "forced",
+    "reason",
+    "predicted_rms_e",
+    "predicted_bias_e",
+    "predicted_if_dropped_e",
+    "cost_ms_model",
+}
+AUDIT = {
+    "measured_rms_e",
+    "bias_e",
+    "std_ratio",
+    "samples",
+    "mc_error_e",
+    "holds",
+    "measured_max_e",
+    "path_e",
+    "path_mc_error_e2",
+}
 
 
 @pytest.fixture
@@ -48,9 +74,17 @@ def loaded(folder: Path, name: str = "f.npz") -> tuple[dict[str, np.ndarray], di
 
 def test_auto_makes_a_plan_and_says_it_all(folder: Path) -> None:
     outcome = run(
-        folder, "--effects", "auto", "--tolerance", "2e", "--seed", "4", "--plan", "plan.json",
+        folder,
+        "--effects",
+        "auto",
+        "--tolerance",
+        "2e",
+        "--seed",
+        "4",
+        "--plan",
+        "plan.json",
         "--verbose",
-    )  # fmt: skip
+    )
     assert outcome.status == 0, outcome.err
     arrays, meta = loaded(folder)
     assert arrays["exposure_e"].shape == (1, 24, 30)
@@ -152,8 +186,20 @@ def test_an_audit_is_in_the_file_and_holds(scene: str, folder: Path) -> None:
 
 
 def test_a_broken_promise_exits_1_and_leaves_the_files(folder: Path) -> None:
-    outcome = run(folder, "--effects", "auto,-shot", "--audit", "--tolerance", "1e",
-                  "--plan", "plan.json", "--png", "f.png", "--repeat", "2")  # fmt: skip
+    outcome = run(
+        folder,
+        "--effects",
+        "auto,-shot",
+        "--audit",
+        "--tolerance",
+        "1e",
+        "--plan",
+        "plan.json",
+        "--png",
+        "f.png",
+        "--repeat",
+        "2",
+    )
     assert outcome.status == 1
     assert outcome.codes == ["NS0749", "NS0749"]
     assert "turned off: shot" in outcome.err
@@ -235,11 +281,19 @@ def test_a_plan_has_decided_already(option: list[str], folder: Path) -> None:
 @pytest.mark.parametrize(
     "content",
     [
-        b"", b"{}", b"[]", b"null", b"\xff\xfe", b"[" * 100000, b"NaN",
+        b"",
+        b"{}",
+        b"[]",
+        b"null",
+        b"\xff\xfe",
+        b"[" * 100000,
+        b"NaN",
         b'{"schema": "nscc-plan-1"}',
-        b'{"schema": "nscc-plan-9", "plan": {}}', b'{"schema": ["nscc-plan-1"]}', b"7" * 5000,
+        b'{"schema": "nscc-plan-9", "plan": {}}',
+        b'{"schema": ["nscc-plan-1"]}',
+        b"7" * 5000,
     ],
-)  # fmt: skip
+)
 def test_files_that_are_no_plans(content: bytes, folder: Path) -> None:
     (folder / "plan.json").write_bytes(content)
     outcome = run(folder, "--plan", "plan.json")
@@ -290,8 +344,9 @@ def test_timings_tell_planning_from_exposing(folder: Path) -> None:
 def test_clips_that_are_samples(folder: Path) -> None:
     light = np.random.default_rng(1).exponential(400.0, (4, 24, 30)).astype(np.float32)
     np.savez(folder / "light.npz", light=light)
-    outcome = run(folder, "--tolerance", "2e", "--audit", "--frames-are", "samples",
-                  scene="light.npz")  # fmt: skip
+    outcome = run(
+        folder, "--tolerance", "2e", "--audit", "--frames-are", "samples", scene="light.npz"
+    )
     assert outcome.status == 0, outcome.err
     found = {each["name"]: each for each in loaded(folder)[1]["plan"]["effects"]}
     assert found["motion"]["decision"] == "kept"

@@ -162,11 +162,23 @@ def test_a_scheduler_of_ones_own(serial: tuple[Path, bytes]) -> None:
     with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
         address = cluster.scheduler_address
         process = subprocess.run(
-            [sys.executable, "-m", "nscc_cli", "sweep", "grid.toml", "--out", "own", "--scheduler",
-             address],
-            cwd=folder, env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
-            capture_output=True, text=True, timeout=600,
-        )  # fmt: skip
+            [
+                sys.executable,
+                "-m",
+                "nscc_cli",
+                "sweep",
+                "grid.toml",
+                "--out",
+                "own",
+                "--scheduler",
+                address,
+            ],
+            cwd=folder,
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+            capture_output=True,
+            text=True,
+            timeout=600,
+        )
     assert process.returncode == 0, process.stderr
     assert (folder / "own/table.csv").read_bytes() == table
 

@@ -19,9 +19,12 @@ def without_torch(arguments: list[str], folder: Path) -> subprocess.CompletedPro
     paths = [str(Path(path).resolve()) for path in sys.path if path]
     return subprocess.run(
         [sys.executable, "-c", CODE, *arguments],
-        cwd=folder, env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
-        capture_output=True, text=True, timeout=100,
-    )  # fmt: skip
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
+        capture_output=True,
+        text=True,
+        timeout=100,
+    )
 
 
 @pytest.fixture
@@ -80,6 +83,7 @@ def test_the_package_itself_imports_nothing_heavy() -> None:
     done = subprocess.run(
         [sys.executable, "-c", code],
         env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
-        capture_output=True, text=True,
-    )  # fmt: skip
+        capture_output=True,
+        text=True,
+    )
     assert done.stdout.strip() == "[]", done.stderr

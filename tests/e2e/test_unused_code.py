@@ -23,9 +23,18 @@ CALLED_BY_LIBRARIES = [
     "external_attr", "linkage",  # read by zipfile and llvmlite
 ]  # fmt: skip
 DECLARED_AS_TEXT = [
-    "StillUNet", "ClipUNet", "Refined", "Divided", "Classifier",  # decoders
-    "Images", "Looks", "BitPlanes", "ImagesRun", "LooksRun", "BitPlanesRun",  # kinds of programs
-]  # fmt: skip
+    "StillUNet",
+    "ClipUNet",
+    "Refined",
+    "Divided",
+    "Classifier",  # decoders
+    "Images",
+    "Looks",
+    "BitPlanes",
+    "ImagesRun",
+    "LooksRun",
+    "BitPlanesRun",  # kinds of programs
+]
 """Classes, which a table names as MODULE:CLASS."""
 
 KEPT = [
@@ -36,9 +45,16 @@ KEPT = [
     "resent",  # a count that tests of the protocol read
 ]
 OF_THE_PROTOCOL = [
-    "EMPTY", "COMPLETE", "REFUSED", "WRONG_STATE", "TOO_LARGE", "NO_FRAME", "released", "latest_us",
+    "EMPTY",
+    "COMPLETE",
+    "REFUSED",
+    "WRONG_STATE",
+    "TOO_LARGE",
+    "NO_FRAME",
+    "released",
+    "latest_us",
     "MOST_LAUNCHES",
-]  # fmt: skip
+]
 """Numbers and fields that loaders send and hosts need not look at."""
 
 EXCEPTIONS = [*CALLED_BY_LIBRARIES, *DECLARED_AS_TEXT, *KEPT, *OF_THE_PROTOCOL]

@@ -29,10 +29,13 @@ def watching(
 ) -> Iterator[tuple[queue.Queue[str], subprocess.Popen[str]]]:
     """A watching process; its lines, as they come."""
     process = subprocess.Popen(
-        [sys.executable, "-u", "-m", "nscc_cli", "check", "--watch", *arguments], cwd=folder,
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+        [sys.executable, "-u", "-m", "nscc_cli", "check", "--watch", *arguments],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
-    )  # fmt: skip
+    )
     lines: Lines = queue.Queue()
     assert process.stdout is not None
     out = process.stdout

@@ -31,9 +31,15 @@ class Shine(torch.nn.Module):
 text = "no decoder"
 '''
 SMALL = (
-    "shutter.slots=8", "shutter.tile=[2,2]", "data.patch=16", "data.scenes=2",
-    "data.val_items=1", "train.steps=2", "train.batch=1", "decoder.name=shine",
-)  # fmt: skip
+    "shutter.slots=8",
+    "shutter.tile=[2,2]",
+    "data.patch=16",
+    "data.scenes=2",
+    "data.val_items=1",
+    "train.steps=2",
+    "train.batch=1",
+    "decoder.name=shine",
+)
 
 
 def test_a_decoder_from_outside_learns_and_decodes(tmp_path: Path) -> None:

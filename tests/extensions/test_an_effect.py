@@ -35,9 +35,11 @@ def test_an_effect_from_outside_in_everything_there_is(tmp_path: Path) -> None:
     for words in (("none",), ("+columns", "--fidelity", "reference")):
         assert nscc_with(tmp_path, *RUN, "--effects", *words).returncode == 0
     for tolerance, effects, choice in (
-        ("5e", "auto", "kept"), ("5e", "all", "kept"), ("99e", "auto", "dropped"),
+        ("5e", "auto", "kept"),
+        ("5e", "all", "kept"),
+        ("99e", "auto", "dropped"),
         ("60e", "-columns", "dropped"),
-    ):  # fmt: skip
+    ):
         words = (
             "--sensor",
             "s.toml",

@@ -30,9 +30,11 @@ PROGRAMS = {
 MADE = (
     "build p.nsl -o p.icw",
     "run p.nsl --scene builtin:hdr --effects auto --plan plan.json --keep light,truth -o f.npz",
-    *(f"run flat.nsl --scene builtin:flat:{e} --effects shot,adc_noise --repeat 8 -o level{e}.npz"
-      for e in (0, 4000, 20000)),
-)  # fmt: skip
+    *(
+        f"run flat.nsl --scene builtin:flat:{e} --effects shot,adc_noise --repeat 8 -o level{e}.npz"
+        for e in (0, 4000, 20000)
+    ),
+)
 CALIBRATE = (
     "calibrate level4000.npz level20000.npz --dark level0.npz -o out.toml --target small.toml"
 )
@@ -91,9 +93,23 @@ def test_damaged_files(name: str, data: st.DataObject, folder: Path) -> None:
     whole = (folder / name).read_bytes()
     start = data.draw(st.integers(0, len(whole) - 1))
     end = data.draw(st.integers(start, min(len(whole), start + 64)))
-    middle = data.draw(st.one_of(st.binary(max_size=8), st.sampled_from(
-        [b"1e400", b"nan", b"-1", b"99999999999999999999", b"\xed\xa0\x80", b"null", b"{", b'"']
-    )))  # fmt: skip
+    middle = data.draw(
+        st.one_of(
+            st.binary(max_size=8),
+            st.sampled_from(
+                [
+                    b"1e400",
+                    b"nan",
+                    b"-1",
+                    b"99999999999999999999",
+                    b"\xed\xa0\x80",
+                    b"null",
+                    b"{",
+                    b'"',
+                ]
+            ),
+        )
+    )
     rest = b"" if data.draw(st.booleans()) else whole[end:]
     read_as(folder, name, whole[:start] + middle + rest)
 

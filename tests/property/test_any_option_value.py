@@ -28,9 +28,7 @@ EXTREMES = [
     "1e9", "1e15", "1e30", "1e38", "1e39", "1e155", "1e200", "1e308", "1e999", "nan", "inf", "-inf",
     "-1e-320", "-1e15", "-1e308", "", "x", "0x10", "1_0", "99999999999999999999",
 ]  # fmt: skip
-NUMBERS = st.one_of(
-    st.sampled_from(EXTREMES), st.floats().map(repr), st.integers().map(str)
-)  # fmt: skip
+NUMBERS = st.one_of(st.sampled_from(EXTREMES), st.floats().map(repr), st.integers().map(str))
 PARAMETERS = [row.name for row in parameters()]
 RANGES = {row.name: row.kind for row in parameters()}
 OPTIONS = {

@@ -74,9 +74,14 @@ def test_common_sizes_are_those_that_runs_were_made_with(slots: int) -> None:
 
 @pytest.mark.parametrize(
     ("name", "slots", "tile"),
-    [("unrolled", 20, (8, 8)), ("refined", 64, (8, 8)), ("fcnet", 23, (8, 8)),
-     ("fcnet", 4, (24, 24)), ("unet2d", 500, (8, 8))],
-)  # fmt: skip
+    [
+        ("unrolled", 20, (8, 8)),
+        ("refined", 64, (8, 8)),
+        ("fcnet", 23, (8, 8)),
+        ("fcnet", 4, (24, 24)),
+        ("unet2d", 500, (8, 8)),
+    ],
+)
 def test_where_it_would_be_more_it_is_narrower_and_not_much(
     name: str, slots: int, tile: tuple[int, int]
 ) -> None:

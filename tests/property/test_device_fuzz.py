@@ -266,12 +266,32 @@ replies = st.one_of(
         LoaderFailure.pack
     ),
     st.just(
-        packed_info(Info(
-            2, 0, 1024, 16384, 3, Capability.EXACT, 1024, 99, 99, 99, 1 << 20, 512, 99, 6, 10,
-            target_digest(TARGET), ZEROS, ZEROS, "scamp5", "an enemy",
-        ))
+        packed_info(
+            Info(
+                2,
+                0,
+                1024,
+                16384,
+                3,
+                Capability.EXACT,
+                1024,
+                99,
+                99,
+                99,
+                1 << 20,
+                512,
+                99,
+                6,
+                10,
+                target_digest(TARGET),
+                ZEROS,
+                ZEROS,
+                "scamp5",
+                "an enemy",
+            )
+        )
     ),
-)  # fmt: skip
+)
 
 
 @given(st.lists(st.tuples(st.sampled_from(list(PacketKind)), replies), max_size=30), st.data())

@@ -55,9 +55,12 @@ def test_what_the_fuzzer_must_notice(folder: Path) -> None:
         raise ZeroDivisionError
 
     for run, what in (
-        (left, "left ['out.npz']"), (elsewhere, "wrote ['other.npz']"), (fails, "ZeroDivision"),
-        (lambda *_: Outcome(70, "", ""), "status 70"), (lambda *_: Outcome(2, "", ""), "without"),
-    ):  # fmt: skip
+        (left, "left ['out.npz']"),
+        (elsewhere, "wrote ['other.npz']"),
+        (fails, "ZeroDivision"),
+        (lambda *_: Outcome(70, "", ""), "status 70"),
+        (lambda *_: Outcome(2, "", ""), "without"),
+    ):
         fault = fault_of(folder, "check p.nsl", run)
         assert fault is not None
         assert what in fault

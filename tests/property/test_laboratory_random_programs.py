@@ -45,10 +45,15 @@ class Writer:
     def __init__(self, seed: int) -> None:
         self.rng = np.random.default_rng(seed)
         self.lines = [
-            "nsl 4", "frame 2 slots of 1ms", "open when true", "outside 0",
-            "kernel cross = [[0, 1, 0], [1, 1, 1], [0, 1, 0]]", "param t : 1% .. 20% = 6%",
-            "param s : -4 .. 6 = 2", "input plane i",
-        ]  # fmt: skip
+            "nsl 4",
+            "frame 2 slots of 1ms",
+            "open when true",
+            "outside 0",
+            "kernel cross = [[0, 1, 0], [1, 1, 1], [0, 1, 0]]",
+            "param t : 1% .. 20% = 6%",
+            "param s : -4 .. 6 = 2",
+            "input plane i",
+        ]
         self.images, self.planes = ["exposure", "old"], ["i", "flag"]
         self.makers: list[tuple[str, Maker]] = []
 
@@ -145,9 +150,11 @@ class Writer:
         self.when, self.next_bit = (str(name) for name in self.rng.choice(self.planes, 2))
         last = self.makers[-1][0]
         self.lines += [
-            f"next old = {self.next_image} when {self.when}", f"next flag = {self.next_bit}",
-            f"read {last}, old, flag", f"report {'sum' if last in self.images else 'count'} {last}",
-        ]  # fmt: skip
+            f"next old = {self.next_image} when {self.when}",
+            f"next flag = {self.next_bit}",
+            f"read {last}, old, flag",
+            f"report {'sum' if last in self.images else 'count'} {last}",
+        ]
         return "\n".join(self.lines) + "\n"
 
 
@@ -156,8 +163,10 @@ def agree(writer: Writer, container: Any, seed: int) -> None:
     steps = rng.integers(0, 80, (FRAMES, 2, ROWS, COLS)) / 2 + 0.125
     lights = [Light.of_clip((clip * STEP_E).astype(np.float32)) for clip in steps]
     inputs = rng.random((FRAMES, ROWS, COLS)) < 0.5
-    params = [{"t": float(rng.integers(2, 20)) * STEP_E, "s": int(rng.integers(-4, 7))}
-              for _ in range(FRAMES)]  # fmt: skip
+    params = [
+        {"t": float(rng.integers(2, 20)) * STEP_E, "s": int(rng.integers(-4, 7))}
+        for _ in range(FRAMES)
+    ]
     settings = settings_of(container, params, [{"i": bits} for bits in inputs])
     runner = PicturedProgram(container, default_sensor(container.target), selected("none"), 1)
     kept, bit = np.full((ROWS, COLS), 900.0), np.ones((ROWS, COLS), np.bool_)
@@ -175,9 +184,11 @@ def agree(writer: Writer, container: Any, seed: int) -> None:
             image = f"image_{name}" in made.told
             found = made.told[f"image_{name}" if image else f"plane_{name}"]
             np.testing.assert_allclose(
-                found[sure].astype(float), known[name][sure].astype(float), atol=1e-6,
+                found[sure].astype(float),
+                known[name][sure].astype(float),
+                atol=1e-6,
                 err_msg=f"{name} in frame {frame} of seed {seed}",
-            )  # fmt: skip
+            )
 
 
 @pytest.mark.parametrize("chunk", [slow(c) if c >= 2 else c for c in range(CHUNKS)])

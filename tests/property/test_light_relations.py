@@ -112,9 +112,7 @@ def test_half_the_light_in_twice_the_slots(lowering: str, light: np.ndarray) -> 
     light = np.where(light < 1e-37, 0, light).astype(np.float32)  # halves of others are exact
     once = program(STOPS.format(8, 200, 1), lowering, 1, 9)
     twice = program(STOPS.format(16, 100, 2), lowering, 1, 9)
-    close(
-        frames(twice, np.repeat(light / 2, 2, axis=0))[0], frames(once, light)[0], light
-    )  # fmt: skip
+    close(frames(twice, np.repeat(light / 2, 2, axis=0))[0], frames(once, light)[0], light)
 
 
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
@@ -175,9 +173,11 @@ def test_what_a_frame_begins_with_does_not_matter(light: np.ndarray) -> None:
 def test_every_effect_of_any_light_is_a_number(light: np.ndarray, effects: str) -> None:
     container = program(EVERY, "edges", ROWS, COLS)
     found = by_reference(
-        container, Light.of_clip(light), sensor_of(container), selected(f"none,{effects}"
-        if effects in optional() else effects),
-    )  # fmt: skip
+        container,
+        Light.of_clip(light),
+        sensor_of(container),
+        selected(f"none,{effects}" if effects in optional() else effects),
+    )
     assert found.valid.all()
     assert np.isfinite(found.exposure_e).all()
 

@@ -200,9 +200,11 @@ def test_words_that_open_no_shutter_are_refused() -> None:
 
     light = Light.of_clip(np.ones((1, 2, 3), np.float32))
     twice = made(
-        op("all"), op("bus", ["NEWS"], ["PIX"]), op("bus", ["B"], ["PIX"]),
+        op("all"),
+        op("bus", ["NEWS"], ["PIX"]),
+        op("bus", ["B"], ["PIX"]),
         op("bus", ["A"], ["NEWS", "B"]),
-    )  # fmt: skip
+    )
     by_light = made(op("where", [], ["PIX"]), op("bus", ["A"], ["PIX"]))
     for container in (twice, by_light):
         with pytest.raises(Rejected) as caught:
@@ -235,8 +237,11 @@ def test_every_effect_runs_alone_and_changes_something() -> None:
     container = program(BUMPS, "accumulate")
     light, sensor = random_light(scale=12000.0), sensor_of(container, register_max_e=2e4)
     nothing = exposures(container, light, sensor, "none")
-    absent = {name for name in optional()
-              if np.array_equal(exposures(container, light, sensor, name), nothing)}  # fmt: skip
+    absent = {
+        name
+        for name in optional()
+        if np.array_equal(exposures(container, light, sensor, name), nothing)
+    }
     compared = {"comparator_offset", "comparator_noise"}
     readout = {"adc_noise", "spreading", "column_noise", "readout_pattern", "readout_level"}
     assert absent == {"motion", "decay", "black_sun", *readout, *compared}

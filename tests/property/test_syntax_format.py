@@ -16,8 +16,18 @@ from nscc.syntax.format import format_source
 from nscc.syntax.lexer import lex
 
 GAPS = (
-    " ", " ", " ", "\n", "\r\n", "\n\n\n", "\t", "\f", " #{}\n", "\n  #{} \t\n\n", "#{}\r\n",
-)  # fmt: skip
+    " ",
+    " ",
+    " ",
+    "\n",
+    "\r\n",
+    "\n\n\n",
+    "\t",
+    "\f",
+    " #{}\n",
+    "\n  #{} \t\n\n",
+    "#{}\r\n",
+)
 REMARKS = (" remark", "", "#", ' "', " nsl 2", " ä💡", "\t[ 1,", " open when x #")
 PROGRAMS_BY_VERSION = st.one_of(
     st.tuples(st.just(1), PROGRAMS), st.tuples(st.just(2), LOOKING_PROGRAMS)

@@ -58,8 +58,17 @@ def test_random_bytes_are_explained(data: bytes) -> None:
 
 
 @settings(max_examples=300, deadline=None)
-@given(st.sampled_from([(s, k) for s, v in target_dict(builtin_target("scamp5")).items()
-                        if isinstance(v, dict) for k in v]), VALUES)  # fmt: skip
+@given(
+    st.sampled_from(
+        [
+            (s, k)
+            for s, v in target_dict(builtin_target("scamp5")).items()
+            if isinstance(v, dict)
+            for k in v
+        ]
+    ),
+    VALUES,
+)
 def test_any_value_of_any_key_is_taken_or_explained(place: tuple[str, str], value: object) -> None:
     values = target_dict(builtin_target("scamp5"))
     values[place[0]][place[1]] = value

@@ -123,10 +123,11 @@ def containers(draw: st.DrawFn) -> Container:
         readouts=tuple(
             Readout(draw(st.sampled_from("AB")), b, draw(st.floats(-1e9, 1e9))) for b in buckets
         ),
-        source_lines=tuple(draw(st.lists(st.one_of(st.text(max_size=9), st.just(" a;b ")),
-                                         max_size=3))),
+        source_lines=tuple(
+            draw(st.lists(st.one_of(st.text(max_size=9), st.just(" a;b ")), max_size=3))
+        ),
         notes=draw(st.dictionaries(st.text(max_size=6), st.text(max_size=9), max_size=2)),
-    )  # fmt: skip
+    )
 
 
 @settings(max_examples=60, deadline=None)

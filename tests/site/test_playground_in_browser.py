@@ -95,8 +95,10 @@ def test_a_message_is_at_its_place_and_its_fix_mends_the_text(page: Any) -> None
     page.wait_for_selector("#messages li.error")
     assert page.inner_text("#colours .error") == "stp"
     page.click("#messages button:has-text('line 9')")
-    place = page.evaluate("[document.getElementById('text').selectionStart, "
-                          "document.getElementById('text').selectionEnd]")  # fmt: skip
+    place = page.evaluate(
+        "[document.getElementById('text').selectionStart, "
+        "document.getElementById('text').selectionEnd]"
+    )
     assert page.input_value("#text")[slice(*place)] == "stp"
     page.click("#messages button:has-text('Fix: write `stop`')")
     page.wait_for_selector("#messages li", state="detached")

@@ -70,9 +70,12 @@ def test_case_01_a_clip_brought_to_an_exposure(tmp_path: Path) -> None:
     """The factor comes from the all-open sum; a wrong sum would be in every pixel."""
     np.savez(tmp_path / "clip.npz", light=np.full((SLOTS, 1, 3), TENTH))
     light = load_scene(
-        str(tmp_path / "clip.npz"), slot_us=(100.0,) * SLOTS, rows=1, cols=3,
+        str(tmp_path / "clip.npz"),
+        slot_us=(100.0,) * SLOTS,
+        rows=1,
+        cols=3,
         exposure=ExposureLevel(5000.0),
-    )  # fmt: skip
+    )
     assert light.exposure_scale_e == pytest.approx(5000 / exact(SLOTS), rel=1e-6)
     np.testing.assert_allclose(light.total_e(), 5000, rtol=1e-6)
 

@@ -26,8 +26,9 @@ def codes(values: np.ndarray, offset: float = 0.0) -> np.ndarray:
 
 def test_case_15_halves_go_to_the_even_code() -> None:
     assert TARGET.electrons_per_lsb == 1.0
-    assert codes(np.array([0.49999997, np.nextafter(0.5, 0), 0.5, np.nextafter(0.5, 1)])).tolist(
-    ) == [0, 0, 0, 1]  # fmt: skip
+    assert codes(
+        np.array([0.49999997, np.nextafter(0.5, 0), 0.5, np.nextafter(0.5, 1)])
+    ).tolist() == [0, 0, 0, 1]
     halves = np.arange(254) + 0.5
     nearest_even = 2 * np.floor((np.arange(254) + 1) / 2)
     assert codes(halves).tolist() == nearest_even.astype(int).tolist()

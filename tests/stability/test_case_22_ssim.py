@@ -34,9 +34,11 @@ def test_a_pedestal_in_float32(pedestal: float) -> None:
             vb = math.fsum(u * v * v for u, v in zip(w, db, strict=True))
             vab = math.fsum(u * p * q for u, p, q in zip(w, da, db, strict=True))
             exact.append(
-                (2 * ma * mb + 1e-4) / (ma * ma + mb * mb + 1e-4)
-                * (2 * vab + 9e-4) / (va + vb + 9e-4)
-            )  # fmt: skip
+                (2 * ma * mb + 1e-4)
+                / (ma * ma + mb * mb + 1e-4)
+                * (2 * vab + 9e-4)
+                / (va + vb + 9e-4)
+            )
     assert metrics.ssim(x, y, 1.0) == pytest.approx(math.fsum(exact) / 4, abs=1e-4)
 
 

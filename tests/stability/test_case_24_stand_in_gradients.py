@@ -50,8 +50,9 @@ def test_an_edges_gradient_has_unit_area() -> None:
 
 @pytest.mark.parametrize("spec", SPECS, ids=lambda spec: spec.kind)
 def test_the_soft_shutter_by_finite_differences(spec: ShutterSpec) -> None:
-    small = ShutterSpec(spec.kind, 6, (2, 2), length=2 if spec.length else None, rows=spec.rows
-                        and 4)  # fmt: skip
+    small = ShutterSpec(
+        spec.kind, 6, (2, 2), length=2 if spec.length else None, rows=spec.rows and 4
+    )
     encoder = make_encoder(small, "random", 2, "sigmoid").double()
     weights = torch.rand(6, 2, 2, dtype=torch.float64)
     for parameter in encoder.parameters():

@@ -29,11 +29,15 @@ def test_case_37(lowering: str, fidelity: str) -> None:
     tolerance = 5.0 if fidelity == "planned" else None
     both = [
         capture(
-            container, light(e), sensor=sensor, effects="all", fidelity=fidelity,
+            container,
+            light(e),
+            sensor=sensor,
+            effects="all",
+            fidelity=fidelity,
             tolerance=tolerance,
         )
         for e in (5.0, 1e12)
-    ]  # fmt: skip
+    ]
     y, x = np.ogrid[:ROWS, :COLS]
     away = abs(y - PLACE[0]) + abs(x - PLACE[1])
     for found in both:

@@ -84,8 +84,9 @@ def test_a_correction_is_the_most_likely_error(buckets: int, disjoint: bool) -> 
 
 def test_saturated_places_are_one_sided_and_noise_is_trusted_less() -> None:
     measured = random_measured(1)
-    full = Measured(measured.value, measured.mask, measured.variance,
-                    torch.ones_like(measured.saturated))  # fmt: skip
+    full = Measured(
+        measured.value, measured.mask, measured.variance, torch.ones_like(measured.saturated)
+    )
     gap = full.missing(measured.value + 1, measured.value)
     assert torch.equal(gap, torch.zeros_like(gap))
     assert (full.missing(measured.value - 1, measured.value) > 0).all()
@@ -102,8 +103,9 @@ def test_the_start_is_gap_tv_of_light_that_stood_still() -> None:
     for _ in range(20):
         seen = (mask * wanted).sum(axis=0)
         target += frame - seen
-        wanted = tv_denoise((wanted + mask * ((target - seen) / energy)).astype(np.float32), 0.1, 5,
-                            0.3)  # fmt: skip
+        wanted = tv_denoise(
+            (wanted + mask * ((target - seen) / energy)).astype(np.float32), 0.1, 5, 0.3
+        )
     measured = Measured.exact(*(torch.from_numpy(part)[None] for part in (frame, mask)))
     np.testing.assert_allclose(gap_tv_of(measured, 20)[0][0], wanted, atol=2e-5)
 
@@ -213,8 +215,9 @@ def test_clips_of_any_length_and_size(frames: int, rows: int, cols: int) -> None
 def test_light_that_is_twice_as_bright_is_so_in_the_clip() -> None:
     clip, mask = scene(3, 8, 32)
     frame = (clip * mask).sum(axis=0)
-    np.testing.assert_allclose(any_clip(2e4 * frame, mask), 2e4 * any_clip(frame, mask), rtol=2e-2,
-                               atol=200)  # fmt: skip
+    np.testing.assert_allclose(
+        any_clip(2e4 * frame, mask), 2e4 * any_clip(frame, mask), rtol=2e-2, atol=200
+    )
 
 
 def test_two_buckets_say_more_than_one() -> None:
@@ -317,14 +320,24 @@ def test_lessons_go_on_where_they_stopped(lessons: str, tmp_path: Path) -> None:
     cv2.imwrite(str(tmp_path / "in/p.png"), cv2.GaussianBlur(noise, (0, 0), 2))
     stills = lessons == "stills"
     values = {
-        "shutter": {"class": "b" if stills else "c", "slots": 8, "tile": [2, 2], "length": 2,
-                    "learn": False},
+        "shutter": {
+            "class": "b" if stills else "c",
+            "slots": 8,
+            "tile": [2, 2],
+            "length": 2,
+            "learn": False,
+        },
         "decoder": {"name": "any", "lessons": lessons, "films": 0.5, "stages": 4, "through": 2},
-        "data": {"train": str(tmp_path / "in"), "val": "procedural", "patch": 16, "scenes": 4,
-                 "protocol": "hdr-v1" if stills else "video-v1", "val_items": 1},
-        "train": {"steps": 3, "batch": 1, "validate_every": 2, "optimizer": "muon",
-                  "average": 0.5},
-    }  # fmt: skip
+        "data": {
+            "train": str(tmp_path / "in"),
+            "val": "procedural",
+            "patch": 16,
+            "scenes": 4,
+            "protocol": "hdr-v1" if stills else "video-v1",
+            "val_items": 1,
+        },
+        "train": {"steps": 3, "batch": 1, "validate_every": 2, "optimizer": "muon", "average": 0.5},
+    }
     run(values, tmp_path / "whole")
     run(values, tmp_path / "parts", stop_after=2)
     run(values, tmp_path / "parts")
@@ -381,7 +394,7 @@ PROGRAMS = {
     "pixels skip = (x + 2 * y) % 4",
     "buckets": "frame 4 slots of 1ms\ncode at : 1..3\nbucket early open when n < at\n"
     "bucket late open when n >= at\npixels at = 1 + (x + y) % 3",
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize(
@@ -426,9 +439,14 @@ def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -
     np.savez(tmp_path / "high.npz", **{**whole, "decode_row": whole["decode_row"] + 99})
     (tmp_path / "not.npz").write_bytes(b"PK")
     (tmp_path / "photo.png").write_bytes(b"\x89PNG\r\n")
-    reasons = {"row.npz": "do not match each other", "high.npz": "do not match each other",
-               "not.npz": "not an .npz file", "photo.png": "not an .npz file",
-               "none.npz": "file does not exist", "a.npz": "array `meta` is missing"}  # fmt: skip
+    reasons = {
+        "row.npz": "do not match each other",
+        "high.npz": "do not match each other",
+        "not.npz": "not an .npz file",
+        "photo.png": "not an .npz file",
+        "none.npz": "file does not exist",
+        "a.npz": "array `meta` is missing",
+    }
     for by in ("any", "clip"):
         for name, reason in reasons.items():
             refused = invoke(["reconstruct", by, name, "-o", "o.npz"], tmp_path)

@@ -78,12 +78,15 @@ def test_python_objects_are_refused(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "line",
     [
-        "metrics a.npz a.npz --data-range 1", "view a.npz -o out.png",
-        "reconstruct any a.npz -o out.npz", "reconstruct hdr a.npz -o out.npz",
-        "reconstruct a.npz -o out.npz", "run a.nsl --scene a.npz -o out.npz",
+        "metrics a.npz a.npz --data-range 1",
+        "view a.npz -o out.png",
+        "reconstruct any a.npz -o out.npz",
+        "reconstruct hdr a.npz -o out.npz",
+        "reconstruct a.npz -o out.npz",
+        "run a.nsl --scene a.npz -o out.npz",
         "calibrate --flat a.npz@1ms --dark a.npz@1ms -o out.toml",
     ],
-)  # fmt: skip
+)
 def test_commands_refuse_huge_arrays(tmp_path: Path, run_nscc: RunNscc, line: str) -> None:
     huge_npz(tmp_path / "a.npz", "image", "frame", "meta", "light", "light_e_per_s")
     (tmp_path / "a.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when n < 2\n")

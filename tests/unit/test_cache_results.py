@@ -254,7 +254,7 @@ def hostile(solution: Solution) -> dict[str, object]:
         "an unknown register, or none, read": to_plain(
             replace(solution, opening=((Gate("NOT", "p0", ("PIX",)),),))
         ),
-    }  # fmt: skip
+    }
 
 
 def deep(levels: int) -> bytes:
@@ -354,7 +354,12 @@ def test_digests_tell_values_apart() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        b"", b"{", b"\xff", b"NaN", b"[]", b'["x", ["1"], ["p"], 0, 1, [], [[]], []]',
+        b"",
+        b"{",
+        b"\xff",
+        b"NaN",
+        b"[]",
+        b'["x", ["1"], ["p"], 0, 1, [], [[]], []]',
         b'["x", ["zz"], ["p"], 0, 1, [], [[]], [], false]',
         b'["x", [1], ["p"], 0, 1, [], [[]], [], false]',
         b'["x", ["1"], [null], 0, 1, [], [[]], [], false]',
@@ -365,9 +370,10 @@ def test_digests_tell_values_apart() -> None:
         b'["x", ["1"], ["p"], 0, 1, [[["NOT", "t0", ["p0"]]]], [[]], [], false]',
         b'["x", ["1"], ["p"], 0, 1, [[[[], "t0", ["p0"], null]]], [[]], [], false]',
         b'["x", ["1"], ["p"], 0, 1, [[["NOT", "t0", ["p0"], ""]]], [[]], [], false]',
-        b'["x", ["1"], ["p"], 0, 1, [], [[]], [], false, 1]', deep(50_000),
+        b'["x", ["1"], ["p"], 0, 1, [], [[]], [], false, 1]',
+        deep(50_000),
     ],
-)  # fmt: skip
+)
 def test_anything_else_is_refused(text: bytes, tmp_path: Path) -> None:
     problem = Problem((Demand(1, "open", 0, 1, False),), 2, ((1,),), True, {})
     machine = Machine.of(builtin_target("scamp5"))

@@ -231,15 +231,26 @@ def _bad_files(folder: Path) -> dict[str, str]:
         for ending in ("npy", "npz"):
             times[f"{name}.{ending}"] = "at most 16,777,216 pixels" if name == "huge" else "256 GiB"
     return times | {
-        "nowhere.npy": "file does not exist", "real.npy": "not whole", "nan.npy": "not whole",
-        "high.npy": "700 to 700", "negative.npy": "-1 to -1", "flags.npy": "bool",
-        "line.npy": "not frames", "none.npy": "not frames", "objects.npy": "cannot be read",
+        "nowhere.npy": "file does not exist",
+        "real.npy": "not whole",
+        "nan.npy": "not whole",
+        "high.npy": "700 to 700",
+        "negative.npy": "-1 to -1",
+        "flags.npy": "bool",
+        "line.npy": "not frames",
+        "none.npy": "not frames",
+        "objects.npy": "cannot be read",
         "two.npz": "no array",
-        "time.npz": "invalid exposure time", "times.npz": "invalid exposure time",
-        "cut.npz": "cannot be read", "text.npy": "cannot be read", "text.txt": "is not a format",
-        "red": "colour", "differ.npz": "different times", "buckets.npz": "bucket",
+        "time.npz": "invalid exposure time",
+        "times.npz": "invalid exposure time",
+        "cut.npz": "cannot be read",
+        "text.npy": "cannot be read",
+        "text.txt": "is not a format",
+        "red": "colour",
+        "differ.npz": "different times",
+        "buckets.npz": "bucket",
         "ok.npy@1e999s": "invalid exposure time",
-    }  # fmt: skip
+    }
 
 
 def test_too_few_pixels(stacks: tuple[list[Stack], list[Stack]]) -> None:
@@ -258,10 +269,14 @@ def test_frame_files_of_one_run_are_one_level(tmp_path: Path) -> None:
             for seed in range(6):
                 time_s = 0.004 * (level + 1)
                 meta = {
-                    "schema": "nscc-frame-1", "program_sha256": f"p{level}", "seed": seed,
-                    "scene_sha256": kind, "sensor_sha256": "s", "device_seed": 0,
+                    "schema": "nscc-frame-1",
+                    "program_sha256": f"p{level}",
+                    "seed": seed,
+                    "scene_sha256": kind,
+                    "sensor_sha256": "s",
+                    "device_seed": 0,
                     "open_us": [1e6 * time_s],
-                }  # fmt: skip
+                }
                 name = f"{kind}{level}_{seed}.npz"
                 codes = camera.codes(light, time_s, 1)
                 valid = np.ones(codes.shape, bool)

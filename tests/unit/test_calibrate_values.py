@@ -117,9 +117,13 @@ def test_rounding_is_part_of_the_errors(noise_lsb: float) -> None:
     off = []
     for seed in range(24):
         chip = Chip(
-            read_e=noise_lsb * 20, dsnu_lsb=0.0, prnu=0.0, dark_e_per_s=0.0, crosstalk=0.0,
+            read_e=noise_lsb * 20,
+            dsnu_lsb=0.0,
+            prnu=0.0,
+            dark_e_per_s=0.0,
+            crosstalk=0.0,
             offset_lsb=14 + seed / 24,
-        )  # fmt: skip
+        )
         found = calibrated(*taken(chip, seed, 3, 3), TOP, crosstalk=0.0).quantities
         for name in ("dark_noise_lsb", "conversion_gain", "offset", "saturation_lsb"):
             off.append((found[name].value - truth(chip)[name]) / found[name].se)

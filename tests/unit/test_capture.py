@@ -66,9 +66,15 @@ def test_repeats_are_consecutive_frames() -> None:
 
 def test_the_readout_is_that_of_frame_files() -> None:
     sensor = sensor_of(
-        PROGRAM, adc_noise_lsb=0.0, spread_noise_lsb=0.0, adc_pattern_lsb=0.0, adc_smooth_lsb=0.0,
-        adc_level_lsb=0.0, electrons_per_lsb=25.0, adc_offset_lsb=4.0,
-    )  # fmt: skip
+        PROGRAM,
+        adc_noise_lsb=0.0,
+        spread_noise_lsb=0.0,
+        adc_pattern_lsb=0.0,
+        adc_smooth_lsb=0.0,
+        adc_level_lsb=0.0,
+        electrons_per_lsb=25.0,
+        adc_offset_lsb=4.0,
+    )
     taken = capture(PROGRAM, CLIP, sensor=sensor, tolerance="1e")
     expected = read_out(Exposure(taken.exposure_e, taken.valid), PROGRAM.target, sensor)
     assert taken.frame.tobytes() == expected.frame.tobytes()
@@ -78,8 +84,13 @@ def test_the_readout_is_that_of_frame_files() -> None:
     inside = (taken.frame > 20) & (taken.frame < 235)
     change = noisy.frame[inside].astype(float) - taken.frame[inside]
     assert change.std() == pytest.approx(3.0, rel=0.25)
-    silent = capture(PROGRAM, CLIP, sensor=sensor.changed(adc_noise_lsb=3.0), tolerance="1e",
-                     effects="auto,-adc_noise")  # fmt: skip
+    silent = capture(
+        PROGRAM,
+        CLIP,
+        sensor=sensor.changed(adc_noise_lsb=3.0),
+        tolerance="1e",
+        effects="auto,-adc_noise",
+    )
     assert silent.frame.tobytes() == taken.frame.tobytes()
 
 

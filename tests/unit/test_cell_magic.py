@@ -49,10 +49,14 @@ def test_messages_stand_alone(shell: InteractiveShell, capsys: pytest.CaptureFix
 
 @pytest.mark.parametrize(
     ("line", "said"),
-    [("-O 9", "is not a whole number from 0 to 3"), ("--max-words-per-slot 0", "number from 1"),
-     ("--colour red", "unrecognized"),
-     ("7up", "not a valid variable name"), ("'a", "quotation")],
-)  # fmt: skip
+    [
+        ("-O 9", "is not a whole number from 0 to 3"),
+        ("--max-words-per-slot 0", "number from 1"),
+        ("--colour red", "unrecognized"),
+        ("7up", "not a valid variable name"),
+        ("'a", "quotation"),
+    ],
+)
 def test_a_wrong_line(
     line: str, said: str, shell: InteractiveShell, capsys: pytest.CaptureFixture[str]
 ) -> None:

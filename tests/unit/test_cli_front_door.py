@@ -53,8 +53,9 @@ def test_every_option_is_explained() -> None:
                 assert option.help, (name, option.opts)
                 numeric = type(option.default) in (int, float)
                 assert not numeric or option.show_default or "default" in option.help, (
-                    name, option.opts,
-                )  # fmt: skip
+                    name,
+                    option.opts,
+                )
 
 
 def test_version_and_help(folder: Path) -> None:
@@ -123,7 +124,7 @@ def test_exit_status_and_message(
         (["reconstruct", "any", "-o", "o.npz"], "NS0780", "needs FRAME.npz"),
         (["tradeoff", "foo"], "NS0781", "there is: decoder, emulator, images, sensor, synthesis"),
     ],
-)  # fmt: skip
+)
 def test_wrong_commands_say_what_to_write(
     folder: Path, arguments: list[str], code: str, helps: str
 ) -> None:
@@ -159,8 +160,18 @@ def test_json_is_one_object_a_line_even_for_wrong_usage(folder: Path, arguments:
     outcome = invoke([*arguments, "--message-format", "json"], folder)
     found = [json.loads(line) for line in outcome.err.splitlines()]
     assert found
-    assert {"code", "name", "severity", "message", "filename", "location", "end_location",
-            "data", "fixes", "rendered"} <= set(found[0])  # fmt: skip
+    assert {
+        "code",
+        "name",
+        "severity",
+        "message",
+        "filename",
+        "location",
+        "end_location",
+        "data",
+        "fixes",
+        "rendered",
+    } <= set(found[0])
 
 
 @pytest.mark.parametrize(
@@ -284,9 +295,14 @@ raise SystemExit(main())
 def test_a_second_interrupt_ends_at_once_without_a_traceback(folder: Path) -> None:
     """While a command cleans up after the first one."""
     ended = subprocess.run(
-        [sys.executable, "-c", TWICE, "check", "ok.nsl"], cwd=folder, capture_output=True,
-        text=True, timeout=60, check=False, env={**os.environ, "PYTHONPATH": ":".join(sys.path)},
-    )  # fmt: skip
+        [sys.executable, "-c", TWICE, "check", "ok.nsl"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+        env={**os.environ, "PYTHONPATH": ":".join(sys.path)},
+    )
     assert (ended.returncode, ended.stderr) == (130, "\ninterrupted\n")
 
 
@@ -310,9 +326,7 @@ def test_who_handles_interrupts_goes_on_to(folder: Path, monkeypatch: pytest.Mon
 def test_long_help_comes_in_sections(folder: Path) -> None:
     lines = invoke(["run", "--help"], folder).out.splitlines()
     titles = [line for line in lines if line.endswith(":") and not line.startswith(" ")]
-    assert titles == [
-        "Scene:", "Sensor effects:", "Compile:", "Device:", "Output:", "Options:"
-    ]  # fmt: skip
+    assert titles == ["Scene:", "Sensor effects:", "Compile:", "Device:", "Output:", "Options:"]
     options = ("--scene", "--effects", "-O", "--on", "--png", "--deny-warnings")
     for option, title, after in zip(options, titles, [*titles[1:], None], strict=True):
         section = lines[lines.index(title) : None if after is None else lines.index(after)]
@@ -408,9 +422,13 @@ def test_folders_that_cannot_be_written_give_at_most_one_line(
         (["view", "ok.nsl", "-o", "ok.png"], "ok.png"),
     ):
         done = subprocess.run(
-            [*nscc, *arguments], cwd=folder, env={**os.environ, **bad}, capture_output=True,
-            text=True, check=False,
-        )  # fmt: skip
+            [*nscc, *arguments],
+            cwd=folder,
+            env={**os.environ, **bad},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
         assert done.returncode == 0, done.stderr
         assert (folder / product).stat().st_size > 0
         ordinary = ("frame  ", "wrote ")

@@ -73,8 +73,9 @@ def test_a_build_that_takes_long_says_so(tmp_path: Path) -> None:
     )
     ours, theirs = pty.openpty()
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-    done = subprocess.run([sys.executable, "-c", slow], cwd=tmp_path, env=environment,
-                          stderr=theirs, timeout=60)  # fmt: skip
+    done = subprocess.run(
+        [sys.executable, "-c", slow], cwd=tmp_path, env=environment, stderr=theirs, timeout=60
+    )
     os.close(theirs)
     drawn = os.read(ours, 1 << 16).decode()
     os.close(ours)

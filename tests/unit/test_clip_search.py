@@ -62,8 +62,9 @@ def test_a_program_opens_the_shutters_of_its_code(target: str) -> None:
     for code in clip_codes(SLOTS)[::6]:
         container = code.container(frame)
         shutters = container.table.shutters[container.table.shutter_of_code[container.pixel_codes]]
-        repeats = [side // period for side, period in
-                   zip((ROWS, COLS), code.opened.shape[1:], strict=True)]  # fmt: skip
+        repeats = [
+            side // period for side, period in zip((ROWS, COLS), code.opened.shape[1:], strict=True)
+        ]
         expected = np.tile(code.opened, (1, *repeats))
         np.testing.assert_array_equal(shutters[:, :, -1].transpose(2, 0, 1), expected)
         assert shutters.shape[2] == 1 + code.long
@@ -74,8 +75,11 @@ def test_the_search_says_what_its_program_reaches(
     tmp_path: Path, target: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The program, exposed and reconstructed by the commands, beside the PSNR that is printed."""
-    codes = named("always open, one readout", "cyclic, 1/4 of the frame, one readout",
-                  "cyclic, 1/4 of the frame, two readouts, one always open")  # fmt: skip
+    codes = named(
+        "always open, one readout",
+        "cyclic, 1/4 of the frame, one readout",
+        "cyclic, 1/4 of the frame, two readouts, one always open",
+    )
     assert len(codes) == 3
     monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
     light = scene(0.4)
@@ -96,8 +100,10 @@ def test_the_search_says_what_its_program_reaches(
     result = np.load(tmp_path / "o.npz")["video"]
     peak = np.percentile(light, 99.9)
     truth, shown = (np.clip(part / peak, 0, 1) for part in (light, result))
-    truth, shown = (np.where(x > 0.0031308, 1.055 * np.maximum(x, 1e-9) ** (1 / 2.4) - 0.055,
-                             12.92 * x) for x in (truth, shown))  # fmt: skip
+    truth, shown = (
+        np.where(x > 0.0031308, 1.055 * np.maximum(x, 1e-9) ** (1 / 2.4) - 0.055, 12.92 * x)
+        for x in (truth, shown)
+    )
     psnr_db = -10 * np.log10(np.mean((truth - shown) ** 2))
     assert psnr_db == pytest.approx(float(lines["reached"].split()[0]), abs=0.06)
     assert psnr_db > float(lines["open"].split(": ")[1].split()[0]) + 1
@@ -105,8 +111,11 @@ def test_the_search_says_what_its_program_reaches(
 
 def test_motion_and_words_decide(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """A still scene needs no code; where codes reach the same, the one of fewer words is taken."""
-    codes = named("always open, one readout", "quad, 1/4 of the frame, one readout",
-                  "random bits, one readout")  # fmt: skip
+    codes = named(
+        "always open, one readout",
+        "quad, 1/4 of the frame, one readout",
+        "random bits, one readout",
+    )
     monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
     frame = Frame(slots=SLOTS, target=target, level=1)
     design = design_clip([scene(0.0)], frame)
@@ -144,9 +153,20 @@ def test_a_still_beside_a_clip_is_one_in_which_nothing_moves(
     monkeypatch.setattr(searched, "_psnr_db", judge)
     monkeypatch.setattr(searched, "clip_codes", lambda _slots: named("always open, one readout"))
     done = invoke(
-        ["design", "--search", "--scene", "builtin:hdr", "--scene", "builtin:motion",
-         "--exposure", "30000", "-o", "p.nsl"], tmp_path,
-    )  # fmt: skip
+        [
+            "design",
+            "--search",
+            "--scene",
+            "builtin:hdr",
+            "--scene",
+            "builtin:motion",
+            "--exposure",
+            "30000",
+            "-o",
+            "p.nsl",
+        ],
+        tmp_path,
+    )
     assert done.status == 0, done.err
     still, clip = scenes
     assert still.shape == clip.shape == (16, 256, 256)

@@ -157,10 +157,16 @@ def test_stills_get_a_pattern_of_exposures_by_copies() -> None:
 
 def parts_of(**shutter: object) -> searching.TrainingSetup:
     search = {"class": "c", "slots": 8, "length": 2, "tile": [4, 4], "init": "random"}
-    return make_setup(settings_of({
-        "shutter": {**search, "relaxation": "search", **shutter},
-        "decoder": {"learn": False}, "data": {"protocol": "video-v1"}, "train": {"device": "cpu"},
-    }))  # fmt: skip
+    return make_setup(
+        settings_of(
+            {
+                "shutter": {**search, "relaxation": "search", **shutter},
+                "decoder": {"learn": False},
+                "data": {"protocol": "video-v1"},
+                "train": {"device": "cpu"},
+            }
+        )
+    )
 
 
 def test_a_search_goes_where_the_losses_fall(monkeypatch: pytest.MonkeyPatch) -> None:

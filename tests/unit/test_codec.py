@@ -125,7 +125,7 @@ def changed(*path: Any, value: Any) -> Any:
         (changed("expression", 2, 2, value=0), "`expression[1].factor` is not a fraction"),
         (changed("expression", 2, 3, value=4), "`expression[1].node` is 4, not a list"),
     ],
-)  # fmt: skip
+)
 def test_errors_name_the_field(values: Any, text: str) -> None:
     with pytest.raises(InvalidRecord) as raised:
         from_plain(Whole, values)

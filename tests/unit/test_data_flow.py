@@ -44,13 +44,17 @@ def test_the_graph_has_every_use_of_a_value(container: Container) -> None:
     step_e = container.target.electrons_per_step
     edges = {(a, b): facts["label"] for a, b, facts in graph.edges(data=True)}
     assert edges == {
-        ("late", "change"): "blur", ("early", "change"): "blur",
+        ("late", "change"): "blur",
+        ("early", "change"): "blur",
         ("change", "moved"): f"> {round(0.04 * 30000 / step_e) * step_e:.0f} e",
-        ("moved", "sure"): "[1, 0]\nall line", ("h", "sure"): "",
+        ("moved", "sure"): "[1, 0]\nall line",
+        ("h", "sure"): "",
         ("moved", "next h"): "any line",
-        ("change", "read"): "", ("late", "read"): "", ("next h", "read"): "",
+        ("change", "read"): "",
+        ("late", "read"): "",
+        ("next h", "read"): "",
         ("sure", "report events"): "",
-    }  # fmt: skip
+    }
     kinds = {node: facts["kind"] for node, facts in graph.nodes.items()}
     assert (kinds["late"], kinds["h"], kinds["next h"]) == ("exposure", "state", "state")
     assert graph.nodes["report events"]["text"] == "at most 9"

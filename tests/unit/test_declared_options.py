@@ -77,9 +77,13 @@ def test_a_signature_has_the_declared_options(
 
 @pytest.mark.parametrize(
     ("command", "settings", "left_out"),
-    [(build, Options, set()), (run, Options, set()), (run, Scene, set()),
-     (run, Request, {"threads"})],
-)  # fmt: skip
+    [
+        (build, Options, set()),
+        (run, Options, set()),
+        (run, Scene, set()),
+        (run, Request, {"threads"}),
+    ],
+)
 def test_commands_have_the_declared_options(
     command: click.Command, settings: type, left_out: set[str]
 ) -> None:

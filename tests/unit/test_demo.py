@@ -245,8 +245,16 @@ def test_views_of_all_that_is_made(folder: Path, run_nscc: RunNscc) -> None:
     run_nscc(["run", "--like", "hdr", "--scene", "builtin:hdr", "-o", "frame.npz"], folder)
     run_nscc(["reconstruct", "hdr", "frame.npz", "-o", "rec.npz"], folder)
     seen = set()
-    for path in ("frame.npz", "rec.npz", "sensor.toml", "photo.jpg", "short.gif", "hdr",
-                 str(evaluation), str(runs["hdr"] / "shutter.nsl")):  # fmt: skip
+    for path in (
+        "frame.npz",
+        "rec.npz",
+        "sensor.toml",
+        "photo.jpg",
+        "short.gif",
+        "hdr",
+        str(evaluation),
+        str(runs["hdr"] / "shutter.nsl"),
+    ):
         outcome = run_nscc(["view", path, "-o", "view.png"], folder)
         assert outcome.status == 0, outcome.err
         seen.add((folder / "view.png").read_bytes())
@@ -272,8 +280,9 @@ def test_a_photo_through_ones_own_run(folder: Path, run_nscc: RunNscc, tmp_path:
 def test_the_sheet_says_where_a_result_is_worse_than_an_ordinary_camera(
     psnr_db: float, worse: bool
 ) -> None:
-    shown = SimpleNamespace(open_db=20.0, fair_db=25.0, psnr_db=psnr_db, measure="PSNR",
-                            how="a run", decode_s=0.1)  # fmt: skip
+    shown = SimpleNamespace(
+        open_db=20.0, fair_db=25.0, psnr_db=psnr_db, measure="PSNR", how="a run", decode_s=0.1
+    )
     shown.camera_db = Shown.camera_db.fget(shown)
     assert shown.camera_db == 25.0
     assert (f"{psnr_db} dB, worse than an ordinary camera" in _decoder_text(shown)) == worse

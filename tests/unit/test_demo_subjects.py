@@ -19,9 +19,13 @@ def scene_of(path: Path, **values: object) -> Scene:
 
 @pytest.mark.parametrize(
     ("ending", "asked", "taken"),
-    [(".png", None, "srgb"), (".png", "linear", "linear"), (".hdr", None, "linear"),
-     (".hdr", "srgb", "srgb")],
-)  # fmt: skip
+    [
+        (".png", None, "srgb"),
+        (".png", "linear", "linear"),
+        (".hdr", None, "linear"),
+        (".hdr", "srgb", "srgb"),
+    ],
+)
 def test_the_curve_that_is_asked_for_is_used(
     tmp_path: Path, ending: str, asked: str | None, taken: str
 ) -> None:

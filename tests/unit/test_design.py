@@ -163,9 +163,20 @@ def test_levels_are_rounded_to_their_own_steps(step_e: float | str) -> None:
 def test_a_design_is_a_program_in_the_one_style(tmp_path: Path) -> None:
     for options in (["--looks", "9"], ["--criterion", "sve-risk"], ["--search"]):
         done = invoke(
-            ["design", "--scene", "builtin:hdr", "--exposure", "1000000", "-O", "0",
-             "-o", "p.nsl", *options], tmp_path,
-        )  # fmt: skip
+            [
+                "design",
+                "--scene",
+                "builtin:hdr",
+                "--exposure",
+                "1000000",
+                "-O",
+                "0",
+                "-o",
+                "p.nsl",
+                *options,
+            ],
+            tmp_path,
+        )
         assert done.status == 0, done.err
         assert "wrote p.nsl" in done.out
         assert "dB PSNR" in done.out
@@ -234,8 +245,9 @@ def test_a_frame_of_few_slots_has_no_tile_of_four_stops(slots: int) -> None:
 
 
 def test_words_decide_between_patterns_that_are_nearly_as_good() -> None:
-    one, two = (replace(p, linear_db=30.0, mu_db=db) for p, db in zip(patterns(4), (30, 30.1),
-                strict=False))  # fmt: skip
+    one, two = (
+        replace(p, linear_db=30.0, mu_db=db) for p, db in zip(patterns(4), (30, 30.1), strict=False)
+    )
     ranked = [two, one]
     assert ranked[cheapest([p.mean_db for p in ranked], lambda _: 20)] is two
     words = {0: 200, 1: 20}
@@ -244,8 +256,9 @@ def test_words_decide_between_patterns_that_are_nearly_as_good() -> None:
 
 def test_a_camera_meters_the_light() -> None:
     """It opens for less the more light there is, and for all of a frame that is dark."""
-    sensor = SENSOR.changed(analog_noise_lsb=0.4, spread_noise_lsb=0.65, adc_pattern_lsb=0.0,
-                            adc_smooth_lsb=0.0)  # fmt: skip
+    sensor = SENSOR.changed(
+        analog_noise_lsb=0.4, spread_noise_lsb=0.65, adc_pattern_lsb=0.0, adc_smooth_lsb=0.0
+    )
     chip, light = DesignChip.of(TARGET, sensor), scene(stops=4.0) / 60
     stops = [best_stop(chip, light * factor, 256, "mu") for factor in (0.01, 1.0, 8.0, 64.0)]
     assert stops == sorted(stops, reverse=True)
@@ -257,9 +270,14 @@ def test_what_cannot_be_designed_for_says_so(tmp_path: Path) -> None:
     with pytest.raises(Rejected) as found:
         design_looks([np.zeros((4, 4))], 3)
     assert found.value.diagnostics[0].code == "NS0824"
-    for options in ([], ["--looks", "3", "--criterion", "sve-risk"], ["--search", "--looks", "3"],
-                    ["--search", "--criterion", "mu"],
-                    ["--looks", "9", "--slots", "8"], ["--looks", "1"]):  # fmt: skip
+    for options in (
+        [],
+        ["--looks", "3", "--criterion", "sve-risk"],
+        ["--search", "--looks", "3"],
+        ["--search", "--criterion", "mu"],
+        ["--looks", "9", "--slots", "8"],
+        ["--looks", "1"],
+    ):
         done = invoke(["design", "--scene", "builtin:hdr", *options], tmp_path)
         assert done.status == 2, options
         assert "NS078" in done.err

@@ -17,12 +17,29 @@ def test_the_example_is_read() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "", "corrupt", "corrupt=", "corrupt=2", "corrupt=-1e-3", "corrupt=nan", "drop=x",
-        "delay=50", "delay=-1s", "delay=1h", "delay=1e9s", "delay=99999s", "disconnect=20000",
-        "disconnect=after:", "disconnect=after:-1", "reboot=after:1e4", "reboot=after:²",
-        "corupt=1e-4", "corrupt=0,corrupt=0", "seed=-1", "seed=after:1",
+        "",
+        "corrupt",
+        "corrupt=",
+        "corrupt=2",
+        "corrupt=-1e-3",
+        "corrupt=nan",
+        "drop=x",
+        "delay=50",
+        "delay=-1s",
+        "delay=1h",
+        "delay=1e9s",
+        "delay=99999s",
+        "disconnect=20000",
+        "disconnect=after:",
+        "disconnect=after:-1",
+        "reboot=after:1e4",
+        "reboot=after:²",
+        "corupt=1e-4",
+        "corrupt=0,corrupt=0",
+        "seed=-1",
+        "seed=after:1",
     ],
-)  # fmt: skip
+)
 def test_what_is_no_fault_is_refused(text: str) -> None:
     with pytest.raises(Rejected) as caught:
         parse_faults(text)

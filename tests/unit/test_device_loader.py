@@ -276,9 +276,11 @@ def kernels(*ops_of: Sequence[Op] | Sequence[tuple[int, ...]]) -> Object:
 
 
 def schedule(
-    slots: int, runs: Sequence[tuple[int, float]], rows: Sequence[tuple[int, int, int]],
+    slots: int,
+    runs: Sequence[tuple[int, float]],
+    rows: Sequence[tuple[int, int, int]],
     grace_ns: int = 0,
-) -> Object:  # fmt: skip
+) -> Object:
     """A SCHEDULE object, laid out by hand."""
     data = pack("<4I", slots, grace_ns, 0, len(runs)) + b"".join(pack("<Id", *run) for run in runs)
     data += pack("<I", len(rows)) + b"".join(pack("<IHH", *row) for row in rows)
@@ -330,9 +332,17 @@ def test_small_programs_by_hand_are_taken(talk: Talk) -> None:
         encode(pair("OR", "R1", ["R1"])[0]),
         encode(pair("NOR", "R1", ["R1"])[1]),
     ],
-    ids=["zeros", "ones", "a bit too many", "parts swapped", "another chip's register",
-         "WHERE of FLAG", "a first half alone", "a second half alone"],
-)  # fmt: skip
+    ids=[
+        "zeros",
+        "ones",
+        "a bit too many",
+        "parts swapped",
+        "another chip's register",
+        "WHERE of FLAG",
+        "a first half alone",
+        "a second half alone",
+    ],
+)
 def test_words_that_the_target_does_not_take_are_refused(talk: Talk, word: tuple[int, ...]) -> None:
     objects = [GOOD_READOUT, kernels([op("nop")], [encode(op("nop")), word]), GOOD_SCHEDULE]
     fault, detail = talk.refused(objects)
@@ -378,8 +388,10 @@ def test_halves_of_different_pairs_are_refused(talk: Talk) -> None:
         ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(1, 0, 5)])], LoaderFault.SCHEDULE),
         ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 2, 1)])], LoaderFault.SCHEDULE),
         ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 0, 0)])], LoaderFault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 0, 65535)] * (MOST_LAUNCHES // 65535 + 1))],
-         LoaderFault.SCHEDULE),
+        (
+            [GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 0, 65535)] * (MOST_LAUNCHES // 65535 + 1))],
+            LoaderFault.SCHEDULE,
+        ),
         ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0x80000000, 0, 2)])], LoaderFault.SCHEDULE),
         ([plane(13)], LoaderFault.PLANE),
         ([plane(1), plane(1)], LoaderFault.PLANE),
@@ -397,7 +409,7 @@ def test_halves_of_different_pairs_are_refused(talk: Talk) -> None:
         ([reports(*[(5, 1)] * 14)], LoaderFault.TOO_LARGE),
         ([Object(9, 0, b"abc")], LoaderFault.MALFORMED),  # type: ignore[arg-type]
     ],
-)  # fmt: skip
+)
 def test_objects_that_make_no_sense_are_refused(
     talk: Talk, objects: list[Object], fault: LoaderFault
 ) -> None:

@@ -26,12 +26,16 @@ from nscc_runtime.device.packets import (
         ("11220033", "0311220233"),
         ("11223344", "0511223344"),
         ("11000000", "0211010101"),
-        ("".join(f"{i:02x}" for i in range(1, 255)),
-         "ff" + "".join(f"{i:02x}" for i in range(1, 255)) + "01"),
-        ("00" + "".join(f"{i:02x}" for i in range(1, 254)),
-         "01fe" + "".join(f"{i:02x}" for i in range(1, 254))),
+        (
+            "".join(f"{i:02x}" for i in range(1, 255)),
+            "ff" + "".join(f"{i:02x}" for i in range(1, 255)) + "01",
+        ),
+        (
+            "00" + "".join(f"{i:02x}" for i in range(1, 254)),
+            "01fe" + "".join(f"{i:02x}" for i in range(1, 254)),
+        ),
     ],
-)  # fmt: skip
+)
 def test_stuffing_is_what_others_call_cobs(plain: str, wire: str) -> None:
     assert stuffed(bytes.fromhex(plain)).hex() == wire
     assert unstuffed(bytes.fromhex(wire)) == bytes.fromhex(plain)

@@ -89,9 +89,11 @@ PROGRAMS = {
     "read b0, b1, b2, b3, b4, b5, p",
 }  # fmt: skip
 REPORTED = {
-    "reports", "reports of rare bits", "reports beside what is read",
+    "reports",
+    "reports of rare bits",
+    "reports beside what is read",
     "repeated steps beside a plane of x and y",
-}  # fmt: skip
+}
 """The programs whose reports are made by the device."""
 FRAMES = 3
 ALL_FORMS = {

@@ -53,8 +53,12 @@ def test_bodies_are_as_long_as_their_descriptions(page: str, name: str) -> None:
     for item in re.sub(r"\.$", "", " ".join(text.split())).split(","):
         first = item.split()[0]
         size += WIDTHS[first] if first in WIDTHS else int(first)
-    kinds = {"STATUS": messages.Status, "PROGRESS": messages.UploadProgress,
-             "CAPTURED": messages.CaptureReply, "ENTRY": messages.ObjectEntry}  # fmt: skip
+    kinds = {
+        "STATUS": messages.Status,
+        "PROGRESS": messages.UploadProgress,
+        "CAPTURED": messages.CaptureReply,
+        "ENTRY": messages.ObjectEntry,
+    }
     assert size == kinds[name].layout.size
 
 

@@ -17,10 +17,18 @@ from nscc.diagnostics.suggest import closest
 @pytest.mark.parametrize(
     "asked",
     [
-        "NS0107", "ns0107", " NS0107 ", "syntax", "SYNTAX", "107", "0107", "NS107",
-        "error[NS0107]", "error[NS0107]: in this `frame` statement: expected `slots`",
+        "NS0107",
+        "ns0107",
+        " NS0107 ",
+        "syntax",
+        "SYNTAX",
+        "107",
+        "0107",
+        "NS107",
+        "error[NS0107]",
+        "error[NS0107]: in this `frame` statement: expected `slots`",
     ],
-)  # fmt: skip
+)
 def test_a_page_is_found_by_code_and_by_name(asked: str) -> None:
     assert page(asked) == (PAGES / "NS0107-syntax.md").read_text(encoding="utf-8")
 

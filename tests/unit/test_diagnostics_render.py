@@ -62,13 +62,18 @@ help: write 13
 
 def test_a_line_with_two_labels_is_shown_once() -> None:
     error = Diagnostic(
-        "NS0107", "wrong", source=Source("a.nsl", TEXT),
-        label=place(TEXT, "bit[16]"), related=(place(TEXT, "bits", "here"),),
-    )  # fmt: skip
+        "NS0107",
+        "wrong",
+        source=Source("a.nsl", TEXT),
+        label=place(TEXT, "bit[16]"),
+        related=(place(TEXT, "bits", "here"),),
+    )
     lines = render([error], "human").splitlines()
     assert lines[3:] == [
-        " 4 | code bits : bit[16]", "   |             ^^^^^^^", "   |      ---- here",
-    ]  # fmt: skip
+        " 4 | code bits : bit[16]",
+        "   |             ^^^^^^^",
+        "   |      ---- here",
+    ]
 
 
 @pytest.mark.parametrize(
@@ -102,9 +107,14 @@ def test_places_at_the_end_and_over_lines_get_a_mark() -> None:
 
 def test_colour_adds_nothing_but_colour() -> None:
     error = Diagnostic(
-        "NS0107", "wrong", Severity.WARNING, source=Source("a.nsl", TEXT),
-        label=place(TEXT, "frame"), notes=("a note",), helps=("a help",),
-    )  # fmt: skip
+        "NS0107",
+        "wrong",
+        Severity.WARNING,
+        source=Source("a.nsl", TEXT),
+        label=place(TEXT, "frame"),
+        notes=("a note",),
+        helps=("a help",),
+    )
     plain, painted = render([error], "human"), render([error], "human", True)
     assert "\x1b" not in plain
     assert re.sub(r"\x1b\[[0-9;]*m", "", painted) == plain
@@ -112,24 +122,44 @@ def test_colour_adds_nothing_but_colour() -> None:
 
 def test_nothing_of_the_users_text_reaches_the_terminal_raw() -> None:
     error = Diagnostic(
-        "NS0107", "a\nb\x1b[2J", source=Source("x\x1b\n.nsl", "\x1b"),
-        label=Label(Span(0, 1), "\x07"), notes=("\x1b[2J",), helps=("\x9b",),
-    )  # fmt: skip
+        "NS0107",
+        "a\nb\x1b[2J",
+        source=Source("x\x1b\n.nsl", "\x1b"),
+        label=Label(Span(0, 1), "\x07"),
+        notes=("\x1b[2J",),
+        helps=("\x9b",),
+    )
     for form in ("human", "short"):
         assert all(line.isprintable() for line in render([error], form).splitlines())
 
 
 def test_json_has_the_promised_keys() -> None:
     error = Diagnostic(
-        "NS0107", "wrong", source=Source("a.nsl", TEXT), label=place(TEXT, "bit[16]"),
-        fixes=(Fix("write 13", place(TEXT, "16]").span, "13]"),), data={"required": 16},
-    )  # fmt: skip
+        "NS0107",
+        "wrong",
+        source=Source("a.nsl", TEXT),
+        label=place(TEXT, "bit[16]"),
+        fixes=(Fix("write 13", place(TEXT, "16]").span, "13]"),),
+        data={"required": 16},
+    )
     bare = Diagnostic("NS0101", "cannot read", Severity.NOTE)
     first, second = map(json.loads, render([error, bare], "json").splitlines())
-    assert set(first) == set(second) == {
-        "code", "name", "severity", "message", "filename", "location", "end_location", "data",
-        "fixes", "rendered",
-    }  # fmt: skip
+    assert (
+        set(first)
+        == set(second)
+        == {
+            "code",
+            "name",
+            "severity",
+            "message",
+            "filename",
+            "location",
+            "end_location",
+            "data",
+            "fixes",
+            "rendered",
+        }
+    )
     assert first["name"] == names()["NS0107"]
     assert first["location"] == {"row": 4, "column": 13}
     assert first["end_location"] == {"row": 4, "column": 20}

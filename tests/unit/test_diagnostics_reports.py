@@ -15,10 +15,17 @@ from nscc_cli.main import main
 
 SOURCE = Source("a dir/ä.nsl", "nsl 1\nopen wen n < 3\n")
 FOUND = Diagnostic(
-    "NS0107", "100% wrong: a, b", Severity.WARNING, SOURCE, Label(Span(11, 14), "here"),
-    related=(Label(Span(0, 3), "there"),), notes=("a note",), helps=("a help",),
-    fixes=(Fix("write `when`", Span(11, 14), "when"),), data={"n": 1},
-)  # fmt: skip
+    "NS0107",
+    "100% wrong: a, b",
+    Severity.WARNING,
+    SOURCE,
+    Label(Span(11, 14), "here"),
+    related=(Label(Span(0, 3), "there"),),
+    notes=("a note",),
+    helps=("a help",),
+    fixes=(Fix("write `when`", Span(11, 14), "when"),),
+    data={"n": 1},
+)
 
 
 def log(text: str) -> dict[str, Any]:
@@ -63,8 +70,11 @@ def test_a_sarif_log_says_all_of_a_message() -> None:
     assert first["relatedLocations"][0]["message"]["text"] == "there"
     assert first["properties"] == {"n": 1}
     assert second == {
-        "ruleId": "NS0901", "ruleIndex": 1, "level": "error", "message": {"text": "fault"}
-    }  # fmt: skip
+        "ruleId": "NS0901",
+        "ruleIndex": 1,
+        "level": "error",
+        "message": {"text": "fault"},
+    }
 
 
 def test_one_document_holds_all_that_a_command_says(

@@ -77,7 +77,7 @@ def told(text: str, piece: str) -> str:
         ("nsl 1\nopen when n |", {"and", "or"}, {"in"}),
         ("nsl 2\nopen when n |", {"and", "in"}, set()),
     ],
-)  # fmt: skip
+)
 def test_what_may_stand_next(text: str, wanted: set[str], unwanted: set[str]) -> None:
     found = offered(text)
     assert wanted <= {*found}
@@ -128,8 +128,9 @@ def test_slots_cost_what_the_words_say() -> None:
     for launch in container.launches:
         counts[launch.instant] += len(container.kernels[launch.kernel].words)
     said = [told(STOPS, f"{length}ms") for length in (1, 2, 4)]
-    assert [f"{count} words at its start" in text for count, text in zip(counts, said, strict=False)
-            ] == [True] * 3  # fmt: skip
+    assert [
+        f"{count} words at its start" in text for count, text in zip(counts, said, strict=False)
+    ] == [True] * 3
     assert f"{sum(counts)} words a frame" in told(STOPS, "slots")
     frame, most = hints(document(STOPS))
     assert frame.text.startswith(f"{sum(counts)} words a frame, shortest slot ")
@@ -151,8 +152,11 @@ def test_planes_cost_what_their_rows_take() -> None:
 def test_the_outline() -> None:
     found = outline(document(LOOKS))
     assert [(entry.kind, entry.name) for entry in found] == [
-        ("frame", "frame"), ("sense", "bright"), ("state", "closed_at"), ("open", "open"),
-    ]  # fmt: skip
+        ("frame", "frame"),
+        ("sense", "bright"),
+        ("state", "closed_at"),
+        ("open", "open"),
+    ]
     assert found[0].detail == "256 slots of 125us"
     assert all(LOOKS[e.at.start : e.at.end] == e.name for e in found)
     broken = outline(document("nsl 1\nlet a = 1\nopen wen n\ncode c : 0..1\nlet"))

@@ -111,9 +111,13 @@ INCOMPLETE = [
 @pytest.mark.parametrize(("changes", "text"), INCOMPLETE, ids=[text for _, text in INCOMPLETE])
 def test_what_an_effect_lacks_is_refused_by_name(changes: dict[str, object], text: str) -> None:
     whole = replace(
-        named("lag"), name="tilt", stream=99, parameters=(), sums=CannotHave("so"),
+        named("lag"),
+        name="tilt",
+        stream=99,
+        parameters=(),
+        sums=CannotHave("so"),
         words=CannotHave("so"),
-    )  # fmt: skip
+    )
     before = registered()
     with pytest.raises(Rejected) as caught:
         register(replace(whole, **changes))
@@ -128,8 +132,12 @@ def test_what_marks_saturation_is_declared() -> None:
     """A frame file's bits are a contract."""
     found = {mark.name: mark.bit for mark in marks().values()}
     assert found == {
-        "well": 1, "register": 2, "converter": 4, "reset level": 8, "black sun": 16,
-    }  # fmt: skip
+        "well": 1,
+        "register": 2,
+        "converter": 4,
+        "reset level": 8,
+        "black sun": 16,
+    }
     least_e = marks()["registers"].least_e
     # Where a register keeps half of what is added: tanh' = 1/2.
     x = np.arccosh(np.sqrt(2.0))

@@ -11,9 +11,17 @@ from nscc_runtime.effects import Effect, registered
 
 ROOT = Path(__file__).resolve().parents[2]
 EMULATOR = (
-    "emulator", "reference", "planner", "sensor", "noise", "tradeoff", "exposing.py",
-    "captured.py", "frame_file.py", "nscc_cli",
-)  # fmt: skip
+    "emulator",
+    "reference",
+    "planner",
+    "sensor",
+    "noise",
+    "tradeoff",
+    "exposing.py",
+    "captured.py",
+    "frame_file.py",
+    "nscc_cli",
+)
 """Where the name of an effect is not the name of a scene or of a message."""
 INSIDE = Path(nscc_runtime.effects.__file__).parent
 OTHERS = [
@@ -29,10 +37,11 @@ def rooms() -> set[str]:
     for path in INSIDE.glob("*.py"):
         tree = ast.parse(path.read_text())
         if any(
-            isinstance(each, ast.Assign) and isinstance(each.value, ast.Call)
+            isinstance(each, ast.Assign)
+            and isinstance(each.value, ast.Call)
             and getattr(each.value.func, "id", "") == Effect.__name__
             for each in tree.body
-        ):  # fmt: skip
+        ):
             found.add(f"nscc_runtime.effects.{path.stem}")
     return found
 

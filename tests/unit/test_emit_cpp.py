@@ -204,8 +204,13 @@ def test_tiles_need_no_image_and_pictures_do(tmp_path: Path) -> None:
     assert len(requests) > len(named), "what was not answered in time is asked for again"
     tiled = tmp_path / "tile"
     tiled.mkdir()
-    recording, _, _ = checked(tiled, B + "pixels stop = tile [[1, 9, 64], [3, 3, 5]]\n"
-                              .replace("64]", "64, 7]").replace("5]]", "5, 5]]"))  # fmt: skip
+    recording, _, _ = checked(
+        tiled,
+        B
+        + "pixels stop = tile [[1, 9, 64], [3, 3, 5]]\n".replace("64]", "64, 7]").replace(
+            "5]]", "5, 5]]"
+        ),
+    )
     assert not [name for name, _ in recording.loading if name == "request"]
     assert not list(tiled.glob("*.bmp"))
 
@@ -404,8 +409,11 @@ def test_calls_stop_at_their_number_of_sources(sources: tuple[str, str], tmp_pat
     _, container, written = checked(tmp_path, text, "--target", chip)
     for number, kernel in enumerate(container.kernels):
         ops = [decode(word) for word in kernel.words]
-        beyond = [o for o in ops if len(o.sources) > {"WHERE": 3, "OR.read": 2, "NOR.read": 2}
-                  .get(o.name, 4)]  # fmt: skip
+        beyond = [
+            o
+            for o in ops
+            if len(o.sources) > {"WHERE": 3, "OR.read": 2, "NOR.read": 2}.get(o.name, 4)
+        ]
         assert (f"k{number}_words[][5]" in written) == bool(beyond), (number, beyond)
 
 
@@ -491,9 +499,15 @@ def test_the_text_says_what_it_is_made_from(tmp_path: Path) -> None:
     text = file.read_text()
     source = sha256((tmp_path / "p.nsl").read_bytes()).hexdigest()
     for part in (
-        "p.nsl", "class      b", "256 of 125 us", "28 stored in 5 kernels", source,
-        "p.nsl:9: open when n < stop", "p.nsl:11: pixels stop", "// boundary 64",
-    ):  # fmt: skip
+        "p.nsl",
+        "class      b",
+        "256 of 125 us",
+        "28 stored in 5 kernels",
+        source,
+        "p.nsl:9: open when n < stop",
+        "p.nsl:11: pixels stop",
+        "// boundary 64",
+    ):
         assert part in text
     assert str(tmp_path) not in text
     assert max(map(len, text.splitlines())) <= 110

@@ -96,8 +96,11 @@ def test_the_file_alone_computes_the_shutters(name, lowering, level):
         if facts["kind"] == "demand":
             asked[facts["bucket"], facts["edge"], facts["boundary"]] = values[node]
         elif facts["kind"] == "end":
-            (plane,) = [p for p, f in network.nodes(data=True)
-                        if f["kind"] == "plane" and f["register"] == facts["register"]]  # fmt: skip
+            (plane,) = [
+                p
+                for p, f in network.nodes(data=True)
+                if f["kind"] == "plane" and f["register"] == facts["register"]
+            ]
             assert values[node] == values[plane]
     assert asked == expected(compiled.program, lowering)
     gates = [facts for _, facts in network.nodes(data=True) if facts["kind"] == "gate"]
@@ -133,8 +136,11 @@ def test_the_file_alone_computes_what_pixels_do_that_look(name):
     network = nx.read_graphml(io.BytesIO(graphml_bytes(made)))
     lanes, nodes = range(40), network.nodes
     draw = np.random.default_rng(3)
-    signal = {(facts["boundary"], facts["signal"]): draw.random(len(lanes)) * 30_000
-              for _, facts in nodes(data=True) if facts["kind"] == "look"}  # fmt: skip
+    signal = {
+        (facts["boundary"], facts["signal"]): draw.random(len(lanes)) * 30_000
+        for _, facts in nodes(data=True)
+        if facts["kind"] == "look"
+    }
     values = {}
     for node in nx.topological_sort(network):
         facts = nodes[node]
@@ -151,11 +157,12 @@ def test_the_file_alone_computes_what_pixels_do_that_look(name):
     interpreter = Interpreter(text)
     for lane in lanes:
         pixel = interpreter.run(
-            {}, [0.0] * interpreter.slots,
+            {},
+            [0.0] * interpreter.slots,
             answer=lambda _sense, n, _light, level: bool(
                 next(v for (at, _), v in signal.items() if at == n)[lane] > level  # noqa: B023
             ),
-        )  # fmt: skip
+        )
         [opens] = pixel.opens
         edges = {
             (facts["edge"], facts["boundary"])

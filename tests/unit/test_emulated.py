@@ -64,9 +64,13 @@ def program() -> Container:
 
 
 QUIET = {
-    "analog_noise_lsb": 0.4, "spread_noise_lsb": 0.65, "adc_pattern_lsb": 0.5,
-    "adc_smooth_lsb": 0.0, "adc_level_lsb": 0.0, "analog_bias_lsb": 1.0,
-}  # fmt: skip
+    "analog_noise_lsb": 0.4,
+    "spread_noise_lsb": 0.65,
+    "adc_pattern_lsb": 0.5,
+    "adc_smooth_lsb": 0.0,
+    "adc_level_lsb": 0.0,
+    "analog_bias_lsb": 1.0,
+}
 """Errors whose mean a few chips and frames tell."""
 
 
@@ -101,9 +105,7 @@ def test_codes_are_the_emulators(program: Container, table: EmulatedSensor, leve
     rows, cols = program.target.rows, program.target.cols
     light_e = np.full((rows, cols), level * sensor.full_well_e, np.float32)
     light = Light.of_still(light_e, np.full(SLOTS, 1 / SLOTS))
-    wanted = np.concatenate([
-        emulated_codes(program, light, (90 + k, 90 + k)) for k in range(3)
-    ])  # fmt: skip
+    wanted = np.concatenate([emulated_codes(program, light, (90 + k, 90 + k)) for k in range(3)])
     exposure = torch.from_numpy(light_e).double() * laid(share(program), rows, cols)
     generator = torch.Generator().manual_seed(1)
     codes, _full = table.read_out(exposure.expand(3, -1, -1), model, generator)
@@ -191,12 +193,17 @@ def test_training_measures_the_sensor_again_and_resumes_exactly(
     chip = small_target(invoke(["targets", "scamp5", "--toml"], tmp_path).out, 64, 48)
     (tmp_path / "chip.toml").write_text(chip)
     values = {
-        "shutter": {"class": "d", "slots": 4, "tile": [2, 2], "target": str(tmp_path / "chip.toml"),
-                    "init": "random"},
+        "shutter": {
+            "class": "d",
+            "slots": 4,
+            "tile": [2, 2],
+            "target": str(tmp_path / "chip.toml"),
+            "init": "random",
+        },
         "sensor": {"effects": "all"},
         "data": {"protocol": "video-v1", "patch": 16, "scenes": 2, "val_items": 1},
         "train": {"steps": 6, "batch": 1, "validate_every": 3, "code_rate": 0.5},
-    }  # fmt: skip
+    }
     measured = []
     monkeypatch.setattr(
         setups, "emulated_sensor", lambda *args: measured.append(args) or emulated_sensor(*args)
@@ -271,9 +278,11 @@ def test_a_run_goes_on_from_anothers_weights_and_codes(tmp_path: Path) -> None:
     shutter = {"slots": 4, "tile": [2, 2]}
     first = trained(tmp_path / "a", shutter={**shutter, "init": "random"})
     begun = trained(
-        tmp_path / "b", shutter={**shutter, "init": str(first), "learn": False},
-        decoder={"init": str(first)}, train={"rate": 0.0},
-    )  # fmt: skip
+        tmp_path / "b",
+        shutter={**shutter, "init": str(first), "learn": False},
+        decoder={"init": str(first)},
+        train={"rate": 0.0},
+    )
     assert (begun / WEIGHTS).read_bytes() == (first / WEIGHTS).read_bytes()
     codes = [load_codes(folder / "codes.npz")["stop"] for folder in (first, begun)]
     np.testing.assert_array_equal(*codes)

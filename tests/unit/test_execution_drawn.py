@@ -20,13 +20,22 @@ def drawn(rates: np.ndarray, begin: int = 0, end: int | None = None) -> np.ndarr
     away = np.zeros((1, len(rates)))
     draw_counts(
         counting=Counting(
-            begin=begin, end=len(rates) if end is None else end, pixels=len(rates), groups=1,
-            accumulates=0, rate_cap=RATE_CAP,
+            begin=begin,
+            end=len(rates) if end is None else end,
+            pixels=len(rates),
+            groups=1,
+            accumulates=0,
+            rate_cap=RATE_CAP,
         ),
-        keys=np.array([STREAM], np.uint64), rates=rates[None], places=np.arange(len(rates)),
-        values=np.empty(BLOCK), scratch=np.empty(ROOM), pending_rates=np.empty(BLOCK),
-        pending_pixels=np.empty(BLOCK, np.int64), away=away,
-    )  # fmt: skip
+        keys=np.array([STREAM], np.uint64),
+        rates=rates[None],
+        places=np.arange(len(rates)),
+        values=np.empty(BLOCK),
+        scratch=np.empty(ROOM),
+        pending_rates=np.empty(BLOCK),
+        pending_pixels=np.empty(BLOCK, np.int64),
+        away=away,
+    )
     return away[0] + rates
 
 

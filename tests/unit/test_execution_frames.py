@@ -39,8 +39,16 @@ def both(
     return scene.expose(SEED, 1).exposure_e, full, scene
 
 
-LINEAR = ("none", "prnu", "lag", "prnu,lag", "crosstalk", "crosstalk,prnu", "dead_time",
-          "dead_time,crosstalk,lag")  # fmt: skip
+LINEAR = (
+    "none",
+    "prnu",
+    "lag",
+    "prnu,lag",
+    "crosstalk",
+    "crosstalk,prnu",
+    "dead_time",
+    "dead_time,crosstalk,lag",
+)
 
 
 @pytest.mark.parametrize("effects", LINEAR)
@@ -77,9 +85,13 @@ def test_saturating_pixels_run_through_their_words(name: str) -> None:
     light = moving_light((8, ROWS, COLS), 300.0)
     light.frames[:, 4, 5] = 20000.0
     found, full, scene = both(
-        name, "all,-shot,-dark", light, register_max_e=9000.0, register_min_e=-9000.0,
+        name,
+        "all,-shot,-dark",
+        light,
+        register_max_e=9000.0,
+        register_min_e=-9000.0,
         analog_noise_lsb=0.4,
-    )  # fmt: skip
+    )
     assert 4 * COLS + 5 in scene.near
     assert len(scene.near) < ROWS * COLS / 2
     rows, cols = np.divmod(scene.near, COLS)

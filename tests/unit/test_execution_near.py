@@ -33,9 +33,15 @@ def test_neighbours_give_a_part_and_the_border_gets_less(name: str, shape: tuple
     """Charge that PIX sees, as the shutter is open, with all that neighbours give in a frame."""
     container = case(name, SLOTS, "500us", *shape)
     sensor = sensor_of(
-        container, full_well_e=2500.0, crosstalk_fraction=0.05, lag_fraction=0.1,
-        prnu_fraction=0.2, dark_current_e_per_s=2e4, register_max_e=1e9, register_min_e=-1e9,
-    )  # fmt: skip
+        container,
+        full_well_e=2500.0,
+        crosstalk_fraction=0.05,
+        lag_fraction=0.1,
+        prnu_fraction=0.2,
+        dark_current_e_per_s=2e4,
+        register_max_e=1e9,
+        register_min_e=-1e9,
+    )
     light = moving_light((SLOTS, *shape), 300.0)
     program = AnalysedProgram.of(container, sensor)
     near = near_saturation(program, light, DEVICE, everything())

@@ -21,10 +21,14 @@ SEEDS = {"seed": 3, "device_seed": 5, "frame": 2}
 COUNTED = ",-shot,-dark"
 """Counts are drawn for other intervals than in the reference: `test_simulators_agree`."""
 SETS = (
-    "none", "all", *(name for name in optional() if name not in ("shot", "dark")),
-    "crosstalk,leakage", "read,reset,analog", "all,-full_well,-register",
+    "none",
+    "all",
+    *(name for name in optional() if name not in ("shot", "dark")),
+    "crosstalk,leakage",
+    "read,reset,analog",
+    "all,-full_well,-register",
     "full_well,register,dead_time",
-)  # fmt: skip
+)
 
 
 def compared(
@@ -45,10 +49,16 @@ def compared(
 def sensor_near(container: Container, **values: float) -> Sensor:
     """A sensor whose wells and registers the light of these tests fills here and there."""
     wells = {
-        "full_well_e": 2500.0, "register_min_e": -3000.0, "register_max_e": 3000.0,
-        "electrons_per_lsb": 10.0, "leakage_tau_s": 0.05, "leakage_spread_fraction": 0.3,
-        "crosstalk_fraction": 0.03, "dark_current_e_per_s": 20000.0, "prnu_fraction": 0.05,
-    }  # fmt: skip
+        "full_well_e": 2500.0,
+        "register_min_e": -3000.0,
+        "register_max_e": 3000.0,
+        "electrons_per_lsb": 10.0,
+        "leakage_tau_s": 0.05,
+        "leakage_spread_fraction": 0.3,
+        "crosstalk_fraction": 0.03,
+        "dark_current_e_per_s": 20000.0,
+        "prnu_fraction": 0.05,
+    }
     return sensor_of(container, **{**wells, **values})
 
 

@@ -21,10 +21,17 @@ from nscc_runtime.sensor import Sensor
 
 ROWS, COLS = 6, 9
 QUIET = {
-    "analog_noise_lsb": 0.0, "analog_pattern_lsb": 0.0, "analog_bias_lsb": 0.0,
-    "leakage_spread_fraction": 0.0, "leakage_tau_s": 0.02, "electrons_per_lsb": 10.0,
-    "analog_gain": 0.96, "analog_move_loss": 0.25, "register_min_e": -1e9, "register_max_e": 1e9,
-}  # fmt: skip
+    "analog_noise_lsb": 0.0,
+    "analog_pattern_lsb": 0.0,
+    "analog_bias_lsb": 0.0,
+    "leakage_spread_fraction": 0.0,
+    "leakage_tau_s": 0.02,
+    "electrons_per_lsb": 10.0,
+    "analog_gain": 0.96,
+    "analog_move_loss": 0.25,
+    "register_min_e": -1e9,
+    "register_max_e": 1e9,
+}
 GAINS = {"gain": 0.96, "move_gain": 0.99}
 
 
@@ -112,8 +119,10 @@ def test_noise_is_as_large_as_the_references(name: str, effect: str) -> None:
 def test_seen_slots_are_those_on_pix_at_a_read(name: str) -> None:
     container = case(name, rows=ROWS, cols=COLS)
     made = AnalysedProgram.of(container, sensor_of(container))
-    expected = [[brute_force(made, lane, slot) > 0 for lane in range(len(container.encoding))]
-                for slot in range(container.slots)]  # fmt: skip
+    expected = [
+        [brute_force(made, lane, slot) > 0 for lane in range(len(container.encoding))]
+        for slot in range(container.slots)
+    ]
     np.testing.assert_array_equal(made.seen_slots, expected)
 
 

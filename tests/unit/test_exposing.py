@@ -54,8 +54,17 @@ def test_a_frame_file_is_the_commands(
     """Byte for byte, with everything that can be kept."""
     (tmp_path / "p.nsl").write_text(TEXT + DATA)
     keep = KEEP
-    line = ["run", "p.nsl", "--scene", "builtin:flat:30000", "-o", "c.npz", "--keep",
-            ",".join(keep), *arguments]  # fmt: skip
+    line = [
+        "run",
+        "p.nsl",
+        "--scene",
+        "builtin:flat:30000",
+        "-o",
+        "c.npz",
+        "--keep",
+        ",".join(keep),
+        *arguments,
+    ]
     outcome = invoke(line, tmp_path)
     assert outcome.status == 0, outcome.err
     p = nscc.compile(tmp_path / "p.nsl")
@@ -71,10 +80,13 @@ def test_a_frame_file_is_the_commands(
     [
         ({"fit": "tiles"}, ["--fit", "tiles"], (1, 300, 270)),
         ({"fit": "tiles", "color": True}, ["--fit", "tiles", "--color"], (3, 1, 300, 270)),
-        ({"crop": (3, 5), "transfer": "linear"}, ["--crop", "3,5", "--transfer", "linear"],
-         (1, 256, 256)),
+        (
+            {"crop": (3, 5), "transfer": "linear"},
+            ["--crop", "3,5", "--transfer", "linear"],
+            (1, 256, 256),
+        ),
     ],
-)  # fmt: skip
+)
 def test_a_photo_of_any_size_is_exposed_as_by_the_command(
     options: dict[str, Any], arguments: list[str], shape: tuple[int, ...], tmp_path: Path
 ) -> None:

@@ -176,9 +176,9 @@ def test_commands_keep_what_they_read(tmp_path: Path, run_nscc: RunNscc) -> None
     """Also what only their inputs name."""
     np.savez(tmp_path / "codes.npz", stop=np.ones((256, 256), np.int64))
     (tmp_path / "a.nsl").write_text(
-        'nsl 1\nframe 4 slots of 1ms\ncode stop : 1..4\nopen when n < stop\n'
+        "nsl 1\nframe 4 slots of 1ms\ncode stop : 1..4\nopen when n < stop\n"
         'pixels from "codes.npz"\n'
-    )  # fmt: skip
+    )
     assert run_nscc(["build", "a.nsl"], tmp_path).status == 0
     before = {path: path.read_bytes() for path in tmp_path.iterdir()}
     for line in (

@@ -37,9 +37,14 @@ def run(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Run:
     subprocess.run([*command, *map(str, sources), "-o", str(program)], check=True)
 
     def frame(
-        runs: Sequence[tuple[int, float]], rows: Sequence[tuple[int, int, int]], each: int = 0,
-        *, grace_ns: int = 0, most_late: int = 0, nops: int = 0,
-    ) -> list[str]:  # fmt: skip
+        runs: Sequence[tuple[int, float]],
+        rows: Sequence[tuple[int, int, int]],
+        each: int = 0,
+        *,
+        grace_ns: int = 0,
+        most_late: int = 0,
+        nops: int = 0,
+    ) -> list[str]:
         words = [[encode(op("rpix"))], [encode(op("nop"))] * nops]
         head = pack("<3I", 2, 1, nops)
         kernels = head + b"".join(pack("<5I", *word) for kernel in words for word in kernel)
@@ -98,9 +103,10 @@ def test_long_waits_let_the_main_loop_go_round(run: Run) -> None:
 
 
 @pytest.mark.parametrize(
-    ("slot_us", "each"), [(100.0, 7), (25.0, 2), (8.0, 8), (8.0, 7), (0.001, 3)],
+    ("slot_us", "each"),
+    [(100.0, 7), (25.0, 2), (8.0, 8), (8.0, 7), (0.001, 3)],
     ids=["room for a look", "just enough of it", "none", "almost none", "words alone"],
-)  # fmt: skip
+)
 def test_the_line_is_looked_at_every_ten_milliseconds(run: Run, slot_us: float, each: int) -> None:
     """However short waits are; where one is long enough, no launch is late for it."""
     count = min(200_000, int(1.9e6 / max(slot_us, each)))
@@ -123,13 +129,21 @@ def test_the_line_is_looked_at_every_ten_milliseconds(run: Run, slot_us: float, 
         ([(1 << 20, 100.0)], [(1, 1, 65535)], 0, 8),
         ([(1 << 14, 100.0)], [(1, 1, 1 << 14)], 0, None),
     ],
-    ids=["a slot of twenty minutes", "twenty minutes of slots", "words without end",
-         "slots without a breath", "slots for less than two seconds"],
-)  # fmt: skip
+    ids=[
+        "a slot of twenty minutes",
+        "twenty minutes of slots",
+        "words without end",
+        "slots without a breath",
+        "slots for less than two seconds",
+    ],
+)
 def test_what_is_accepted_ends_in_time(
-    run: Run, runs: list[tuple[int, float]], rows: list[tuple[int, int, int]], nops: int,
+    run: Run,
+    runs: list[tuple[int, float]],
+    rows: list[tuple[int, int, int]],
+    nops: int,
     detail: int | None,
-) -> None:  # fmt: skip
+) -> None:
     end = run(runs, rows, nops=nops)[-1].split()
     if detail is None:
         assert end[0] == "ended"

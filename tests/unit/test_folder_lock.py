@@ -39,9 +39,11 @@ validate_every = 1
 def test_another_process_keeps_a_run_out(tmp_path: Path, run_nscc: RunNscc) -> None:
     (tmp_path / "c.toml").write_text(CONFIG)
     with subprocess.Popen(
-        [sys.executable, "-c", HOLD], cwd=tmp_path, stdout=subprocess.PIPE,
+        [sys.executable, "-c", HOLD],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
-    ) as holder:  # fmt: skip
+    ) as holder:
         assert holder.stdout is not None
         assert holder.stdout.readline() == b"held\n"
         outcome = run_nscc(["train", "c.toml", "--out", "run"], tmp_path)

@@ -102,8 +102,9 @@ def test_pictures_and_clips_are_as_a_screen_shows_them(tone: str, tmp_path: Path
     for ending, lights in ((".png", (GREY, COLOUR)), (".gif", (CLIP,))):
         for light in lights:
             found = SHOWN[ending](written(ending, content(light, tone=tone)), tmp_path)
-            assert np.array_equal(found if found.ndim == light.ndim else found[..., 0],
-                                  fitted(tone, light)(light))  # fmt: skip
+            assert np.array_equal(
+                found if found.ndim == light.ndim else found[..., 0], fitted(tone, light)(light)
+            )
 
 
 def test_films_play_as_many_frames_of_their_size(tmp_path: Path) -> None:

@@ -17,8 +17,13 @@ from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.frame_file import SCHEMA
 
 SHAPE = (1, 6, 8)
-META = {"schema": SCHEMA, "plan": None, "adc_offset": 0, "electrons_per_lsb": 10.0,
-        "frame_us": 1000.0}  # fmt: skip
+META = {
+    "schema": SCHEMA,
+    "plan": None,
+    "adc_offset": 0,
+    "electrons_per_lsb": 10.0,
+    "frame_us": 1000.0,
+}
 
 
 def arrays(**changes: Any) -> dict[str, Any]:

@@ -22,9 +22,12 @@ def _frames(count: int) -> Iterator[Frame]:
     for number in range(count):
         values = np.full((2, 3, 4), number, np.float64)
         yield Frame(
-            values.astype(np.uint8), values + 0.5, values > 1, (values % 3).astype(np.uint8),
+            values.astype(np.uint8),
+            values + 0.5,
+            values > 1,
+            (values % 3).astype(np.uint8),
             told={"open_slots": values.astype(np.int64)},
-        )  # fmt: skip
+        )
 
 
 @pytest.mark.parametrize("most", [0, 1 << 28])

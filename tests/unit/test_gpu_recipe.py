@@ -34,8 +34,14 @@ def pictures(folder: Path) -> None:
 
 def test_a_quarter_of_the_clips_stands_still_and_some_codes_are_the_searched_one() -> None:
     chosen = {"name": "any", "lessons": "codes", "still": 0.25, "searched": 0.5, "films": 1.0}
-    settings = settings_of({"decoder": chosen, "shutter": {"learn": False},
-                            "data": {"patch": 32}, "train": {"batch": 4}})  # fmt: skip
+    settings = settings_of(
+        {
+            "decoder": chosen,
+            "shutter": {"learn": False},
+            "data": {"patch": 32},
+            "train": {"batch": 4},
+        }
+    )
     picture = np.random.default_rng(2).integers(0, 255, (200, 200), np.uint8)
     drawn = [lessons.LessonSet([picture], settings)[step] for step in range(60)]
     still = [bool((clip == clip[:1]).all()) for lesson in drawn for clip in lesson.light]

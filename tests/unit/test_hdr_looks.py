@@ -59,17 +59,22 @@ def test_designs_for_worse_comparators(folder: Path, monkeypatch: pytest.MonkeyP
     """Told of comparators of 4 %, a design takes lower levels: under these it is better than one
     that was made for 2 %, and does not fall apart; under 2 % it is worse."""
     unaware = {
-        name: [mu_db(name, folder), mu_db(name, folder, COMPARATORS, BAD),
-               mu_db(name, folder, COMPARATORS, GOOD)]
+        name: [
+            mu_db(name, folder),
+            mu_db(name, folder, COMPARATORS, BAD),
+            mu_db(name, folder, COMPARATORS, GOOD),
+        ]
         for name in DESIGNED
-    }  # fmt: skip
+    }
     chip_of = looks_rows.DesignChip.of
     monkeypatch.setattr(
-        looks_rows.DesignChip, "of", lambda target, sensor: chip_of(
+        looks_rows.DesignChip,
+        "of",
+        lambda target, sensor: chip_of(
             target,
             sensor.changed(comparator_noise_fraction=0.04, comparator_offset_fraction=0.04),
         ),
-    )  # fmt: skip
+    )
     for name, (before, bad, good) in unaware.items():
         assert mu_db(name, folder, COMPARATORS, BAD) > max(bad, before - 5)
         assert mu_db(name, folder, COMPARATORS, GOOD) < good

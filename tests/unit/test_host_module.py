@@ -53,9 +53,15 @@ class FakeHost(ModuleType):
 def packet(frame: int, picture: np.ndarray, kind: str = "SCAMP5_AOUT") -> dict[str, Any]:
     rows, cols = picture.shape
     return {
-        "type": "data", "size": rows * cols, "datatype": kind, "loopcounter": frame, "channel": 0,
-        "width": cols, "height": rows, "buffer": np.ascontiguousarray(picture[::-1]).tobytes(),
-    }  # fmt: skip
+        "type": "data",
+        "size": rows * cols,
+        "datatype": kind,
+        "loopcounter": frame,
+        "channel": 0,
+        "width": cols,
+        "height": rows,
+        "buffer": np.ascontiguousarray(picture[::-1]).tobytes(),
+    }
 
 
 def frames(numbers: range = range(3)) -> list[dict[str, Any]]:
@@ -66,9 +72,13 @@ TEXT = {"type": "data", "datatype": "TEXT", "loopcounter": 11, "text": "2 launch
 
 
 def run(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, packets: list[Any], *options: str,
-    place: str = "host:fake_host", program: str = "p.nsl",
-) -> tuple[Any, FakeHost]:  # fmt: skip
+    folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    packets: list[Any],
+    *options: str,
+    place: str = "host:fake_host",
+    program: str = "p.nsl",
+) -> tuple[Any, FakeHost]:
     (folder / "p.nsl").write_text(PROGRAM)
     host = FakeHost(packets)
     monkeypatch.setitem(sys.modules, "fake_host", host)
@@ -118,7 +128,7 @@ def test_bits_and_a_relay(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
         ([frames()[0], {**frames()[2], "buffer": b"cut"}], "256 x 256 pixels with 3 bytes"),
         ([frames()[0], {**frames()[2], "width": 128}], "256 x 128 pixels with 65536 bytes"),
     ],
-)  # fmt: skip
+)
 def test_lost_and_cut_packets(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, packets: list[Any], reason: str
 ) -> None:

@@ -67,7 +67,7 @@ def saved(path: Path, picture: np.ndarray) -> None:
             ["--crop", "2,0", "--flip", "cols", "--transpose"],
         ),
     ],
-)  # fmt: skip
+)
 def test_pictures_lie_as_the_user_says(
     tmp_path: Path, ending: str, turn: Any, options: list[str]
 ) -> None:
@@ -170,7 +170,7 @@ def test_registers_of_states_give_the_states(tmp_path: Path) -> None:
         (["cut.npy"], "cut short"),
         (["cut.png"], "cut.png"),
     ],
-)  # fmt: skip
+)
 def test_unsuitable_pictures_are_refused(tmp_path: Path, files: list[str], reason: str) -> None:
     (tmp_path / "p.nsl").write_text(PROGRAM)
     codes = np.arange(65536, dtype=np.uint32).reshape(256, 256)

@@ -54,8 +54,10 @@ def test_the_class_that_holds_a_mask(tmp_path: Path, kind: str) -> None:
     found, shutters = imported(tmp_path, mask)
     if kind == "e":  # for these bits a list of them takes as many words
         more = [reason for reason in found.reasons if "words a slot, not fewer than" in reason]
-        assert more == [f"class e: {found.words_per_slot:g} words a slot, not fewer than "
-                        f"{found.words_per_slot:g}"]  # fmt: skip
+        assert more == [
+            f"class e: {found.words_per_slot:g} words a slot, not fewer than "
+            f"{found.words_per_slot:g}"
+        ]
     else:
         assert found.kind == kind, found
     repeated = np.tile(mask, (256 // mask.shape[0], 256 // mask.shape[1], 1))

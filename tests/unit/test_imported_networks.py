@@ -100,9 +100,14 @@ def exported(folder: Path, module: torch.nn.Module, states: int = 1) -> Path:
     return path
 
 
-@pytest.mark.parametrize("settings", [
-    {}, {"outputs": 3, "pool": 5, "update": "replace"}, {"states": 2, "outside": 1, "kernel": 5},
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {},
+        {"outputs": 3, "pool": 5, "update": "replace"},
+        {"states": 2, "outside": 1, "kernel": 5},
+    ],
+)
 def test_an_export_of_torch_is_the_cell(tmp_path: Path, settings: dict[str, int]) -> None:
     torch.manual_seed(5)
     cell = PixelCell(**settings)  # type: ignore[arg-type]
@@ -147,8 +152,10 @@ def test_files_that_are_not_state_dicts_say_what_they_are(tmp_path: Path) -> Non
     (tmp_path / "lfs.pt").write_text("version https://git-lfs.github.com/spec/v1\noid sha256:0\n")
     torch.save({"module.weight": torch.zeros(2)}, tmp_path / "parallel.pt")
     for name, text in (
-        ("model", "a pickled object of the class"), ("cut", "it is cut off"),
-        ("lfs", "a pointer of Git LFS"), ("parallel", "begin with `module.`"),
-    ):  # fmt: skip
+        ("model", "a pickled object of the class"),
+        ("cut", "it is cut off"),
+        ("lfs", "a pointer of Git LFS"),
+        ("parallel", "begin with `module.`"),
+    ):
         with pytest.raises(Rejected, match=text):
             read_cell(tmp_path / f"{name}.pt")

@@ -78,7 +78,7 @@ def test_repeat_with_flood_count_and_sum_stay_names() -> None:
         (BRIGHT + "input plane q pixels q = x + 1 read p, q", "NS0301"),
         (BRIGHT + "input plane q pixels q = tile [[0, 1]] read p, q", "NS0545"),
     ],
-)  # fmt: skip
+)
 def test_what_is_refused(text: str, code: str) -> None:
     assert code in refused(text)
 
@@ -86,12 +86,21 @@ def test_what_is_refused(text: str, code: str) -> None:
 @pytest.mark.parametrize(
     ("params", "inputs"),
     [
-        ({"u": "4%"}, None), ({"t": "30%"}, None), ({"t": "4"}, None), ({"t": None}, None),
-        ({"m": 5}, None), ({"m": 1.5}, None), ({"m": True}, None), ([{"m": 1}, 3], None), (3, None),
-        (None, {"p": np.zeros((256, 256))}), (None, {"q": np.zeros((4, 4), np.bool_)}),
-        (None, {"q": np.full((256, 256), 2)}), (None, {"q": "no_such.npy"}),
+        ({"u": "4%"}, None),
+        ({"t": "30%"}, None),
+        ({"t": "4"}, None),
+        ({"t": None}, None),
+        ({"m": 5}, None),
+        ({"m": 1.5}, None),
+        ({"m": True}, None),
+        ([{"m": 1}, 3], None),
+        (3, None),
+        (None, {"p": np.zeros((256, 256))}),
+        (None, {"q": np.zeros((4, 4), np.bool_)}),
+        (None, {"q": np.full((256, 256), 2)}),
+        (None, {"q": "no_such.npy"}),
     ],
-)  # fmt: skip
+)
 def test_values_of_the_host_are_checked(params: Any, inputs: Any) -> None:
     program = nscc.compile(
         HEAD + BRIGHT + "param m : 0 .. 4 = 2 input plane q plane r = q and p[m, 0] read r"

@@ -21,9 +21,13 @@ SIDE, FRAMES = 256, 20
 STEP_E = 30000 / 127
 Array = NDArray[Any]
 PUBLIC_WORDS = {
-    "sobel_laplace": 70, "hdr_edges": 191, "any_in_box": 9, "masked_memory": 7, "history": 23,
+    "sobel_laplace": 70,
+    "hdr_edges": 191,
+    "any_in_box": 9,
+    "masked_memory": 7,
+    "history": 23,
     "half": 774,
-}  # fmt: skip
+}
 """Words of the public versions that count all their words."""
 
 
@@ -54,10 +58,12 @@ def moved(values: Array, dx: int, dy: int) -> Array:
 
 
 def sobel(exposure: Array) -> Array:
-    across = sum(w * (moved(exposure, -1, d) - moved(exposure, 1, d)) for d, w in
-                 ((-1, 1), (0, 2), (1, 1)))  # fmt: skip
-    along = sum(w * (moved(exposure, d, -1) - moved(exposure, d, 1)) for d, w in
-                ((-1, 1), (0, 2), (1, 1)))  # fmt: skip
+    across = sum(
+        w * (moved(exposure, -1, d) - moved(exposure, 1, d)) for d, w in ((-1, 1), (0, 2), (1, 1))
+    )
+    along = sum(
+        w * (moved(exposure, d, -1) - moved(exposure, d, 1)) for d, w in ((-1, 1), (0, 2), (1, 1))
+    )
     return np.asarray(np.abs(across) / 8 + np.abs(along) / 8)
 
 
@@ -107,9 +113,11 @@ def test_any_in_a_rectangle() -> None:
     boxes = rng.random((FRAMES, SIDE, SIDE)) < 1e-4
     levels = [75.0 + frame * 2 for frame in range(FRAMES)]
     capture = nscc_runtime.film(
-        program("any_in_box"), light, inputs=[{"box": box} for box in boxes],
+        program("any_in_box"),
+        light,
+        inputs=[{"box": box} for box in boxes],
         params=[{"t": level * STEP_E} for level in levels],
-    )  # fmt: skip
+    )
     found = [
         bool((e[box] > level * STEP_E).any())
         for e, box, level in zip(exposures(light), boxes, levels, strict=True)

@@ -64,9 +64,14 @@ def light(path: Path, fit: Any) -> np.ndarray:
 
 
 FILES = [
-    ("a.png", "RGB", {}), ("a.png", "L", {}), ("a.png", "P", {}), ("a.tiff", "CMYK", {}),
-    ("a.jpg", "RGB", {}), ("a.webp", "RGB", {"lossless": True}), ("a.bmp", "RGB", {}),
-]  # fmt: skip
+    ("a.png", "RGB", {}),
+    ("a.png", "L", {}),
+    ("a.png", "P", {}),
+    ("a.tiff", "CMYK", {}),
+    ("a.jpg", "RGB", {}),
+    ("a.webp", "RGB", {"lossless": True}),
+    ("a.bmp", "RGB", {}),
+]
 
 
 @pytest.mark.parametrize(("name", "mode", "settings"), FILES)

@@ -268,11 +268,22 @@ def test_gates_keep_the_fan_in(limit, count, inside):
 
 @pytest.mark.parametrize(
     ("name", "shutters", "slots", "bound"),
-    [("b", 8, 8, 7), ("b", 9, 8, 8), ("b", 64, 64, 113), ("b", 256, 256, 497),
-     ("c", 64, 64, 115), ("c", 57, 64, 108), ("d", 36, 8, 8), ("d", 136, 16, 22),
-     ("d", 528, 32, 57), ("d", 2080, 64, 124), ("d", 2081, 64, 124), ("d", 5, 64, None),
-     ("e", 64, 6, None)],
-)  # fmt: skip
+    [
+        ("b", 8, 8, 7),
+        ("b", 9, 8, 8),
+        ("b", 64, 64, 113),
+        ("b", 256, 256, 497),
+        ("c", 64, 64, 115),
+        ("c", 57, 64, 108),
+        ("d", 36, 8, 8),
+        ("d", 136, 16, 22),
+        ("d", 528, 32, 57),
+        ("d", 2080, 64, 124),
+        ("d", 2081, 64, 124),
+        ("d", 5, 64, None),
+        ("e", 64, 6, None),
+    ],
+)
 def test_bounds(name, shutters, slots, bound):
     assert level_bound(name, shutters, slots, 13) == bound
 

@@ -75,10 +75,12 @@ def test_frames_are_those_of_the_words(program: Container, effects: str) -> None
 def test_threads_and_rows_change_no_bit(program: Container) -> None:
     sensor, chosen, light = default_sensor(program.target), selected("all"), clip(program)
     one, many = (
-        [frame.exposure_e for frame in frames(program, light, sensor, chosen, seed=1, count=2,
-                                              threads=threads)]
+        [
+            frame.exposure_e
+            for frame in frames(program, light, sensor, chosen, seed=1, count=2, threads=threads)
+        ]
         for threads in (1, 3)
-    )  # fmt: skip
+    )
     assert np.array_equal(one, many)
     reference, scene = Reference.of(program, sensor, chosen), scene_of(program, light)
     whole, part = (

@@ -124,9 +124,13 @@ def frames(container: Container, seed: int) -> Iterator[tuple[np.ndarray, dict[s
     """Two frames of random light on a chip whose registers start with anything."""
     light = np.random.default_rng(seed).uniform(0, 12000, (container.slots, SIDE, SIDE))
     taken = looking_frames(
-        container, Light.of_clip(light.astype(np.float32)), default_sensor(container.target),
-        selected("none"), device_seed=seed, count=2,
-    )  # fmt: skip
+        container,
+        Light.of_clip(light.astype(np.float32)),
+        default_sensor(container.target),
+        selected("none"),
+        device_seed=seed,
+        count=2,
+    )
     for frame in taken:
         states = {k: v for k, v in frame.told.items() if k.startswith("states_")}
         yield frame.exposure_e, states

@@ -46,9 +46,11 @@ def product(sizes: Sizes, step: Step) -> float:
 
 @loop
 def scaled(
-    sizes: Sizes, steps: Annotated[NDArray[Any], Step, "count"],
-    start: Annotated[Ints, "count+1"], out: Written[Annotated[Floats, "count"]],
-) -> None:  # fmt: skip
+    sizes: Sizes,
+    steps: Annotated[NDArray[Any], Step, "count"],
+    start: Annotated[Ints, "count+1"],
+    out: Written[Annotated[Floats, "count"]],
+) -> None:
     for i in range(sizes.count):
         out[steps[i].index] = product(sizes, steps[i]) + start[i + 1]
 

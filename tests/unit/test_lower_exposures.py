@@ -95,12 +95,13 @@ BEHAVIOURS = {
     "two inputs": {"or_sources": 2, "where_sources": 2},
     "FLAG readable": {"where_reads_flag": True, "where_obeys_flag": True},
     "no masked register": {
-        "mask_register": None, "masked_register": None,
+        "mask_register": None,
+        "masked_register": None,
         "digital_registers": tuple(f"R{i}" for i in range(12)),
     },
     "small store": {"store_words": 60},
     "no readout time": {"readout_us": 0.0},
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("name", ["b17", "c33_8", "d13", "e7", "codebook", "two_buckets"])

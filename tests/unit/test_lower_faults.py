@@ -52,22 +52,33 @@ def book_file(folder, rows, slots):
     ("text", "codes", "required", "what"),
     [
         (E16, "open", 16, "16 slots, each free: 65536 shutters"),
-        (E16 + "\npixels bits = (256 * y + x) % 65536", "fixed", 16,
-         "65536 different shutters in use"),
+        (
+            E16 + "\npixels bits = (256 * y + x) % 65536",
+            "fixed",
+            16,
+            "65536 different shutters in use",
+        ),
         slow(f"frame 200 slots of 1ms\n{BUMPS}", "open", 15, "20100 different shutters"),
-        ("frame 9 slots of 1ms\ncode a : bit[9]\ncode b : bit[9]\n"
-         "bucket one open when a[n]\nbucket two open when b[n]", "open", 18,
-         "9 slots in 2 buckets, each free: 262144 shutters"),
+        (
+            "frame 9 slots of 1ms\ncode a : bit[9]\ncode b : bit[9]\n"
+            "bucket one open when a[n]\nbucket two open when b[n]",
+            "open",
+            18,
+            "9 slots in 2 buckets, each free: 262144 shutters",
+        ),
     ],
-)  # fmt: skip
+)
 def test_more_shutters_than_states(chip, text, codes, required, what):
     found = fault(f"target {chip}\n{text}" if chip else text, codes)
     assert found.code == "NS0412"
     assert f"its codes need {required} bits per pixel, but the chip has 13" in found.message
     assert found.label.text == what
     assert found.data == {
-        "resource": "digital registers", "required": required, "available": 13, "proved": True,
-    }  # fmt: skip
+        "resource": "digital registers",
+        "required": required,
+        "available": 13,
+        "proved": True,
+    }
     second = [label.text for label in found.related] if chip else list(found.notes)
     assert any("13 one-bit registers a pixel (R0-R12)" in place for place in second)
     assert any(note.startswith("certain") for note in found.notes)
@@ -130,9 +141,10 @@ def test_ways_out_of_a_rule_of_no_class():
     """The rule keeps its text; the frame gets the largest number of slots that fits."""
     text = "frame {} slots of 1ms\ncode s : 1..N code a : bit[9]\nopen when n < s xor a[n % 9]"
     offered = check_ways_out(
-        fault(text.format(20)), 20,
+        fault(text.format(20)),
+        20,
         {"frame 13 slots": lambda: compiled(text.format(13), level=1)},
-    )  # fmt: skip
+    )
     assert offered[0] == "frame 13 slots"
     with pytest.raises(Rejected):
         compiled(text.format(14), level=1)
@@ -226,10 +238,15 @@ def test_the_lowering_of_a_program_that_looks_is_the_requested_one():
     ("version", "text"),
     [
         (1, "".join(f"code c{i} : bit[9]\nbucket b{i} open when c{i}[n]\n" for i in range(2))),
-        (3, "open when true\n" + "".join(f"plane p{i} = exposure > {i}%\n" for i in range(1, 16))
-            + "read " + ", ".join(f"p{i}" for i in range(1, 16))),
+        (
+            3,
+            "open when true\n"
+            + "".join(f"plane p{i} = exposure > {i}%\n" for i in range(1, 16))
+            + "read "
+            + ", ".join(f"p{i}" for i in range(1, 16)),
+        ),
     ],
-)  # fmt: skip
+)
 def test_programs_that_do_less_than_asked_are_not_advised(version, text):
     """Neither one bump instead of two buckets, nor bumps instead of planes."""
     found = fault("frame 9 slots of 1ms\n" + text, version=version)

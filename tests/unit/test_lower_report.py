@@ -85,9 +85,7 @@ def test_counts(name, chip):
     assert values["target"] == chip
     assert values["slots"] == slots
     assert values["slot_time_us"] == list(container.slot_us)
-    assert values["source_sha256"] == hashlib.sha256(
-        f"nsl 1\n{TEXTS[name]}\n".encode()
-    ).hexdigest()  # fmt: skip
+    assert values["source_sha256"] == hashlib.sha256(f"nsl 1\n{TEXTS[name]}\n".encode()).hexdigest()
     assert values["codes"] == {
         "mode": "open",
         "count": len(container.table.codes),
@@ -114,8 +112,19 @@ def test_counts(name, chip):
 def test_logic(name, chip):
     compiled, values = built(TEXTS[name], chip=chip)
     logic = values["logic"]
-    gates = ("WHERE", "SET", "CLR", "MOV", "NOT", "OR", "NOR", "OR.read", "OR.write", "NOR.read",
-             "NOR.write")  # fmt: skip
+    gates = (
+        "WHERE",
+        "SET",
+        "CLR",
+        "MOV",
+        "NOT",
+        "OR",
+        "NOR",
+        "OR.read",
+        "OR.write",
+        "NOR.read",
+        "NOR.write",
+    )
     per_boundary = []
     for here in words_at(compiled.container):
         names = " ".join(f"{name}.FLAG" if "FLAG" in sources else name for name, _, sources in here)
@@ -172,9 +181,13 @@ def exposed(container, light_e):
         digital[name] = column[None].copy()
     analog = {name: np.zeros(shape) for name in (*target.analog_registers, "PIX", "IN")}
     chip = Counting(
-        analog, digital, np.zeros(shape, bool), np.zeros(shape),
-        target.reset_honours_flag == "yes", target.where_obeys_flag,
-    )  # fmt: skip
+        analog,
+        digital,
+        np.zeros(shape, bool),
+        np.zeros(shape),
+        target.reset_honours_flag == "yes",
+        target.where_obeys_flag,
+    )
     chip.counts, chip.read, chip.held = (np.zeros(shape) for _ in range(3))
     chip.registers = tuple(readout.register for readout in container.readouts)
     words = words_at(container)

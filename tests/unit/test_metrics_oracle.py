@@ -21,9 +21,12 @@ EDGE = 5
 
 
 @given(
-    st.integers(11, 40), st.integers(11, 40), st.sampled_from([1.0, 255.0, 3e4]),
-    st.integers(0, 2**32 - 1), st.floats(1e-3, 0.5),
-)  # fmt: skip
+    st.integers(11, 40),
+    st.integers(11, 40),
+    st.sampled_from([1.0, 255.0, 3e4]),
+    st.integers(0, 2**32 - 1),
+    st.floats(1e-3, 0.5),
+)
 def test_psnr_and_ssim_are_those_of_torchmetrics(
     rows: int, cols: int, data_range: float, seed: int, noise: float
 ) -> None:

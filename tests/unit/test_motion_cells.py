@@ -61,9 +61,17 @@ def test_a_decoder_tells_what_is_separable() -> None:
 
 def test_training_ends_with_a_program_that_gives_the_bits_of_torch() -> None:
     settings = MotionSettings(
-        outputs=2, pool=3, size=16, frames=3, films=16, tuned_films=8, test_films=8,
-        real_steps=2, binary_steps=2, batch=8,
-    )  # fmt: skip
+        outputs=2,
+        pool=3,
+        size=16,
+        frames=3,
+        films=16,
+        tuned_films=8,
+        test_films=8,
+        real_steps=2,
+        binary_steps=2,
+        batch=8,
+    )
     trained = train_motion_cell(settings)
     assert trained.different_bits == 0
     assert trained.accuracies["exact"] == trained.accuracies["binary"]

@@ -30,8 +30,10 @@ def test_each_change_changes_one_thing() -> None:
 def test_changes_are_drawn_by_seed_from_functions_that_are_run() -> None:
     path = "nscc/files.py"
     text = (ROOT / path).read_text(encoding="utf-8")
-    places = {f"{path}:{change.function}": ["tests/unit/test_files.py"]
-              for change in changes_of(path, text)}  # fmt: skip
+    places = {
+        f"{path}:{change.function}": ["tests/unit/test_files.py"]
+        for change in changes_of(path, text)
+    }
     changes = drawn(3, 5, places)
     assert len({change.function for change in changes}) == 5
     assert [str(change) for change in drawn(3, 5, places)] == [str(change) for change in changes]

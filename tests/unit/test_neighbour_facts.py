@@ -26,8 +26,12 @@ def frame() -> Frame:
 def test_the_emulator_does_what_is_assumed() -> None:
     ratios = measured([frame()], TARGET.full_well_e)
     assert {name: round(ratio.value, 9) for name, ratio in ratios.items()} == {
-        "half": 0.5, "divided": 0.5, "first": 1.0, "second": 1.0, "third": 1.0
-    }  # fmt: skip
+        "half": 0.5,
+        "divided": 0.5,
+        "first": 1.0,
+        "second": 1.0,
+        "third": 1.0,
+    }
     assert "news_read_keeps = true" in verdict(ratios)
 
 

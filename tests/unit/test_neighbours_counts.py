@@ -267,9 +267,20 @@ def test_registers_of_an_exposure_are_not_those_of_states() -> None:
 
 @pytest.mark.parametrize(
     ("level", "or_equal", "half_way"),
-    [(0, False, 0), (0, True, 0), (1, False, 2), (1, True, 0), (-3, False, -2), (2, False, 2),
-     (3, True, 2), (3, False, None), (-3, True, None), (-9, False, None), (9, True, None)],
-)  # fmt: skip
+    [
+        (0, False, 0),
+        (0, True, 0),
+        (1, False, 2),
+        (1, True, 0),
+        (-3, False, -2),
+        (2, False, 2),
+        (3, True, 2),
+        (3, False, None),
+        (-3, True, None),
+        (-9, False, None),
+        (9, True, None),
+    ],
+)
 def test_levels_lie_half_way_between_attainable_counts(
     level: int, or_equal: bool, half_way: int | None
 ) -> None:
@@ -294,10 +305,14 @@ def test_editors_know_states_of_planes(cell: Path) -> None:
 @pytest.mark.parametrize(
     ("image", "times"),
     [
-        ("agree(p, k) - agree(p, k)", 0), ("0 * agree(p, k)", 0), ("k(a - a)", 0),
-        ("abs(a - a)", 0), ("agree(p, k) - a + a", 1), ("(a - a) if p else a", 0.5),
+        ("agree(p, k) - agree(p, k)", 0),
+        ("0 * agree(p, k)", 0),
+        ("k(a - a)", 0),
+        ("abs(a - a)", 0),
+        ("agree(p, k) - a + a", 1),
+        ("(a - a) if p else a", 0.5),
     ],
-)  # fmt: skip
+)
 def test_counts_that_cancel_are_counts(image: str, times: float) -> None:
     """They have the unit of counts, and are values of 0 among counts."""
     text = HEAD + AROUND + f"plane p = exposure > 50% image a = agree(p, k) image o = {image} "

@@ -127,7 +127,7 @@ def test_statements_of_version_3_are_refused_before_it(version: int, statement: 
         (TWO + "image a = b / 2 read a", ["NS0201"]),
         (ONE + "outside 0 outside 1 image i = exposure / 2 read i", ["NS0205"]),
     ],
-)  # fmt: skip
+)
 def test_what_is_refused(text: str, codes: list[str]) -> None:
     assert refused(text) == codes
 
@@ -158,9 +158,16 @@ def test_a_chip_whose_exposures_are_in_news_is_refused() -> None:
 
 @pytest.mark.parametrize(
     "condition",
-    ["5% < exposure", "3% < exposure < 5%", "(5%) < exposure", "exposure > (5%)", "-5% < exposure",
-     "900e < exposure and 3lsb < exposure", "h xor 5% >= exposure"],
-)  # fmt: skip
+    [
+        "5% < exposure",
+        "3% < exposure < 5%",
+        "(5%) < exposure",
+        "exposure > (5%)",
+        "-5% < exposure",
+        "900e < exposure and 3lsb < exposure",
+        "h xor 5% >= exposure",
+    ],
+)
 def test_levels_in_next_are_those_in_a_plane(condition: str) -> None:
     kept = "state h : bit = 0 kept "
     plane = program(ONE + kept + f"plane p = {condition} read p, h").pictures.items[0].node

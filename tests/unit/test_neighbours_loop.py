@@ -80,10 +80,18 @@ def test_random_words_do_the_same(seed: int, obeys_flag: bool) -> None:
     exposed_by = {name: rng.choice([0, 0, 1, 2], pixels).astype(np.uint8) for name in ANALOG}
     code = {name: rng.random(pixels) < 0.5 for name in (*target.digital_registers, "FLAG")}
     reference = ArrayPixels(
-        sensor=default_sensor(target), seed=0, device_seed=0, frame=0,
-        places=np.arange(pixels, dtype=np.int64), container=container, effects=selected("none"),
-        code=code, shape=(ROWS, cols), exposed=exposed, exposed_by=exposed_by,
-    )  # fmt: skip
+        sensor=default_sensor(target),
+        seed=0,
+        device_seed=0,
+        frame=0,
+        places=np.arange(pixels, dtype=np.int64),
+        container=container,
+        effects=selected("none"),
+        code=code,
+        shape=(ROWS, cols),
+        exposed=exposed,
+        exposed_by=exposed_by,
+    )
     reference.run_words(words)
     contents = PictureWords(target, words).run((ROWS, cols), exposed, exposed_by, code)
     for name in ANALOG:

@@ -84,9 +84,14 @@ GAUSS_5 = [[0, 1, 2, 1, 0], [1, 4, 6, 4, 1], [2, 6, 10, 6, 2], [1, 4, 6, 4, 1], 
 LAPLACE_8 = [[-1, -1, -1], [-1, 8, -1], [-1, -1, -1]]
 PUBLIC, ALL = WordForms(), WordForms(sources=4, halving=True)
 FORMS = (
-    PUBLIC, ALL, WordForms(sources=3), WordForms(sources=1), WordForms(halving=True),
-    WordForms(sources=1, news_keeps=False), WordForms(sources=4, halving=True, news_keeps=False),
-)  # fmt: skip
+    PUBLIC,
+    ALL,
+    WordForms(sources=3),
+    WordForms(sources=1),
+    WordForms(halving=True),
+    WordForms(sources=1, news_keeps=False),
+    WordForms(sources=4, halving=True, news_keeps=False),
+)
 KERNELS = {
     "sobel x": (outer([1, 2, 1], [1, 0, -1]), 1, 7, 7),
     "sobel x / 8": (outer([1, 2, 1], [1, 0, -1]), 8, 7, 6),

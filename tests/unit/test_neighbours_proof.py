@@ -87,9 +87,17 @@ def mutated(word: Op, rng: np.random.Generator, container: Container) -> Op | No
             destinations.append(str(rng.choice(names)))
         name = word.name
         if rng.random() < 0.1:
-            name = {"bus": "bus2", "bus2": "bus", "OR": "NOR", "NOT": "MOV", "MOV": "NOT",
-                    "DNEWS0": "DNEWS1", "DNEWS1": "DNEWS0", "SET": "CLR", "CLR": "SET"}.get(
-                name, name)  # fmt: skip
+            name = {
+                "bus": "bus2",
+                "bus2": "bus",
+                "OR": "NOR",
+                "NOT": "MOV",
+                "MOV": "NOT",
+                "DNEWS0": "DNEWS1",
+                "DNEWS1": "DNEWS0",
+                "SET": "CLR",
+                "CLR": "SET",
+            }.get(name, name)
         try:
             made = op(name, destinations, sources)
         except ValueError:

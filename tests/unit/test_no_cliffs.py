@@ -42,17 +42,23 @@ CHAIN = "".join(f"plane p{i} = exposure > {5 * i + 5}%\n" for i in range(12))
 @pytest.mark.parametrize(
     "text",
     [
-        CHAIN + "plane c1 = p0 xor p1\n"
-        + "".join(f"plane c{i} = c{i - 1} xor p{i}\n" for i in range(2, 12)) + "read c11\n",
-        CHAIN + "plane c1 = p10 xor p11\n"
-        + "".join(f"plane c{i} = p{11 - i} or c{i - 1}\n" for i in range(2, 12)) + "read c11\n",
+        CHAIN
+        + "plane c1 = p0 xor p1\n"
+        + "".join(f"plane c{i} = c{i - 1} xor p{i}\n" for i in range(2, 12))
+        + "read c11\n",
+        CHAIN
+        + "plane c1 = p10 xor p11\n"
+        + "".join(f"plane c{i} = p{11 - i} or c{i - 1}\n" for i in range(2, 12))
+        + "read c11\n",
         CHAIN + "plane c = " + " xor ".join(f"p{i}" for i in range(12)) + "\nread c\n",
         "".join(f"kernel k{i} = [[0, 1, {i % 5}]] / 32\n" for i in range(30))
         + "".join(f"image i{i} = abs(k{i}(exposure))\n" for i in range(30))
-        + "image m = (" + " + ".join(f"i{i}" for i in range(30)) + ") / 32\nread m\n",
+        + "image m = ("
+        + " + ".join(f"i{i}" for i in range(30))
+        + ") / 32\nread m\n",
     ],
     ids=["chain", "chain from its end", "one expression", "sum"],
-)  # fmt: skip
+)
 def test_values_that_are_read_once_are_computed_just_before(text: str) -> None:
     """All of them together need more registers than there are; the proof compares all pixels."""
     assert nscc.compile(PICTURES + text).report["images_words_total"] > 0

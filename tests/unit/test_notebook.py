@@ -90,9 +90,17 @@ def test_plans_and_sensors_show_what_they_hold() -> None:
 
 def test_names_are_text_and_never_tags() -> None:
     evil = "<script>alert(1)</script>'\""
-    page = Page(html.card(evil, evil, html.table([(evil, evil)], [evil, evil]), html.plain(evil),
-                          html.folded(evil, html.legend([evil])), html.picture(b"", evil, 4),
-                          html.drawing(1, 1, [html.words(0, 0, evil)], evil)))  # fmt: skip
+    page = Page(
+        html.card(
+            evil,
+            evil,
+            html.table([(evil, evil)], [evil, evil]),
+            html.plain(evil),
+            html.folded(evil, html.legend([evil])),
+            html.picture(b"", evil, 4),
+            html.drawing(1, 1, [html.words(0, 0, evil)], evil),
+        )
+    )
     assert "script" not in {tag for tag, _ in page.tags}
     assert page.words.count(evil) == 12
     named = replace(program(), name=evil)

@@ -40,9 +40,12 @@ def folder(path: Path, ending: str, *sides: int) -> Path:
 
 @pytest.mark.parametrize(
     ("ending", "sides", "protocol", "kind", "patch"),
-    [("hdr", (300, 140), "hdr-v1", "b", 128), ("png", (300, 100), "video-v1", "d", 96),
-     ("jpg", (20,), "video-v1", "d", 32)],
-)  # fmt: skip
+    [
+        ("hdr", (300, 140), "hdr-v1", "b", 128),
+        ("png", (300, 100), "video-v1", "d", 96),
+        ("jpg", (20,), "video-v1", "d", 32),
+    ],
+)
 def test_the_settings_follow_from_the_files(
     tmp_path: Path, ending: str, sides: tuple[int, ...], protocol: str, kind: str, patch: int
 ) -> None:
@@ -79,10 +82,11 @@ def write(path: Path) -> None:
         case ".exr":  # the picture fills a part of the display window
             corner = np.array([5, 6], np.int32)
             header = {
-                "compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage,
+                "compression": OpenEXR.ZIP_COMPRESSION,
+                "type": OpenEXR.scanlineimage,
                 "dataWindow": (corner, corner + np.array([19, 9], np.int32)),
                 "displayWindow": (0 * corner, np.array([39, 29], np.int32)),
-            }  # fmt: skip
+            }
             part = OpenEXR.Part(header, {"RGB": picture[:10, :20].astype(np.float32)})
             OpenEXR.File([part]).write(str(path))
         case ".mat":
@@ -137,8 +141,14 @@ def test_a_folder_without_pictures_is_refused(tmp_path: Path) -> None:
 
 def test_train_takes_a_folder(tmp_path: Path) -> None:
     folder(tmp_path / "photos", "hdr", *[48] * 5)
-    small = ("shutter.slots=16", "train.steps=2", "train.batch=1", "data.together=1",
-             "data.val_items=1", "decoder.width=0.25")  # fmt: skip
+    small = (
+        "shutter.slots=16",
+        "train.steps=2",
+        "train.batch=1",
+        "data.together=1",
+        "data.val_items=1",
+        "decoder.width=0.25",
+    )
     changes = [word for change in small for word in ("--set", change)]
     outcome = invoke(["train", "photos", "--out", "run", *changes], tmp_path)
     assert outcome.status == 0, outcome.err

@@ -179,9 +179,12 @@ def test_clips_of_matlab_73_are_scenes(tmp_path: Path) -> None:
     clip[0, 0, 0] = 255
     write_v73(tmp_path / "c.mat", 512, orig=clip)
     light = load_scene(
-        str(tmp_path / "c.mat"), slot_us=(1.0,) * 5, rows=ROWS, cols=COLS,
+        str(tmp_path / "c.mat"),
+        slot_us=(1.0,) * 5,
+        rows=ROWS,
+        cols=COLS,
         exposure=ExposureLevel(1.0, 100.0),
-    )  # fmt: skip
+    )
     np.testing.assert_allclose(
         light.dense(), np.moveaxis(clip, 2, 0) / clip.sum(axis=2).max(), rtol=1e-5
     )

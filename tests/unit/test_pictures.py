@@ -71,7 +71,11 @@ def problems(cases: int, methods: int, settings: int) -> list[Panel]:
             "words a frame",
             [
                 point(
-                    f"case {c}", f"method number {m}", f"-O{s}", errors[c, m, s], times[c, m, s],
+                    f"case {c}",
+                    f"method number {m}",
+                    f"-O{s}",
+                    errors[c, m, s],
+                    times[c, m, s],
                     bound=7.0 + m if m % 3 == 0 else None,
                 )
                 for m in range(methods)
@@ -80,7 +84,7 @@ def problems(cases: int, methods: int, settings: int) -> list[Panel]:
             (Guide("as fast as can be", ":", time_ms=0.05), Guide("chance", "--", error=1e3)),
         )
         for c in range(cases)
-    ]  # fmt: skip
+    ]
 
 
 def diagram(cases: int, methods: int, settings: int, **reading: Any) -> Callable[[], Figure]:
@@ -114,8 +118,12 @@ def plan(tolerance_e: float, predicted_e: float, effects: int = 4) -> Plan:
 
 def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[EmulatorStudy]:
     def study(name: str) -> EmulatorStudy:
-        methods = [(REFERENCE, "all", 0.0, 200.0), (OTHER_DRAWS, "all", 300.0, 200.0),
-                   (SUMMED, "none", 25e3, 2.0), (DRAWN, "shot", 24e3, 30.0)]  # fmt: skip
+        methods = [
+            (REFERENCE, "all", 0.0, 200.0),
+            (OTHER_DRAWS, "all", 300.0, 200.0),
+            (SUMMED, "none", 25e3, 2.0),
+            (DRAWN, "shot", 24e3, 30.0),
+        ]
         for number, t in enumerate(tolerances):
             methods.append((PLANNED, f"{t:g}e", 0.9 * t * (number > 0), 20 / t))
             methods.append((WITH_PLANNING, f"{t:g}e", 0.9 * t * (number > 0), 40 / t))
@@ -136,16 +144,24 @@ def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[
 def container(codes: int, buckets: int, slots: int, shape: tuple[int, int] | None) -> Container:
     """`codes` shutters at random, and the array's codes at random if it has pixels."""
     table = DecodeTable(
-        ("start", "length"), np.array([[n, 2 * n] for n in range(codes)]),
-        np.arange(codes, dtype=np.int32), RNG.random((codes, buckets, slots)) < 0.5,
-    )  # fmt: skip
+        ("start", "length"),
+        np.array([[n, 2 * n] for n in range(codes)]),
+        np.arange(codes, dtype=np.int32),
+        RNG.random((codes, buckets, slots)) < 0.5,
+    )
     return Container(
-        target=builtin_target("scamp5"), slot_us=tuple(1.0 + n for n in range(slots)),
-        buckets=tuple(f"bucket{b}" for b in range(buckets)), table=table, kernels=(),
-        launches=(), code_registers=(), encoding=np.zeros((codes, 13), bool),
+        target=builtin_target("scamp5"),
+        slot_us=tuple(1.0 + n for n in range(slots)),
+        buckets=tuple(f"bucket{b}" for b in range(buckets)),
+        table=table,
+        kernels=(),
+        launches=(),
+        code_registers=(),
+        encoding=np.zeros((codes, 13), bool),
         pixel_codes=None if shape is None else RNG.integers(0, codes, shape, np.int32),
-        readouts=(), notes={"class": "e", "lowering": "edges"},
-    )  # fmt: skip
+        readouts=(),
+        notes={"class": "e", "lowering": "edges"},
+    )
 
 
 def example(name: str) -> Path:
@@ -305,8 +321,10 @@ def test_each_line_has_its_name_beside_it_and_each_lone_mark_its_text() -> None:
         figure = diagram(3, 2, 1)()
     [legend] = figure.legends
     assert [text.get_text() for text in legend.get_texts()] == [
-        "proved bound", "as fast as can be", "chance",
-    ]  # fmt: skip
+        "proved bound",
+        "as fast as can be",
+        "chance",
+    ]
     for axes in figure.axes:
         found = [text.get_text() for text in axes.texts]
         assert found.count("-O0") == 2
@@ -356,10 +374,16 @@ BLIND = {
     "tritanopia": [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602],
                    [0.004733, 0.691367, 0.303900]],
 }  # fmt: skip
-LAB = [[0.4122214708, 0.5363325363, 0.0514459929], [0.2119034982, 0.6806995451, 0.1073969566],
-       [0.0883024619, 0.2817188376, 0.6299787005]]  # fmt: skip
-OKLAB = [[0.2104542553, 0.7936177850, -0.0040720468], [1.9779984951, -2.4285922050, 0.4505937099],
-         [0.0259040371, 0.7827717662, -0.8086757660]]  # fmt: skip
+LAB = [
+    [0.4122214708, 0.5363325363, 0.0514459929],
+    [0.2119034982, 0.6806995451, 0.1073969566],
+    [0.0883024619, 0.2817188376, 0.6299787005],
+]
+OKLAB = [
+    [0.2104542553, 0.7936177850, -0.0040720468],
+    [1.9779984951, -2.4285922050, 0.4505937099],
+    [0.0259040371, 0.7827717662, -0.8086757660],
+]
 
 
 @pytest.mark.parametrize("kind", BLIND)

@@ -214,10 +214,16 @@ def test_passes_of_other_chips_and_of_looks_are_verified(
 def test_the_tree_is_printed_node_by_node() -> None:
     source = Source("p.nsl", "nsl 1\nframe 8 slots of 1ms\nopen when n < 2\n")
     assert print_tree(parse(source)[0], source).splitlines() == [
-        "Version 1:1", "  Int 1:5 value=1", "EqualSlots 2:1", "  Int 2:7 value=8",
-        "  Time 2:18 us=1000", "Open 3:1", "  Compare 3:11 ops=('<',)", "    Name 3:11 text=n",
+        "Version 1:1",
+        "  Int 1:5 value=1",
+        "EqualSlots 2:1",
+        "  Int 2:7 value=8",
+        "  Time 2:18 us=1000",
+        "Open 3:1",
+        "  Compare 3:11 ops=('<',)",
+        "    Name 3:11 text=n",
         "    Int 3:15 value=2",
-    ]  # fmt: skip
+    ]
 
 
 @pytest.mark.parametrize(("count", "shown", "cut"), [(20, 20, []), (25, 20, [".. and 5 more"])])

@@ -88,10 +88,13 @@ def test_a_thousand_random_frames() -> None:
         states = int(generator.choice([1, 2])) if kernel < 7 else 1
         fits_store = (states + 2) * (1 + states) * kernel**2 <= 250  # weights of two outputs
         settings = {
-            "kernel": kernel, "outside": int(generator.integers(2)),
-            "update": ("flip", "replace")[number % 2], "pool": int(generator.choice([1, 3, 5])),
-            "states": states, "outputs": int(generator.choice([1, 2])) if fits_store else 1,
-        }  # fmt: skip
+            "kernel": kernel,
+            "outside": int(generator.integers(2)),
+            "update": ("flip", "replace")[number % 2],
+            "pool": int(generator.choice([1, 3, 5])),
+            "states": states,
+            "outputs": int(generator.choice([1, 2])) if fits_store else 1,
+        }
         share = generator.uniform(0.2, 0.8)  # films are darker or brighter
         light = generator.random((10, TARGET.rows, TARGET.cols), np.float32)
         compare(made(settings, number), light ** np.float32(np.log(0.5) / np.log(share)))
@@ -107,10 +110,13 @@ def test_the_same_cell_gives_the_same_bytes() -> None:
 def test_settings_that_no_program_has() -> None:
     for settings, text in (
         ({"kernel": 4}, "kernel is 4, but must be an odd number from 3 to 9"),
-        ({"pool": 2}, "pool is 2"), ({"states": 3}, "states is 3"),
+        ({"pool": 2}, "pool is 2"),
+        ({"states": 3}, "states is 3"),
         ({"outside": 2}, "outside is 2"),
-        ({"outputs": 0}, "outputs is 0"), ({"level": 1.0}, "level is 1"), ({"update": "x"}, "'x'"),
-    ):  # fmt: skip
+        ({"outputs": 0}, "outputs is 0"),
+        ({"level": 1.0}, "level is 1"),
+        ({"update": "x"}, "'x'"),
+    ):
         with pytest.raises(ValueError, match=text):
             PixelCell(**settings)  # type: ignore[arg-type]
 
@@ -130,8 +136,11 @@ def test_gradients_reach_all_parameters(is_binary: bool) -> None:
     (bits * torch.randn_like(bits)).sum().backward()
     for parameter in (cell.weight, cell.threshold):
         assert parameter.grad is not None
-        assert (parameter.grad.flatten(1).abs().sum(1) > 0).all() if parameter.ndim > 1 else (
-            parameter.grad != 0).all()  # fmt: skip
+        assert (
+            (parameter.grad.flatten(1).abs().sum(1) > 0).all()
+            if parameter.ndim > 1
+            else (parameter.grad != 0).all()
+        )
 
 
 def test_moving_edges_prefer_their_direction() -> None:
@@ -140,8 +149,9 @@ def test_moving_edges_prefer_their_direction() -> None:
     places = np.arange(40)
     shares = []
     for speed in (1, -1):
-        frames = [np.tile(((places - speed * n) // 5 % 2).astype(np.float32), (40, 1))
-                  for n in range(8)]  # fmt: skip
+        frames = [
+            np.tile(((places - speed * n) // 5 % 2).astype(np.float32), (40, 1)) for n in range(8)
+        ]
         with torch.no_grad():
             bits = cell.film(torch.from_numpy(np.stack(frames))[None])[0, 2:] > 0
         shares.append(bits.float().mean((0, 2, 3)))
@@ -158,8 +168,12 @@ def test_noise_of_training_is_that_of_the_emulator() -> None:
     files = replace(files, text=files.text.replace("read b", "read b, o"))
     program = compiled_cell(files, KERNELS, target)
     light = np.random.default_rng(0).integers(0, 2, (1, 48, 48)).astype(np.float32) * 28_000
-    sensor = {"comparator_noise_fraction": 0.0, "comparator_offset_fraction": 0.0,
-              "analog_pattern_lsb": 0.0, "analog_gain": 1.0}  # fmt: skip
+    sensor = {
+        "comparator_noise_fraction": 0.0,
+        "comparator_offset_fraction": 0.0,
+        "analog_pattern_lsb": 0.0,
+        "analog_gain": 1.0,
+    }
     exact, noisy = (
         film(program, [light], effects=effects, sensor=sensor) for effects in ("none", "analog")
     )

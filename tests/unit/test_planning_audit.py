@@ -83,8 +83,13 @@ def test_frames_that_differ_from_the_loop_break_the_promise(mid: Setting) -> Non
 
 def test_without_noise_there_is_no_ratio() -> None:
     container = case("b edges", 8, rows=8, cols=8)
-    quiet = sensor_of(container, dark_current_e_per_s=0.0, read_noise_e=0.0, reset_noise_e=0.0,
-                      analog_noise_lsb=0.0)  # fmt: skip
+    quiet = sensor_of(
+        container,
+        dark_current_e_per_s=0.0,
+        read_noise_e=0.0,
+        reset_noise_e=0.0,
+        analog_noise_lsb=0.0,
+    )
     found = audited((container, moving_light((8, 8, 8), 0.0), quiet), plan_of("all"))
     assert found.std_ratio is None
     assert found.samples == 64 * 64

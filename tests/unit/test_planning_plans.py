@@ -112,13 +112,55 @@ def test_a_unit_may_be_written_large(text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "", "e", "lsb", "5", "5 electrons", "-5e", "+5e", "0e", "0.0lsb", "nan e", "inf e", "infe",
-        "1e999e", "5e5e5e", "1..2e", ".e", "5,5e", "0x5e", "5 LS B", "5e\x00", "\u0665e", "5e lsb",
-        "1e-400e", "1e-10e", "1e16e", "1e200e", "1e14lsb", "%", "0%", "-1%", "1 %%", "1%e",
-        "1e-99%", "1e99%", "1e999%", "noise", "0noise", "-1noise", "1e99noise", "1noises", 1e-320,
-        1e200, 0, -1, math.nan, math.inf, "9" * 5000 + "e",
+        "",
+        "e",
+        "lsb",
+        "5",
+        "5 electrons",
+        "-5e",
+        "+5e",
+        "0e",
+        "0.0lsb",
+        "nan e",
+        "inf e",
+        "infe",
+        "1e999e",
+        "5e5e5e",
+        "1..2e",
+        ".e",
+        "5,5e",
+        "0x5e",
+        "5 LS B",
+        "5e\x00",
+        "\u0665e",
+        "5e lsb",
+        "1e-400e",
+        "1e-10e",
+        "1e16e",
+        "1e200e",
+        "1e14lsb",
+        "%",
+        "0%",
+        "-1%",
+        "1 %%",
+        "1%e",
+        "1e-99%",
+        "1e99%",
+        "1e999%",
+        "noise",
+        "0noise",
+        "-1noise",
+        "1e99noise",
+        "1noises",
+        1e-320,
+        1e200,
+        0,
+        -1,
+        math.nan,
+        math.inf,
+        "9" * 5000 + "e",
     ],
-)  # fmt: skip
+)
 def test_what_is_no_tolerance(text: str | float) -> None:
     with pytest.raises(Rejected) as caught:
         tolerance(text, 700.0)
@@ -157,11 +199,15 @@ def plans(draw: st.DrawFn) -> Plan:
         for each in base.decisions
     )
     return replace(
-        base, decisions=decisions, tolerance=draw(st.sampled_from(["5e", "0.1lsb", "1%"])),
-        predicted_e=draw(st.none() | numbers), worst_e=draw(st.none() | numbers),
+        base,
+        decisions=decisions,
+        tolerance=draw(st.sampled_from(["5e", "0.1lsb", "1%"])),
+        predicted_e=draw(st.none() | numbers),
+        worst_e=draw(st.none() | numbers),
         slot_loop_reasons=tuple(draw(st.lists(st.text(max_size=9)))),
-        other_states=draw(st.none() | st.floats(0, 1)), reused=draw(st.booleans()),
-    )  # fmt: skip
+        other_states=draw(st.none() | st.floats(0, 1)),
+        reused=draw(st.booleans()),
+    )
 
 
 @given(plans())

@@ -23,9 +23,15 @@ pixels stop = tile [[16, 4]]
 """
 EDGES = examples()["edges"].read_text()
 SETTINGS = {
-    "program": TILE, "scene": "builtin:hdr", "picture": "", "exposure_e": 200_000.0,
-    "effects": "none", "seed": 3, "row": 40, "col": 7,
-}  # fmt: skip
+    "program": TILE,
+    "scene": "builtin:hdr",
+    "picture": "",
+    "exposure_e": 200_000.0,
+    "effects": "none",
+    "seed": 3,
+    "row": 40,
+    "col": 7,
+}
 
 
 @pytest.fixture
@@ -149,12 +155,18 @@ def test_a_picture_has_its_exposure_at_its_brightest_percent(playground: Playgro
 @pytest.mark.parametrize(
     "changes",
     [
-        {"picture": "AAAA"}, {"picture": "?"}, {"scene": "/etc/hostname"}, {"exposure_e": -1.0},
-        {"exposure_e": float("nan")}, {"effects": "some"}, {"seed": 0.5}, {"program": 3},
+        {"picture": "AAAA"},
+        {"picture": "?"},
+        {"scene": "/etc/hostname"},
+        {"exposure_e": -1.0},
+        {"exposure_e": float("nan")},
+        {"effects": "some"},
+        {"seed": 0.5},
+        {"program": 3},
         {"col": -1},
     ],
     ids=str,
-)  # fmt: skip
+)
 def test_wrong_requests_are_refused(playground: Playground, changes: dict[str, Any]) -> None:
     assert codes(ask(playground, "frame", **changes)) == ["NS0796"]
 

@@ -233,26 +233,30 @@ LENGTHS = ", ".join(f"{2**k}ms" for k in range(18))
         (
             # A state that reaches few of its values is not what there is too much of.
             LOOKING + MANY_SENSES + " state a : 0..10000000000 = 0 next a = looks open when a < 1",
-            "b0", ["use fewer senses at one boundary", "reduce the ranges of the states"],
+            "b0",
+            ["use fewer senses at one boundary", "reduce the ranges of the states"],
         ),
         (
             LOOKING + LOOK + "state a : bit = false state c : 0..99999999 = 0 kept open when a",
-            "c", ["reduce the ranges of the states", "use fewer looks: there are 3"],
+            "c",
+            ["reduce the ranges of the states", "use fewer looks: there are 3"],
         ),
         (
             LOOKING + "code level : 20..200 sense b when light > level at n == 2 open when b",
             "b",
             [
-                "use fewer values of `level`", "add the pixel values",
+                "use fewer values of `level`",
+                "add the pixel values",
                 "reduce the ranges of the fields",
             ],
         ),
         (
             f"nsl 2 frame slots [{LENGTHS}] sense b when light > 40% at n > 0 open when b",
-            "n > 0", ["use fewer looks"],
+            "n > 0",
+            ["use fewer looks"],
         ),
     ],
-)  # fmt: skip
+)
 def test_what_is_too_much_of_a_program_that_looks(text: str, place: str, helps: list[str]) -> None:
     (found,) = errors(text)
     assert (found.code, placed(found)) == ("NS0450", place)

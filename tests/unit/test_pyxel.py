@@ -70,9 +70,13 @@ def ours(request: pytest.FixtureRequest, container: Any) -> list[Band]:
     scene = np.repeat(light()[None], SLOTS, axis=0).astype(np.float32)
     more = {"tolerance": "0.5e"} if request.param == "planned" else {"fidelity": "reference"}
     taken = capture(
-        container, scene, sensor=SENSOR, effects="shot,full_well",
-        repeat=REPEATS, **more,
-    )  # fmt: skip
+        container,
+        scene,
+        sensor=SENSOR,
+        effects="shot,full_well",
+        repeat=REPEATS,
+        **more,
+    )
     return banded(taken.exposure_e[:, 0], taken.saturated[:, 0], taken.frame[:, 0])
 
 

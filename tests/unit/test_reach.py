@@ -20,12 +20,14 @@ def test_the_margin_is_what_depends_on_pixels_that_are_not_there(shape: tuple[in
     for reach in REACHES:
         expected = [
             [
-                x - reach.left < 0 or x + reach.right >= cols or y - reach.up < 0
+                x - reach.left < 0
+                or x + reach.right >= cols
+                or y - reach.up < 0
                 or y + reach.down >= rows
                 for x in range(cols)
             ]
             for y in range(rows)
-        ]  # fmt: skip
+        ]
         assert np.array_equal(reach.margin(shape), expected), reach
 
 

@@ -120,8 +120,9 @@ def test_a_program_that_leaves_no_register_is_converted_as_it_is() -> None:
     assert sent.reshape(6, 3).tolist() == found.frame.reshape(6, 3).tolist()
     np.testing.assert_allclose(
         (found.frame[0, 0] - sensor.adc_offset_lsb) * sensor.electrons_per_lsb,
-        electrons[0], atol=sensor.electrons_per_lsb,
-    )  # fmt: skip
+        electrons[0],
+        atol=sensor.electrons_per_lsb,
+    )
 
 
 @pytest.mark.parametrize("range_e", [{"full_well_e": 20_000.0}, {"register_max_e": 25_000.0}])

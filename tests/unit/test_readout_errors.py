@@ -50,10 +50,13 @@ def test_a_level_is_one_number_a_readout() -> None:
     assert first[0, 0] != second[0, 0]
 
 
-@pytest.mark.parametrize(("effects", "lags"), [
-    ("adc_noise", (0, 0, 0, 0, 0)),
-    ("adc_noise,column_noise", (-0.371, 0.121, 0.19, -0.34, 0.331)),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("effects", "lags"),
+    [
+        ("adc_noise", (0, 0, 0, 0, 0)),
+        ("adc_noise,column_noise", (-0.371, 0.121, 0.19, -0.34, 0.331)),
+    ],
+)
 def test_noise_is_correlated_down_columns_only(effects: str, lags: tuple[float, ...]) -> None:
     noise = codes(effects, 4)
     variance = noise.var()

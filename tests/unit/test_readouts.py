@@ -23,8 +23,13 @@ from nscc_training.demo.expose import CLIPS, camera  # noqa: E402
 from nscc_training.measured import Measured  # noqa: E402
 
 DATA = Path(os.environ.get("NSCC_DATA", Path(__file__).parents[2] / "../shared/data"))
-KEPT_BACK = ("video/pose2sim_multi_cam04.mp4", "video/pose2sim_single_cam04.mp4",
-             "video/cvvdp_ferris.mp4", "sci/runner.mat", "sci/drop.mat")  # fmt: skip
+KEPT_BACK = (
+    "video/pose2sim_multi_cam04.mp4",
+    "video/pose2sim_single_cam04.mp4",
+    "video/cvvdp_ferris.mp4",
+    "sci/runner.mat",
+    "sci/drop.mat",
+)
 """Programs, weights and the default number of readouts were chosen without these."""
 
 
@@ -133,8 +138,12 @@ def test_a_burst_shares_out_the_frame() -> None:
 def procedural(kind: str) -> np.ndarray:
     """Light (16, 256, 256) of a textured scene with things before it: both move as `kind` says."""
     generator = np.random.default_rng([43, len(kind)])
-    pan, speed = {"still": (0.0, 0.0), "slow": (0.25, 0.4), "fast": (5.0, 7.0),
-                  "mixed": (0.0, 5.0)}[kind]  # fmt: skip
+    pan, speed = {
+        "still": (0.0, 0.0),
+        "slow": (0.25, 0.4),
+        "fast": (5.0, 7.0),
+        "mixed": (0.0, 5.0),
+    }[kind]
     ground, thing = (made_scenes.clip(generator, 1, size)[0] for size in (420, 96))
     rows, cols = np.mgrid[:96, :96]
     disc = np.hypot(rows - 48, cols - 48) < 46
@@ -168,8 +177,10 @@ def test_a_film_is_never_worse_than_an_ordinary_cameras(name: str, tmp_path: Pat
 
 
 def test_fewer_readouts_on_request(tmp_path: Path) -> None:
-    frames = [Image.fromarray(np.uint8(200 * frame)) for frame in
-              made_scenes.clip(np.random.default_rng(1), 16, 64)]  # fmt: skip
+    frames = [
+        Image.fromarray(np.uint8(200 * frame))
+        for frame in made_scenes.clip(np.random.default_rng(1), 16, 64)
+    ]
     frames[0].save(tmp_path / "a.gif", save_all=True, append_images=frames[1:])
     for count in (1, 2):
         made = demo(Scene(str(tmp_path / "a.gif")), tmp_path / "o", Settings(readouts=count))

@@ -68,9 +68,16 @@ def test_a_dark_frame_says_the_offset_of_its_converter(value: object, folder: Pa
 
 @pytest.mark.parametrize(
     ("name", "value"),
-    [("slot_us", 0), ("slot_us", np.inf), ("gain", np.nan), ("gain", 0), ("bias_e", np.nan),
-     ("variance_e2", np.nan), ("variance_e2", -1)],
-)  # fmt: skip
+    [
+        ("slot_us", 0),
+        ("slot_us", np.inf),
+        ("gain", np.nan),
+        ("gain", 0),
+        ("bias_e", np.nan),
+        ("variance_e2", np.nan),
+        ("variance_e2", -1),
+    ],
+)
 @pytest.mark.filterwarnings("error")
 def test_what_is_not_said_in_numbers_gives_no_light(name: str, value: float, folder: Path) -> None:
     def change(arrays: dict[str, Any]) -> None:

@@ -16,8 +16,10 @@ FILM = "nsl 1\nframe 8 slots of 1ms\ncode b : bit[8]\nopen when b[n]\npixels b =
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with a frame of a still and of a clip, and no torch from then on."""
-    programs = {"still": STILL.format("1 if (x + y) % 2 == 1 else 8"),
-                "clip": FILM.format("(37 * x + 91 * y) % 255 + 1")}  # fmt: skip
+    programs = {
+        "still": STILL.format("1 if (x + y) % 2 == 1 else 8"),
+        "clip": FILM.format("(37 * x + 91 * y) % 255 + 1"),
+    }
     for name, text in programs.items():
         (tmp_path / f"{name}.nsl").write_text(text)
         scene = "builtin:hdr" if name == "still" else "builtin:motion"

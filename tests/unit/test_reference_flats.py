@@ -110,9 +110,13 @@ def test_saturation_of_the_photodiode(lowering: str) -> None:
 def test_soft_saturation_of_registers(lowering: str) -> None:
     limit, knee = 3 * E, 0.8
     found = run(
-        lowering, "register", 1,
-        register_max_e=limit, register_min_e=-limit, register_knee_fraction=knee,
-    )  # fmt: skip
+        lowering,
+        "register",
+        1,
+        register_max_e=limit,
+        register_min_e=-limit,
+        register_knee_fraction=knee,
+    )
 
     def soft(value: float) -> float:
         x = value / limit
@@ -156,10 +160,16 @@ def test_errors_of_analog_words(lowering: str) -> None:
     gain, lsb, noise, pattern, bias = 0.98, 10.0, 0.5, 0.2, 0.3
     move_gain, move_noise = 0.995, 0.4
     found = run(
-        lowering, "analog", analog_gain=gain, analog_lsb_e=lsb, analog_noise_lsb=noise,
-        analog_pattern_lsb=pattern, analog_bias_lsb=bias, analog_move_loss=0.25,
+        lowering,
+        "analog",
+        analog_gain=gain,
+        analog_lsb_e=lsb,
+        analog_noise_lsb=noise,
+        analog_pattern_lsb=pattern,
+        analog_bias_lsb=bias,
+        analog_move_loss=0.25,
         analog_move_noise=move_noise,
-    )  # fmt: skip
+    )
     for stop in range(SLOTS + 1):
         fresh = [0]
         a = Affine().word(-1, move_gain, fresh).word(1, move_gain, fresh)

@@ -49,15 +49,21 @@ def some_reset(name: str) -> Container:
 def test_planned_frames_are_those_of_the_reference(name: str) -> None:
     container, light = some_reset(name), moving_light((8, *SHAPE), 900.0)
     planned, reference = (
-        np.stack([
-            nscc_runtime.capture(
-                container, light, effects=EFFECTS, fidelity=fidelity, sensor=sensor_of(container),
-                seed=seed,
-            ).exposure_e
-            for seed in range(25)
-        ])
+        np.stack(
+            [
+                nscc_runtime.capture(
+                    container,
+                    light,
+                    effects=EFFECTS,
+                    fidelity=fidelity,
+                    sensor=sensor_of(container),
+                    seed=seed,
+                ).exposure_e
+                for seed in range(25)
+            ]
+        )
         for fidelity in ("planned", "reference")
-    )  # fmt: skip
+    )
     assert reference[0].std() > 1000.0
     # The simulators draw for themselves: means and standard deviations of pixels are equal.
     # A shutter that stays shut has no noise.

@@ -34,14 +34,21 @@ def result(scores: dict[str, list[float | str]], **settings: Any) -> dict[str, A
     """A result whose items have these scores, by file."""
     items = [
         {"file": file, "crop": None, "frame": k, "psnr_db": score, "ssim": 0.5}
-        for file, values in scores.items() for k, score in enumerate(values)
-    ]  # fmt: skip
+        for file, values in scores.items()
+        for k, score in enumerate(values)
+    ]
     return {
-        "schema": "nscc-result-1", "protocol": "video-v1", "protocol_sha256": "1", "mean": 0.0,
-        "method": "m", "items": items, "settings": settings, "parameters": 487441,
+        "schema": "nscc-result-1",
+        "protocol": "video-v1",
+        "protocol_sha256": "1",
+        "mean": 0.0,
+        "method": "m",
+        "items": items,
+        "settings": settings,
+        "parameters": 487441,
         "data": [{"file": file, "sha256": "2"} for file in scores],
         "also_saturated": [{"saturated_fraction": 0.1, "mean_psnr_db": 12.5, "mean_ssim": 0.9}],
-    }  # fmt: skip
+    }
 
 
 @pytest.fixture
@@ -70,8 +77,10 @@ def test_words_of_a_template(page: Page) -> None:
     assert page.filled("{{value base/line stops}}, {{value run/* moved}}") == "8, 3 of 4, 0 of 4"
     assert page.filled("{{value base/line items}}") == "4 windows from 2 clips"
     assert page.filled("{{mean other psnr_db}}") == "not run"
-    pairs = [(read_result(page.results / "base/line.json"), read_result(path))
-             for path in sorted((page.results / "run").iterdir())]  # fmt: skip
+    pairs = [
+        (read_result(page.results / "base/line.json"), read_result(path))
+        for path in sorted((page.results / "run").iterdir())
+    ]
     found = compare(pairs)
     low, high = found["ci95"]
     gain = f"{found['gain_db']:+.2f} ({low:+.2f} to {high:+.2f})"
@@ -90,9 +99,16 @@ def test_a_row_says_that_its_weights_are_not_there(page: Page) -> None:
 
 
 @pytest.mark.parametrize(
-    "wrong", ["nonsense", "mean run/seed0", "mean run/seed0 snr", "mean run/* psnr_db/film",
-              "value run/* stops", "_found run/*"],
-)  # fmt: skip
+    "wrong",
+    [
+        "nonsense",
+        "mean run/seed0",
+        "mean run/seed0 snr",
+        "mean run/* psnr_db/film",
+        "value run/* stops",
+        "_found run/*",
+    ],
+)
 def test_a_wrong_template(page: Page, wrong: str) -> None:
     with pytest.raises(ValueError, match=wrong.split()[0]):
         page.filled(f"{{{{{wrong}}}}}")
@@ -168,10 +184,12 @@ def test_the_experiment_defines_every_run_and_every_evaluation() -> None:
     runs = {point.name for point in grid.points if point.kind == "train"}
     rows = {point.name for point in grid.points if point.kind == "evaluate"}
     folders = {
-        folder: {path.parent.relative_to(RESULTS / folder).as_posix()
-                 for path in (RESULTS / folder).rglob("config.resolved.toml")}
+        folder: {
+            path.parent.relative_to(RESULTS / folder).as_posix()
+            for path in (RESULTS / folder).rglob("config.resolved.toml")
+        }
         for folder in ("runs", "shipped")
-    }  # fmt: skip
+    }
     assert folders["runs"] | folders["shipped"] == runs
     assert not folders["runs"] & folders["shipped"]
     kept = RESULTS / "evaluations"
@@ -184,8 +202,10 @@ TEXTS = (
     "every-effect/shipped/clips/class-d/learned-from-2x2/unet2d/every-effect/seed0",
     "every-effect/shipped/stills/class-b/learned-from-2x2/unet2d/noise-alone/seed0",
     "classes/class-d/learned-from-2x2/classifier/seed0",
-    "deblur-v1/long", "codes-v1/c-quad", "hdr-v1/any",
-)  # fmt: skip
+    "deblur-v1/long",
+    "codes-v1/c-quad",
+    "hdr-v1/any",
+)
 
 
 def test_texts_of_results(update_cases: bool) -> None:

@@ -25,10 +25,16 @@ MUCH_E = 0.17 * (1 - KNEE) * FULL_E
 """What a register has lost where it keeps half of what is added."""
 # Crosstalk takes light where the oracle, pixel by pixel, sees none.
 QUIET = {
-    "crosstalk_fraction": 0.0, "register_min_e": -FULL_E, "register_max_e": FULL_E,
-    "analog_gain": 0.996, "analog_noise_lsb": 0.4, "spread_noise_lsb": 0.65, "adc_pattern_lsb": 0.1,
-    "adc_smooth_lsb": 0.1, "adc_level_lsb": 0.1,
-}  # fmt: skip
+    "crosstalk_fraction": 0.0,
+    "register_min_e": -FULL_E,
+    "register_max_e": FULL_E,
+    "analog_gain": 0.996,
+    "analog_noise_lsb": 0.4,
+    "spread_noise_lsb": 0.65,
+    "adc_pattern_lsb": 0.1,
+    "adc_smooth_lsb": 0.1,
+    "adc_level_lsb": 0.1,
+}
 SPARE = 0.15
 """Of light, for noise, gain, and what else no oracle of limits knows."""
 

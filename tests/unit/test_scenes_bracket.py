@@ -39,9 +39,14 @@ def photos(folder: Path, exif: bool, iso: tuple[int, ...] = (100, 100, 100)) -> 
 
 def found(spec: Path | str, **options: Any) -> np.ndarray:
     made = load_scene(
-        str(spec), slot_us=(10.0,), rows=ROWS, cols=COLS, exposure=ExposureLevel(1.0, 100.0),
-        bracket=True, **options,
-    )  # fmt: skip
+        str(spec),
+        slot_us=(10.0,),
+        rows=ROWS,
+        cols=COLS,
+        exposure=ExposureLevel(1.0, 100.0),
+        bracket=True,
+        **options,
+    )
     assert made.kind == "still"
     return np.asarray(made.dense()[0])
 

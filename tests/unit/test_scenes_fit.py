@@ -164,8 +164,10 @@ def test_runs_of_pieces_and_colours(photo: Path, tmp_path: Path, run_nscc: RunNs
     stop = np.array([[4, 3, 1], [2, 4, 2], [1, 1, 3]])[y][:, x]
     assert np.allclose(arrays["exposure_e"][0], arrays["truth_e"] * stop / 4)
     assert json.loads(str(arrays["meta"]))["laid"] == {
-        "fit": "tiles", "picture": [270, 300], "arrays": [2, 2],
-    }  # fmt: skip
+        "fit": "tiles",
+        "picture": [270, 300],
+        "arrays": [2, 2],
+    }
     line = line.replace("a.npz", "c.npz").replace("--keep truth", "--color")
     outcome = run_nscc(line.split(), tmp_path)
     assert outcome.status == 0

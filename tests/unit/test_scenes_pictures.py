@@ -125,9 +125,11 @@ def test_parts_of_an_exr(tmp_path: Path) -> None:
     parts = [
         OpenEXR.Part(dict(header), channels, name=name)
         for name, channels in (
-            ("depth", {"Z": depth}), ("beauty", {"RGB": beauty[0]}), ("left", {"RGB": beauty[1]}),
+            ("depth", {"Z": depth}),
+            ("beauty", {"RGB": beauty[0]}),
+            ("left", {"RGB": beauty[1]}),
         )
-    ]  # fmt: skip
+    ]
     OpenEXR.File(parts[:2]).write(str(tmp_path / "one.exr"))
     np.testing.assert_array_equal(read_picture(tmp_path / "one.exr"), beauty[0])
     OpenEXR.File(parts).write(str(tmp_path / "two.exr"))
@@ -186,16 +188,23 @@ def raw_exr(channels: dict[str, tuple[np.ndarray, int]], rows: int, cols: int) -
         for name in names
     )
     window = struct.pack("<4i", 0, 0, cols - 1, rows - 1)
-    head = struct.pack("<ii", 20000630, 2) + b"".join(
-        attribute(*entry)
-        for entry in (
-            ("channels", "chlist", listed + b"\0"), ("compression", "compression", b"\0"),
-            ("dataWindow", "box2i", window), ("displayWindow", "box2i", window),
-            ("lineOrder", "lineOrder", b"\0"), ("pixelAspectRatio", "float", struct.pack("<f", 1)),
-            ("screenWindowCenter", "v2f", bytes(8)),
-            ("screenWindowWidth", "float", struct.pack("<f", 1)),
+    head = (
+        struct.pack("<ii", 20000630, 2)
+        + b"".join(
+            attribute(*entry)
+            for entry in (
+                ("channels", "chlist", listed + b"\0"),
+                ("compression", "compression", b"\0"),
+                ("dataWindow", "box2i", window),
+                ("displayWindow", "box2i", window),
+                ("lineOrder", "lineOrder", b"\0"),
+                ("pixelAspectRatio", "float", struct.pack("<f", 1)),
+                ("screenWindowCenter", "v2f", bytes(8)),
+                ("screenWindowWidth", "float", struct.pack("<f", 1)),
+            )
         )
-    ) + b"\0"  # fmt: skip
+        + b"\0"
+    )
     lines = []
     for y in range(rows):
         steps = ((channels[name]) for name in names)

@@ -27,9 +27,13 @@ pytestmark = pytest.mark.skipif(
 def test_real_scene(path: Path) -> None:
     said: list[Diagnostic] = []
     light = load_scene(
-        str(path), slot_us=(125.0,) * 8, rows=256, cols=256, exposure=ExposureLevel(30000.0),
+        str(path),
+        slot_us=(125.0,) * 8,
+        rows=256,
+        cols=256,
+        exposure=ExposureLevel(30000.0),
         warn=said.append,
-    )  # fmt: skip
+    )
     total = light.total_e()
     assert np.percentile(total, 99) == pytest.approx(30000.0, rel=1e-5)
     assert total.min() >= 0

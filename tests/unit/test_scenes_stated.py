@@ -19,9 +19,13 @@ ROWS, COLS = 8, 10
 def light_of(path: Path, slots: int = 1, **options: Any) -> tuple[np.ndarray, list[Diagnostic]]:
     said: list[Diagnostic] = []
     light = load_scene(
-        str(path), slot_us=(10.0,) * slots, rows=ROWS, cols=COLS, warn=said.append,
+        str(path),
+        slot_us=(10.0,) * slots,
+        rows=ROWS,
+        cols=COLS,
+        warn=said.append,
         **{"exposure": ExposureLevel(1.0, 100.0), **options},
-    )  # fmt: skip
+    )
     return np.asarray(light.dense()), said
 
 

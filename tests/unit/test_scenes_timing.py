@@ -58,16 +58,25 @@ def test_a_clip_in_real_time(tmp_path: Path) -> None:
     for k, value in enumerate((50, 100, 200)):
         Image.fromarray(np.full((4, 4), value, np.uint8)).save(tmp_path / f"{k}.png")
     light = load_scene(
-        str(tmp_path), slot_us=(5000.0, 10000.0, 15000.0), rows=4, cols=4,
-        exposure=ExposureLevel(3000.0), transfer="linear", fps=100.0,
-    )  # fmt: skip
+        str(tmp_path),
+        slot_us=(5000.0, 10000.0, 15000.0),
+        rows=4,
+        cols=4,
+        exposure=ExposureLevel(3000.0),
+        transfer="linear",
+        fps=100.0,
+    )
     parts = np.array([5 * 50, 5 * 50 + 5 * 100, 5 * 100 + 10 * 200])
     np.testing.assert_allclose(light.dense()[:, 0, 0], 3000.0 * parts / parts.sum(), rtol=1e-6)
     with pytest.raises(Rejected) as caught:
         load_scene(
-            str(tmp_path), slot_us=(40000.0,), rows=4, cols=4,
-            exposure=ExposureLevel(1.0), fps=100.0,
-        )  # fmt: skip
+            str(tmp_path),
+            slot_us=(40000.0,),
+            rows=4,
+            cols=4,
+            exposure=ExposureLevel(1.0),
+            fps=100.0,
+        )
     (found,) = caught.value.diagnostics
     assert found.code == "NS0735"
     assert "3 frames, but 4 are needed" in found.message

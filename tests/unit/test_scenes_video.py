@@ -21,9 +21,15 @@ WEIGHTS = {"601": (0.299, 0.114), "709": (0.2126, 0.0722), "2020": (0.2627, 0.05
 
 
 def write(
-    path: Path, planes: list[list[np.ndarray]], form: str = "yuv444p", matrix: int = 2,
-    limited: bool = True, curve: int = 2, times: list[int] | None = None, codec: str = "ffv1",
-) -> None:  # fmt: skip
+    path: Path,
+    planes: list[list[np.ndarray]],
+    form: str = "yuv444p",
+    matrix: int = 2,
+    limited: bool = True,
+    curve: int = 2,
+    times: list[int] | None = None,
+    codec: str = "ffv1",
+) -> None:
     """A lossless video of frames given as planes; `times` are in milliseconds."""
     with av.open(str(path), "w") as container:
         stream = container.add_stream(codec, rate=25)
@@ -110,9 +116,12 @@ def test_a_ramp_grows_to_its_end(tmp_path: Path, curve: int, name: str) -> None:
     write(tmp_path / "v.mkv", [[luma, middle, middle]], "yuv444p10le", 9, True, curve)
     assert open_pages(tmp_path / "v.mkv").colours.transfer == name
     light = load_scene(
-        str(tmp_path / "v.mkv"), slot_us=(10.0,), rows=ROWS, cols=COLS,
+        str(tmp_path / "v.mkv"),
+        slot_us=(10.0,),
+        rows=ROWS,
+        cols=COLS,
         exposure=ExposureLevel(1.0, 100.0),
-    ).dense()[0, 0]  # fmt: skip
+    ).dense()[0, 0]
     assert (np.diff(light) > 0).all()
     assert light[0] == 0
     assert light[-1] == pytest.approx(1)

@@ -142,9 +142,10 @@ def test_crosstalk_that_is_known_is_not_measured(tmp_path: Path) -> None:
         run(f"{levels} --crosstalk {known}", tmp_path)
         text = (tmp_path / "out.toml").read_text()
         (value,) = [
-            line.split("=")[1].split("#")[0] for line in text.splitlines()
+            line.split("=")[1].split("#")[0]
+            for line in text.splitlines()
             if line.startswith("crosstalk_fraction")
-        ]  # fmt: skip
+        ]
         assert float(value) == float(known)
 
 
@@ -174,9 +175,11 @@ def test_a_dictionary_of_another_seed_is_another() -> None:
 
 @pytest.mark.parametrize(
     ("rule", "told"),
-    [("n < stop", "3 shutters, open in 1 to 3 of 4 slots."),
-     ("n < 2 and stop > 0", "1 shutter, open in 2 of 4 slots.")],
-)  # fmt: skip
+    [
+        ("n < stop", "3 shutters, open in 1 to 3 of 4 slots."),
+        ("n < 2 and stop > 0", "1 shutter, open in 2 of 4 slots."),
+    ],
+)
 def test_hovering_over_a_bucket_tells_how_long_it_is_open(rule: str, told: str) -> None:
     text = f"nsl 1\nframe 4 slots of 1ms\ncode stop : 1..3\nbucket a open when {rule}\n"
     found = hover(Document("a.nsl", text, Path()), text.index("a open"))

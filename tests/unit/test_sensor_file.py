@@ -70,9 +70,12 @@ def test_missing_lines_have_their_default_and_changes_come_last(tmp_path: Path) 
     file.write_text("full_well_e = 2550\nprnu_fraction = -0.0\n")
     sensor = load_sensor(TARGET, file, ["lag_fraction=0", "lag_fraction=0.5"])
     assert sensor == default_sensor(TARGET).changed(
-        full_well_e=2550.0, electrons_per_lsb=10.0, analog_lsb_e=20.0, prnu_fraction=0.0,
+        full_well_e=2550.0,
+        electrons_per_lsb=10.0,
+        analog_lsb_e=20.0,
+        prnu_fraction=0.0,
         lag_fraction=0.5,
-    )  # fmt: skip
+    )
     assert str(sensor.prnu_fraction) == "0.0"
 
 

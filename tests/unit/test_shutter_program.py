@@ -191,10 +191,13 @@ def test_repr_is_a_line(made: str, tmp_path: Path) -> None:
     p = program(codes="open")
     assert p.compiled is not None
     values = {
-        "compiled": p.compiled, "container": p.container, "program": p.compiled.program,
-        "choice": p.compiled.layout, "table": p.container.table,
+        "compiled": p.compiled,
+        "container": p.container,
+        "program": p.compiled.program,
+        "choice": p.compiled.layout,
+        "table": p.container.table,
         "loaded": nscc.load(p.save(tmp_path / "p.icw")),
-    }  # fmt: skip
+    }
     for text in (repr(values[made]), repr(p)):
         assert "\n" not in text
         assert len(text) < 250

@@ -44,8 +44,13 @@ def test_taps_grow_and_codes_are_clipped_as_on_the_chip(found: dict[str, float])
 
 
 def test_without_these_effects_frames_are_not_those_of_the_chip() -> None:
-    ideal = {"adc_pattern_lsb": 0.0, "adc_smooth_lsb": 0.0, "adc_level_lsb": 0.0,
-             "adc_column_strength": 0.0, "analog_gain": 1.0}  # fmt: skip
+    ideal = {
+        "adc_pattern_lsb": 0.0,
+        "adc_smooth_lsb": 0.0,
+        "adc_level_lsb": 0.0,
+        "adc_column_strength": 0.0,
+        "analog_gain": 1.0,
+    }
     found = {name: value for name, (value, _) in emulated(24, ideal).items()}
     assert found["fixed pattern in all, codes"] < 0.3
     assert found["frame level, codes"] < 0.05

@@ -75,8 +75,9 @@ def agree(found: np.ndarray, full: np.ndarray) -> None:
     assert np.sqrt((z**2).mean()) < 1.4
     for samples in (
         lambda frames: ((frames - frames.mean(axis=0)) ** 2).mean(axis=(1, 2, 3))[None],
-        neighbours, buckets,
-    ):  # fmt: skip
+        neighbours,
+        buckets,
+    ):
         mine, other = samples(found), samples(full)
         error = np.sqrt(mine.var(axis=1) / counts[0] + other.var(axis=1) / counts[1])
         away = np.abs(mine.mean(axis=1) - other.mean(axis=1))
@@ -84,13 +85,17 @@ def agree(found: np.ndarray, full: np.ndarray) -> None:
 
 
 SMALL_WELL = {
-    "full_well_e": 2500.0, "register_min_e": -3000.0, "register_max_e": 3000.0,
+    "full_well_e": 2500.0,
+    "register_min_e": -3000.0,
+    "register_max_e": 3000.0,
     "electrons_per_lsb": 10.0,
-}  # fmt: skip
+}
 STRONG = {
-    "crosstalk_fraction": 0.03, "dark_current_e_per_s": 20000.0, "leakage_tau_s": 0.2,
+    "crosstalk_fraction": 0.03,
+    "dark_current_e_per_s": 20000.0,
+    "leakage_tau_s": 0.2,
     "prnu_fraction": 0.05,
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("effects", ["shot,dark,crosstalk", "all"])

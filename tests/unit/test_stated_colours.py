@@ -65,9 +65,13 @@ def luminance(path: Path, **options: Any) -> tuple[np.ndarray, list[Diagnostic]]
     """The light of a still, in units of one electron of full exposure at white 1."""
     said: list[Diagnostic] = []
     light = load_scene(
-        str(path), slot_us=(10.0,), rows=ROWS, cols=COLS, warn=said.append,
+        str(path),
+        slot_us=(10.0,),
+        rows=ROWS,
+        cols=COLS,
+        warn=said.append,
         **{"exposure": ExposureLevel(1.0, 100.0), **options},
-    )  # fmt: skip
+    )
     return np.asarray(light.dense()[0]), said
 
 
@@ -82,9 +86,12 @@ def colours_and_white(dtype: Any) -> np.ndarray:
 
 
 WRITERS: dict[str, Any] = {
-    "tif": {"compression": "raw"}, "jpg": {"quality": 100, "subsampling": 0}, "png": {},
-    "webp": {"lossless": True}, "avif": {"quality": 100, "subsampling": "4:4:4"},
-}  # fmt: skip
+    "tif": {"compression": "raw"},
+    "jpg": {"quality": 100, "subsampling": 0},
+    "png": {},
+    "webp": {"lossless": True},
+    "avif": {"quality": 100, "subsampling": "4:4:4"},
+}
 
 
 @pytest.mark.parametrize("ending", [*WRITERS, "heic"])
@@ -108,9 +115,13 @@ def test_adobe_rgb_gives_its_luminances(tmp_path: Path, ending: str) -> None:
 def load_scene_with_notes(path: Path, size: tuple[int, int]) -> tuple[np.ndarray, list[Diagnostic]]:
     said: list[Diagnostic] = []
     light = load_scene(
-        str(path), slot_us=(10.0,), rows=size[0], cols=size[1], warn=said.append,
+        str(path),
+        slot_us=(10.0,),
+        rows=size[0],
+        cols=size[1],
+        warn=said.append,
         exposure=ExposureLevel(1.0, 100.0),
-    )  # fmt: skip
+    )
     return np.asarray(light.dense()[0]), said
 
 
@@ -171,8 +182,11 @@ def test_numbers_precede_profile_precedes_gamma(tmp_path: Path) -> None:
     gamma = {b"gAMA": struct.pack(">I", 55556)}
     numbers = {b"cICP": bytes([1, 13, 0, 1])}
     for chunks, half in (
-        (gamma | icc | numbers, 0.214), (gamma | icc, 0.5), (gamma, 0.5 ** 1.8), ({}, 0.214),
-    ):  # fmt: skip
+        (gamma | icc | numbers, 0.214),
+        (gamma | icc, 0.5),
+        (gamma, 0.5**1.8),
+        ({}, 0.214),
+    ):
         write_png(tmp_path / "a.png", picture, chunks)
         assert luminance(tmp_path / "a.png")[0][1, 1] == pytest.approx(half, rel=1e-3)
 
@@ -220,9 +234,14 @@ def test_heic_and_avif_with_the_pq_curve(tmp_path: Path) -> None:
     picture[:, 32:] = round(0.508078 * 255)
     file = heif.from_pillow(Image.fromarray(picture))
     file.save(
-        tmp_path / "a.heic", quality=-1, chroma=444, color_primaries=9, transfer_characteristics=16,
-        matrix_coefficients=9, full_range_flag=1,
-    )  # fmt: skip
+        tmp_path / "a.heic",
+        quality=-1,
+        chroma=444,
+        color_primaries=9,
+        transfer_characteristics=16,
+        matrix_coefficients=9,
+        full_range_flag=1,
+    )
     light, said = load_scene_with_notes(tmp_path / "a.heic", (64, 64))
     assert light[32, 48] / light[32, 16] == pytest.approx(0.01, rel=0.05)
     assert any("primaries" in note.message for note in said)

@@ -32,9 +32,16 @@ def test_separate_planes(
     picture = (RNG.random((3, ROWS, COLS)) * (1 if dtype == np.float32 else 200)).astype(dtype)
     path = tmp_path / "a.tif"
     tifffile.imwrite(
-        path, picture, planarconfig="separate", photometric="rgb", compression=compression,
-        tile=tile, bigtiff=big, byteorder=order, rowsperstrip=None if tile else 5,
-    )  # fmt: skip
+        path,
+        picture,
+        planarconfig="separate",
+        photometric="rgb",
+        compression=compression,
+        tile=tile,
+        bigtiff=big,
+        byteorder=order,
+        rowsperstrip=None if tile else 5,
+    )
     if big and order == ">":
         with pytest.raises(Rejected, match="big-endian"):
             read_picture(path)
@@ -150,9 +157,14 @@ def test_raw_of_three_colours_at_each_pixel(tmp_path: Path) -> None:
     values = RNG.integers(300, 4096, (64, 80, 3), np.uint16)
     levels = (100, 200, 300)
     write_dng(
-        tmp_path / "a.dng", values, photometric=34892, pattern=None, pattern_size=None,
-        black=(50714, "H", 3, levels), white=(50717, "H", 3, (4095,) * 3),
-    )  # fmt: skip
+        tmp_path / "a.dng",
+        values,
+        photometric=34892,
+        pattern=None,
+        pattern_size=None,
+        black=(50714, "H", 3, levels),
+        white=(50717, "H", 3, (4095,) * 3),
+    )
     known = (values - np.array(levels)) / (4095 - np.array(levels)) * 65535
     np.testing.assert_allclose(read_picture(tmp_path / "a.dng"), known, atol=1)
 

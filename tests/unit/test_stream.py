@@ -143,8 +143,9 @@ def test_two_ways_a_slot_may_change_from_slot_to_slot() -> None:
     program = built(APART.replace("1..7", "1..6").replace("% 7", "% 6"), DRAINED)
     _, stream = sent(program)
     assert {(int(a), int(b)) for a, b in zip(stream.ones, stream.zeros, strict=True)} == {
-        (0, DRAIN), (1, DRAIN),
-    }  # fmt: skip
+        (0, DRAIN),
+        (1, DRAIN),
+    }
 
 
 def test_a_container_of_planes_is_read_as_it_was_written() -> None:
@@ -317,11 +318,14 @@ def test_two_chips_side_by_side(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "line",
     [
-        "build p.nsl -o p.icw --emit asm", "build p.nsl -o p.icw --emit cpp",
-        "check p.nsl --lowering edges", "view p.nsl --gates -o g.png",
-        "targets dual-tap --limits", "disasm p.icw",
+        "build p.nsl -o p.icw --emit asm",
+        "build p.nsl -o p.icw --emit cpp",
+        "check p.nsl --lowering edges",
+        "view p.nsl --gates -o g.png",
+        "targets dual-tap --limits",
+        "disasm p.icw",
     ],
-)  # fmt: skip
+)
 def test_what_needs_words_is_refused_by_name(line: str, tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(f"nsl 1\ntarget dual-tap\n{STOPS}")
     assert invoke(["build", "p.nsl", "-o", "p.icw"], tmp_path).status == 0

@@ -17,9 +17,13 @@ def run(folder: Path, line: str, redirections: str) -> tuple[int, str]:
     (folder / "p.nsl").write_text(TEXT)
     nscc = f"'{sys.executable}' -m nscc_cli"
     done = subprocess.run(
-        ["sh", "-c", f"exec {nscc} {line} {redirections}"], cwd=folder, capture_output=True,
-        text=True, check=False, env={**os.environ, "NSCC_CACHE": "off"},
-    )  # fmt: skip
+        ["sh", "-c", f"exec {nscc} {line} {redirections}"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, "NSCC_CACHE": "off"},
+    )
     return done.returncode, done.stdout + done.stderr
 
 

@@ -48,9 +48,19 @@ def written(folder: Path, text: str, name: str = "grid.toml") -> Path:
 def swept(folder: Path, *more: str, status: int = 0) -> list[dict[str, str]]:
     """The rows of the table."""
     done = invoke(
-        ["sweep", "grid.toml", "--out", "out", "--workers", "0", "--message-format", "short",
-         *more], folder,
-    )  # fmt: skip
+        [
+            "sweep",
+            "grid.toml",
+            "--out",
+            "out",
+            "--workers",
+            "0",
+            "--message-format",
+            "short",
+            *more,
+        ],
+        folder,
+    )
     assert done.status == status, done.err
     return list(csv.DictReader(io.StringIO((folder / "out/table.csv").read_text())))
 
@@ -244,8 +254,11 @@ sensor.read_noise_e = [1, 2.5]
     )
     rows = swept(tmp_path)
     assert [(row["chip.full_well_e"], row["sensor.read_noise_e"]) for row in rows] == [
-        ("20000.0", "1.0"), ("20000.0", "2.5"), ("30000.0", "1.0"), ("30000.0", "2.5")
-    ]  # fmt: skip
+        ("20000.0", "1.0"),
+        ("20000.0", "2.5"),
+        ("30000.0", "1.0"),
+        ("30000.0", "2.5"),
+    ]
     assert {float(row["mean_e"]) for row in rows} == {625.0}  # 10 of 16 slots
 
 
@@ -272,10 +285,32 @@ effects = "read"
     )
     same, noisy, tiled, _ = (float(row["psnr_db"]) for row in swept(tmp_path))
     done = invoke(
-        ["tradeoff", "sensor", "--classes", "d", "--slots", "4", "--stop-slots", "2", "--looks",
-         "none", "--codes", "fixed", "--lowerings", "edges", "-O", "0", "--effects", "none",
-         "--readouts", "none", "--csv", "sensor.csv"], tmp_path,
-    )  # fmt: skip
+        [
+            "tradeoff",
+            "sensor",
+            "--classes",
+            "d",
+            "--slots",
+            "4",
+            "--stop-slots",
+            "2",
+            "--looks",
+            "none",
+            "--codes",
+            "fixed",
+            "--lowerings",
+            "edges",
+            "-O",
+            "0",
+            "--effects",
+            "none",
+            "--readouts",
+            "none",
+            "--csv",
+            "sensor.csv",
+        ],
+        tmp_path,
+    )
     assert done.status == 0, done.err
     with open(tmp_path / "sensor.csv", newline="") as file:
         [clip, _] = csv.DictReader(file)
@@ -303,11 +338,14 @@ effects = "read"
         (GRID + "chip.launch_us = 2", "NS0832", "changes a chip, but target is missing"),
         (GRID.replace("[stops]", "['a/b']"), "NS0832", "cannot be called 'a/b'"),
         (GRID + "seed = [" + "1,\n" * 40000 + "]", "NS0830", "larger than 64 KiB"),
-        (GRID + '[scores]\nkind = "evaluate"\nrun = "stops"\ndata = "."', "NS0832",
-         "unknown part [stops] of kind train"),
+        (
+            GRID + '[scores]\nkind = "evaluate"\nrun = "stops"\ndata = "."',
+            "NS0832",
+            "unknown part [stops] of kind train",
+        ),
         ("kind = ", "NS0830", "is not a TOML table"),
     ],
-)  # fmt: skip
+)
 def test_a_wrong_grid(tmp_path: Path, text: str, code: str, said: str) -> None:
     written(tmp_path, text)
     done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
@@ -352,8 +390,10 @@ decoder.init = "run:class-b/first/seed1"
 def test_a_part_takes_the_keys_of_another(tmp_path: Path) -> None:
     points = read_grid(written(tmp_path, RUNS)).points
     assert [point.name for point in points] == [
-        "class-b/first/seed0", "class-b/first/seed1", "class-b/second",
-    ]  # fmt: skip
+        "class-b/first/seed0",
+        "class-b/first/seed1",
+        "class-b/second",
+    ]
     assert points[2].values["train.batch"] == 2
     assert [run.name for run in points[2].after] == ["class-b/first/seed1"]
     assert key_of(points[2], 1) != key_of(replace(points[2], after=(points[0],)), 1)
@@ -450,9 +490,11 @@ def test_two_sweeps_share_the_work(tmp_path: Path) -> None:
         "time.sleep(60)"
     )
     other = subprocess.Popen(
-        [sys.executable, "-c", claims, *(row.key for row in known[:2])], cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}, stdout=subprocess.PIPE,
-    )  # fmt: skip
+        [sys.executable, "-c", claims, *(row.key for row in known[:2])],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+        stdout=subprocess.PIPE,
+    )
     assert other.stdout is not None
     assert other.stdout.readline() == b"[True, True]\n"
     with ThreadPoolExecutor(1) as pool:
@@ -474,9 +516,17 @@ def kept_apart(folder: Path) -> set[str]:
     return found
 
 
-@pytest.mark.parametrize("kind", [
-    "compile", "limits", "emulate", "train", "evaluate", "design",
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "kind",
+    [
+        "compile",
+        "limits",
+        "emulate",
+        "train",
+        "evaluate",
+        "design",
+    ],
+)
 def test_a_complete_part_can_be_read(tmp_path: Path, kind: str) -> None:
     text = invoke(["sweep", "--schema", kind], tmp_path).out
     assert f"[{kind}]" in text

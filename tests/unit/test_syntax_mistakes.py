@@ -123,10 +123,27 @@ def test_a_mistake(text: str, code: str, marked: str, words: str, replacement: s
 
 @pytest.mark.parametrize(
     "text",
-    ["let", "let a", "let a =", "let a = 1 +", "code a : 1..", "code a : bit[3", "open when (n < 3",
-     "open", "bucket", "bucket a open", "frame", "frame 8 slots of", "frame slots [1ms,", "target",
-     "pixels a = tile [[1, 2],[3,4]", "pixels from", 'shutters b from "x" key', "require"],
-)  # fmt: skip
+    [
+        "let",
+        "let a",
+        "let a =",
+        "let a = 1 +",
+        "code a : 1..",
+        "code a : bit[3",
+        "open when (n < 3",
+        "open",
+        "bucket",
+        "bucket a open",
+        "frame",
+        "frame 8 slots of",
+        "frame slots [1ms,",
+        "target",
+        "pixels a = tile [[1, 2],[3,4]",
+        "pixels from",
+        'shutters b from "x" key',
+        "require",
+    ],
+)
 def test_a_statement_that_ends_too_soon(text: str) -> None:
     at_the_end = the_error(f"nsl 1\n{text}")
     assert at_the_end.code == "NS0107"
@@ -153,8 +170,14 @@ def test_all_errors_come_at_once_and_in_order() -> None:
     rows = [Source("", text).row_column(e.label.span.start)[0] for e in errors if e.label]
     assert rows == [2, 2, 3, 4, 5, 6, 6]
     assert [e.code for e in errors] == [
-        "NS0109", "NS0107", "NS0107", "NS0108", "NS0107", "NS0109", "NS0107",
-    ]  # fmt: skip
+        "NS0109",
+        "NS0107",
+        "NS0107",
+        "NS0108",
+        "NS0107",
+        "NS0109",
+        "NS0107",
+    ]
     assert [type(s).__name__ for s in file.statements] == ["Version", "Let", "Let"]
 
 

@@ -32,8 +32,11 @@ def of_python(node: ast.AST) -> Any:
             return ("Unary", _SIGNS[type(node.op)], of_python(node.operand))
         case ast.BinOp():
             return (
-                "Binary", _SIGNS[type(node.op)], of_python(node.left), of_python(node.right),
-            )  # fmt: skip
+                "Binary",
+                _SIGNS[type(node.op)],
+                of_python(node.left),
+                of_python(node.right),
+            )
         case ast.BoolOp():
             found = of_python(node.values[0])
             for value in node.values[1:]:
@@ -66,8 +69,13 @@ def test_three_operators_in_a_row(first: str) -> None:
 
 @pytest.mark.parametrize("operator", OPERATORS)
 def test_unary_operators_beside_others(operator: str) -> None:
-    texts = [f"- a {operator} b", f"a {operator} - b", f"- - a {operator} - - b",
-             f"not a {operator} b", f"not not a {operator} b"]  # fmt: skip
+    texts = [
+        f"- a {operator} b",
+        f"a {operator} - b",
+        f"- - a {operator} - - b",
+        f"not a {operator} b",
+        f"not not a {operator} b",
+    ]
     if operator in ("or", "and"):
         texts.append(f"a {operator} not b")
     for text in texts:
@@ -109,7 +117,9 @@ def test_what_python_has_not(text: str, brackets: str) -> None:
 
 def test_comparisons_chain() -> None:
     assert ours("start <= n < stop != 3") == (
-        "Compare", ("Name", "start"), ("<=", "<", "!="),
+        "Compare",
+        ("Name", "start"),
+        ("<=", "<", "!="),
         (("Name", "n"), ("Name", "stop"), ("Int", 3)),
-    )  # fmt: skip
+    )
     assert ours("(a < b) < c") != ours("a < b < c")

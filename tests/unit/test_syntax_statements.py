@@ -74,10 +74,24 @@ def test_places_are_those_of_the_text() -> None:
     assert not errors
     found = {text[node.span.start : node.span.end] for node in nodes(file)}
     assert found == {
-        text, "nsl 1", "1", "frame 8 slots of 1ms", "8", "1ms", "open when min(n, 2) < b[n + 1]",
-        "min(n, 2) < b[n + 1]", "min(n, 2)", "min", "n", "2", "b[n + 1]", "b", "n + 1",
-        'pixels from "a"', '"a"',
-    }  # fmt: skip
+        text,
+        "nsl 1",
+        "1",
+        "frame 8 slots of 1ms",
+        "8",
+        "1ms",
+        "open when min(n, 2) < b[n + 1]",
+        "min(n, 2) < b[n + 1]",
+        "min(n, 2)",
+        "min",
+        "n",
+        "2",
+        "b[n + 1]",
+        "b",
+        "n + 1",
+        'pixels from "a"',
+        '"a"',
+    }
 
 
 def test_newlines_blanks_and_comments_mean_nothing() -> None:
@@ -124,10 +138,16 @@ def test_limits_of_numbers(text: str, code: str | None) -> None:
 
 @pytest.mark.parametrize(
     "deep",
-    ["(" * 5000 + "1" + ")" * 5000, "1" + " + 1" * 5000, "- " * 5000 + "1", "not " * 5000 + "true",
-     "1 if true else " * 5000 + "1", "b[" * 5000 + "1" + "]" * 5000,
-     "max(1, " * 5000 + "1" + ")" * 5000],
-)  # fmt: skip
+    [
+        "(" * 5000 + "1" + ")" * 5000,
+        "1" + " + 1" * 5000,
+        "- " * 5000 + "1",
+        "not " * 5000 + "true",
+        "1 if true else " * 5000 + "1",
+        "b[" * 5000 + "1" + "]" * 5000,
+        "max(1, " * 5000 + "1" + ")" * 5000,
+    ],
+)
 def test_nesting_has_a_limit_and_no_recursion(deep: str) -> None:
     assert codes(f"nsl 1 let a = {deep} let b = 1") == ["NS0110"]
 

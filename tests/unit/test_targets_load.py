@@ -131,7 +131,7 @@ def test_an_unknown_name_gets_a_suggestion(tmp_path: Path) -> None:
         ("rows = 4", "rows = ", "NS0232", "TOML"),
         ("rows = 4", "rows = 4\n#" + "x" * 2000, "NS0232", "characters"),
     ],
-)  # fmt: skip
+)
 def test_a_wrong_table_is_explained(
     old: str, new: str, code: str, words: str, tmp_path: Path
 ) -> None:

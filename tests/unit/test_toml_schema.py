@@ -25,9 +25,14 @@ ROWS = (
 )
 CODES = FileCodes("U", "T", unknown="NS1", wrong_value="NS2", missing="NS3", change="NS4")
 CAMERA = Schema(
-    "camera", ROWS, {"": "", "lens": "", "shutter": ""}, CODES, "ask the maker",
-    option="--set", example="lens.focus_mm=9",
-)  # fmt: skip
+    "camera",
+    ROWS,
+    {"": "", "lens": "", "shutter": ""},
+    CODES,
+    "ask the maker",
+    option="--set",
+    example="lens.focus_mm=9",
+)
 
 
 def problems(text: str) -> list[tuple[str, int, str]]:
@@ -63,8 +68,11 @@ def test_changes_are_values_or_are_refused() -> None:
     )
     assert not wrong
     assert found == {
-        "title": "a b", "lens.stops": (3, 4), "lens.focus_mm": 9.0, "shutter.open": True,
-    }  # fmt: skip
+        "title": "a b",
+        "lens.stops": (3, 4),
+        "lens.focus_mm": 9.0,
+        "shutter.open": True,
+    }
     _, wrong = CAMERA.changed(["title", "lens.focus_mm=", "lens.focus_mm=0", "lense.a=1", "a.b=1"])
     assert [each.code for each in wrong] == ["NS4", "NS4", "NS2", "NS1", "NS1"]
     expected = "--set: lens.focus_mm must be a number from 1 to 100 (mm), not 0"

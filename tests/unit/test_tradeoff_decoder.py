@@ -75,8 +75,12 @@ def test_every_method_of_clips_that_sees_the_capture_is_there() -> None:
     methods = [method for method, *_ in decoder.untrained("clips")]
     assert set(methods) == {name for name, each in CLIPS.items() if each.sees == "capture"}
     assert [way[1] for way in decoder.untrained("clips") if way[0] == "gap-tv"] == [
-        "5", "10", "20", "40", "80"
-    ]  # fmt: skip
+        "5",
+        "10",
+        "20",
+        "40",
+        "80",
+    ]
 
 
 def test_points_are_scores_of_the_captures(quick: None) -> None:
@@ -110,10 +114,12 @@ def test_the_budget_ends_repeats_but_nothing_is_left_out(quick: None) -> None:
 
 def test_scores_do_not_depend_on_the_day(quick: None) -> None:
     first, second, other = (
-        [(p.case, p.method, p.setting, p.error)
-         for p in measure(decoder_study([], replace(TINY, seed=seed), 1, 1e6)).points]
+        [
+            (p.case, p.method, p.setting, p.error)
+            for p in measure(decoder_study([], replace(TINY, seed=seed), 1, 1e6)).points
+        ]
         for seed in (0, 0, 1)
-    )  # fmt: skip
+    )
     assert first == second
     assert [row[-1] for row in first] != [row[-1] for row in other]
 

@@ -115,10 +115,16 @@ def test_errors_are_those_of_the_frames(program: AnalysedProgram) -> None:
         (*key, unit)
         for unit in (ELECTRONS, LSB)
         for key in (
-            (REFERENCE, "all"), (OTHER_DRAWS, "all"), (SUMMED, "none"), (DRAWN, "shot"),
-            (PLANNED, "2e"), (PLANNED, "40e"), (WITH_PLANNING, "2e"), (WITH_PLANNING, "40e"),
+            (REFERENCE, "all"),
+            (OTHER_DRAWS, "all"),
+            (SUMMED, "none"),
+            (DRAWN, "shot"),
+            (PLANNED, "2e"),
+            (PLANNED, "40e"),
+            (WITH_PLANNING, "2e"),
+            (WITH_PLANNING, "40e"),
         )
-    ]  # fmt: skip
+    ]
 
     def is_found(key: tuple[str, str], away_e: float, away_lsb: float) -> None:
         assert found[(*key, ELECTRONS)].error == pytest.approx(away_e, rel=1e-6)
@@ -190,8 +196,12 @@ def test_light_that_numpy_cannot_draw(program: AnalysedProgram) -> None:
     [refused] = study.refused
     assert refused.method == DRAWN
     assert {p.method for p in study.points} == {
-        REFERENCE, OTHER_DRAWS, SUMMED, PLANNED, WITH_PLANNING,
-    }  # fmt: skip
+        REFERENCE,
+        OTHER_DRAWS,
+        SUMMED,
+        PLANNED,
+        WITH_PLANNING,
+    }
     assert f"no {DRAWN}: {refused.reason}" in studies_text([study], 1.0)
 
 
@@ -212,8 +222,9 @@ def test_errors_are_of_the_worst_bucket_and_of_valid_pixels() -> None:
     assert error([found], [zero]) == (pytest.approx(np.sqrt(12.5)), 2.0)
     assert error([zero], [found]) == error([found], [zero]), "codes do not wrap around"
     assert error([found, zero], [zero, zero]) == (
-        pytest.approx(np.sqrt(25 / 4)), pytest.approx(np.sqrt(4 / 3)),
-    )  # fmt: skip
+        pytest.approx(np.sqrt(25 / 4)),
+        pytest.approx(np.sqrt(4 / 3)),
+    )
     nothing = frame([[0, 0], [0, 0]], [[0, 0], [0, 0]], [[True, True], [False, False]])
     assert error([nothing], [zero]) == (np.inf, np.inf)
 
@@ -245,9 +256,18 @@ def test_a_broken_promise_is_told(study: EmulatorStudy, folder: Path, monkeypatc
 
 
 ARGUMENTS = [
-    "tradeoff", "emulator", "p.nsl", "--scene", "builtin:hdr", "--scene", "builtin:flat:100",
-    "--tolerances", "20e,0.1lsb", "--repeats", "2",
-]  # fmt: skip
+    "tradeoff",
+    "emulator",
+    "p.nsl",
+    "--scene",
+    "builtin:hdr",
+    "--scene",
+    "builtin:flat:100",
+    "--tolerances",
+    "20e,0.1lsb",
+    "--repeats",
+    "2",
+]
 
 
 def test_command_writes_tables_csv_and_pictures(folder: Path) -> None:
@@ -262,20 +282,26 @@ def test_command_writes_tables_csv_and_pictures(folder: Path) -> None:
         (f"{scene}, {method}", setting)
         for scene in ("builtin:hdr", "builtin:flat:100")
         for method, settings in (
-            (REFERENCE, ["all"]), (OTHER_DRAWS, ["all"]), (SUMMED, ["none"]), (DRAWN, ["shot"]),
-            (PLANNED, ["0.1lsb", "20e"]), (WITH_PLANNING, ["0.1lsb", "20e"]),
+            (REFERENCE, ["all"]),
+            (OTHER_DRAWS, ["all"]),
+            (SUMMED, ["none"]),
+            (DRAWN, ["shot"]),
+            (PLANNED, ["0.1lsb", "20e"]),
+            (WITH_PLANNING, ["0.1lsb", "20e"]),
         )
         for setting in settings
-    ]  # fmt: skip
+    ]
     for row in rows:
         scene = row["method"].split(",")[0]
         better = [
-            other for other in rows
-            if other["method"].split(",")[0] == scene and other["error_unit"] == row["error_unit"]
+            other
+            for other in rows
+            if other["method"].split(",")[0] == scene
+            and other["error_unit"] == row["error_unit"]
             and float(other["error"]) <= float(row["error"])
             and float(other["time_ms"]) <= float(row["time_ms"])
             and (other["error"], other["time_ms"]) != (row["error"], row["time_ms"])
-        ]  # fmt: skip
+        ]
         assert row["dominated"] == ("yes" if better else "no")
     assert done.out.count("error budget of 3 e") == 2
     assert done.out.count(f"  0.1lsb, {0.1 * 30000 / 255:.3g}e  ") == 2

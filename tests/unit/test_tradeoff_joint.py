@@ -210,9 +210,10 @@ def test_errors_of_plans_are_those_of_their_audits(folder: Path) -> None:
     assert joint.signal_e == pytest.approx(float(exact.exposure_e.mean()))
     light = Scene("builtin:flat:9000")
     scene = planning_of(
-        container, default_sensor(container.target),
+        container,
+        default_sensor(container.target),
         scene_light(light, container.slot_us, container.target),
-    )  # fmt: skip
+    )
     for tolerance in (0.2, 2.0, 6.0):
         plan = make_plan(scene, PlanRequest(selected("auto"), f"{tolerance:g}%"))
         percent = 100 * audit(scene, plan).measured_rms_e / joint.signal_e
@@ -260,8 +261,18 @@ def test_the_command(folder: Path) -> None:
 def test_slots_of_different_lengths_are_told_by_their_mean(folder: Path) -> None:
     uneven = TEXT.replace("8 slots of 1ms", "slots [1ms, 2ms, 4ms, 8ms, 16ms, 32ms, 64ms, 128ms]")
     (folder / "p.nsl").write_text(uneven)
-    command = ["tradeoff", "p.nsl", "--scene", "builtin:flat:20000", "--stages", "slots",
-               "--repeats", "1", "-O", "0"]  # fmt: skip
+    command = [
+        "tradeoff",
+        "p.nsl",
+        "--scene",
+        "builtin:flat:20000",
+        "--stages",
+        "slots",
+        "--repeats",
+        "1",
+        "-O",
+        "0",
+    ]
     done = invoke(command, folder)
     assert done.status == 0
     assert "31875 us in the mean  " in done.out

@@ -83,9 +83,17 @@ def test_csv_has_the_columns_of_the_contract() -> None:
     assert rows == [
         ["method", "setting", "error", "error_unit", "time_ms", "spread_ms", "device", "dominated"],
         ["b 64, m", "-O1", "10", "words_per_frame", "1.000", "0.000", 'A "fast" chip, 2 GHz', "no"],
-        ["b 64, m", "-O2", "12", "words_per_frame", "2.500", "1.000", 'A "fast" chip, 2 GHz',
-         "yes"],
-    ]  # fmt: skip
+        [
+            "b 64, m",
+            "-O2",
+            "12",
+            "words_per_frame",
+            "2.500",
+            "1.000",
+            'A "fast" chip, 2 GHz',
+            "yes",
+        ],
+    ]
     assert tuple(rows[0]) == COLUMNS
 
 

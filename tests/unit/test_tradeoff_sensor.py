@@ -50,9 +50,20 @@ def test_slots_are_those_of_the_report(tmp_path: Path) -> None:
         "pixels stop = tile [[1, 2], [4, 8]]"
     )
     done = invoke(
-        ["build", "p.nsl", "-O", "0", "--codes", "open", "--lowering", "latch", "--emit",
-         "report=-"], tmp_path,
-    )  # fmt: skip
+        [
+            "build",
+            "p.nsl",
+            "-O",
+            "0",
+            "--codes",
+            "open",
+            "--lowering",
+            "latch",
+            "--emit",
+            "report=-",
+        ],
+        tmp_path,
+    )
     assert done.status == 0, done.err
     slot_us = json.loads(done.out)["shortest_slot_us"]
     assert clip.time_ms * 1e3 == pytest.approx(slot_us)
@@ -72,8 +83,9 @@ def test_without_effects_only_the_shutters_count() -> None:
 
 
 def test_what_does_not_fit_is_a_row() -> None:
-    asked = settings(classes=("e",), slots=(16,), stop_slots=(8,), codes=("open",),
-                     lowerings=("latch", "edges"))  # fmt: skip
+    asked = settings(
+        classes=("e",), slots=(16,), stop_slots=(8,), codes=("open",), lowerings=("latch", "edges")
+    )
     found = measure(asked)
     assert [(each.case, each.code) for each in found.refused] == [("clips", "NS0412")] * 2
     assert [p.case for p in found.points] == ["stills"] * 2
@@ -105,19 +117,41 @@ def test_the_command(tmp_path: Path) -> None:
     measured = [row for row in rows if row["error"]]
     assert {row["error_unit"] for row in measured} == {"psnr_db"}
     assert {row["device"] for row in rows} == {"scamp5"}
-    assert all(0 < float(row["time_ms"]) < 1 and np.isfinite(float(row["error"])) for row in
-               measured)  # fmt: skip
+    assert all(
+        0 < float(row["time_ms"]) < 1 and np.isfinite(float(row["error"])) for row in measured
+    )
     assert "does not fit" in done.out
     Image.open(tmp_path / "one.png").verify()
 
 
 def test_nothing_that_fits(tmp_path: Path) -> None:
     done = invoke(
-        ["tradeoff", "sensor", "--classes", "c", "--slots", "4", "--stop-slots", "3000",
-         "--looks", "none", "--readouts", "none",
-         "--codes", "open", "--lowerings", "latch", "--slot-us", "0.01", "-O", "0", "-o", "o"],
+        [
+            "tradeoff",
+            "sensor",
+            "--classes",
+            "c",
+            "--slots",
+            "4",
+            "--stop-slots",
+            "3000",
+            "--looks",
+            "none",
+            "--readouts",
+            "none",
+            "--codes",
+            "open",
+            "--lowerings",
+            "latch",
+            "--slot-us",
+            "0.01",
+            "-O",
+            "0",
+            "-o",
+            "o",
+        ],
         tmp_path,
-    )  # fmt: skip
+    )
     assert done.status == 1
     assert not list(tmp_path.iterdir())
 
@@ -155,15 +189,21 @@ def measured_readouts(options: dict[str, Any]) -> tuple[list[Any], list[Any]]:
 def test_more_readouts_take_longer(tmp_path: Path) -> None:
     """Where a chip has few registers, the searched bits of one readout do not fit."""
     text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
-    changes = {"rows": "rows = 48", "cols": "cols = 64", "name": 'name = "mine"',
-               "digital": 'digital = ["R0", "R1", "R2", "R12"]'}  # fmt: skip
+    changes = {
+        "rows": "rows = 48",
+        "cols": "cols = 64",
+        "name": 'name = "mine"',
+        "digital": 'digital = ["R0", "R1", "R2", "R12"]',
+    }
     lines = [changes.get(line.split(" =")[0], line) for line in text.splitlines()]
     (tmp_path / "mine.toml").write_text("\n".join(lines))
     asked = settings(target=str(tmp_path / "mine.toml"))
     points, refused = measured_readouts({**asked, "readouts": (1, 3)})
     assert [(p.method, round(p.time_ms, 3)) for p in points] == [
-        ("burst", 16.7), ("burst", 50.1), ("coded", 50.1)
-    ]  # fmt: skip
+        ("burst", 16.7),
+        ("burst", 50.1),
+        ("coded", 50.1),
+    ]
     assert [(each.method, each.setting, each.code) for each in refused] == [
         ("coded", "1", "NS0412")
     ]
@@ -183,13 +223,20 @@ def test_a_chip_of_ones_own(tmp_path: Path) -> None:
     """Fewer registers refuse what the other chip takes; an array need not be square."""
     text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
     changes = {
-        "digital": 'digital = ["R0", "R1", "R2", "R12"]', "rows": "rows = 48", "cols": "cols = 64",
+        "digital": 'digital = ["R0", "R1", "R2", "R12"]',
+        "rows": "rows = 48",
+        "cols": "cols = 64",
         "name": 'name = "mine"',
-    }  # fmt: skip
+    }
     lines = [changes.get(line.split(" =")[0], line) for line in text.splitlines()]
     (tmp_path / "mine.toml").write_text("\n".join(lines))
-    asked = settings(classes=("e",), slots=(8,), stop_slots=(2,), codes=("open",),
-                     target=str(tmp_path / "mine.toml"))  # fmt: skip
+    asked = settings(
+        classes=("e",),
+        slots=(8,),
+        stop_slots=(2,),
+        codes=("open",),
+        target=str(tmp_path / "mine.toml"),
+    )
     found = measure(asked)
     assert [each.code for each in found.refused] == ["NS0412"]
     assert [point.case for point in found.points] == ["stills"]

@@ -125,11 +125,12 @@ def test_command_writes_table_csv_and_picture(folder: Path) -> None:
     for row in rows:
         assert row["error"] in done.out
         better = [
-            other for other in rows
+            other
+            for other in rows
             if float(other["error"]) <= float(row["error"])
             and float(other["time_ms"]) <= float(row["time_ms"])
             and (other["error"], other["time_ms"]) != (row["error"], row["time_ms"])
-        ]  # fmt: skip
+        ]
         assert row["dominated"] == ("yes" if better else "no")
     Image.open(folder / "out.png").load()
     assert "wrote out.csv, out.png" in done.err

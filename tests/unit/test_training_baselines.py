@@ -247,9 +247,14 @@ def scored(folder: Path, name: str, items: dict[str, list[float | str]], **more:
     ]
     finite = [float(item["psnr_db"]) for item in each if item["psnr_db"] != "inf"]
     text = {
-        "schema": "nscc-result-1", "protocol": "p", "protocol_sha256": "1" * 64, "method": name[0],
-        "mean": sum(finite) / len(finite), "items": each, **more,
-    }  # fmt: skip
+        "schema": "nscc-result-1",
+        "protocol": "p",
+        "protocol_sha256": "1" * 64,
+        "method": name[0],
+        "mean": sum(finite) / len(finite),
+        "items": each,
+        **more,
+    }
     (folder / f"{name}.json").write_text(json.dumps(text))
     return f"{name}.json"
 
@@ -306,19 +311,32 @@ def test_one_pair_is_what_it_was(tmp_path: Path) -> None:
     found = json.loads(outcome.out)
     assert found == json.loads((tmp_path / "c.json").read_text())
     assert found == {
-        "protocol": "p", "protocol_sha256": "1" * 64, "metric": "psnr_db", "pairs": 1,
-        "first": {"method": "A", "mean": 15.0}, "second": {"method": "B", "mean": 19.0},
-        "items": 2, "scenes": 2, "only_first": 0, "only_second": 0, "gain_db": 4.0,
-        "sd": pytest.approx(8**0.5), "ci95": [2.0, 6.0], "infinite": 0,
-    }  # fmt: skip
+        "protocol": "p",
+        "protocol_sha256": "1" * 64,
+        "metric": "psnr_db",
+        "pairs": 1,
+        "first": {"method": "A", "mean": 15.0},
+        "second": {"method": "B", "mean": 19.0},
+        "items": 2,
+        "scenes": 2,
+        "only_first": 0,
+        "only_second": 0,
+        "gain_db": 4.0,
+        "sd": pytest.approx(8**0.5),
+        "ci95": [2.0, 6.0],
+        "infinite": 0,
+    }
     human = invoke(["evaluate", "compare", first, second], tmp_path).out
     assert "2 items of 2 scenes, protocol p" in human
 
 
 def test_what_does_not_pair_is_refused(tmp_path: Path) -> None:
     base, better = {"a": [10.0]}, {"a": [11.0]}
-    names = [scored(tmp_path, f"{k}{seed}", base if k == "A" else better)
-             for seed in (0, 1) for k in "AB"]  # fmt: skip
+    names = [
+        scored(tmp_path, f"{k}{seed}", base if k == "A" else better)
+        for seed in (0, 1)
+        for k in "AB"
+    ]
     for count in (1, 3):
         odd = invoke(["evaluate", "compare", *names[:count]], tmp_path)
         assert (odd.status, odd.codes) == (2, ["NS0780"])
@@ -409,11 +427,14 @@ def test_fixed_codes_on_panoramas(tmp_path: Path) -> None:
         assert outcome.status == 0, outcome.err
         found[name] = json.loads(outcome.out)
         assert [item["crop"] for item in found[name]["items"]] == [
-            [128, 256], [128, 512], [128, 768]
-        ]  # fmt: skip
+            [128, 256],
+            [128, 512],
+            [128, 768],
+        ]
         assert found[name]["left_out"][0]["crop"] == [128, 0]
-        assert all(i["saturated_share"] == pytest.approx(0.3, abs=0.005)
-                   for i in found[name]["items"])  # fmt: skip
+        assert all(
+            i["saturated_share"] == pytest.approx(0.3, abs=0.005) for i in found[name]["items"]
+        )
     truth = np.load(tmp_path / "ldr.d" / "a_128_256_truth.npy").astype(float)
     made = np.load(tmp_path / "ldr.d" / "a_128_256_image.npy").astype(float)
     assert np.mean(truth >= 30000) == pytest.approx(0.3, abs=0.005)

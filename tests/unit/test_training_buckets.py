@@ -30,9 +30,13 @@ SMALL = {"target": "dual-tap", "slot_us": 1000.0, **TWO}
 
 def encoder_of(kind: str, relaxation: str = "straight-through"):
     spec = ShutterSpec(
-        kind, 6, (3, 2), length=2 if kind == "c" else None, rows=4 if kind == "codebook" else None,
+        kind,
+        6,
+        (3, 2),
+        length=2 if kind == "c" else None,
+        rows=4 if kind == "codebook" else None,
         buckets=2,
-    )  # fmt: skip
+    )
     return make_encoder(spec, "random", 5, relaxation)
 
 

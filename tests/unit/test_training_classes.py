@@ -244,8 +244,9 @@ def test_a_source_of_ones_own_gives_each_scene_a_class(
     )
     monkeypatch.syspath_prepend(str(tmp_path))
     classes = ("left", "right")
-    data = settings_of(changed(CLASSES, "data", train="own_classes:scenes",
-                               val="own_classes:scenes")).data  # fmt: skip
+    data = settings_of(
+        changed(CLASSES, "data", train="own_classes:scenes", val="own_classes:scenes")
+    ).data
     scenes = load_scenes(data, False, 16, 0, classes=classes)
     assert [scene.label for scene in scenes.train] == ["left", "right"]
     for source, known in (("own_classes:without", classes), ("own_classes:scenes", ())):

@@ -27,15 +27,21 @@ def test_what_is_printed_is_read_back() -> None:
 
 
 def test_all_contradictions_are_named_together() -> None:
-    values = {"decoder": {"lessons": "denoise"}, "shutter": {"free": True},
-              "sensor": {"effects": "all", "noise": False}}  # fmt: skip
+    values = {
+        "decoder": {"lessons": "denoise"},
+        "shutter": {"free": True},
+        "sensor": {"effects": "all", "noise": False},
+    }
     with pytest.raises(Rejected) as caught:
         settings_of(values).check()
     named = [d.message.removeprefix("invalid setting ") for d in caught.value.diagnostics]
     assert {d.code for d in caught.value.diagnostics} == {"NS0815"}
     assert [text.partition(":")[0] for text in named] == [
-        "shutter.learn", "decoder.lessons", "sensor.effects", "sensor.effects",
-    ]  # fmt: skip
+        "shutter.learn",
+        "decoder.lessons",
+        "sensor.effects",
+        "sensor.effects",
+    ]
     settings_of(
         {"decoder": {"lessons": "denoise", "name": "any"}, "shutter": {"learn": False}}
     ).check()
@@ -65,13 +71,21 @@ def test_every_mistake_is_told_at_once_with_its_place(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "[train]\nsteps = true\n", "[train]\nsteps = 1.5\n", "[train]\nrate = nan\n",
-        "[train]\nrate = inf\n", "[train]\nseed = -1\n", "[train]\nseed = 99999999999\n",
-        "[shutter]\nclass = 3\n", "[shutter]\nclass = 'f'\n", "[shutter]\ntile = 8\n",
-        "[shutter]\ntile = [8, true]\n", "[shutter]\nfree = 1\n", "train = 3\n",
+        "[train]\nsteps = true\n",
+        "[train]\nsteps = 1.5\n",
+        "[train]\nrate = nan\n",
+        "[train]\nrate = inf\n",
+        "[train]\nseed = -1\n",
+        "[train]\nseed = 99999999999\n",
+        "[shutter]\nclass = 3\n",
+        "[shutter]\nclass = 'f'\n",
+        "[shutter]\ntile = 8\n",
+        "[shutter]\ntile = [8, true]\n",
+        "[shutter]\nfree = 1\n",
+        "train = 3\n",
         "[data]\npatch = 1e400\n",
     ],
-)  # fmt: skip
+)
 def test_wrong_values(text: str, tmp_path: Path) -> None:
     (tmp_path / "c.toml").write_text(text)
     with pytest.raises(Rejected, match="NS0815"):
@@ -82,9 +96,11 @@ def test_files_that_are_none(tmp_path: Path) -> None:
     (tmp_path / "bytes.toml").write_bytes(b"\xff\xfe\x00")
     (tmp_path / "broken.toml").write_text("[train\nsteps = 1")
     for name, code in (
-        ("none.toml", "NS0813"), ("bytes.toml", "NS0813"), ("broken.toml", "NS0813"),
+        ("none.toml", "NS0813"),
+        ("bytes.toml", "NS0813"),
+        ("broken.toml", "NS0813"),
         (".", "NS0811"),  # a folder without pictures
-    ):  # fmt: skip
+    ):
         outcome = invoke(["train", name, "--out", "r"], tmp_path)
         assert (outcome.status, outcome.codes) == (2, [code])
     assert not (tmp_path / "r").exists()

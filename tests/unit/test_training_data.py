@@ -132,8 +132,9 @@ def test_augmentation_bends_level_and_peak_with_the_light(together: int) -> None
     assert len(values) == 18 // together
 
 
-@pytest.mark.parametrize(("shape", "poles"), [((512, 1024), True), ((512, 1000), False),
-                                              ((400, 800), False)])  # fmt: skip
+@pytest.mark.parametrize(
+    ("shape", "poles"), [((512, 1024), True), ((512, 1000), False), ((400, 800), False)]
+)
 def test_the_poles_of_a_panorama_are_left_out(shape: tuple[int, int], poles: bool) -> None:
     light = np.full(shape, 1.0)
     eighth = shape[0] // 8

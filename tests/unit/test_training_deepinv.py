@@ -177,9 +177,12 @@ def their_tests(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Any:
 @pytest.mark.parametrize(("test", "kind"), CASES)
 def test_their_own_tests_hold(test: str, kind: str, their_tests: Any) -> None:
     given = {
-        "name": kind, "device": "cpu", "rng": torch.Generator().manual_seed(0), "verbose": False,
+        "name": kind,
+        "device": "cpu",
+        "rng": torch.Generator().manual_seed(0),
+        "verbose": False,
         "implicit_backward_solver": True,
-    }  # fmt: skip
+    }
     run = getattr(their_tests, test)
     wanted = run.__code__.co_varnames[: run.__code__.co_argcount]
     run(**{name: given[name] for name in wanted})

@@ -262,9 +262,9 @@ def test_projection_keeps_parameters_where_gradients_live(
         assert parameter.max() <= high
     assert not torch.equal(encoder.hard(), before)
     assert (
-        encoder.hard().numpy() == shutters_of(spec.kind, spec.slots, all_codes(encoder),
-                                              spec.length)
-    ).all()  # fmt: skip
+        encoder.hard().numpy()
+        == shutters_of(spec.kind, spec.slots, all_codes(encoder), spec.length)
+    ).all()
 
 
 @pytest.mark.parametrize("relaxation", ["sigmoid", "gumbel"])

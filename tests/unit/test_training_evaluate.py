@@ -66,8 +66,12 @@ def test_a_still_run(tmp_path: Path) -> None:
 
 def test_a_clip_run_on_both_protocols_of_clips(tmp_path: Path) -> None:
     decoder, data = {"name": "fcnet"}, {"protocol": "video-v1"}
-    trained(tmp_path / "r16", shutter={"class": "c", "slots": 16, "tile": [4, 4]},
-            decoder=decoder, data={**SMALL["data"], **data})  # fmt: skip
+    trained(
+        tmp_path / "r16",
+        shutter={"class": "c", "slots": 16, "tile": [4, 4]},
+        decoder=decoder,
+        data={**SMALL["data"], **data},
+    )
     (tmp_path / "d").mkdir()
     orig = clip(tmp_path / "d/c.mat", 33, 256)
     outcome = invoke(
@@ -95,8 +99,12 @@ def test_a_clip_run_on_both_protocols_of_clips(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", ["unet3d", "unrolled", "refined"])
 def test_a_run_with_the_mask_of_the_file(name: str, tmp_path: Path) -> None:
     shutter = {"class": "e", "slots": 8, "tile": [4, 4], "init": "random"}
-    trained(tmp_path / "r", shutter=shutter, decoder={"name": name},
-            data={**SMALL["data"], "protocol": "video-v1"})  # fmt: skip
+    trained(
+        tmp_path / "r",
+        shutter=shutter,
+        decoder={"name": name},
+        data={**SMALL["data"], "protocol": "video-v1"},
+    )
     clip(tmp_path / "c.mat", 10, 32)
     outcome = invoke(["evaluate", "r", "--data", "c.mat", "--protocol", "sci8", "--json"], tmp_path)
     assert outcome.status == 0, outcome.err
@@ -211,8 +219,11 @@ def test_a_run_keeps_a_chip_and_a_sensor_of_ones_own(tmp_path: Path) -> None:
     """Whoever has the folder needs nothing else: from anywhere, after the files are gone."""
     (tmp_path / "mine").mkdir()
     chip = small_target(invoke(["targets", "scamp5", "--toml"], tmp_path).out, 64, 48)
-    sensor = re.sub(r"(?m)^full_well_e = .*$", "full_well_e = 20000.0",
-                    invoke(["effects", "--toml"], tmp_path).out)  # fmt: skip
+    sensor = re.sub(
+        r"(?m)^full_well_e = .*$",
+        "full_well_e = 20000.0",
+        invoke(["effects", "--toml"], tmp_path).out,
+    )
     sensor = re.sub(r"(?m)^electrons_per_lsb = .*$", "electrons_per_lsb = 70.0", sensor)
     given = {"target.toml": chip + "# a chip\n", "sensor.toml": sensor + "# a sensor\n"}
     for name, text in given.items():
@@ -242,8 +253,16 @@ def test_a_run_keeps_a_chip_and_a_sensor_of_ones_own(tmp_path: Path) -> None:
     command = re.search(r"`nscc (build .*)`", done.err)
     assert command
     assert invoke([*command[1].split(), "-O", "1", "-o", "s.icw"], tmp_path).status == 0
-    exposing = ["run", "../r/shutter.nsl", "-O", "1", "--scene", "builtin:hdr", "--sensor",
-                "../r/sensor.toml"]  # fmt: skip
+    exposing = [
+        "run",
+        "../r/shutter.nsl",
+        "-O",
+        "1",
+        "--scene",
+        "builtin:hdr",
+        "--sensor",
+        "../r/sensor.toml",
+    ]
     own = ["--target", "../r/target.toml"]
     assert invoke([*exposing, *own, "-o", "f.npz"], here).status == 0
     for run in ("../r", str(tmp_path / "r")):
@@ -392,8 +411,10 @@ def test_baselines_of_clips(tmp_path: Path) -> None:
     human = invoke(["evaluate", "adjoint", "--data", "d", "--protocol", "video-v1"], tmp_path).out
     assert "left out: short.mat: it has 15 frames" in human
     assert {k: v["sees"] for k, v in found.items()} == {
-        "adjoint": "capture", "gap-tv": "capture", "thin-out": "truth"
-    }  # fmt: skip
+        "adjoint": "capture",
+        "gap-tv": "capture",
+        "thin-out": "truth",
+    }
 
 
 def test_a_small_clip_is_named_with_its_own_size(tmp_path: Path) -> None:
@@ -502,8 +523,9 @@ def test_the_best_uniform_stops_are_the_best_of_what_they_are_named_for(tmp_path
         curved[stop] = -10 * np.log10(np.mean((pair[0] - pair[1]) ** 2))
     best = {}
     for name, metric, wanted in (
-        ("best-uniform", "psnr_db", linear), ("best-uniform-mu", "mu_psnr_db", curved),
-    ):  # fmt: skip
+        ("best-uniform", "psnr_db", linear),
+        ("best-uniform-mu", "mu_psnr_db", curved),
+    ):
         outcome = invoke(
             ["evaluate", name, "--data", "d", "--protocol", "hdr-v1", "--json"], tmp_path
         )

@@ -252,9 +252,9 @@ def test_only_decoders_that_guess_do(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "kind", "channels"), [("unet2d", "still", 3), ("unet2d", "clip", 6),
-                                   ("unet3d", "clip", 1)],
-)  # fmt: skip
+    ("name", "kind", "channels"),
+    [("unet2d", "still", 3), ("unet2d", "clip", 6), ("unet3d", "clip", 1)],
+)
 def test_the_papers_sizes_begin_with_nothing(name: str, kind: str, channels: int) -> None:
     with torch.device("meta"):
         decoder = make_decoder(name, "paper", DecoderTask(kind, 5, (4, 4)))

@@ -19,8 +19,9 @@ from nscc_training.settings import DataSettings
 SENSOR = SensorModel(full_well_e=1000.0, electrons_per_lsb=4.0)
 
 
-def scenes_of(folder: Path, still: bool = True, told: list[str] | None = None,
-              **data: Any) -> Scenes:  # fmt: skip
+def scenes_of(
+    folder: Path, still: bool = True, told: list[str] | None = None, **data: Any
+) -> Scenes:
     settings = DataSettings(train=str(folder), patch=16, **data)
     tell = [].append if told is None else told.append
     return load_scenes(settings, still, slots=3, seed=0, tell=tell)
@@ -106,8 +107,9 @@ def test_pages_and_floats_of_255_are_clips_as_in_run(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("kind", ["b", "c", "d", "e", "codebook"])
 def test_parameters_that_are_not_finite_stand_for_no_code(kind: str) -> None:
-    spec = ShutterSpec(kind, 8, (2, 2), length=2 if kind == "c" else None,
-                       rows=4 if kind == "codebook" else None)  # fmt: skip
+    spec = ShutterSpec(
+        kind, 8, (2, 2), length=2 if kind == "c" else None, rows=4 if kind == "codebook" else None
+    )
     encoder = make_encoder(spec, "random")
     encoder.codes()
     with torch.no_grad():
@@ -135,8 +137,9 @@ def test_light_of_a_capture(value: complex, dtype: torch.dtype, words: str) -> N
         differentiable_capture(light, torch.ones(3, 4, 4), SENSOR)
 
 
-@pytest.mark.parametrize("values", [{"full_well_e": 0.0}, {"electrons_per_lsb": 0.0},
-                                    {"full_well_e": np.nan}])  # fmt: skip
+@pytest.mark.parametrize(
+    "values", [{"full_well_e": 0.0}, {"electrons_per_lsb": 0.0}, {"full_well_e": np.nan}]
+)
 def test_sensors_that_there_are_not(values: dict[str, float]) -> None:
     with pytest.raises(ValueError, match=r"must be finite and above 0|is a finite number, not nan"):
         SensorModel(**{"full_well_e": 1.0, "electrons_per_lsb": 1.0, **values})

@@ -158,12 +158,30 @@ def test_a_design_is_a_start(run: Path) -> None:
     assert done.status == 0, done.err
     body = [(run / name).read_text().partition("nsl 2")[2] for name in ("d.nsl", "d/shutter.nsl")]
     assert body[0] == body[1]
-    wrong = invoke(["train", "c.toml", "--out", "w", "--set", "shutter.init=d.nsl",
-                    "--set", "shutter.exposures=3"], run)  # fmt: skip
+    wrong = invoke(
+        [
+            "train",
+            "c.toml",
+            "--out",
+            "w",
+            "--set",
+            "shutter.init=d.nsl",
+            "--set",
+            "shutter.exposures=3",
+        ],
+        run,
+    )
     assert wrong.codes == ["NS0815"]
     assert invoke(["design", "--criterion", "sve-risk", *scene, "-o", "t.nsl"], run).status == 0
-    tile = ["--set", "shutter.class=b", "--set", "shutter.init=t.nsl", "--set",
-            "shutter.tile=[2,2]", *one]  # fmt: skip
+    tile = [
+        "--set",
+        "shutter.class=b",
+        "--set",
+        "shutter.init=t.nsl",
+        "--set",
+        "shutter.tile=[2,2]",
+        *one,
+    ]
     done = invoke(["train", "c.toml", "--out", "t", *tile], run)
     assert done.status == 0, done.err
     tiles = [

@@ -47,8 +47,9 @@ def test_a_run_leaves_what_was_promised(values: dict[str, Any], tmp_path: Path) 
     scores_db = [found["stages"][stage] for stage in ("soft", "hard", "compiled", "emulated")]
     assert f"\n| {' | '.join(f'{score_db:.2f}' for score_db in scores_db)} |\n" in card
     assert len(found["robustness"]) == 8
-    built = invoke(["build", "shutter.nsl", "-O", "1", "-o", str(tmp_path / "s.icw")],
-                   tmp_path / "r")  # fmt: skip
+    built = invoke(
+        ["build", "shutter.nsl", "-O", "1", "-o", str(tmp_path / "s.icw")], tmp_path / "r"
+    )
     assert built.status == 0, built.err
     for name, digest in found["files"].items():
         from hashlib import sha256
@@ -100,9 +101,10 @@ def test_robustness_is_of_the_sensors_and_exposures_that_it_names(
     assert list(found) == list(wanted)
     for name, (mean, spread, top) in wanted.items():
         assert found[name] == [
-            pytest.approx(mean, rel=2e-3), pytest.approx(spread, rel=0.05),
+            pytest.approx(mean, rel=2e-3),
+            pytest.approx(spread, rel=0.05),
             pytest.approx(top, abs=0.6),
-        ], name  # fmt: skip
+        ], name
 
 
 def noise_at(factor: float) -> float:
@@ -136,8 +138,10 @@ def test_codes_that_are_not_learned_stay(tmp_path: Path) -> None:
     run(changed(STILL, "shutter", learn=False, init="quad"), tmp_path / "r")
     stop = np.load(tmp_path / "r" / "codes.npz")["stop"]
     assert stop.tolist() == [[16, 4, 16, 4], [1, 1, 1, 1]] * 2
-    run(changed(STILL, "shutter", init=str(tmp_path / "r" / "codes.npz"), learn=False),
-        tmp_path / "again")  # fmt: skip
+    run(
+        changed(STILL, "shutter", init=str(tmp_path / "r" / "codes.npz"), learn=False),
+        tmp_path / "again",
+    )
     assert np.array_equal(np.load(tmp_path / "again" / "codes.npz")["stop"], stop)
 
 
@@ -177,8 +181,10 @@ def test_own_data_by_import_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
         "    return [('one', -np.ones((20, 20)))]\n"
     )
     monkeypatch.chdir(tmp_path)
-    run(changed(STILL, "data", train="data_of_tests:scenes", val="data_of_tests:scenes"),
-        tmp_path / "r")  # fmt: skip
+    run(
+        changed(STILL, "data", train="data_of_tests:scenes", val="data_of_tests:scenes"),
+        tmp_path / "r",
+    )
     split = json.loads((tmp_path / "r" / "split.json").read_text())
     assert [s["file"] for s in split["train"]] == ["train0", "train1"]
     with pytest.raises(Rejected, match="NS0811"):
@@ -216,11 +222,21 @@ def test_two_processes_learn_together(tmp_path: Path) -> None:
     )
     (tmp_path / "go.py").write_text(code)
     done = subprocess.run(
-        [sys.executable, "-m", "torch.distributed.run", "--standalone", "--nproc-per-node", "2",
-         "go.py"],
-        cwd=tmp_path, env={**os.environ, "PYTHONPATH": paths, "OMP_NUM_THREADS": "1"},
-        capture_output=True, text=True, timeout=110,
-    )  # fmt: skip
+        [
+            sys.executable,
+            "-m",
+            "torch.distributed.run",
+            "--standalone",
+            "--nproc-per-node",
+            "2",
+            "go.py",
+        ],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": paths, "OMP_NUM_THREADS": "1"},
+        capture_output=True,
+        text=True,
+        timeout=110,
+    )
     assert done.returncode == 0, done.stderr[-3000:]
     assert done.stderr.count("model_card.md says") == 1
     assert {path.name for path in (tmp_path / "r").iterdir()} == FILES
@@ -247,8 +263,9 @@ def test_every_process_needs_a_patch(tmp_path: Path, monkeypatch: pytest.MonkeyP
 
 def test_reconstruct_and_what_it_refuses(tmp_path: Path) -> None:
     run(changed(STILL, "train", steps=2), tmp_path / "r")
-    exposed = invoke(["run", "r/shutter.nsl", "-O", "1", "--scene", "builtin:hdr", "-o", "f.npz"],
-                     tmp_path)  # fmt: skip
+    exposed = invoke(
+        ["run", "r/shutter.nsl", "-O", "1", "--scene", "builtin:hdr", "-o", "f.npz"], tmp_path
+    )
     assert exposed.status == 0, exposed.err
     made = invoke(["reconstruct", "r", "f.npz", "-o", "o.npz"], tmp_path)
     assert made.status == 0, made.err

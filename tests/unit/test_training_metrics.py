@@ -44,9 +44,10 @@ def slow_ssim(x: Picture, y: Picture, data_range: float) -> float:
             )
             c1, c2 = (0.01 * data_range) ** 2, (0.03 * data_range) ** 2
             values.append(
-                (2 * mean_a * mean_b + c1) * (2 * vab + c2)
+                (2 * mean_a * mean_b + c1)
+                * (2 * vab + c2)
                 / ((mean_a**2 + mean_b**2 + c1) * (vaa + vbb + c2))
-            )  # fmt: skip
+            )
     return math.fsum(values) / len(values)
 
 

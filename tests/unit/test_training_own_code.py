@@ -128,10 +128,12 @@ def outcome(folder: Path, section: str, name: str, **shutter: Any) -> list[str]:
 @pytest.mark.parametrize(
     ("section", "name"),
     [
-        ("decoder", "good"), ("decoder", "NothingToLearn"), ("loss", "squared"),
+        ("decoder", "good"),
+        ("decoder", "NothingToLearn"),
+        ("loss", "squared"),
         ("loss", "listed"),
     ],
-)  # fmt: skip
+)
 def test_what_does_its_work(folder: Path, section: str, name: str) -> None:
     assert outcome(folder, section, name) == []
     assert (folder / "run/result.json").is_file()
@@ -140,16 +142,31 @@ def test_what_does_its_work(folder: Path, section: str, name: str) -> None:
 @pytest.mark.parametrize(
     ("section", "name"),
     [
-        *(("decoder", name) for name in (
-            "raises", "one_axis_more", "one_pixel", "one_of_the_batch", "a_pair", "no_gradient",
-            "NotMade",
-        )),
-        *(("loss", name) for name in (
-            "unreduced", "a_float", "detached", "failing", "one_argument",
-        )),
+        *(
+            ("decoder", name)
+            for name in (
+                "raises",
+                "one_axis_more",
+                "one_pixel",
+                "one_of_the_batch",
+                "a_pair",
+                "no_gradient",
+                "NotMade",
+            )
+        ),
+        *(
+            ("loss", name)
+            for name in (
+                "unreduced",
+                "a_float",
+                "detached",
+                "failing",
+                "one_argument",
+            )
+        ),
         *(("data", name) for name in ("nothing", "pictures_alone", "ends_early")),
     ],
-)  # fmt: skip
+)
 def test_what_fails_is_said_to_be_the_users(folder: Path, section: str, name: str) -> None:
     assert outcome(folder, section, name) == ["NS0822"]
     assert not (folder / "run/result.json").exists()
@@ -178,8 +195,9 @@ def test_a_run_executes_nothing_until_it_is_trusted(folder: Path, section: str) 
     assert load_run(folder / "run", trust_code=True).setup.still
     assert (folder / "executed").exists()
     # With trust it is the frame that is wrong.
-    assert invoke(["reconstruct", "run", "f.npz", "-o", "out.npz", "--trust-code"],
-                  folder).codes == ["NS0819"]  # fmt: skip
+    assert invoke(
+        ["reconstruct", "run", "f.npz", "-o", "out.npz", "--trust-code"], folder
+    ).codes == ["NS0819"]
 
 
 @pytest.mark.parametrize("name", ["complex_light", "too_bright"])
@@ -190,9 +208,17 @@ def test_light_that_is_none_is_refused(folder: Path, name: str) -> None:
 @pytest.mark.parametrize("name", ["torch_is_full", "numpy_is_full", "gpu_is_full"])
 def test_memory_that_runs_out_is_nobodys_fault(folder: Path, name: str) -> None:
     """Neither nscc's (70) nor the user's code: it says what takes less."""
-    small = {"shutter.slots": 8, "shutter.tile": "[2,2]", "data.patch": 16, "data.scenes": 2,
-             "data.val_items": 1, "train.steps": 1, "train.batch": 1, "train.device": "cpu",
-             "loss.name": f"own_code_of_tests:{name}"}  # fmt: skip
+    small = {
+        "shutter.slots": 8,
+        "shutter.tile": "[2,2]",
+        "data.patch": 16,
+        "data.scenes": 2,
+        "data.val_items": 1,
+        "train.steps": 1,
+        "train.batch": 1,
+        "train.device": "cpu",
+        "loss.name": f"own_code_of_tests:{name}",
+    }
     (folder / "c.toml").write_text("")
     changes = [part for key, value in small.items() for part in ("--set", f"{key}={value}")]
     found = invoke(["train", "c.toml", "--out", "run", *changes], folder)
@@ -203,10 +229,12 @@ def test_memory_that_runs_out_is_nobodys_fault(folder: Path, name: str) -> None:
 
 
 def test_nothing_to_learn_is_refused(folder: Path) -> None:
-    settings = settings_of({
-        "shutter": {"slots": 8, "tile": [2, 2], "learn": False},
-        "decoder": {"name": "own_code_of_tests:NothingToLearn"},
-    })  # fmt: skip
+    settings = settings_of(
+        {
+            "shutter": {"slots": 8, "tile": [2, 2], "learn": False},
+            "decoder": {"name": "own_code_of_tests:NothingToLearn"},
+        }
+    )
     with pytest.raises(Rejected) as caught:
         train(settings, folder / "run")
     assert [d.code for d in caught.value.diagnostics] == ["NS0815"]

@@ -46,8 +46,15 @@ RUNS: dict[str, dict[str, Any]] = {
         "data": DATA,
     },
     "a codebook by gumbel": {
-        **CLIP, "shutter": {"class": "codebook", "slots": 8, "tile": [4, 4], "rows": 4,
-                            "relaxation": "gumbel", "noise": 0.1},
+        **CLIP,
+        "shutter": {
+            "class": "codebook",
+            "slots": 8,
+            "tile": [4, 4],
+            "rows": 4,
+            "relaxation": "gumbel",
+            "noise": 0.1,
+        },
     },
     "two buckets": {
         "shutter": {"class": "e", "slots": 8, "tile": [4, 4], "buckets": 2, "target": "dual-tap"},
@@ -55,7 +62,7 @@ RUNS: dict[str, dict[str, Any]] = {
     },
     "any": {**CLIP, "decoder": {"name": "any"}},
     "refined": {**CLIP, "decoder": {"name": "refined"}},
-}  # fmt: skip
+}
 MOVES = ("cpu", "numpy", "tolist", "__array__", "item")
 
 
@@ -115,8 +122,10 @@ def test_nothing_of_a_lesson_leaves_its_device(
     data = {**DATA, "train": str(tmp_path / "in"), "protocol": "hdr-v1" if still else "video-v1"}
     values = {
         "shutter": {"class": "b" if still else "c", "slots": 8, "tile": [2, 2], "learn": False},
-        "decoder": {"name": "any", "lessons": lessons, "films": 0.5}, "data": data, "train": TRAIN,
-    }  # fmt: skip
+        "decoder": {"name": "any", "lessons": lessons, "films": 0.5},
+        "data": data,
+        "train": TRAIN,
+    }
     assert stepped(values, tmp_path) == Counter()
 
 
@@ -175,9 +184,14 @@ def test_other_validation_scenes_are_refused(tmp_path: Path) -> None:
     split = tmp_path / "r/split.json"
     split.write_text(split.read_text().replace('"sha256": "', '"sha256": "0'))
     (tmp_path / "r/result.json").write_text(
-        json.dumps({k: v for k, v in json.loads((tmp_path / "r/result.json").read_text()).items()
-                    if k != "split_sha256"})
-    )  # fmt: skip
+        json.dumps(
+            {
+                k: v
+                for k, v in json.loads((tmp_path / "r/result.json").read_text()).items()
+                if k != "split_sha256"
+            }
+        )
+    )
     assert invoke(["evaluate", "r", "--split", "val"], tmp_path).codes == ["NS0811"]
     for more in ([], ["--data", "."], ["--split", "val", "--data", "."]):
         assert invoke(["evaluate", "r", *more], tmp_path).status == 2

@@ -77,8 +77,9 @@ def test_edges_come_back_sharper_than_by_merging() -> None:
     frame = np.clip(np.rint(light * share / epl), 0, 255).astype(np.float32)
     coarse = merged(frame, share, epl, frame >= 255, 76.0)
     found = coded_still(frame, share, coarse, epl, frame >= 255, 30000.0)
-    errors = [float(np.mean((np.sqrt(np.maximum(x, 0)) - np.sqrt(light)) ** 2))
-              for x in (coarse, found)]  # fmt: skip
+    errors = [
+        float(np.mean((np.sqrt(np.maximum(x, 0)) - np.sqrt(light)) ** 2)) for x in (coarse, found)
+    ]
     assert errors[1] < errors[0]
     assert np.isfinite(found).all()
 

@@ -83,13 +83,21 @@ def test_shutters_of_a_program_are_begun_with(tmp_path: Path) -> None:
         (STOPS.replace("n <", "n <="), {"class": "b"}, "other shutters"),
         (f"{HEAD}open when n < 3\n", {"class": "a"}, "other shutters"),
         (BOOK, {"class": "codebook", "rows": 4}, "'book' must be"),
-        (f"{HEAD}{BITS}bucket one open when bits[n]\nbucket two open when not bits[n]\n"
-         "pixels bits = 3\n", {"class": "e"}, "2 buckets, but the run has one"),
-        (f"{HEAD}{BITS}bucket one open when bits[n]\nbucket two open when n < 2\n"
-         "pixels bits = 240\n", {"class": "e", "buckets": 2}, "other shutters"),
+        (
+            f"{HEAD}{BITS}bucket one open when bits[n]\nbucket two open when not bits[n]\n"
+            "pixels bits = 3\n",
+            {"class": "e"},
+            "2 buckets, but the run has one",
+        ),
+        (
+            f"{HEAD}{BITS}bucket one open when bits[n]\nbucket two open when n < 2\n"
+            "pixels bits = 240\n",
+            {"class": "e", "buckets": 2},
+            "other shutters",
+        ),
         (LOOKS, {"class": "a"}, "look at the light"),
     ],
-)  # fmt: skip
+)
 def test_other_shutters_than_a_programs_are_refused(
     text: str, shutter: dict[str, Any], said: str, tmp_path: Path
 ) -> None:

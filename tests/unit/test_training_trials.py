@@ -58,10 +58,13 @@ def smoothed(loss: Any, field: NDArray[np.float64], spread: NDArray[np.float64])
 @pytest.mark.parametrize(
     ("loss", "power", "noise", "bias", "share"),
     [
-        (squared, 2, 1.0, 0.0, 1.0), (squared, 2, 6.0, 0.0, 1.0), (squared, 2, 6.0, 0.0, 0.3),
-        (fourth, 4, 1.0, 0.02, 1.0), (fourth, 4, 3.0, 0.2, 1.0),
+        (squared, 2, 1.0, 0.0, 1.0),
+        (squared, 2, 6.0, 0.0, 1.0),
+        (squared, 2, 6.0, 0.0, 0.3),
+        (fourth, 4, 1.0, 0.02, 1.0),
+        (fourth, 4, 3.0, 0.2, 1.0),
     ],
-)  # fmt: skip
+)
 def test_trials_find_the_slope_of_the_smoothed_loss(
     loss: Any, power: int, noise: float, bias: float, share: float
 ) -> None:
@@ -261,12 +264,18 @@ def test_codes_learn_in_the_window_of_the_patch_alone(tile: tuple[int, int]) -> 
 
 
 SMALL: dict[str, dict[str, Any]] = {
-    "shutter": {"class": "b", "slots": 16, "tile": [4, 4], "init": "random", "noise": 2.0,
-                "relaxation": "tried"},
+    "shutter": {
+        "class": "b",
+        "slots": 16,
+        "tile": [4, 4],
+        "init": "random",
+        "noise": 2.0,
+        "relaxation": "tried",
+    },
     "data": {"patch": 16, "scenes": 3, "val_items": 1, "together": 2},
     "loss": {"name": "psnr+psnr-mu"},
     "train": {"steps": 4, "batch": 2, "validate_every": 2, "code_rate": 0.05},
-}  # fmt: skip
+}
 
 
 def run(out: Path, shutter: dict[str, Any], **more: Any) -> None:

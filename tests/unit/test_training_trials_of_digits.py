@@ -218,9 +218,15 @@ def test_digits_leave_saturation_where_straight_through_does_not(kind: str) -> N
 
     def learned(relaxation: str) -> float:
         parts = parts_of(
-            Alone(), sensor_noise=True, slots=8, rows=4, init="uniform", relaxation=relaxation,
-            noise=0.5, **{"class": kind},
-        )  # fmt: skip
+            Alone(),
+            sensor_noise=True,
+            slots=8,
+            rows=4,
+            init="uniform",
+            relaxation=relaxation,
+            noise=0.5,
+            **{"class": kind},
+        )
         parts.encoder.noise = 0.5
         batch = replace(batch_of(parts, 4.0, 4.0), peak=torch.tensor([8.0]))
         return open_share(parts, batch, 150, 0.05)
@@ -304,12 +310,19 @@ def test_hard_shutters_are_in_the_middle_of_a_trial() -> None:
 
 
 SMALL: dict[str, dict[str, Any]] = {
-    "shutter": {"slots": 8, "tile": [4, 4], "rows": 6, "init": "random", "noise": 0.5,
-                "relaxation": "tried", "words_weight": 0.01},
+    "shutter": {
+        "slots": 8,
+        "tile": [4, 4],
+        "rows": 6,
+        "init": "random",
+        "noise": 0.5,
+        "relaxation": "tried",
+        "words_weight": 0.01,
+    },
     "data": {"protocol": "video-v1", "patch": 16, "scenes": 3, "val_items": 1, "together": 2},
     "loss": {"name": "psnr-display"},
     "train": {"steps": 4, "batch": 2, "validate_every": 2, "code_rate": 0.5},
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("kind", ["e", "codebook"])

@@ -90,8 +90,9 @@ def test_a_stage_goes_its_step_of_the_way() -> None:
 def test_refined_begins_nearer_to_the_truth() -> None:
     """Of a square that moves: that is what the iterations of GAP-TV are for."""
     rows, cols = np.mgrid[:32, :32]
-    clip = np.stack([0.2 + 0.6 * ((abs(rows - 14) < 6) & (abs(cols - 8 - k) < 5))
-                     for k in range(8)])  # fmt: skip
+    clip = np.stack(
+        [0.2 + 0.6 * ((abs(rows - 14) < 6) & (abs(cols - 8 - k) < 5)) for k in range(8)]
+    )
     rng = np.random.default_rng(1)
     mask = (rng.random(clip.shape) < 0.5).astype(np.float32)
     frame = torch.from_numpy((clip * mask).sum(axis=0) / 8).float()[None]

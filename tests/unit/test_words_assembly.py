@@ -64,15 +64,25 @@ def test_a_program_by_hand_becomes_a_container() -> None:
     assert container.buckets == ("frame",)
     assert [kernel.name for kernel in container.kernels] == ["start", "step"]
     assert [(x.instant, x.kernel) for x in container.launches] == [
-        (0, 0), (1, 1), (2, 1), (3, 1), (4, 1),
-    ]  # fmt: skip
+        (0, 0),
+        (1, 1),
+        (2, 1),
+        (3, 1),
+        (4, 1),
+    ]
     assert container.readouts == (Readout("B", "frame", -1.0),)
     assert container.pixel_codes is None
     assert not container.has_table
     assert [str(o) for o in decoded(container)[1]] == [
-        "WHERE R1", "bus NEWS, PIX", "bus B, A, NEWS", "all",
-        "NOR.read R1", "NOR.write R1", "OR.read R3, R4, R5", "OR.write R3",
-    ]  # fmt: skip
+        "WHERE R1",
+        "bus NEWS, PIX",
+        "bus B, A, NEWS",
+        "all",
+        "NOR.read R1",
+        "NOR.write R1",
+        "OR.read R3, R4, R5",
+        "OR.write R3",
+    ]
     cost = frame_cost(container)
     assert (cost.stored_words, cost.words, cost.launches) == (13, 5 + 4 * 8, 5)
     assert cost.busy_us == pytest.approx(5 * 1 + 5 * 0.2 + 4 * (3 * 0.2 + 5 * 0.1))
@@ -151,9 +161,11 @@ def test_planes_become_codes(tmp_path: Path) -> None:
 
 
 def test_all_errors_are_reported_at_once_with_their_places() -> None:
-    text = HAND.replace("WHERE R1", "were R1").replace("NOT R1", "NOT R1x, R2").replace(
-        ".slot 1..4 step", ".slot 1..9 step\n.slot 0 stop"
-    )  # fmt: skip
+    text = (
+        HAND.replace("WHERE R1", "were R1")
+        .replace("NOT R1", "NOT R1x, R2")
+        .replace(".slot 1..4 step", ".slot 1..9 step\n.slot 0 stop")
+    )
     found = rejected(text)
     places = []
     for diagnostic in found:
@@ -197,14 +209,14 @@ def test_all_errors_are_reported_at_once_with_their_places() -> None:
         (".pixels plane 1 1\n| AAAAAA==", "NS0714", "does not match scamp5"),
         (".plane R1 none.npy", "NS0716", "does not exist"),
         (".note a", "NS0714", "key and a text"),
-        (".note a \"b", "NS0714", "quotation marks"),
+        ('.note a "b', "NS0714", "quotation marks"),
         ("SET R1 R2", "NS0711", "separated by commas"),
         ("SET R1,", "NS0712", "is empty"),
         ("AND R1, R0, R2", "NS0711", "overwrites R0"),
         ("SET R13", "NS0708", "no register R13"),
         ("\n".join(["nop"] * 1020), "NS0718", "1033 words"),
     ],
-)  # fmt: skip
+)
 def test_a_wrong_line_is_explained(line: str, code: str, words: str) -> None:
     table = ".shutter 0000000000000 0..3\n.code 0\n"
     needs_table = line.startswith((".shutter", ".code", ".pixels"))
@@ -274,9 +286,15 @@ def test_diff_shows_lines_of_text_and_only_tells_that_data_differ() -> None:
     assert differences(first, second)[-2:] == ["  -| #a", "  +| #bcd"]
     codes = np.zeros((256, 256), np.int32)
     tiled = [replace(first, pixel_codes=codes + code) for code in (0, 1)]
-    tiled = [replace(each, table=replace(each.table, codes=np.zeros((2, 0), np.int64),
-                                         shutter_of_code=np.zeros(2, np.int32)))
-             for each in tiled]  # fmt: skip
+    tiled = [
+        replace(
+            each,
+            table=replace(
+                each.table, codes=np.zeros((2, 0), np.int64), shutter_of_code=np.zeros(2, np.int32)
+            ),
+        )
+        for each in tiled
+    ]
     assert differences(*tiled)[-2:] == ["  -| 0", "  +| 1"]
     codes[:] = np.arange(256) % 2
     codes[7, 9] = 1 - codes[7, 9]
@@ -296,8 +314,10 @@ def test_unreadable_containers_are_refused(tmp_path: Path) -> None:
 def test_small_forms_read_back() -> None:
     assert ranges_text([0, 1, 2, 5, 7, 9, 11, 20, 30]) == "0..2,5..11/2,20,30"
     assert [list(r) for r in read_ranges("0..2,5..11/2,20", 99) or []] == [
-        [0, 1, 2], [5, 7, 9, 11], [20],
-    ]  # fmt: skip
+        [0, 1, 2],
+        [5, 7, 9, 11],
+        [20],
+    ]
     assert read_ranges("0..100", 99) is None
     assert read_ranges("5..3", 99) is None
     assert read_ranges("1..3/0", 99) is None

@@ -59,8 +59,12 @@ def test_a_refused_text_leaves_no_file(tmp_path: Path) -> None:
 def test_targets_are_listed_and_printed(tmp_path: Path) -> None:
     listed = CliRunner().invoke(targets.command).stdout
     assert [line.split()[0] for line in listed.splitlines()] == [
-        "name", "dual-tap", "scamp5", "scamp5-algorithm1", "scamp7",
-    ]  # fmt: skip
+        "name",
+        "dual-tap",
+        "scamp5",
+        "scamp5-algorithm1",
+        "scamp7",
+    ]
     details = CliRunner().invoke(targets.command, ["scamp7"]).stdout
     assert "R0..R22" in details
     assert "(not public)" in details

@@ -23,8 +23,17 @@ from pathlib import Path, PurePosixPath
 from urllib.request import urlopen
 
 POOL = "https://deb.debian.org/debian/pool/main"
-_PLASMA = ("Autumn", "BytheWater", "ColdRipple", "ColorfulCups", "EveningGlow", "FallenLeaf",
-           "Kite", "OneStandsOut", "Path")  # fmt: skip
+_PLASMA = (
+    "Autumn",
+    "BytheWater",
+    "ColdRipple",
+    "ColorfulCups",
+    "EveningGlow",
+    "FallenLeaf",
+    "Kite",
+    "OneStandsOut",
+    "Path",
+)
 
 
 @dataclass(frozen=True)

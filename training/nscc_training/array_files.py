@@ -223,10 +223,11 @@ def read_mask(path: Path) -> Floats:
     low, high = float(mask.min()), float(mask.max())
     if low < 0 or high > 1:
         raise refused(
-            path, f"`mask` has values from {low:g} to {high:g}",
+            path,
+            f"`mask` has values from {low:g} to {high:g}",
             "a mask is the fraction of each slot in which a pixel is open, 0 to 1; divide "
-                "by the largest value",
-        )  # fmt: skip
+            "by the largest value",
+        )
     if high == 0:
         raise refused(path, "`mask` is 0 everywhere: no pixel ever opens")
     return mask
@@ -242,10 +243,12 @@ def ambiguous_axes(path: Path, shape: tuple[int, ...]) -> Rejected:
     return rejected(
         "NS0845",
         f"the mask in '{path}' is {first} x {middle} x {last}, which can be read in two ways",
-        notes=(f"slots last: {first} x {middle} pixels, {last} slots",
-               f"slots first: {first} slots, {middle} x {last} pixels"),
+        notes=(
+            f"slots last: {first} x {middle} pixels, {last} slots",
+            f"slots first: {first} slots, {middle} x {last} pixels",
+        ),
         helps=("--slots-axis last or --slots-axis first selects one of them",),
-    )  # fmt: skip
+    )
 
 
 def is_square_tile(shape: tuple[int, ...]) -> bool:

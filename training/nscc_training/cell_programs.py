@@ -29,9 +29,13 @@ class CellFiles:
 
 
 def cell_files(
-    cell: PixelCell, kernels_name: str | None, *, frame_us: float = 33_000.0,
-    target: str | None = None, remark: str = "",
-) -> CellFiles:  # fmt: skip
+    cell: PixelCell,
+    kernels_name: str | None,
+    *,
+    frame_us: float = 33_000.0,
+    target: str | None = None,
+    remark: str = "",
+) -> CellFiles:
     """Return the program of a cell.
 
     The maximum of several counts exceeds a threshold if one of the counts does. The program
@@ -60,40 +64,49 @@ def cell_files(
     gates, thresholds = [*updates, *outputs], cell.thresholds().tolist()
     names = [[_kernel_name(gate, plane, states) for plane in ("x", *states)] for gate in gates]
     arrays: dict[str, NDArray[np.int64]] = {
-        names[i][j]: kernel for i, row in enumerate(cell.kernels().numpy())
-        for j, kernel in enumerate(row) if kernel.any()
-    }  # fmt: skip
+        names[i][j]: kernel
+        for i, row in enumerate(cell.kernels().numpy())
+        for j, kernel in enumerate(row)
+        if kernel.any()
+    }
     lines = [*(f"# {line}" for line in remark.splitlines()), "nsl 3"]
     lines += [] if target is None else [f"target {target}"]
     lines += [f"frame 1 slots of {frame_us:g}us", "open when true"]
     lines += [f"outside {int(cell.outside)}", ""]
     lines += [
-        f"kernel {name} = {kernel.tolist()}" if kernels_name is None
+        f"kernel {name} = {kernel.tolist()}"
+        if kernels_name is None
         else f'kernel {name} from "{kernels_name}"'
         for name, kernel in arrays.items()
-    ]  # fmt: skip
+    ]
     steps = cell.pool // 2
     if steps:
         lines.append("kernel around = [[1, 1, 1], [1, 1, 1], [1, 1, 1]]")
     lines += [f"state {state} : bit = 1 kept" for state in states]
     lines += ["", f"plane x = exposure > {100 * float(cell.level):.6g}%"]
     for gate, kernels in zip(gates, names, strict=True):
-        terms = [f"agree({plane}, {name})"
-                 for plane, name in zip(("x", *states), kernels, strict=True)
-                 if name in arrays]  # fmt: skip
+        terms = [
+            f"agree({plane}, {name})"
+            for plane, name in zip(("x", *states), kernels, strict=True)
+            if name in arrays
+        ]
         lines.append(f"image {gate} = {' + '.join(terms)}")
     planes = _numbered("b", cell.outputs)
     above = dict(zip(gates, thresholds, strict=True))
-    lines += [f"plane {plane} = {output} > {above[output]}"
-              for plane, output in zip(planes, outputs, strict=True)]  # fmt: skip
+    lines += [
+        f"plane {plane} = {output} > {above[output]}"
+        for plane, output in zip(planes, outputs, strict=True)
+    ]
     for state, gate in zip(states, updates, strict=True):
         flips = f"not ({state} xor {gate} > {above[gate]})"
         rule = flips if cell.update == "flip" else f"{gate} > {above[gate]}"
         lines.append(f"next {state} = {rule}")
     for step in range(steps):
         wider = _numbered("p" * (step + 1), cell.outputs)
-        lines += [f"plane {wide} = any({plane}, around)"
-                  for wide, plane in zip(wider, planes, strict=True)]  # fmt: skip
+        lines += [
+            f"plane {wide} = any({plane}, around)"
+            for wide, plane in zip(wider, planes, strict=True)
+        ]
         planes = wider
     lines.append(f"read {', '.join(planes)}")
     return CellFiles("\n".join(lines) + "\n", codes_bytes(arrays), tuple(planes))
@@ -121,9 +134,15 @@ def level_on_chip(level: float, target: Target) -> float:
 
 
 def cell_film(
-    program: ShutterProgram, cell: PixelCell, exposure: NDArray[np.float32],
-    planes: tuple[str, ...], *, effects: str = "none", seed: int = 0, device_seed: int = 0,
-) -> NDArray[np.bool_]:  # fmt: skip
+    program: ShutterProgram,
+    cell: PixelCell,
+    exposure: NDArray[np.float32],
+    planes: tuple[str, ...],
+    *,
+    effects: str = "none",
+    seed: int = 0,
+    device_seed: int = 0,
+) -> NDArray[np.bool_]:
     """Run the program of a cell in the emulator.
 
     Parameters

@@ -94,16 +94,25 @@ class PixelCell(nn.Module):
     flips: Tensor
 
     def __init__(
-        self, *, kernel: int = 3, states: int = 1, outputs: int = 1, pool: int = 1,
-        update: Update = "flip", level: float = 0.5, outside: int = 0,
-    ) -> None:  # fmt: skip
+        self,
+        *,
+        kernel: int = 3,
+        states: int = 1,
+        outputs: int = 1,
+        pool: int = 1,
+        update: Update = "flip",
+        level: float = 0.5,
+        outside: int = 0,
+    ) -> None:
         """Raise ValueError for settings that a program cannot have."""
         super().__init__()
         for name, value, low, high, step in (
-            ("kernel", kernel, 3, MOST_KERNEL, 2), ("pool", pool, 1, MOST_KERNEL, 2),
-            ("states", states, 1, MOST_STATES, 1), ("outputs", outputs, 1, MOST_OUTPUTS, 1),
+            ("kernel", kernel, 3, MOST_KERNEL, 2),
+            ("pool", pool, 1, MOST_KERNEL, 2),
+            ("states", states, 1, MOST_STATES, 1),
+            ("outputs", outputs, 1, MOST_OUTPUTS, 1),
             ("outside", outside, 0, 1, 1),
-        ):  # fmt: skip
+        ):
             if value not in range(low, high + 1, step):
                 odd = "an odd number" if step == 2 else "a whole number"
                 raise ValueError(f"{name} is {value}, but must be {odd} from {low} to {high}")
@@ -146,9 +155,13 @@ class PixelCell(nn.Module):
         return functional.conv2d(padded, weights.to(bits))
 
     def forward(
-        self, bits: Tensor, state: Tensor, *, noise_counts: float = 0.0,
+        self,
+        bits: Tensor,
+        state: Tensor,
+        *,
+        noise_counts: float = 0.0,
         generator: torch.Generator | None = None,
-    ) -> tuple[Tensor, Tensor]:  # fmt: skip
+    ) -> tuple[Tensor, Tensor]:
         """Compute one frame: return the outputs (batch, outputs, rows // pool, cols // pool) and
         the new states, all +1 or -1.
 
@@ -168,9 +181,12 @@ class PixelCell(nn.Module):
         return self._compared(outputs), update * state if self.update == "flip" else update
 
     def film(
-        self, exposure: Tensor, *, noise: CellNoise | None = None,
+        self,
+        exposure: Tensor,
+        *,
+        noise: CellNoise | None = None,
         generator: torch.Generator | None = None,
-    ) -> Tensor:  # fmt: skip
+    ) -> Tensor:
         """Return the outputs of films, +1 or -1: (batch, frames, outputs, rows // pool, ..).
 
         `exposure` (batch, frames, rows, cols) is in full wells. Without a generator there is no

@@ -20,9 +20,14 @@ PU21_LOW, PU21_HIGH = 0.005, 10000.0
 """The range of luminances, in cd/m2, to which PU21 was fitted."""
 
 _PU21 = (
-    0.353487901, 0.3734658629, 8.277049286e-05, 0.9062562627,
-    0.09150303166, 0.9099517204, 596.3148142,
-)  # fmt: skip
+    0.353487901,
+    0.3734658629,
+    8.277049286e-05,
+    0.9062562627,
+    0.09150303166,
+    0.9099517204,
+    596.3148142,
+)
 """Coefficients of Mantiuk and Azimi, Picture Coding Symposium 2021: the fit with banding
 and glare."""
 

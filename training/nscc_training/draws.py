@@ -21,8 +21,9 @@ def normal(like: Tensor, generator: torch.Generator, dtype: torch.dtype | None =
     return drawn.to(like)
 
 
-def uniform(like: Tensor, generator: torch.Generator, shape: tuple[int, ...] | None = None
-            ) -> Tensor:  # fmt: skip
+def uniform(
+    like: Tensor, generator: torch.Generator, shape: tuple[int, ...] | None = None
+) -> Tensor:
     """Return random numbers from 0 to 1 on the device of `like`, in its shape or in `shape`."""
     size = like.shape if shape is None else shape
     return torch.rand(size, generator=generator, device=generator.device).to(like.device)

@@ -177,9 +177,13 @@ def emulated_sensor(
 
 
 def _measured(
-    container: Container, tile: tuple[int, int], light_e: NDArray[np.float64], sensor: Sensor,
-    effects: Selection, chips: int,
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:  # fmt: skip
+    container: Container,
+    tile: tuple[int, int],
+    light_e: NDArray[np.float64],
+    sensor: Sensor,
+    effects: Selection,
+    chips: int,
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Return mean and standard deviation of codes, and the fraction of saturated pixels, each (K,
     r, c).
 

@@ -222,10 +222,12 @@ class Run:
             f"class {spec.kind}, {spec.slots} slots, {setup.settings.decoder.name}{self._score()}"
         )
         return html.card(
-            str(self.path), about,
-            curve_chart(self.curves), self._shutters(),
+            str(self.path),
+            about,
+            curve_chart(self.curves),
+            self._shutters(),
             html.folded("the program", html.plain(self.folder.program)),
-        )  # fmt: skip
+        )
 
     def _score(self) -> str:
         metric = self.folder.setup.protocol.metrics[0]

@@ -123,9 +123,10 @@ def number_of(meta: Mapping[str, Any], name: str) -> float:
 
 
 def no_frame(
-    path: Path | str, reason: str,
+    path: Path | str,
+    reason: str,
     help_text: str = "`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",
-) -> Exception:  # fmt: skip
+) -> Exception:
     """Return the error (NS0819) for a file that cannot be reconstructed."""
     message = f"'{path}' is not a frame that can be reconstructed"
     return rejected("NS0819", message, notes=(reason,), helps=(help_text,))
@@ -165,13 +166,17 @@ class Dark:
                 "NS0819",
                 f"'{self.name}' is not a dark frame for this frame: {reason}",
                 severity=severity,
-                notes=("the dark frame is subtracted, because it contains the offsets of words and "
-                    "pixels",),
-                helps=("expose it with the frame's program: `nscc run FILE --scene "
-                       "builtin:dark`, or a chip with its lens cap on",),
+                notes=(
+                    "the dark frame is subtracted, because it contains the offsets of words and "
+                    "pixels",
+                ),
+                helps=(
+                    "expose it with the frame's program: `nscc run FILE --scene "
+                    "builtin:dark`, or a chip with its lens cap on",
+                ),
             )
             for reason in self._doubts(frame)
-        )  # fmt: skip
+        )
         if doubts and not force:
             raise Rejected(doubts, status=2)
         return doubts + tuple(self._bright())

@@ -51,9 +51,13 @@ class ImportedMask:
 
 
 def import_mask(
-    path: Path, codes_name: str, *, slot_us: float = 125.0, target: str = "scamp5",
+    path: Path,
+    codes_name: str,
+    *,
+    slot_us: float = 125.0,
+    target: str = "scamp5",
     slots_axis: Axis | None = None,
-) -> ImportedMask:  # fmt: skip
+) -> ImportedMask:
     """Find the program of a mask.
 
     Parameters
@@ -116,8 +120,10 @@ def import_mask(
     best = min(fitting, key=lambda candidate: candidate.words_per_slot)
     reasons += [
         f"class {candidate.kind}: {candidate.words_per_slot:g} words a slot, not fewer than "
-        f"{best.words_per_slot:g}" for candidate in fitting if candidate is not best
-    ]  # fmt: skip
+        f"{best.words_per_slot:g}"
+        for candidate in fitting
+        if candidate is not best
+    ]
     return replace(best, reasons=tuple(reasons))
 
 
@@ -147,8 +153,12 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
     stored = read_binary_mask(path)
     axis_name = _slots_axis(path, stored.shape, (target.rows, target.cols), container.slots)
     mask = _slots_first(stored, axis_name)
-    known = {row.tobytes(): code for code, row in reversed([*enumerate(
-        np.packbits(table.shutters[table.shutter_of_code, 0], axis=-1))])}  # fmt: skip
+    known = {
+        row.tobytes(): code
+        for code, row in reversed(
+            [*enumerate(np.packbits(table.shutters[table.shutter_of_code, 0], axis=-1))]
+        )
+    }
     shutters, tile = _tile(mask, (target.rows, target.cols), path)
     shutter_codes = [known.get(row.tobytes()) for row in np.packbits(shutters, axis=-1)]
     missing = shutter_codes.count(None)
@@ -157,13 +167,17 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
         raise rejected(
             "NS0847",
             f"the program does not have the shutters of the mask in '{path}'",
-            notes=(f"{missing} of {len(shutter_codes)} shutters of the mask are unknown to it"
-                   if fits else
-                   f"the mask has {shutters.shape[1]} slots of one bucket, the program has "
-                   f"{container.slots} slots; buckets: {', '.join(container.buckets)}",),
-            helps=("`nscc import-mask MASK -o P.nsl` writes a program that does; `--codes open` "
-                   "compiles for every legal code",),
-        )  # fmt: skip
+            notes=(
+                f"{missing} of {len(shutter_codes)} shutters of the mask are unknown to it"
+                if fits
+                else f"the mask has {shutters.shape[1]} slots of one bucket, the program has "
+                f"{container.slots} slots; buckets: {', '.join(container.buckets)}",
+            ),
+            helps=(
+                "`nscc import-mask MASK -o P.nsl` writes a program that does; `--codes open` "
+                "compiles for every legal code",
+            ),
+        )
     codes = table.codes[np.array(shutter_codes)[over_array(tile, target.rows, target.cols)]]
     return {name: np.ascontiguousarray(codes[..., k]) for k, name in enumerate(table.fields)}
 

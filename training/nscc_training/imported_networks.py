@@ -69,10 +69,21 @@ def read_cell(path: Path) -> PixelCell:
     return cell_of_state(path, loaded_state(path, data))
 
 
-_LAYERS = frozenset((
-    "Cast", "Concat", "Constant", "Conv", "Greater", "Identity", "MaxPool", "Mul", "Pad", "Slice",
-    "Sub",
-))  # fmt: skip
+_LAYERS = frozenset(
+    (
+        "Cast",
+        "Concat",
+        "Constant",
+        "Conv",
+        "Greater",
+        "Identity",
+        "MaxPool",
+        "Mul",
+        "Pad",
+        "Slice",
+        "Sub",
+    )
+)
 """Operations of the forward pass of a `PixelCell` in the export of torch."""
 _CHECKED_FRAMES = 8
 _MOST_PIXELS = 1 << 16
@@ -109,8 +120,11 @@ def cell_of_onnx(path: Path, data: bytes) -> PixelCell:
     except Exception as error:  # protobuf and onnx raise several types for damaged files
         raise refused(path, f"it is not a valid ONNX model: {one_line(error)}") from error
     graph = model.graph
-    others = [f"`{node.name or node.output[0]}` ({node.op_type})" for node in graph.node
-              if node.op_type not in _LAYERS or node.domain]  # fmt: skip
+    others = [
+        f"`{node.name or node.output[0]}` ({node.op_type})"
+        for node in graph.node
+        if node.op_type not in _LAYERS or node.domain
+    ]
     if others:
         raise refused(path, f"layers that are not part of a cell: {listed(others)}")
     cell = cell_of_state(path, _state(path, graph))
@@ -163,13 +177,17 @@ def _check_frames(path: Path, model: Any, cell: PixelCell) -> None:
     size = shapes[0][-2:]
     expected = [(1, 1, *size), (1, cell.states, *size)]
     if shapes != expected or not 0 < np.prod(size) <= _MOST_PIXELS:
-        raise refused(path, f"its inputs have the shapes {shapes}, but a cell has "
-                            "(1, 1, rows, cols) and (1, states, rows, cols)")  # fmt: skip
+        raise refused(
+            path,
+            f"its inputs have the shapes {shapes}, but a cell has "
+            "(1, 1, rows, cols) and (1, states, rows, cols)",
+        )
     generator = np.random.default_rng(0)
     names = [value.name for value in model.graph.input]
     for _ in range(_CHECKED_FRAMES):
-        planes = [np.where(generator.random(shape) < 0.5, -1, 1).astype(np.float32)
-                  for shape in shapes]  # fmt: skip
+        planes = [
+            np.where(generator.random(shape) < 0.5, -1, 1).astype(np.float32) for shape in shapes
+        ]
         try:
             found = ReferenceEvaluator(model).run(None, dict(zip(names, planes, strict=True)))
         except Exception as error:
@@ -192,9 +210,10 @@ def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
     known = {"weight", "threshold", *_SETTINGS}
     if state and all(name.startswith("module.") for name in state):
         raise refused(
-            path, "all its names begin with `module.`, as torch.nn.DataParallel saves them",
+            path,
+            "all its names begin with `module.`, as torch.nn.DataParallel saves them",
             "save the model itself: torch.save(model.module.state_dict(), FILE.pt)",
-        )  # fmt: skip
+        )
     unknown = sorted(name for name in state if name not in known)
     if unknown:
         layers = listed([f"`{name}`" for name in unknown])
@@ -206,9 +225,11 @@ def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
     gates, planes, rows, cols = weight.shape if weight.ndim == 4 else (0, 0, 0, 0)
     states = planes - 1
     fits = (
-        1 <= states <= MOST_STATES and 1 <= gates - states <= MOST_OUTPUTS
-        and rows == cols <= MOST_KERNEL and threshold.shape == (gates,)
-    )  # fmt: skip
+        1 <= states <= MOST_STATES
+        and 1 <= gates - states <= MOST_OUTPUTS
+        and rows == cols <= MOST_KERNEL
+        and threshold.shape == (gates,)
+    )
     if not fits:
         shapes = f"`weight` has the shape {_shape(weight)}, `threshold` {_shape(threshold)}"
         raise refused(path, f"{shapes}; a cell has {_SHAPES}, with 1 or 2 states")
@@ -225,10 +246,14 @@ def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
         raise refused(path, f"`flips` is {settings['flips']:g}, but must be 0 or 1")
     try:
         cell = PixelCell(
-            kernel=rows, states=states, outputs=gates - states, pool=settings["pool_size"],
-            level=float(settings["level"]), outside=settings["outside"],
+            kernel=rows,
+            states=states,
+            outputs=gates - states,
+            pool=settings["pool_size"],
+            level=float(settings["level"]),
+            outside=settings["outside"],
             update="flip" if settings["flips"] else "replace",
-        )  # fmt: skip
+        )
     except ValueError as error:
         raise refused(path, str(error)) from error
     with torch.no_grad():
@@ -269,8 +294,9 @@ def _why_no_state(data: bytes, error: Exception) -> tuple[str, str]:
     if data.startswith(b"version https://git-lfs"):
         return "it is a pointer of Git LFS, not the file itself", "`git lfs pull` fetches the file"
     if named is not None:
-        return (f"it is a pickled object of the class {named[1]}, and reading it would run its "
-                "code"), "save its tensors: torch.save(model.state_dict(), FILE.pt)"  # fmt: skip
+        return (
+            f"it is a pickled object of the class {named[1]}, and reading it would run its code"
+        ), "save its tensors: torch.save(model.state_dict(), FILE.pt)"
     if data.startswith(b"PK"):
         return "it is cut off or damaged: it begins like a file of torch.save", "copy it again"
     first_sentence = one_line(error).partition(". ")[0]

@@ -15,9 +15,13 @@ from nscc_training.sensor_model import SensorModel, laid, read_out
 
 
 def looked(
-    light: Tensor, fields: Tensor, slots: int, step_e: float, sensor: SensorModel,
+    light: Tensor,
+    fields: Tensor,
+    slots: int,
+    step_e: float,
+    sensor: SensorModel,
     generator: torch.Generator | None,
-) -> tuple[Tensor, Tensor]:  # fmt: skip
+) -> tuple[Tensor, Tensor]:
     """Return the codes of the frame and the open fraction of each pixel, both (batch, rows, cols).
 
     `light` (batch, rows, cols) is in electrons over the frame. `fields` (2 looks, r, c) contains

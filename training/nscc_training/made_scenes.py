@@ -9,8 +9,15 @@ Picture = NDArray[np.float32]
 Generator = np.random.Generator
 
 DIRECTIONS = (
-    "right", "down-right", "down", "down-left", "left", "up-left", "up", "up-right",
-)  # fmt: skip
+    "right",
+    "down-right",
+    "down",
+    "down-left",
+    "left",
+    "up-left",
+    "up",
+    "up-right",
+)
 """The directions of `moving_texture`, 45 degrees apart."""
 
 
@@ -109,9 +116,11 @@ def _moved(ground: NDArray[np.float64], corner: NDArray[np.float64], size: int) 
 
 
 def _paste(
-    picture: Picture, texture: NDArray[np.float64], mask: NDArray[np.float64],
+    picture: Picture,
+    texture: NDArray[np.float64],
+    mask: NDArray[np.float64],
     place: NDArray[np.float64],
-) -> None:  # fmt: skip
+) -> None:
     """Paste an object into the picture at whole pixels; parts outside are cut."""
     side = len(texture)
     y, x = np.rint(place).astype(int)

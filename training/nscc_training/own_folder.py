@@ -18,25 +18,40 @@ _PATCHES = (128, 96, 64, 48, 32)
 longer."""
 _STILLS: dict[str, dict[str, Any]] = {
     "shutter": {
-        "class": "b", "slots": 256, "tile": [4, 4], "init": "quad", "relaxation": "tried",
+        "class": "b",
+        "slots": 256,
+        "tile": [4, 4],
+        "init": "quad",
+        "relaxation": "tried",
         "noise": 8.0,
     },
     "data": {"protocol": "hdr-v1", "together": 8, "val_items": 16, "saturated": [0.3, 0.6]},
     "loss": {"name": "psnr+psnr-mu"},
     "train": {"steps": 2500, "batch": 8, "validate_every": 250},
-}  # fmt: skip
+}
 _CLIPS: dict[str, dict[str, Any]] = {
     "shutter": {
-        "class": "d", "slots": 16, "slot_us": 1000.0, "tile": [8, 8], "init": "quad",
-        "relaxation": "tried", "noise": 0.25, "tried_share": 0.3, "warm_up": 0.2, "settle": 0.4,
+        "class": "d",
+        "slots": 16,
+        "slot_us": 1000.0,
+        "tile": [8, 8],
+        "init": "quad",
+        "relaxation": "tried",
+        "noise": 0.25,
+        "tried_share": 0.3,
+        "warm_up": 0.2,
+        "settle": 0.4,
     },
     "data": {
-        "protocol": "video-v1", "together": 4, "val_items": 16, "paths": 8,
+        "protocol": "video-v1",
+        "together": 4,
+        "val_items": 16,
+        "paths": 8,
         "brightness": [0.25, 1.0],
     },
     "loss": {"name": "psnr-display"},
     "train": {"steps": 4000, "batch": 4, "validate_every": 500, "code_rate": 2e-4},
-}  # fmt: skip
+}
 
 
 def folder_settings(
@@ -63,8 +78,10 @@ def folder_settings(
     values = {**advice, "data": {**advice["data"], "train": str(folder), "patch": patch}}
     settings = settings_of(values, changes)
     kind = "stills of high dynamic range" if stills else "clips"
-    tell(f"{counted(len(files), 'file')} of '{folder}', as {kind} (protocol "
-         f"{settings.data.protocol}): class {settings.shutter.kind}, codes "
-         f"{'tried' if settings.shutter.learn else 'fixed'}, patches of {settings.data.patch} x "
-         f"{settings.data.patch}, {settings.train.steps} steps")  # fmt: skip
+    tell(
+        f"{counted(len(files), 'file')} of '{folder}', as {kind} (protocol "
+        f"{settings.data.protocol}): class {settings.shutter.kind}, codes "
+        f"{'tried' if settings.shutter.learn else 'fixed'}, patches of {settings.data.patch} x "
+        f"{settings.data.patch}, {settings.train.steps} steps"
+    )
     return settings

@@ -167,10 +167,11 @@ def begun_with(
     container = compiled_program.container
     assert container is not None
     refuse_pictures(
-        container, "a run cannot begin with a program that has images or planes",
+        container,
+        "a run cannot begin with a program that has images or planes",
         "training changes the codes of pixels, and decoders read exposures",
         "begin with a program that has the same shutters, without images and planes",
-    )  # fmt: skip
+    )
     if container.slots != spec.slots:
         raise ValueError(f"the program has {container.slots} slots, but the run has {spec.slots}")
     if spec.kind == "looks":
@@ -237,12 +238,14 @@ _RULES = {
     "b": ["code stop : 1..N", "open when n < stop"],
     "c": ["code start : 0..N - len", "open when start <= n < start + len"],
     "d": [
-        "code start : 0..N - 1", "code stop : 1..N", "require start < stop",
+        "code start : 0..N - 1",
+        "code stop : 1..N",
+        "require start < stop",
         "open when start <= n < stop",
     ],
     "e": ["code bits : bit[N]", "open when bits[n]"],
     "codebook": ["code id : row of book", "open when book[id]"],
-}  # fmt: skip
+}
 """Statements that declare the code's fields and the rule that opens a pixel, by class."""
 
 
@@ -254,8 +257,10 @@ def _rules(spec: ShutterSpec) -> list[str]:
     rule = opened.removeprefix("open when ")
     operand = f"({rule})" if "<" in rule else rule
     return [
-        *fields, f"bucket first open when {rule}", f"bucket second open when not {operand}",
-    ]  # fmt: skip
+        *fields,
+        f"bucket first open when {rule}",
+        f"bucket second open when not {operand}",
+    ]
 
 
 def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:

@@ -12,8 +12,14 @@ from typing import Any
 from nscc.diagnostics.rejection import unknown_name
 
 TRAINED = (
-    "hdr-v1", "video-v1", "deblur-v1", "two-bucket-v1", "staggered-v1", "codes-v1", "class-v1",
-)  # fmt: skip
+    "hdr-v1",
+    "video-v1",
+    "deblur-v1",
+    "two-bucket-v1",
+    "staggered-v1",
+    "codes-v1",
+    "class-v1",
+)
 """The protocols whose scenes a run can learn from."""
 NAMES = (*TRAINED, "sci8")
 CLASS = "class"

@@ -37,8 +37,16 @@ from nscc_training.programs import CAPTURE_FILE, TARGET_FILE
 from nscc_training.reconstruct_any import Reconstruction, overexposed
 from nscc_training.run_folder import RunFolder, load_run
 
-_OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "column_noise", "readout_pattern",
-             "readout_level", "adc")  # fmt: skip
+_OF_MODEL = (
+    "shot",
+    "full_well",
+    "adc_noise",
+    "spreading",
+    "column_noise",
+    "readout_pattern",
+    "readout_level",
+    "adc",
+)
 """Effects that training simulates if `[sensor] effects` is empty."""
 _DARK_HELPS = ("`--dark FRAME` subtracts the charge that words and dark current add",)
 
@@ -58,10 +66,11 @@ def reconstruct(
     folder = load_run(run, trust_code=trust_code)
     if folder.setup.classes:
         raise rejected(
-            "NS0821", f"'{run}' was trained to name classes, not to reconstruct light",
+            "NS0821",
+            f"'{run}' was trained to name classes, not to reconstruct light",
             notes=(f"its classes are {', '.join(folder.setup.classes)}",),
             helps=(f"use `{shlex.join(['nscc', 'classify', str(run), str(frame)])}`",),
-        )  # fmt: skip
+        )
     return _decoded(folder, frame, force, dark)
 
 
@@ -75,10 +84,13 @@ def classify(
     folder = load_run(run, trust_code=trust_code)
     if not folder.setup.classes:
         raise rejected(
-            "NS0821", f"'{run}' was trained to reconstruct light, not to name classes",
-            helps=(f"use `{shlex.join(['nscc', 'reconstruct', str(run), str(frame)])} -o OUT`, or "
-                   "train with the protocol class-v1",),
-        )  # fmt: skip
+            "NS0821",
+            f"'{run}' was trained to reconstruct light, not to name classes",
+            helps=(
+                f"use `{shlex.join(['nscc', 'reconstruct', str(run), str(frame)])} -o OUT`, or "
+                "train with the protocol class-v1",
+            ),
+        )
     decoded = _decoded(folder, frame, force, dark)
     return likelihoods(folder.setup.classes, decoded.light), decoded.messages
 

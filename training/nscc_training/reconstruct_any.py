@@ -68,9 +68,14 @@ class Reconstruction:
         # Time is the last axis of clips in MATLAB.
         turned = arrays if self.still else arrays | {"video": np.moveaxis(self.light, 0, -1)}
         return Content(
-            arrays, self.light, not self.still, self.colour, benchmark=lambda: turned,
-            usual="log" if self.still else "srgb", unit=self.unit,
-        )  # fmt: skip
+            arrays,
+            self.light,
+            not self.still,
+            self.colour,
+            benchmark=lambda: turned,
+            usual="log" if self.still else "srgb",
+            unit=self.unit,
+        )
 
 
 def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
@@ -83,7 +88,7 @@ def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]
             severity=Severity.WARNING,
             notes=("a saturated pixel gives the decoder only a lower limit of the light",),
             helps=("expose the scene with less light, or use shutters that close early",),
-        )  # fmt: skip
+        )
 
 
 Method = Literal["network", "merge", "gap-tv"]
@@ -159,9 +164,13 @@ _KINDS: dict[str, Literal["image", "video"]] = {"merge": "image", "gap-tv": "vid
 
 
 def reconstruct_any(
-    frame: Path, program: Path | None = None, kind: Literal["image", "video"] | None = None,
-    dark: Path | None = None, method: Method | None = None, progress: Progress = unseen,
-) -> Reconstruction:  # fmt: skip
+    frame: Path,
+    program: Path | None = None,
+    kind: Literal["image", "video"] | None = None,
+    dark: Path | None = None,
+    method: Method | None = None,
+    progress: Progress = unseen,
+) -> Reconstruction:
     """Reconstruct a frame of any program with the decoder for any code.
 
     `program` exposed the frame; it is needed if the file does not contain its shutters. `dark` is a
@@ -234,11 +243,13 @@ class NoiseModel:
             raise rejected(
                 "NS0846",
                 f"invalid noise model '{text[:60]}'",
-                notes=("--noise SD[,GAIN]: the standard deviation of the readout in the unit of "
-                       "`meas`, and the amount that one photon adds to `meas`, each from 0 to "
-                       f"{MOST:g}",),
+                notes=(
+                    "--noise SD[,GAIN]: the standard deviation of the readout in the unit of "
+                    "`meas`, and the amount that one photon adds to `meas`, each from 0 to "
+                    f"{MOST:g}",
+                ),
                 helps=("for instance --noise 2.5, or --noise 2.5,0.1",),
-            )  # fmt: skip
+            )
         return cls(*numbers)
 
     def __str__(self) -> str:
@@ -311,8 +322,10 @@ def read_measurement(
         ]
         if slots_axis in (None, name) and (values.shape == size or fits):
             turned = values[None] if values.ndim == 2 else np.moveaxis(values, fits[0], 0)
-            text = (f"{size[0]} x {size[1]} pixels, {counted(mask.shape[axis], 'slot')} (the "
-                    f"{name} axis of `mask`), {counted(len(turned), 'measurement')}")  # fmt: skip
+            text = (
+                f"{size[0]} x {size[1]} pixels, {counted(mask.shape[axis], 'slot')} (the "
+                f"{name} axis of `mask`), {counted(len(turned), 'measurement')}"
+            )
             readings.append(Measurement(turned, np.moveaxis(mask, axis, 0), text))
     if not readings:
         raise refused(
@@ -324,9 +337,11 @@ def read_measurement(
 
 
 def reconstruct_measurement(
-    measurement: Measurement, noise: NoiseModel, method: Method | None = None,
+    measurement: Measurement,
+    noise: NoiseModel,
+    method: Method | None = None,
     progress: Progress = unseen,
-) -> Reconstruction:  # fmt: skip
+) -> Reconstruction:
     """Reconstruct the clip (K * slots, rows, cols), in the unit of the measurement per slot."""
     begin, reason = working_s(), ""
     given, method = method, method_for(still=False, method=method)

@@ -108,8 +108,9 @@ def run_capture(folder: Path) -> RunCapture:
     still = protocol.name == "hdr-v1"
     # A fraction of a still's pixels saturates: the percentile below it is at the full well.
     share = sum(data.saturated) / len(data.saturated)
-    percentile = 100 * (1 - share) if still else float(protocol.values.get(
-        "full_well_percentile", 99))  # fmt: skip
+    percentile = (
+        100 * (1 - share) if still else float(protocol.values.get("full_well_percentile", 99))
+    )
     exposed_e = float(protocol.values.get("full_well_e", 30000))
     exposed_e *= protocol.light
     if protocol.mid_grey_e is not None:
@@ -119,7 +120,13 @@ def run_capture(folder: Path) -> RunCapture:
     exposure = f"{exposed_e:g}@{percentile:g}"
     transfers: dict[str, Transfer] = {"linear": "linear", "srgb": "srgb"}
     return RunCapture(
-        program, still, shutter.slots, shutter.slot_us, exposure, transfers.get(data.transfer),
-        own_sensor if settings.sensor.file and own_sensor.is_file() else None, own_target,
+        program,
+        still,
+        shutter.slots,
+        shutter.slot_us,
+        exposure,
+        transfers.get(data.transfer),
+        own_sensor if settings.sensor.file and own_sensor.is_file() else None,
+        own_target,
         protocol.classifies,
-    )  # fmt: skip
+    )

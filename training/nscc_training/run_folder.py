@@ -48,8 +48,13 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
     from safetensors.torch import load_file
 
     path = run_path(path)
-    needed = ("config.resolved.toml", "decoder.safetensors", "shutter.nsl", "split.json",
-              "result.json")  # fmt: skip
+    needed = (
+        "config.resolved.toml",
+        "decoder.safetensors",
+        "shutter.nsl",
+        "split.json",
+        "result.json",
+    )
     if not path.is_dir():
         reason = "it is a file: name the run's folder first" if path.is_file() else ""
         raise _no_run(path, reason or "the folder does not exist")
@@ -122,11 +127,14 @@ def _refuse_code(path: Path, settings: RunSettings) -> None:
         raise rejected(
             "NS0823",
             f"the run '{path}' uses custom Python code, which nscc would execute",
-            notes=(f"{', '.join(code)}, searched in the current folder and the installed "
-                   "packages",),
-            helps=("if you trust that code, because it is yours or you have read it, add "
-                   "--trust-code; in Python, `trust_code=True`",),
-        )  # fmt: skip
+            notes=(
+                f"{', '.join(code)}, searched in the current folder and the installed packages",
+            ),
+            helps=(
+                "if you trust that code, because it is yours or you have read it, add "
+                "--trust-code; in Python, `trust_code=True`",
+            ),
+        )
 
 
 def _check_whole(path: Path, result: dict[str, Any]) -> None:

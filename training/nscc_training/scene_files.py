@@ -36,9 +36,11 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
     for pattern in str(folder).split("+"):
         picked = _PICKED.fullmatch(pattern)
         files = [
-            path for place in folders_of(pattern if picked is None else picked[1])
-            if place.is_dir() for path in files_in(place, endings)
-        ]  # fmt: skip
+            path
+            for place in folders_of(pattern if picked is None else picked[1])
+            if place.is_dir()
+            for path in files_in(place, endings)
+        ]
         if picked is not None:
             positions = {int(position) for position in picked[2].split(",")}
             files = [path for k, path in enumerate(files) if k % int(picked[3]) in positions]
@@ -52,9 +54,11 @@ def folders_of(text: str) -> list[Path]:
         return [Path(text)]
     names = (_PICKED.sub(r"\1", pattern) for pattern in text.split("+"))
     return [
-        Path(folder) for name in names if name
+        Path(folder)
+        for name in names
+        if name
         for folder in (sorted(glob(name)) if "*" in name else [name])
-    ]  # fmt: skip
+    ]
 
 
 def data_files(

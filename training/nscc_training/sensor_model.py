@@ -27,8 +27,14 @@ from nscc_training.gradients import rounded, saturated
 from nscc_training.protocols import Protocol
 
 _POSITIVE = ("full_well_e", "electrons_per_lsb")
-_NUMBERS = (*_POSITIVE, "adc_noise_lsb", "noise_factor", "slope", "comparator_noise",
-            "comparator_offset")  # fmt: skip
+_NUMBERS = (
+    *_POSITIVE,
+    "adc_noise_lsb",
+    "noise_factor",
+    "slope",
+    "comparator_noise",
+    "comparator_offset",
+)
 
 
 @dataclass(frozen=True)

@@ -27,10 +27,13 @@ class ShutterSettings:
         "b",
         name="class",
         checks=(
-            lambda run: run.looks and not run.still
-            and "looks are learned from stills: set [data] protocol to hdr-v1",
+            lambda run: (
+                run.looks
+                and not run.still
+                and "looks are learned from stills: set [data] protocol to hdr-v1"
+            ),
         ),
-    )  # fmt: skip
+    )
     slots: int = key(Integer(1, 65536), "slots in a frame", 256)
     slot_us: float = key(Number(1e-3, 1e9), "length of a slot in microseconds", 125.0)
     tile: tuple[int, ...] = key(
@@ -45,31 +48,41 @@ class ShutterSettings:
     init: str = key(
         TextKind(),
         f"{', '.join(STARTS)}, learned (as quad), a run, or a file: codes, .npz or .mat, or a "
-        "program of the class, .nsl", "quad",
-    )  # fmt: skip
+        "program of the class, .nsl",
+        "quad",
+    )
     learn: bool = key(
-        Flag(), "false: the codes do not change", True,
+        Flag(),
+        "false: the codes do not change",
+        True,
         checks=(
-            lambda run: run.decoder.lessons and run.shutter.learn
-            and "lessons use codes of every kind, and the run's own codes do not learn: set it to "
-            "false",
+            lambda run: (
+                run.decoder.lessons
+                and run.shutter.learn
+                and "lessons use codes of every kind, and the run's own codes do not learn: "
+                "set it to false"
+            ),
         ),
-    )  # fmt: skip
+    )
     relaxation: str = key(
         TextKind(RELAXATIONS),
         "how codes are learned: the gradient method for the quantisation, or a search",
         "straight-through",
         checks=(
-            lambda run: run.classes and run.shutter.learn and run.shutter.relaxation == "tried"
-            and "trials need the loss of each pixel, and a class has one loss: use "
-            "straight-through or search",
+            lambda run: (
+                run.classes
+                and run.shutter.learn
+                and run.shutter.relaxation == "tried"
+                and "trials need the loss of each pixel, and a class has one loss: use "
+                "straight-through or search"
+            ),
         ),
-    )  # fmt: skip
+    )
     temperature: tuple[float, ...] = key(
         Several(Number(1e-6, 1e6), 2),
         "temperature of a relaxation at the first and at the last step",
         (1.0, 0.05),
-    )  # fmt: skip
+    )
     noise: float = key(
         Number(0, 1e6),
         "noise on parameters at the first step, in slots (for digits in their own unit); it "
@@ -87,54 +100,75 @@ class ShutterSettings:
         3,
     )
     most_words: float = key(
-        Number(0, 1e6), "with `search`: the largest mean number of words per slot; 0: any", 0.0,
+        Number(0, 1e6),
+        "with `search`: the largest mean number of words per slot; 0: any",
+        0.0,
         checks=(
-            lambda run: run.shutter.most_words and run.shutter.relaxation != "search"
-            and "only a search stays within a limit of words: use the relaxation `search`, or add "
-            "words to the loss with `words_weight`",
+            lambda run: (
+                run.shutter.most_words
+                and run.shutter.relaxation != "search"
+                and "only a search stays within a limit of words: use the relaxation `search`, "
+                "or add words to the loss with `words_weight`"
+            ),
         ),
-    )  # fmt: skip
+    )
     warm_up: float = key(
         Number(0, 1),
-        "the first fraction of the steps, in which only the decoder learns", 0.0,
+        "the first fraction of the steps, in which only the decoder learns",
+        0.0,
         checks=(
-            lambda run: run.shutter.learn and run.shutter.warm_up + run.shutter.settle >= 1
-            and "with `shutter.settle` it takes all steps, so codes cannot learn: reduce it, or "
-            "set `shutter.learn` to false",
+            lambda run: (
+                run.shutter.learn
+                and run.shutter.warm_up + run.shutter.settle >= 1
+                and "with `shutter.settle` it takes all steps, so codes cannot learn: reduce "
+                "it, or set `shutter.learn` to false"
+            ),
         ),
-    )  # fmt: skip
+    )
     settle: float = key(
         Number(0, 1),
-        "the last fraction of the steps, in which only the decoder learns", 0.0,
-    )  # fmt: skip
+        "the last fraction of the steps, in which only the decoder learns",
+        0.0,
+    )
     target: str = key(TextKind(), "the chip: a name or a file, as --target takes it", "scamp5")
     buckets: int = key(
         Integer(1, 2),
-        "2: a second bucket collects the light that the code excludes (clips)", 1,
+        "2: a second bucket collects the light that the code excludes (clips)",
+        1,
         checks=(
-            lambda run: run.shutter.buckets > 1 and run.shutter.kind in ("a", LOOKS)
-            and f"class {run.shutter.kind} leaves no light for a second bucket",
-            lambda run: run.shutter.buckets > 1 and run.still
-            and "two buckets need clips: set [data] protocol to two-bucket-v1",
+            lambda run: (
+                run.shutter.buckets > 1
+                and run.shutter.kind in ("a", LOOKS)
+                and f"class {run.shutter.kind} leaves no light for a second bucket"
+            ),
+            lambda run: (
+                run.shutter.buckets > 1
+                and run.still
+                and "two buckets need clips: set [data] protocol to two-bucket-v1"
+            ),
         ),
-    )  # fmt: skip
+    )
     require: str = key(
         TextKind(), "a condition that legal codes fulfil, as in a program (b, c, d)", ""
     )
     codes: str = key(
-        TextKind(("fixed", "open")), "open: every legal code must compile, not only those learned",
+        TextKind(("fixed", "open")),
+        "open: every legal code must compile, not only those learned",
         "fixed",
-    )  # fmt: skip
+    )
     words_weight: float = key(
         Number(0, 1e6),
         "weight of words per slot in the loss; a search counts the words, other methods "
         "approximate them",
         0.0,
         checks=(
-            lambda run: run.looks and run.shutter.words_weight
-            and "every look takes the same number of words, so words cannot be weighted",
+            lambda run: (
+                run.looks
+                and run.shutter.words_weight
+                and "every look takes the same number of words, so words cannot be weighted"
+            ),
         ),
-    )  # fmt: skip
+    )
 
 
 @dataclass(frozen=True)
@@ -158,26 +192,31 @@ class DecoderSettings:
         "whether a U-Net starts from a first guess; by size: yes for the size small, no for the "
         "size paper",
         "by size",
-    )  # fmt: skip
+    )
     init: str = key(
-        TextKind(), "the run (a folder, or one that comes with nscc) whose weights it starts from; "
-                "empty: random weights", "",
-    )  # fmt: skip
+        TextKind(),
+        "the run (a folder, or one that comes with nscc) whose weights it starts from; "
+        "empty: random weights",
+        "",
+    )
     learn: bool = key(
-        Flag(), "false: the weights do not change; with `any`, this compares codes with a decoder "
-            "that favours no code",
+        Flag(),
+        "false: the weights do not change; with `any`, this compares codes with a decoder "
+        "that favours no code",
         True,
-    )  # fmt: skip
+    )
     lessons: str = key(
         TextKind(("", "denoise", "codes", "stills")),
         "the task that `any` learns from pictures in [data] train: noisy clips, clips with "
         "codes of every class, stills with stops; empty: captures with the run's own "
-        "shutters", "",
+        "shutters",
+        "",
         checks=(
-            lambda run: run.decoder.lessons and run.decoder.name != "any"
-            and "they need the decoder `any`",
+            lambda run: (
+                run.decoder.lessons and run.decoder.name != "any" and "they need the decoder `any`"
+            ),
         ),
-    )  # fmt: skip
+    )
     films: float = key(
         Number(0, 1), "the fraction of lessons `codes` with linear light, as in video-v1", 0.0
     )
@@ -189,7 +228,7 @@ class DecoderSettings:
         Number(0, 1),
         "the fraction of lessons with linear light and 16 frames whose code is the searched one",
         0.0,
-    )  # fmt: skip
+    )
     stages: int = key(Integer(1, 64), "stages of a lesson", 8)
     through: int = key(
         Integer(1, 64), "number of stages that a gradient passes between two updates", 4
@@ -212,19 +251,30 @@ class SensorSettings:
     effects: str = key(
         TextKind(),
         "sensor effects as in --effects: all, auto, or names; empty: noise, full well and "
-        "converter", "",
+        "converter",
+        "",
         checks=(
-            lambda run: run.sensor.effects and run.looks
-            and "pixels that look are trained with noise alone",
-            lambda run: run.sensor.effects and run.shutter.buckets > 1
-            and "two buckets are trained with noise, full well and converter alone",
-            lambda run: run.sensor.effects and run.shutter.free
-            and "a code for every pixel has no tile that can be exposed at all levels: leave out "
-            "`free`",
-            lambda run: run.sensor.effects and not run.sensor.noise
-            and "effects include noise, but `sensor.noise` is false",
+            lambda run: (
+                run.sensor.effects and run.looks and "pixels that look are trained with noise alone"
+            ),
+            lambda run: (
+                run.sensor.effects
+                and run.shutter.buckets > 1
+                and "two buckets are trained with noise, full well and converter alone"
+            ),
+            lambda run: (
+                run.sensor.effects
+                and run.shutter.free
+                and "a code for every pixel has no tile that can be exposed at all levels: "
+                "leave out `free`"
+            ),
+            lambda run: (
+                run.sensor.effects
+                and not run.sensor.noise
+                and "effects include noise, but `sensor.noise` is false"
+            ),
         ),
-    )  # fmt: skip
+    )
     slope: float = key(Number(0, 1), "gradient of saturated pixels", 0.1)
 
 
@@ -246,21 +296,29 @@ class DataSettings:
     classes: tuple[str, ...] = key(
         Several(TextKind()),
         "with class-v1: the classes of clips, which are the names of their folders; empty: the "
-        "eight directions of procedural scenes", (),
+        "eight directions of procedural scenes",
+        (),
         checks=(
-            lambda run: run.data.classes and not run.classes
-            and "classes need [data] protocol class-v1",
-            lambda run: run.classes and len(set(run.classes)) < max(2, len(run.classes))
-            and "name at least two classes, each once",
-            lambda run: run.unknown_classes
-            and f"procedural scenes have the classes {', '.join(DIRECTIONS)}, not "
-            f"{run.unknown_classes[0][:40]}",
+            lambda run: (
+                run.data.classes and not run.classes and "classes need [data] protocol class-v1"
+            ),
+            lambda run: (
+                run.classes
+                and len(set(run.classes)) < max(2, len(run.classes))
+                and "name at least two classes, each once"
+            ),
+            lambda run: (
+                run.unknown_classes
+                and f"procedural scenes have the classes {', '.join(DIRECTIONS)}, not "
+                f"{run.unknown_classes[0][:40]}"
+            ),
         ),
-    )  # fmt: skip
+    )
     transfer: str = key(
         TextKind(("", "linear", "srgb")),
-        "curve of clips: linear or srgb; empty: as the protocol says", "",
-    )  # fmt: skip
+        "curve of clips: linear or srgb; empty: as the protocol says",
+        "",
+    )
     patch: int = key(Integer(11, 4096), "rows and columns of a training patch", 64)
     together: int = key(
         _COUNT, "number of patches of a batch that are cut from one exposure of a scene", 1
@@ -268,28 +326,35 @@ class DataSettings:
     scenes: int = key(_COUNT, "procedural scenes for training; a quarter as many to validate", 16)
     frames: int = key(_COUNT, "frames read of a clip", 128)
     paths: int = key(
-        _COUNT, "number of clips per panorama (with a turning camera) or photograph (with "
-                "moving parts)", 4,
-    )  # fmt: skip
+        _COUNT,
+        "number of clips per panorama (with a turning camera) or photograph (with moving parts)",
+        4,
+    )
     val_items: int = key(
         _COUNT, "number of exposures in a validation, each with `together` patches", 8
     )
     augment: bool = key(
-        Flag(), "augment: rotate and mirror, change the contrast of stills, reverse clips", True,
+        Flag(),
+        "augment: rotate and mirror, change the contrast of stills, reverse clips",
+        True,
         checks=(
-            lambda run: run.classes and run.data.augment
-            and "rotated, mirrored and reversed clips may change their class: set it to false",
+            lambda run: (
+                run.classes
+                and run.data.augment
+                and "rotated, mirrored and reversed clips may change their class: set it to false"
+            ),
         ),
-    )  # fmt: skip
+    )
     saturated: tuple[float, ...] = key(
         Several(Number(0.001, 0.9), 2),
-        "range of the fraction of a still's pixels that saturate when always open", (0.3, 0.3),
-    )  # fmt: skip
+        "range of the fraction of a still's pixels that saturate when always open",
+        (0.3, 0.3),
+    )
     brightness: tuple[float, ...] = key(
         Several(Number(1e-3, 1e3), 2),
         "range of a factor on the light of each exposure, drawn uniformly in the logarithm",
         (1.0, 1.0),
-    )  # fmt: skip
+    )
 
 
 @dataclass(frozen=True)
@@ -300,14 +365,22 @@ class LossSettings:
         TextKind(),
         "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, psnr-display, "
         "class (cross-entropy, with the protocol class-v1), a custom loss as module:name, or a "
-        "sum of losses joined by +", "mu-law",
+        "sum of losses joined by +",
+        "mu-law",
         checks=(
-            lambda run: CLASS in run.loss.name.split("+") and not run.classes
-            and "`class` needs [data] protocol class-v1",
-            lambda run: run.classes and run.loss.name != CLASS and not is_import_path(run.loss.name)
-            and "classes are learned with the loss `class`",
+            lambda run: (
+                CLASS in run.loss.name.split("+")
+                and not run.classes
+                and "`class` needs [data] protocol class-v1"
+            ),
+            lambda run: (
+                run.classes
+                and run.loss.name != CLASS
+                and not is_import_path(run.loss.name)
+                and "classes are learned with the loss `class`"
+            ),
         ),
-    )  # fmt: skip
+    )
 
 
 @dataclass(frozen=True)
@@ -319,8 +392,9 @@ class TrainSettings:
     seed: int = key(Integer(0, 2**31 - 1), "seed of all random numbers", 0)
     device: str = key(
         TextKind(("auto", "cpu", "cuda")),
-        "device of networks and frames of the emulated chip; auto: cuda if available", "auto",
-    )  # fmt: skip
+        "device of networks and frames of the emulated chip; auto: cuda if available",
+        "auto",
+    )
     dtype: str = key(
         TextKind(("f32", "bf16")), "data type of the decoder; the sensor model is always f32", "f32"
     )
@@ -329,7 +403,7 @@ class TrainSettings:
         TextKind(("adam", "muon")),
         "optimizer of the decoder; muon: Muon for its inner convolutions, Adam elsewhere",
         "adam",
-    )  # fmt: skip
+    )
     average: float = key(
         Number(0, 1),
         "decay of the moving average of the decoder's weights; the averaged weights are "

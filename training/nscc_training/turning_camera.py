@@ -74,7 +74,10 @@ def view(panorama: Picture, yaw: float, pitch: float, size: int) -> Picture:
     # One more column on either side closes the seam.
     wide = np.concatenate([panorama[:, -1:], panorama, panorama[:, :1]], axis=1)
     picture = cv2.remap(
-        wide, (x + 1).astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR,
+        wide,
+        (x + 1).astype(np.float32),
+        y.astype(np.float32),
+        cv2.INTER_LINEAR,
         borderMode=cv2.BORDER_REPLICATE,
-    )  # fmt: skip
+    )
     return np.asarray(picture, np.float32)

@@ -114,8 +114,9 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
                 raise _nothing_to_view(path, f"its array '{name}' is {shown} of {values.dtype}")
             light = values if moving else _reduced(values)
             colour = light.ndim == (4 if moving else 3)
-            content = Content({}, light, moving, colour, tone=tone,
-                              usual="srgb" if moving else "log")  # fmt: skip
+            content = Content(
+                {}, light, moving, colour, tone=tone, usual="srgb" if moving else "log"
+            )
             return png_of(content_sheet, content, path.name)
     names = ", ".join(sorted(array_names)[:8]) or "nothing"
     raise _nothing_to_view(path, f"it is not a frame file and has no image or video, but {names}")
@@ -166,11 +167,15 @@ def frame_view(
         name = f"{names[k]}: " if k < len(names) else ""
         curve = fitted(tone or "linear", electrons)
         share = np.count_nonzero(by) / by.size
-        rows.append([
-            Image(codes, f"{name}as read out", "codes of the converter"),
-            Image(curve(electrons), f"{name}electrons", f"{curve.name}, white {curve.white:.4g} e"),
-            Image(np.where(by != 0, 255, 0), f"{name}saturated", f"{share:.1%} of the pixels"),
-        ])  # fmt: skip
+        rows.append(
+            [
+                Image(codes, f"{name}as read out", "codes of the converter"),
+                Image(
+                    curve(electrons), f"{name}electrons", f"{curve.name}, white {curve.white:.4g} e"
+                ),
+                Image(np.where(by != 0, 255, 0), f"{name}saturated", f"{share:.1%} of the pixels"),
+            ]
+        )
     return image_sheet(rows, title)
 
 
@@ -194,10 +199,12 @@ def _nothing_to_view(path: Path, reason: str) -> Rejected:
     return rejected(
         "NS0801",
         f"cannot view '{path}': {' '.join(reason.split())[:200]}",
-        notes=("nscc views programs, frames, reconstructions, pictures, clips, run folders, "
-               "results and sensors",),
+        notes=(
+            "nscc views programs, frames, reconstructions, pictures, clips, run folders, "
+            "results and sensors",
+        ),
         helps=("name a .nsl, .icw, .npz, .json, .toml, a picture, a clip or a run folder",),
-    )  # fmt: skip
+    )
 
 
 _PANEL = (4.6, 3.2)
@@ -212,8 +219,11 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
     changes, metric = _changes(result), _metric(result)
     figure, (learning, *change_axes) = panels(2 if changes else 1, _PANEL, 2)
     for number, split in enumerate(("train", "val")):
-        scores = [(_number(r.get("step")), _number(r.get(metric))) for r in rows
-                 if r.get("split") == split]  # fmt: skip
+        scores = [
+            (_number(r.get("step")), _number(r.get(metric)))
+            for r in rows
+            if r.get("split") == split
+        ]
         points = [(step, value) for step, value in scores if step is not None and value is not None]
         if points:
             style = theme().of(number)

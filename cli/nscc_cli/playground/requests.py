@@ -82,8 +82,11 @@ class Playground:
         pixel), `frame` and `merge`, which take `PageSettings`, and `save`, which takes `text` and
         `before`, the text that the file should still have."""
         requests: dict[str, Callable[[PageSettings], dict[str, Any]]] = {
-            "check": self._check, "words": self._words, "frame": self._frame, "merge": self._merge,
-        }  # fmt: skip
+            "check": self._check,
+            "words": self._words,
+            "frame": self._frame,
+            "merge": self._merge,
+        }
         try:
             if kind == "start":
                 return self._start()
@@ -102,10 +105,17 @@ class Playground:
     def _start(self) -> dict[str, Any]:
         paths = examples()
         programs = [
-            {"name": name, "task": task, "about": about(paths[name]), "scene": shown.scene,
-             "exposure_e": shown.exposure, "text": paths[name].read_text(encoding="utf-8")}
-            for task, named in tasks().items() for name, shown in named.items()
-        ]  # fmt: skip
+            {
+                "name": name,
+                "task": task,
+                "about": about(paths[name]),
+                "scene": shown.scene,
+                "exposure_e": shown.exposure,
+                "text": paths[name].read_text(encoding="utf-8"),
+            }
+            for task, named in tasks().items()
+            for name, shown in named.items()
+        ]
         words = {
             version: [
                 sorted(statement_words(version)),
@@ -155,8 +165,9 @@ class Playground:
         effects = "all" if settings.effects == "auto" else settings.effects
         origin = taken.exposed.simulated.origin
         pixel = settings.row, settings.col
-        return traced(taken.container, taken.light, origin.sensor, selected(effects), pixel,
-                      settings.seed)  # fmt: skip
+        return traced(
+            taken.container, taken.light, origin.sensor, selected(effects), pixel, settings.seed
+        )
 
     def _frame(self, settings: PageSettings) -> dict[str, Any]:
         taken = self._captured(settings)
@@ -173,8 +184,13 @@ class Playground:
         plan = "" if taken.plan is None else str(taken.plan)
         lines = frame_lines(taken.container, taken)
         merges = len(taken.frame) > 0
-        return {"pictures": pictures, "lines": lines, "plan": plan, "merges": merges,
-                "ms": round(self._took_ms)}  # fmt: skip
+        return {
+            "pictures": pictures,
+            "lines": lines,
+            "plan": plan,
+            "merges": merges,
+            "ms": round(self._took_ms),
+        }
 
     def _merge(self, settings: PageSettings) -> dict[str, Any]:
         taken = self._captured(settings)

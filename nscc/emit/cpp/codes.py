@@ -263,10 +263,13 @@ def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: st
         usable = [r for r in (*free, *later) if not (r == mask and register == masked)]
         loads.append(
             PlaneLoad(
-                register, register == masked, patterns_of(plane),
-                usable[0] if usable else None, f"{stem}.{register}.bmp",
+                register,
+                register == masked,
+                patterns_of(plane),
+                usable[0] if usable else None,
+                f"{stem}.{register}.bmp",
             )
-        )  # fmt: skip
+        )
     return CodeLoading(target, tuple(loads))
 
 

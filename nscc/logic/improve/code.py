@@ -162,9 +162,16 @@ def flatten(
     scratch, masked = _room(solution, machine)
     everything = problem.everything
     frame = FrameContext(
-        solution, problem, machine, planes, states, scratch, everything,
-        (*solution.planes, *[None] * (states + scratch + 1)), masked,
-    )  # fmt: skip
+        solution,
+        problem,
+        machine,
+        planes,
+        states,
+        scratch,
+        everything,
+        (*solution.planes, *[None] * (states + scratch + 1)),
+        masked,
+    )
     number = {name: i for i, name in enumerate(frame.names())}
     items: list[Item] = []
 

@@ -78,9 +78,15 @@ def dark_of(
     offset_se = hypot(offset_spread / sqrt(pixels), _size(starts * rounding))
     current_se = hypot(current_spread / sqrt(pixels), _size(slopes * rounding))
     return DarkFit(
-        offset, _size(starts * errors), offset_se, offsets, current, current_se, currents,
+        offset,
+        _size(starts * errors),
+        offset_se,
+        offsets,
+        current,
+        current_se,
+        currents,
         tuple(sorted(set(known))),
-    )  # fmt: skip
+    )
 
 
 def _frames(levels: Sequence[Level]) -> np.ndarray:

@@ -160,10 +160,14 @@ def calibrated(
     )
     count = int(np.count_nonzero(good_mask))
     return Calibration(
-        quantities, curve, tuple(flat_moments), tuple(dark_moments), count,
+        quantities,
+        curve,
+        tuple(flat_moments),
+        tuple(dark_moments),
+        count,
         int(np.count_nonzero(valid_pixels((*light, *dim)))) - count,
         (good_mask.shape[0], good_mask.shape[1]),
-    )  # fmt: skip
+    )
 
 
 def _gain(curve: Transfer, known_crosstalk: float | None) -> dict[str, Quantity]:

@@ -111,10 +111,17 @@ def level_of(stack: Stack, top_code: int) -> Level:
     variance = squares / (count - 1) * (mean.size / (mean.size - 1))
     removed = variance.mean() / mean.size
     level = Level(
-        stack.name, stack.exposure_s, count, stack.valid, halves, variance,
-        beside / (count - 1) + removed, below / (count - 1) + removed,
-        np.count_nonzero(codes == 0, axis=0), np.count_nonzero(codes == top_code, axis=0),
-    )  # fmt: skip
+        stack.name,
+        stack.exposure_s,
+        count,
+        stack.valid,
+        halves,
+        variance,
+        beside / (count - 1) + removed,
+        below / (count - 1) + removed,
+        np.count_nonzero(codes == 0, axis=0),
+        np.count_nonzero(codes == top_code, axis=0),
+    )
     # Frames with little noise may be equal by chance.
     noisy = not variance.mean() < QUIET
     if noisy and len({frame.tobytes() for frame in codes}) < count:

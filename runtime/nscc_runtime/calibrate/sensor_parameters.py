@@ -21,16 +21,23 @@ Status = Literal["measured", "bound", "given", "contained", "default"]
 _NO_PART = 1e-9
 
 _TAKEN = {
-    "electrons_per_lsb": "conversion_gain", "crosstalk_fraction": "crosstalk",
-    "prnu_fraction": "prnu", "dark_current_e_per_s": "dark_current",
+    "electrons_per_lsb": "conversion_gain",
+    "crosstalk_fraction": "crosstalk",
+    "prnu_fraction": "prnu",
+    "dark_current_e_per_s": "dark_current",
     "dark_spread_fraction": "dark_spread",
-}  # fmt: skip
+}
 """The measured quantity that equals each of these parameters."""
 _SOURCES = _TAKEN | {
-    "read_noise_e": "dark_noise_e", "adc_pattern_lsb": "dsnu_lsb", "analog_bias_lsb": "offset",
-    "adc_offset_lsb": "offset", "analog_noise_lsb": "dark_noise_e", "adc_noise_lsb": "dark_noise_e",
-    "spread_noise_lsb": "dark_noise_e", "full_well_e": "full_well",
-}  # fmt: skip
+    "read_noise_e": "dark_noise_e",
+    "adc_pattern_lsb": "dsnu_lsb",
+    "analog_bias_lsb": "offset",
+    "adc_offset_lsb": "offset",
+    "analog_noise_lsb": "dark_noise_e",
+    "adc_noise_lsb": "dark_noise_e",
+    "spread_noise_lsb": "dark_noise_e",
+    "full_well_e": "full_well",
+}
 """The measured quantity to which each parameter is related."""
 
 

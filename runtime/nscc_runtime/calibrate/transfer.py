@@ -150,9 +150,17 @@ def _fitted(
     gain, noise, crosstalk = map(float, _solved(values, known))
     covariance[1, 1] += (gain * zero_se) ** 2
     return Transfer(
-        None if offset is None else zero, zero_se, gain, noise, crosstalk, covariance, fit,
-        tuple(used), (), None,
-    )  # fmt: skip
+        None if offset is None else zero,
+        zero_se,
+        gain,
+        noise,
+        crosstalk,
+        covariance,
+        fit,
+        tuple(used),
+        (),
+        None,
+    )
 
 
 def _solved(slopes: Vector, known: float | None) -> Vector:

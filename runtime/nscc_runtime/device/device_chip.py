@@ -185,9 +185,14 @@ def channels_of(info: Info, program: Upload | None = None) -> int:
 
 
 def frame_of(
-    data: bytes, channels: int, shape: tuple[int, ...], sensor: Sensor, target: Target,
-    container: Container | None = None, reaches: Mapping[str, Reach] | None = None,
-) -> Frame:  # fmt: skip
+    data: bytes,
+    channels: int,
+    shape: tuple[int, ...],
+    sensor: Sensor,
+    target: Target,
+    container: Container | None = None,
+    reaches: Mapping[str, Reach] | None = None,
+) -> Frame:
     """Convert the bytes of a frame's channels to a frame.
 
     `shape`: (readouts, rows, cols). `reaches`: see `told_of_planes`. Without the channel EXPOSURE,
@@ -214,9 +219,12 @@ def frame_of(
 
 
 def frame_of_readouts(
-    codes: NDArray[np.uint8], exposure_e: NDArray[np.float64] | None, target: Target,
-    container: Container | None, sent: Sent,
-) -> Frame:  # fmt: skip
+    codes: NDArray[np.uint8],
+    exposure_e: NDArray[np.float64] | None,
+    target: Target,
+    container: Container | None,
+    sent: Sent,
+) -> Frame:
     """Return the frame of what a chip sent.
 
     `codes` (readouts, rows, cols): converter codes of buckets, then of images. `exposure_e`: the

@@ -230,10 +230,12 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
                 "use fewer slots, or fewer buckets; the limits are set when the loader is "
                 "built (runtime/firmware)",
                 data={
-                    "resource": resource, "required": required, "available": available,
+                    "resource": resource,
+                    "required": required,
+                    "available": available,
                     "proved": True,
                 },
-            )  # fmt: skip
+            )
     looks = upload.levels or upload.states
     for needed, capability, subject in (
         (upload.pictures, Capability.PICTURES, "the program computes images or planes"),

@@ -14,6 +14,8 @@ class LinkSettings:
 
     baud: int = key(Integer(1200, 12_000_000), "Speed of the device's port", 3_000_000)
     patience_s: float = key(
-        Number(0.1, 3600), "Seconds without an answer after which a device counts as lost", 10.0,
+        Number(0.1, 3600),
+        "Seconds without an answer after which a device counts as lost",
+        10.0,
         name="patience",
-    )  # fmt: skip
+    )

@@ -56,8 +56,9 @@ def loader_notes(container: Container, source: Source, frame: Span) -> list[Diag
                     severity=Severity.NOTE,
                     source=source,
                     label=Label(frame, "use fewer slots, or fewer shutters"),
-                    data={what: {"required": count, "available": most}
-                          for what, count, most in short},
+                    data={
+                        what: {"required": count, "available": most} for what, count, most in short
+                    },
                 )
-            )  # fmt: skip
+            )
     return notes

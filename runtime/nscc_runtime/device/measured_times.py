@@ -119,7 +119,20 @@ def _program(target: Target, kernel: Sequence[Op], launches: int, waits: bool) -
         ),
     )  # fmt: skip
     return Upload(
-        target_digest(target), bytes(32), objects, words=len(words), kernels=2, rows=2, runs=1,
-        frame_ms=_LONGEST_MS, readout_ms=ceil(target.readout_us / 1000), readouts=1, states=0,
-        report_bytes=0, gains=False, levels=False, pictures=False, pixels=target.rows * target.cols,
-    )  # fmt: skip
+        target_digest(target),
+        bytes(32),
+        objects,
+        words=len(words),
+        kernels=2,
+        rows=2,
+        runs=1,
+        frame_ms=_LONGEST_MS,
+        readout_ms=ceil(target.readout_us / 1000),
+        readouts=1,
+        states=0,
+        report_bytes=0,
+        gains=False,
+        levels=False,
+        pictures=False,
+        pixels=target.rows * target.cols,
+    )

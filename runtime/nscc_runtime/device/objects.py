@@ -280,9 +280,10 @@ def device_reports(container: Container) -> dict[str, tuple[int, Reach]]:
     read = {pictures.registers[name] for name in pictures.reads}
     size = plane_bytes(target.rows * target.cols)
     return {
-        name: (most, reach) for name, (most, reach) in reported.items()
+        name: (most, reach)
+        for name, (most, reach) in reported.items()
         if name not in read and report_bytes(most) < size
-    }  # fmt: skip
+    }
 
 
 def split_reports(

@@ -32,9 +32,17 @@ _MACHINES: dict[Core, str] = {"m0": "mps2-an385", "m4": "mps2-an386"}
 """The QEMU machine for each core. A Cortex-M3 runs the code of a Cortex-M0, with traps enabled."""
 _PARTS = ("core", "port", "emulated", "qemu")
 CHIP_FLAGS = (
-    *CORE_FLAGS, *WARNINGS, "-O2", "-mthumb", "-fno-threadsafe-statics", "-ffunction-sections",
-    "-fdata-sections", "-nostartfiles", "--specs=nosys.specs", "-Wl,--gc-sections",
-)  # fmt: skip
+    *CORE_FLAGS,
+    *WARNINGS,
+    "-O2",
+    "-mthumb",
+    "-fno-threadsafe-statics",
+    "-ffunction-sections",
+    "-fdata-sections",
+    "-nostartfiles",
+    "--specs=nosys.specs",
+    "-Wl,--gc-sections",
+)
 _TIME = "shift=2,sleep=off"
 """An instruction takes 4 ns, about as on the SCAMP-5d, so that the load of this machine does not
 make launches late."""
@@ -53,18 +61,30 @@ def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Buil
     if absent is not None:
         raise NotBuilt(f"{absent} is not installed")
     command = [
-        COMPILER, *CHIP_FLAGS, f"-mcpu=cortex-{core}", f"-L{SOURCES / 'port'}",
+        COMPILER,
+        *CHIP_FLAGS,
+        f"-mcpu=cortex-{core}",
+        f"-L{SOURCES / 'port'}",
         f"-T{SOURCES / 'qemu/mps2.ld'}",
-    ]  # fmt: skip
+    ]
     return Built(compiled(command, _PARTS, target, folder), COMPILER, target)
 
 
 def command(core: Core, image: Path, time: str) -> list[str]:
     """Return the command that runs an image without serial ports; `time`: QEMU's -icount."""
     return [
-        EMULATOR, "-M", _MACHINES[core], "-kernel", str(image), "-icount", time,
-        "-display", "none", "-monitor", "none",
-    ]  # fmt: skip
+        EMULATOR,
+        "-M",
+        _MACHINES[core],
+        "-kernel",
+        str(image),
+        "-icount",
+        time,
+        "-display",
+        "none",
+        "-monitor",
+        "none",
+    ]
 
 
 class Emulated(RunningFirmware):
@@ -81,11 +101,18 @@ class Emulated(RunningFirmware):
                 super().__init__(
                     [
                         *command(core, loader.path, _TIME),
-                        "-chardev", f"socket,id=line,path={path}", "-serial", "chardev:line",
-                        "-chardev", "stdio,id=records,signal=off", "-serial", "chardev:records",
+                        "-chardev",
+                        f"socket,id=line,path={path}",
+                        "-serial",
+                        "chardev:line",
+                        "-chardev",
+                        "stdio,id=records,signal=off",
+                        "-serial",
+                        "chardev:records",
                     ],
-                    loader.target, chip,
-                )  # fmt: skip
+                    loader.target,
+                    chip,
+                )
                 try:
                     line, _ = listening.accept()
                 except TimeoutError:

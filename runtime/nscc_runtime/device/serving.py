@@ -52,9 +52,14 @@ class LineFaults:
 
 
 NAMES = {
-    "corrupt": "corrupt", "drop": "drop", "delay": "delay_s", "disconnect": "disconnect_after",
-    "reboot": "reboot_after", "outage": "outage_s", "seed": "seed",
-}  # fmt: skip
+    "corrupt": "corrupt",
+    "drop": "drop",
+    "delay": "delay_s",
+    "disconnect": "disconnect_after",
+    "reboot": "reboot_after",
+    "outage": "outage_s",
+    "seed": "seed",
+}
 
 
 def parse_faults(text: str) -> LineFaults:

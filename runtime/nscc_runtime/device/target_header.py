@@ -49,9 +49,22 @@ def target_header(target: Target) -> str:
         raise ValueError(
             f"the loader's firmware does not support custom words of {target.name}: {names}"
         )
-    return "\n".join([*_numbers(target), "", *_operations(target), "", *_registers(target), "",
-                      *_sequences(target), "", "}  // namespace nscc::target", "", "#endif",
-                      ""])  # fmt: skip
+    return "\n".join(
+        [
+            *_numbers(target),
+            "",
+            *_operations(target),
+            "",
+            *_registers(target),
+            "",
+            *_sequences(target),
+            "",
+            "}  // namespace nscc::target",
+            "",
+            "#endif",
+            "",
+        ]
+    )
 
 
 def _numbers(target: Target) -> Iterator[str]:

@@ -23,13 +23,26 @@ def _zero(target: Target, _values: Mapping[str, float]) -> float:
 
 
 ELECTRONS_PER_LSB = parameter(
-    "electrons_per_lsb", "readout", _of_all_codes, "e/lsb", 0, MOST_E,
-    "electrons a code of the ADC", "full_well_e over the top code", low_excluded=True,
-)  # fmt: skip
+    "electrons_per_lsb",
+    "readout",
+    _of_all_codes,
+    "e/lsb",
+    0,
+    MOST_E,
+    "electrons a code of the ADC",
+    "full_well_e over the top code",
+    low_excluded=True,
+)
 OFFSET = parameter(
-    "adc_offset_lsb", "readout", _zero, "lsb", -65536, 65536,
-    "code of a register that holds nothing", TARGET,
-)  # fmt: skip
+    "adc_offset_lsb",
+    "readout",
+    _zero,
+    "lsb",
+    -65536,
+    65536,
+    "code of a register that holds nothing",
+    TARGET,
+)
 
 
 def _codes(sensor: Sensor, exposure: Values, noise: Values | float, top: int) -> Values:

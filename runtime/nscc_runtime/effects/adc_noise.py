@@ -8,9 +8,16 @@ from nscc_runtime.effects.parameters import CHIP, parameter
 from nscc_runtime.effects.parts import Converter
 
 SIGMA = parameter(
-    "adc_noise_lsb", "readout", 0.65, "lsb", 0, 1e6, "temporal noise of the readout",
-    f"{CHIP}; the scamp5c project's noise model has the same", place=1,
-)  # fmt: skip
+    "adc_noise_lsb",
+    "readout",
+    0.65,
+    "lsb",
+    0,
+    1e6,
+    "temporal noise of the readout",
+    f"{CHIP}; the scamp5c project's noise model has the same",
+    place=1,
+)
 
 
 ADC_NOISE = Effect(

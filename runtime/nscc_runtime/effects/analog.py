@@ -24,31 +24,59 @@ def _full_range_code(_target: Target, values: Mapping[str, float]) -> float:
 
 GAIN = parameter("analog_gain", "analog", 0.977, "1/word", 0.5, 1.5, "gain of an addition", CHIP)
 MOVE_LOSS = parameter(
-    "analog_move_loss", "analog", 0.065, "1", 0, 1,
-    "1 - gain of a move, as a part of 1 - gain of an addition", CHIP,
-)  # fmt: skip
-NOISE = parameter(
-    "analog_noise_lsb", "analog", 1.75, "lsb/sqrt(word)", 0, 1e6, "random error of an addition",
+    "analog_move_loss",
+    "analog",
+    0.065,
+    "1",
+    0,
+    1,
+    "1 - gain of a move, as a part of 1 - gain of an addition",
     CHIP,
-)  # fmt: skip
+)
+NOISE = parameter(
+    "analog_noise_lsb",
+    "analog",
+    1.75,
+    "lsb/sqrt(word)",
+    0,
+    1e6,
+    "random error of an addition",
+    CHIP,
+)
 MOVE_NOISE = parameter(
-    "analog_move_noise", "analog", 0.0, "1", 0, 1,
+    "analog_move_noise",
+    "analog",
+    0.0,
+    "1",
+    0,
+    1,
     "random error of a move, as a part of that of an addition",
     f"{CHIP}; two moves and the readout have 0.65 codes, which adc_noise_lsb holds",
-)  # fmt: skip
+)
 PATTERN = parameter(
-    "analog_pattern_lsb", "analog", 0.030, "lsb/word", 0, 1e6,
+    "analog_pattern_lsb",
+    "analog",
+    0.030,
+    "lsb/word",
+    0,
+    1e6,
     "standard deviation over the pixels of an addition's fixed error",
     f"{PUBLISHED}fit to the errors of a 9-word kernel measured by Guillard 2019",
-)  # fmt: skip
+)
 BIAS = parameter(
     "analog_bias_lsb", "analog", 0.2, "lsb/word", -1e6, 1e6, "mean error of an addition", CHIP
 )
 WORD_LSB = parameter(
-    "analog_lsb_e", "analog", _full_range_code, "e/lsb", 0, MOST_E,
+    "analog_lsb_e",
+    "analog",
+    _full_range_code,
+    "e/lsb",
+    0,
+    MOST_E,
     "electrons of a code in which these errors are given, whatever the readout",
-    "two full wells over 255 codes, in which the errors were measured", low_excluded=True,
-)  # fmt: skip
+    "two full wells over 255 codes, in which the errors were measured",
+    low_excluded=True,
+)
 
 
 def _in_electrons(codes: Parameter) -> OfSensor:

@@ -14,13 +14,24 @@ from nscc_runtime.effects.views import Places, Values
 from nscc_runtime.noise import key, normals
 
 SPREAD = parameter(
-    "comparator_offset_fraction", "comparator", 0.01, "1", 0, 1,
+    "comparator_offset_fraction",
+    "comparator",
+    0.01,
+    "1",
+    0,
+    1,
     "standard deviation over the pixels of a comparator's offset, in full wells",
-)  # fmt: skip
+)
 SIGMA = parameter(
-    "comparator_noise_fraction", "comparator", 0.02, "1", 0, 1,
-    "standard deviation of one comparison, in full wells", place=1,
-)  # fmt: skip
+    "comparator_noise_fraction",
+    "comparator",
+    0.02,
+    "1",
+    0,
+    1,
+    "standard deviation of one comparison, in full wells",
+    place=1,
+)
 _OF_BOTH: dict[str, Any] = {
     "applied": "to every `where`",
     "absent": "no word of this program compares the light",

@@ -10,9 +10,14 @@ from nscc_runtime.effects.parts import Exchange
 from nscc_runtime.effects.views import Values
 
 FRACTION = parameter(
-    "crosstalk_fraction", "light", 0.005, "1", 0, 0.2,
+    "crosstalk_fraction",
+    "light",
+    0.005,
+    "1",
+    0,
+    0.2,
     "part of a pixel's charge that each of its four neighbours gets",
-)  # fmt: skip
+)
 
 
 def smeared(charge: Values, fraction: float) -> Values:

@@ -14,9 +14,14 @@ CURRENT = parameter(
     "dark_current_e_per_s", "dark", 1000.0, "e/s", 0, MOST_E, "dark current, mean over the pixels"
 )
 SPREAD = parameter(
-    "dark_spread_fraction", "dark", 0.2, "1", 0, 10,
+    "dark_spread_fraction",
+    "dark",
+    0.2,
+    "1",
+    0,
+    10,
     "its standard deviation over the pixels, relative to the mean",
-)  # fmt: skip
+)
 
 
 def current_e_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:

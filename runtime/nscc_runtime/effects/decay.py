@@ -7,10 +7,16 @@ from nscc_runtime.effects.parameters import PUBLISHED, parameter
 from nscc_runtime.effects.parts import Fading
 
 RETENTION = parameter(
-    "digital_retention_us", "memory", None, "us", 0, 1e15,
+    "digital_retention_us",
+    "memory",
+    None,
+    "us",
+    0,
+    1e15,
     "a digital register reads 0 when it was not written for longer",
-    f"{PUBLISHED}the chip's library; the target table", low_excluded=True,
-)  # fmt: skip
+    f"{PUBLISHED}the chip's library; the target table",
+    low_excluded=True,
+)
 
 
 DECAY = Effect(

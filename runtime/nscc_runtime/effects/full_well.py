@@ -9,9 +9,16 @@ from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Well
 
 FULL = parameter(
-    "full_well_e", "range", None, "e", 0, MOST_E, "charge that PIX holds above its reset level",
-    TARGET, low_excluded=True,
-)  # fmt: skip
+    "full_well_e",
+    "range",
+    None,
+    "e",
+    0,
+    MOST_E,
+    "charge that PIX holds above its reset level",
+    TARGET,
+    low_excluded=True,
+)
 
 
 FULL_WELL = Effect(

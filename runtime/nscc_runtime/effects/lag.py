@@ -7,9 +7,15 @@ from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Echo
 
 FRACTION = parameter(
-    "lag_fraction", "light", 0.002, "1", 0, 1,
-    "part of the previous frame's light that comes again in the same slot", place=1,
-)  # fmt: skip
+    "lag_fraction",
+    "light",
+    0.002,
+    "1",
+    0,
+    1,
+    "part of the previous frame's light that comes again in the same slot",
+    place=1,
+)
 
 
 LAG = Effect(

@@ -13,13 +13,24 @@ from nscc_runtime.effects.views import Places, Values
 from nscc_runtime.noise import key, normals
 
 TAU = parameter(
-    "leakage_tau_s", "memory", 10.0, "s", 0, 1e9,
-    "time constant with which an analog register loses its value", low_excluded=True,
-)  # fmt: skip
+    "leakage_tau_s",
+    "memory",
+    10.0,
+    "s",
+    0,
+    1e9,
+    "time constant with which an analog register loses its value",
+    low_excluded=True,
+)
 SPREAD = parameter(
-    "leakage_spread_fraction", "memory", 0.1, "1", 0, 10,
+    "leakage_spread_fraction",
+    "memory",
+    0.1,
+    "1",
+    0,
+    10,
     "standard deviation over the pixels of 1/tau, relative to the mean",
-)  # fmt: skip
+)
 
 
 def leak_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:

@@ -50,10 +50,19 @@ class Parameter(Key):
 
 
 def parameter(
-    name: str, heading: str, default: Default, unit: str, low: float, high: float, meaning: str,
-    source: str = OURS, *, low_excluded: bool = False, high_excluded: bool = False,
+    name: str,
+    heading: str,
+    default: Default,
+    unit: str,
+    low: float,
+    high: float,
+    meaning: str,
+    source: str = OURS,
+    *,
+    low_excluded: bool = False,
+    high_excluded: bool = False,
     place: int = 0,
-) -> Parameter:  # fmt: skip
+) -> Parameter:
     """Declare a parameter, listed under `heading`. `source`: where its default comes from."""
     kind = Number(low, high, unit, low_excluded, high_excluded)
     return Parameter("", name, kind, meaning, default, source, heading=heading, place=place)

@@ -12,9 +12,14 @@ from nscc_runtime.effects.views import Places, Values
 from nscc_runtime.noise import key, normals
 
 SPREAD = parameter(
-    "prnu_fraction", "light", 0.01, "1", 0, 0.2,
+    "prnu_fraction",
+    "light",
+    0.01,
+    "1",
+    0,
+    0.2,
     "standard deviation of the pixels' response to light",
-)  # fmt: skip
+)
 
 
 def response(sensor: Sensor, device_seed: int, pixels: Places) -> Values:

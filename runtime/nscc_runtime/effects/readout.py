@@ -28,23 +28,49 @@ def _of_scamp(value: float) -> Default:
 
 
 PATTERN = parameter(
-    "adc_pattern_lsb", "readout", _of_scamp(1.69), "lsb", 0, 1e6,
-    "standard deviation over pixels of a code's fixed error, without its smooth part", CHIP,
+    "adc_pattern_lsb",
+    "readout",
+    _of_scamp(1.69),
+    "lsb",
+    0,
+    1e6,
+    "standard deviation over pixels of a code's fixed error, without its smooth part",
+    CHIP,
     place=2,
-)  # fmt: skip
+)
 SMOOTH = parameter(
-    "adc_smooth_lsb", "readout", _of_scamp(2.4), "lsb", 0, 1e6,
-    "standard deviation of the smooth part of this error", CHIP, place=2,
-)  # fmt: skip
-LEVEL = parameter(
-    "adc_level_lsb", "readout", _of_scamp(0.38), "lsb", 0, 1e6,
-    "standard deviation, over readouts, of an error common to all codes", CHIP, place=2,
-)  # fmt: skip
-COLUMNS = parameter(
-    "adc_column_strength", "readout", _of_scamp(1.0), "1", 0, 1,
-    "how much a code shares the noise of the codes below it: 0, not at all; 1, as the chip", CHIP,
+    "adc_smooth_lsb",
+    "readout",
+    _of_scamp(2.4),
+    "lsb",
+    0,
+    1e6,
+    "standard deviation of the smooth part of this error",
+    CHIP,
     place=2,
-)  # fmt: skip
+)
+LEVEL = parameter(
+    "adc_level_lsb",
+    "readout",
+    _of_scamp(0.38),
+    "lsb",
+    0,
+    1e6,
+    "standard deviation, over readouts, of an error common to all codes",
+    CHIP,
+    place=2,
+)
+COLUMNS = parameter(
+    "adc_column_strength",
+    "readout",
+    _of_scamp(1.0),
+    "1",
+    0,
+    1,
+    "how much a code shares the noise of the codes below it: 0, not at all; 1, as the chip",
+    CHIP,
+    place=2,
+)
 
 _WAVES, _SHORTEST, _LONGEST = 12, 80.0, 400.0
 """Number of waves that a smooth pattern consists of, and their wavelengths in pixels."""

@@ -15,17 +15,36 @@ from nscc_runtime.effects.views import Values
 _KNEE = 0.9
 _BEYOND = f"{TARGET}, over {_KNEE}: codes of a chip are clipped by its converter, not registers"
 LOWEST = parameter(
-    "register_min_e", "range", lambda target, _values: target.register_min_e / _KNEE, "e", -MOST_E,
-    0, "least value of an analog register", _BEYOND, high_excluded=True,
-)  # fmt: skip
+    "register_min_e",
+    "range",
+    lambda target, _values: target.register_min_e / _KNEE,
+    "e",
+    -MOST_E,
+    0,
+    "least value of an analog register",
+    _BEYOND,
+    high_excluded=True,
+)
 HIGHEST = parameter(
-    "register_max_e", "range", lambda target, _values: target.register_max_e / _KNEE, "e", 0,
-    MOST_E, "largest value of an analog register", _BEYOND, low_excluded=True,
-)  # fmt: skip
+    "register_max_e",
+    "range",
+    lambda target, _values: target.register_max_e / _KNEE,
+    "e",
+    0,
+    MOST_E,
+    "largest value of an analog register",
+    _BEYOND,
+    low_excluded=True,
+)
 KNEE = parameter(
-    "register_knee_fraction", "range", _KNEE, "1", 0, 1,
+    "register_knee_fraction",
+    "range",
+    _KNEE,
+    "1",
+    0,
+    1,
     "a register is linear up to this part of its range and soft beyond; 1: clips hard",
-)  # fmt: skip
+)
 
 
 def soft(value: Values, sensor: Sensor) -> Values:

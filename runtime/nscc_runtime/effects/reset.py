@@ -7,9 +7,15 @@ from nscc_runtime.effects.parameters import MOST_E, parameter
 from nscc_runtime.effects.parts import Errors
 
 SIGMA = parameter(
-    "reset_noise_e", "noise", 40.0, "e", 0, MOST_E,
-    "of one reset of PIX; sqrt(kTC) of 10 fF at 300 K", place=1,
-)  # fmt: skip
+    "reset_noise_e",
+    "noise",
+    40.0,
+    "e",
+    0,
+    MOST_E,
+    "of one reset of PIX; sqrt(kTC) of 10 fF at 300 K",
+    place=1,
+)
 
 
 RESET = Effect(

@@ -19,11 +19,16 @@ def _of_words(target: Target, values: Mapping[str, float]) -> float:
 
 
 SIGMA = parameter(
-    "spread_noise_lsb", "readout", _of_words, "lsb", 0, 1e6,
+    "spread_noise_lsb",
+    "readout",
+    _of_words,
+    "lsb",
+    0,
+    1e6,
     "random error of the words that make 2 x exposure - full well before readout",
     f"{CHIP}: three additions, on twice the exposure; nothing where the target does not spread",
     place=1,
-)  # fmt: skip
+)
 
 SPREADING = Effect(
     name="spreading",

@@ -122,9 +122,17 @@ def _flagged(shape: ArrayShape, planes: Words, y: int) -> int:
 
 @compiled
 def _add(
-    shape: ArrayShape, values: Floats, out: int, a: int, b: int, factor: float, initial_e: float,
-    planes: Words, flag: int, state: int,
-) -> None:  # fmt: skip
+    shape: ArrayShape,
+    values: Floats,
+    out: int,
+    a: int,
+    b: int,
+    factor: float,
+    initial_e: float,
+    planes: Words,
+    flag: int,
+    state: int,
+) -> None:
     """Set the row at `out` to `factor` * (`initial_e` + the rows at a and b) where FLAG is 1.
 
     Where FLAG differs between pixels, an unchanged value is written back as `old + 0.0`, which
@@ -177,9 +185,15 @@ def _two_terms(
 
 @compiled
 def _mark(
-    shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, marks: Bytes, y: int,
-    result: int, marked: Ints,
-) -> None:  # fmt: skip
+    shape: ArrayShape,
+    word: ArrayWord,
+    operands: Ints,
+    values: Floats,
+    marks: Bytes,
+    y: int,
+    result: int,
+    marked: Ints,
+) -> None:
     """Set the marks at `shape.total` to those of a word's sources in row y, with
     `range_bit` where the row at `result` is beyond the range."""
     outside = 0
@@ -202,9 +216,14 @@ def _mark(
 
 @compiled
 def _store_marks(
-    shape: ArrayShape, word: ArrayWord, out: int, flag: int, source: int, planes: Words,
+    shape: ArrayShape,
+    word: ArrayWord,
+    out: int,
+    flag: int,
+    source: int,
+    planes: Words,
     marks: Bytes,
-) -> None:  # fmt: skip
+) -> None:
     """Set the marks of the row at `out` to those of the row at `source` where FLAG is 1."""
     for x in range(shape.cols):
         if word.everywhere or (planes[flag + x // 64] >> np.uint64(x % 64)) & _ONE:
@@ -213,9 +232,16 @@ def _store_marks(
 
 @compiled
 def _store(
-    shape: ArrayShape, word: ArrayWord, register: int, y: int, source: int, values: Floats,
-    marks: Bytes, planes: Words, marked: Ints,
-) -> None:  # fmt: skip
+    shape: ArrayShape,
+    word: ArrayWord,
+    register: int,
+    y: int,
+    source: int,
+    values: Floats,
+    marks: Bytes,
+    planes: Words,
+    marked: Ints,
+) -> None:
     """Set row y of a register to the row at `source` where FLAG is 1."""
     out, flag = row_of(shape, register, y), plane_of(shape, shape.flag, y)
     state = _ALL if word.everywhere else _flagged(shape, planes, y)
@@ -226,9 +252,15 @@ def _store(
 
 @compiled
 def _bus(
-    shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, marks: Bytes, planes: Words,
-    y: int, marked: Ints,
-) -> None:  # fmt: skip
+    shape: ArrayShape,
+    word: ArrayWord,
+    operands: Ints,
+    values: Floats,
+    marks: Bytes,
+    planes: Words,
+    y: int,
+    marked: Ints,
+) -> None:
     """Write minus the sum of the sources, over the divisor, to the destinations."""
     first, total = word.operands + 3 * word.sources, shape.total
     halves = word.divisor & (word.divisor - 1) == 0  # so that a factor is exact
@@ -347,9 +379,16 @@ def _look(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: 
 
 @compiled
 def run_words(
-    shape: ArrayShape, words: OfArrayWords, first: int, stop: int, operands: Ints, values: Floats,
-    marks: Bytes, planes: Words, marked: Ints,
-) -> None:  # fmt: skip
+    shape: ArrayShape,
+    words: OfArrayWords,
+    first: int,
+    stop: int,
+    operands: Ints,
+    values: Floats,
+    marks: Bytes,
+    planes: Words,
+    marked: Ints,
+) -> None:
     """Run the words `first` to `stop` - 1 in their order.
 
     A row goes through all words while it is in the cache. A word runs `lag` rows behind the first
@@ -373,8 +412,13 @@ def run_words(
 
 @loop
 def run_array_words(
-    shape: ArrayShape, words: Annotated[NDArray[Any], ArrayWord, "count"], operands: Ints,
-    values: Written[Floats], marks: Written[Bytes], planes: Written[Words], marked: Written[Ints],
-) -> None:  # fmt: skip
+    shape: ArrayShape,
+    words: Annotated[NDArray[Any], ArrayWord, "count"],
+    operands: Ints,
+    values: Written[Floats],
+    marks: Written[Bytes],
+    planes: Written[Words],
+    marked: Written[Ints],
+) -> None:
     """Run all words on the array. marked[0] is 1 once any value has a saturation mark."""
     run_words(shape, words, 0, shape.count, operands, values, marks, planes, marked)

@@ -73,14 +73,23 @@ class ArrayWords:
         target, last = self.target, registers * (rows + 1)
         guarded = None not in (target.mask_register, target.masked_register)
         return loop.ArrayShape(
-            rows=rows, cols=cols, length=length, plane_words=-(-cols // 64),
-            count=len(self._rows), total=(last + 1) * length, part=(last + 3) * length,
-            flag=self.digital["FLAG"], bus=self.digital["bus"], zero=self.digital["SELECT"],
+            rows=rows,
+            cols=cols,
+            length=length,
+            plane_words=-(-cols // 64),
+            count=len(self._rows),
+            total=(last + 1) * length,
+            part=(last + 3) * length,
+            flag=self.digital["FLAG"],
+            bus=self.digital["bus"],
+            zero=self.digital["SELECT"],
             mask=self.digital[target.mask_register or ""] if guarded else -1,
             masked=self.digital[target.masked_register or ""] if guarded else -1,
-            obeys_flag=int(target.where_obeys_flag), lowest=target.register_min_e,
-            highest=target.register_max_e, range_bit=range_bit,
-        )  # fmt: skip
+            obeys_flag=int(target.where_obeys_flag),
+            lowest=target.register_min_e,
+            highest=target.register_max_e,
+            range_bit=range_bit,
+        )
 
     def _translated(self, op: Op) -> tuple[int, ...]:
         """Return the columns of a word from `kind` to `everywhere`, and whether it reaches another
@@ -95,11 +104,15 @@ class ArrayWords:
         # "unknown" is taken as "yes": the chip that resets less.
         resets = effect is WordEffect.RESET_PIX
         return (
-            _KINDS[effect], first, len(sources), len(destinations), row.divisor,
+            _KINDS[effect],
+            first,
+            len(sources),
+            len(destinations),
+            row.divisor,
             effect is WordEffect.FLAG_ALL or (row.inverted and row.phase is not Phase.WRITE),
             resets and self.target.reset_honours_flag == "no",
             any(down for *_, down in (*sources, *destinations)),
-        )  # fmt: skip
+        )
 
     def _of_effect(self, op: Op) -> tuple[list[Operand], list[Operand]]:
         """Return the sources and the destinations of a word."""

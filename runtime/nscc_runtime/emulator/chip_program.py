@@ -48,9 +48,13 @@ class ChipProgram:
     digital registers (rows, cols) that are loaded before the frame, by name."""
 
     def __init__(
-        self, target: Target, slots: int, kernels: Sequence[Sequence[Op]],
-        launches: Sequence[Launch], planes: Mapping[str, Bits],
-    ) -> None:  # fmt: skip
+        self,
+        target: Target,
+        slots: int,
+        kernels: Sequence[Sequence[Op]],
+        launches: Sequence[Launch],
+        planes: Mapping[str, Bits],
+    ) -> None:
         self.target, self.slots, self.planes = target, slots, planes
         self._kernels, self._launches = kernels, launches
 
@@ -75,14 +79,21 @@ class ChipProgram:
         launch_start = np.zeros(self.slots + 2, np.int64)
         np.cumsum(np.bincount(instants, minlength=self.slots + 1), out=launch_start[1:])
         return table, EmulatedWords(
-            *table.table, np.array(kernel_start, np.int64), launch_start,
+            *table.table,
+            np.array(kernel_start, np.int64),
+            launch_start,
             np.array(launched, np.int64),
-        )  # fmt: skip
+        )
 
     def run(
-        self, light: Light, analog: Sequence[str], digital: Sequence[str] = (), *,
-        device_seed: int = 0, threads: int | None = None,
-    ) -> tuple[Values, Bits]:  # fmt: skip
+        self,
+        light: Light,
+        analog: Sequence[str],
+        digital: Sequence[str] = (),
+        *,
+        device_seed: int = 0,
+        threads: int | None = None,
+    ) -> tuple[Values, Bits]:
         """Execute a frame, and return the contents of registers at its end.
 
         Parameters
@@ -124,31 +135,46 @@ class ChipProgram:
         shape = table.shape(*block, length, registers)
         loaded = packed(np.array([*self.planes.values()], np.bool_).reshape(-1, rows, cols))
         bits = RegisterBits(
-            loaded, np.array([table.digital[name] for name in self.planes], np.int64),
+            loaded,
+            np.array([table.digital[name] for name in self.planes], np.int64),
             np.empty((len(digital), *loaded.shape[1:]), np.uint64),
             np.array([table.digital[name] for name in digital], np.int64),
-        )  # fmt: skip
+        )
         contents = np.empty((len(analog), pixels))
         shared: dict[str, Any] = {
-            "shape": shape, "program": words, "light": light.matrix, "bits": bits,
-            "frame_weight": light.frame_weight, "contents": contents,
+            "shape": shape,
+            "program": words,
+            "light": light.matrix,
+            "bits": bits,
+            "frame_weight": light.frame_weight,
+            "contents": contents,
             "register_numbers": np.array([table.analog[name] for name in analog], np.int64),
-        }  # fmt: skip
+        }
 
         def fill(begin: int, end: int) -> None:
             chosen = PixelRange(
-                slots=self.slots, pixels=pixels, begin=begin, end=end, block_rows=rows,
-                row_words=loaded.shape[-1], frames=len(light.frames), loads=len(self.planes),
-                reads=len(digital), registers=len(analog),
-                seed=np.uint64(device_seed & 2**64 - 1), pix=table.analog["PIX"],
-            )  # fmt: skip
+                slots=self.slots,
+                pixels=pixels,
+                begin=begin,
+                end=end,
+                block_rows=rows,
+                row_words=loaded.shape[-1],
+                frames=len(light.frames),
+                loads=len(self.planes),
+                reads=len(digital),
+                registers=len(analog),
+                seed=np.uint64(device_seed & 2**64 - 1),
+                pix=table.analog["PIX"],
+            )
             expose_pixels(
                 chosen=chosen,
                 planes=np.empty(len(table.digital) * rows * shape.plane_words, np.uint64),
                 values=np.zeros((registers * (rows + 1) + 5) * length + 64),
-                marks=np.empty(0, np.uint8), marked=np.zeros(1, np.int64),
-                charge=np.empty(block[0] * block[1], np.float32), **shared,
-            )  # fmt: skip
+                marks=np.empty(0, np.uint8),
+                marked=np.zeros(1, np.int64),
+                charge=np.empty(block[0] * block[1], np.float32),
+                **shared,
+            )
 
         in_parts(fill, pixels, threads_of(threads), block[0] * block[1])
         read = unpacked(bits.read, cols).reshape(-1, *light.shape)

@@ -153,9 +153,15 @@ class PixelRange:
 
 @compiled
 def _add_slot(
-    chosen: PixelRange, first: int, length: int, n: int, shape: ArrayShape, light: LightMatrix,
-    values: Floats, charge: Floats32,
-) -> None:  # fmt: skip
+    chosen: PixelRange,
+    first: int,
+    length: int,
+    n: int,
+    shape: ArrayShape,
+    light: LightMatrix,
+    values: Floats,
+    charge: Floats32,
+) -> None:
     """Add the light of slot n to PIX. The light of the last slot with other light is in `charge`,
     row after row."""
     start, stop, total = light.row_start[n], light.row_start[n + 1], shape.total
@@ -181,10 +187,20 @@ def _add_slot(
 
 @compiled
 def _expose_block(
-    chosen: PixelRange, first: int, length: int, shape: ArrayShape, program: EmulatedWords,
-    light: LightMatrix, frame_weight: Floats, bits: RegisterBits, planes: Words, values: Floats,
-    marks: Bytes, marked: Ints, charge: Floats32,
-) -> None:  # fmt: skip
+    chosen: PixelRange,
+    first: int,
+    length: int,
+    shape: ArrayShape,
+    program: EmulatedWords,
+    light: LightMatrix,
+    frame_weight: Floats,
+    bits: RegisterBits,
+    planes: Words,
+    values: Floats,
+    marks: Bytes,
+    marked: Ints,
+    charge: Floats32,
+) -> None:
     """Expose the block that begins with pixel number `first`: run the words of all slots. `length`:
     number of pixels of a row of the block."""
     words, total = (length + 63) // 64, shape.total
@@ -205,9 +221,16 @@ def _expose_block(
         for at in range(program.launch_start[n], program.launch_start[n + 1]):
             kernel = program.launch_kernel[at]
             run_words(
-                shape, program.words, program.kernel_start[kernel],
-                program.kernel_start[kernel + 1], program.operands, values, marks, planes, marked,
-            )  # fmt: skip
+                shape,
+                program.words,
+                program.kernel_start[kernel],
+                program.kernel_start[kernel + 1],
+                program.operands,
+                values,
+                marks,
+                planes,
+                marked,
+            )
         if n < chosen.slots:
             _add_slot(chosen, first, length, n, shape, light, values, charge)
     for y in range(shape.rows):
@@ -240,9 +263,20 @@ def expose_pixels(
     while first < chosen.end:
         length = min(shape.cols, chosen.end - first)
         _expose_block(
-            chosen, first, length, shape, program, light, frame_weight, bits, planes, values, marks,
-            marked, charge,
-        )  # fmt: skip
+            chosen,
+            first,
+            length,
+            shape,
+            program,
+            light,
+            frame_weight,
+            bits,
+            planes,
+            values,
+            marks,
+            marked,
+            charge,
+        )
         for k in range(chosen.registers):
             for y in range(shape.rows):
                 row = row_of(shape, register_numbers[k], y)

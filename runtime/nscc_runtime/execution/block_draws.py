@@ -62,9 +62,15 @@ def _exp_minus(x: float) -> float:
 
 @compiled
 def _searched(
-    count: int, pending_rates: Floats, places: Ints, remainder_at: int, mass_at: int, count_at: int,
-    scratch: Floats, out: int,
-) -> None:  # fmt: skip
+    count: int,
+    pending_rates: Floats,
+    places: Ints,
+    remainder_at: int,
+    mass_at: int,
+    count_at: int,
+    scratch: Floats,
+    out: int,
+) -> None:
     """Find the counts of `count` pixels with rates of at most SEARCH_BELOW, as `poisson_law.search`
     does.
 
@@ -146,9 +152,16 @@ def drawn_normals(stream: np.uint64, places: Ints, first: int, count: int, out: 
 
 @compiled
 def counted(
-    stream: np.uint64, top: float, places: Ints, first: int, stop: int, values: Floats,
-    scratch: Floats, pending_rates: Floats, pending_pixels: Ints,
-) -> None:  # fmt: skip
+    stream: np.uint64,
+    top: float,
+    places: Ints,
+    first: int,
+    stop: int,
+    values: Floats,
+    scratch: Floats,
+    pending_rates: Floats,
+    pending_pixels: Ints,
+) -> None:
     """Replace the rates values[i] by Poisson counts drawn at places[first + i].
 
     For rates below SEARCH_BELOW they equal those of `nscc_runtime.noise.poisson_law.search`, else

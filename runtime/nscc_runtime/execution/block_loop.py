@@ -91,9 +91,17 @@ def _drawn(
 
 @compiled
 def _draw(
-    switches: Switches, sizes: BlockSizes, numbers: Numbers, keys: WordKeys, word: LoopWord, w: int,
-    places: Ints, first: int, count: int, state: PixelState,
-) -> None:  # fmt: skip
+    switches: Switches,
+    sizes: BlockSizes,
+    numbers: Numbers,
+    keys: WordKeys,
+    word: LoopWord,
+    w: int,
+    places: Ints,
+    first: int,
+    count: int,
+    state: PixelState,
+) -> None:
     """Draw the normal numbers of word number w: its read or reset, comparison or destinations."""
     running, normals, frame = state.running, state.normals, sizes.frame
     if word.resets and switches.reset_errors:
@@ -111,9 +119,17 @@ def _draw(
 
 @compiled
 def _fall(
-    switches: Switches, sizes: BlockSizes, numbers: Numbers, word: LoopWord, stretch: int,
-    first: int, count: int, charge: Charge, state: PixelState, block: BlockScratch,
-) -> None:  # fmt: skip
+    switches: Switches,
+    sizes: BlockSizes,
+    numbers: Numbers,
+    word: LoopWord,
+    stretch: int,
+    first: int,
+    count: int,
+    charge: Charge,
+    state: PixelState,
+    block: BlockScratch,
+) -> None:
     """Add to PIX the charge that is collected until a word ends."""
     pixels = sizes.charged
     for j in range(count):
@@ -147,10 +163,21 @@ def _hand_on(segment: int, at: int, i: int, block: BlockScratch, ends: Ints32) -
 
 @compiled
 def _along(
-    switches: Switches, sizes: BlockSizes, numbers: Numbers, keys: WordKeys, segment: int,
-    first: int, places: Ints, chosen: Ints, program: LoopProgram, segments: Segments,
-    charge: Charge, block: BlockScratch, state: PixelState, ends: Ints32,
-) -> int:  # fmt: skip
+    switches: Switches,
+    sizes: BlockSizes,
+    numbers: Numbers,
+    keys: WordKeys,
+    segment: int,
+    first: int,
+    places: Ints,
+    chosen: Ints,
+    program: LoopProgram,
+    segments: Segments,
+    charge: Charge,
+    block: BlockScratch,
+    state: PixelState,
+    ends: Ints32,
+) -> int:
     """Run a segment's words in all pixels of a block that wait for it, queue each for its next
     segment, and return the number of pixels that have ended."""
     count, i, running = 0, block.head[segment], state.running
@@ -227,9 +254,21 @@ def run_blocks(
         while waiting > 0:
             if block.head[segment] >= 0:
                 waiting -= _along(
-                    switches, sizes, numbers, keys, segment, first, places, chosen, program,
-                    segments, charge, block, state, ends,
-                )  # fmt: skip
+                    switches,
+                    sizes,
+                    numbers,
+                    keys,
+                    segment,
+                    first,
+                    places,
+                    chosen,
+                    program,
+                    segments,
+                    charge,
+                    block,
+                    state,
+                    ends,
+                )
             segment += 1
         read_out(
             switches, numbers, count, readouts, state, sizes.pixels, chosen, first, out, marked

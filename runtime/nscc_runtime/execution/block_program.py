@@ -39,8 +39,15 @@ from nscc_runtime.run_kinds import KINDS
 
 _WORD = np.dtype(LoopWord)
 AROUND_WORDS = {
-    "scene", "light", "response", "count", "charge", "neighbours", "converter", "codes",
-}  # fmt: skip
+    "scene",
+    "light",
+    "response",
+    "count",
+    "charge",
+    "neighbours",
+    "converter",
+    "codes",
+}
 """Stages before and after the words of a frame, at which the loop is not involved."""
 
 
@@ -131,10 +138,14 @@ def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgr
     stretches = Stretches(lane_start, (known % (slots + 1)).astype(np.int32), _start_s(container))
     pixel_lane = container.table.shutter_of_code[container.pixel_codes]
     return BlockProgram(
-        table, segments, readouts_of(container), stretches,
-        np.require(pixel_lane, np.int32, ["C"]), np.require(pixel_lane, np.int64, ["C"]),
+        table,
+        segments,
+        readouts_of(container),
+        stretches,
+        np.require(pixel_lane, np.int32, ["C"]),
+        np.require(pixel_lane, np.int64, ["C"]),
         most_destinations(container.target),
-    )  # fmt: skip
+    )
 
 
 def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProgram:
@@ -155,10 +166,14 @@ def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProg
     )
     loaded = {name: plane.astype(np.bool_) for name, plane in container.planes().items()}
     return BlockProgram(
-        program_of(container, paths.words), segments, readouts_of(container), stretches,
-        np.zeros(shape, np.int32), np.ascontiguousarray(paths.begins(loaded, shape)),
+        program_of(container, paths.words),
+        segments,
+        readouts_of(container),
+        stretches,
+        np.zeros(shape, np.int32),
+        np.ascontiguousarray(paths.begins(loaded, shape)),
         most_destinations(container.target),
-    )  # fmt: skip
+    )
 
 
 def _start_s(container: Container) -> NDArray[np.float64]:

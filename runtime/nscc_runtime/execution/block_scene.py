@@ -133,9 +133,14 @@ class BlockScene:
 
 
 def lay_out(
-    container: Container, sensor: Sensor, light: Light, effects: Selection, places: Places,
-    device_seed: int, threads: int = 1,
-) -> BlockScene:  # fmt: skip
+    container: Container,
+    sensor: Sensor,
+    light: Light,
+    effects: Selection,
+    places: Places,
+    device_seed: int,
+    threads: int = 1,
+) -> BlockScene:
     """Prepare pixels of a scene to run through their words.
 
     Parameters
@@ -176,9 +181,17 @@ def lay_out(
     bytes_ = 8 * 5 * (program.most_stretches + 1) * max(len(places), 1)
     parts = np.array_split(order, max(1, -(-bytes_ // _MOST_BYTES)))
     scene = BlockScene(
-        container, program, sensor, source, effects, places, device_seed,
-        switches_of(container, effects), numbers_of(container, sensor, effects), parts,
-    )  # fmt: skip
+        container,
+        program,
+        sensor,
+        source,
+        effects,
+        places,
+        device_seed,
+        switches_of(container, effects),
+        numbers_of(container, sensor, effects),
+        parts,
+    )
     if len(parts) > 1:
         return scene
     return replace(scene, kept=(_charge_scene(scene, parts[0], threads),))
@@ -199,23 +212,36 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
         return np.zeros((rows, columns) if wanted else (1, 1))
 
     means = StretchMeans(
-        lit=zeros(bool(lit), rows, count), dark=zeros(bool(dark), rows, count),
-        charge=zeros(True, rows, pixels), pace=zeros(slow, rows + 1, pixels),
+        lit=zeros(bool(lit), rows, count),
+        dark=zeros(bool(dark), rows, count),
+        charge=zeros(True, rows, pixels),
+        pace=zeros(slow, rows + 1, pixels),
         missing_e2=zeros(is_counted, rows, pixels),
-    )  # fmt: skip
+    )
     sizes: dict[str, Any] = {
-        "sites": count, "slots": scene.light.slots, "own": pixels, "pixels": program.lane.size,
-        "even": scene.light.even, "counts_light": bool(lit), "counts_dark": bool(dark),
-        "slow_words": slow, "exchanged": exchanged, "rate_cap": RATE_CAP,
-    }  # fmt: skip
+        "sites": count,
+        "slots": scene.light.slots,
+        "own": pixels,
+        "pixels": program.lane.size,
+        "even": scene.light.even,
+        "counts_light": bool(lit),
+        "counts_dark": bool(dark),
+        "slow_words": slow,
+        "exchanged": exchanged,
+        "rate_cap": RATE_CAP,
+    }
     shared: dict[str, Any] = {"stretches": program.stretches, "sites": sites, "means": means}
     order = np.arange(count) if scene.light.even else np.argsort(sites.place)
 
     def add_light(begin: int, end: int) -> None:
         light_means(
-            sizes=Laying(begin=begin, end=end, **sizes), light=scene.light.matrix, order=order,
-            reached=np.empty(TOGETHER, np.int64), added=np.empty(2 * TOGETHER), **shared,
-        )  # fmt: skip
+            sizes=Laying(begin=begin, end=end, **sizes),
+            light=scene.light.matrix,
+            order=order,
+            reached=np.empty(TOGETHER, np.int64),
+            added=np.empty(2 * TOGETHER),
+            **shared,
+        )
 
     def add_dark(begin: int, end: int) -> None:
         dark_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
@@ -269,11 +295,13 @@ def neighbours_of(places: Places, shape: tuple[int, int]) -> Places:
     row, col = np.divmod(places, cols)
     return np.stack(
         [
-            np.where(row > 0, places - cols, -1), np.where(row + 1 < rows, places + cols, -1),
-            np.where(col > 0, places - 1, -1), np.where(col + 1 < cols, places + 1, -1),
+            np.where(row > 0, places - cols, -1),
+            np.where(row + 1 < rows, places + cols, -1),
+            np.where(col > 0, places - 1, -1),
+            np.where(col + 1 < cols, places + 1, -1),
         ],
         axis=1,
-    )  # fmt: skip
+    )
 
 
 def expose_pixels(
@@ -298,9 +326,10 @@ def expose_pixels(
     """
     buckets, pixels = len(scene.container.buckets), len(scene.places)
     result = PixelExposures(
-        np.empty((buckets, pixels)), np.empty((buckets, pixels), np.uint8),
+        np.empty((buckets, pixels)),
+        np.empty((buckets, pixels), np.uint8),
         np.zeros(pixels, np.int32),
-    )  # fmt: skip
+    )
     first = scene.program.first_segment.reshape(-1)[scene.places] if begins is None else begins
     # Light that takes too much memory is added up again in every frame.
     charges = scene.kept or (_charge_scene(scene, part, threads) for part in scene.parts)
@@ -325,21 +354,36 @@ def _charge_of_frame(
     def run(begin: int, end: int) -> None:
         exchange_counts(
             exchanging=Exchanging(
-                begin=begin, end=end, sites=away.shape[1], pixels=charge.pixels, frame=frame,
-                exchanged=charge.exchanged, missing=missing,
+                begin=begin,
+                end=end,
+                sites=away.shape[1],
+                pixels=charge.pixels,
+                frame=frame,
+                exchanged=charge.exchanged,
+                missing=missing,
             ),
-            stretches=scene.program.stretches, sites=charge.sites, mean_e=charge.means.charge,
-            missing_e2=charge.means.missing_e2, away=away, charge=charge_e,
-        )  # fmt: skip
+            stretches=scene.program.stretches,
+            sites=charge.sites,
+            mean_e=charge.means.charge,
+            missing_e2=charge.means.missing_e2,
+            away=away,
+            charge=charge_e,
+        )
 
     in_parts(run, charge.pixels, threads, BLOCK)
     return charge_e
 
 
 def _run_words(
-    scene: BlockScene, charge: ChargeScene, charge_e: Values, first_segment: Places, seed: int,
-    frame: int, threads: int, result: PixelExposures,
-) -> None:  # fmt: skip
+    scene: BlockScene,
+    charge: ChargeScene,
+    charge_e: Values,
+    first_segment: Places,
+    seed: int,
+    frame: int,
+    threads: int,
+    result: PixelExposures,
+) -> None:
     """Run pixels through their words, and store their exposures in `result`."""
     program, container, pixels = scene.program, scene.container, charge.pixels
     places = charge.sites.place[:pixels]
@@ -357,15 +401,22 @@ def _run_words(
     def run(begin: int, end: int) -> None:
         run_blocks(
             sizes=BlockSizes(
-                first=begin, end=end, pixels=len(scene.places), charged=pixels, segments=segments,
-                numbered=program.numbered, frame=frame,
+                first=begin,
+                end=end,
+                pixels=len(scene.places),
+                charged=pixels,
+                segments=segments,
+                numbered=program.numbered,
+                frame=frame,
             ),
             block=BlockScratch(
-                head=np.full(segments, -1, np.int64), behind=np.empty(BLOCK, np.int64),
-                reached=np.empty(BLOCK, np.int64), fallen_fraction=np.empty(BLOCK),
+                head=np.full(segments, -1, np.int64),
+                behind=np.empty(BLOCK, np.int64),
+                reached=np.empty(BLOCK, np.int64),
+                fallen_fraction=np.empty(BLOCK),
             ),
             state=PixelState.of(len(container.target.analog_registers), 1 + program.numbered),
             **shared,
-        )  # fmt: skip
+        )
 
     in_parts(run, pixels, threads, BLOCK)

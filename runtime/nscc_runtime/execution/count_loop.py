@@ -52,9 +52,16 @@ def draw_counts(
             for i in range(stop - first):
                 values[i] = rates[at + i]
             counted(
-                keys[group], counting.rate_cap, places, first, stop, values, scratch, pending_rates,
-                pending_pixels
-            )  # fmt: skip
+                keys[group],
+                counting.rate_cap,
+                places,
+                first,
+                stop,
+                values,
+                scratch,
+                pending_rates,
+                pending_pixels,
+            )
             for i in range(stop - first):
                 # Counts are clipped to the cap, but sums contain the light: no deviation there.
                 mean = rates[at + i] if rates[at + i] < counting.rate_cap else values[i]
@@ -63,9 +70,12 @@ def draw_counts(
 
 
 def draw_deviations(
-    sources: Sequence[tuple[int, int, NDArray[np.float64]]], places: NDArray[np.int64], seed: int,
-    frame: int, threads: int,
-) -> NDArray[np.float64]:  # fmt: skip
+    sources: Sequence[tuple[int, int, NDArray[np.float64]]],
+    places: NDArray[np.int64],
+    seed: int,
+    frame: int,
+    threads: int,
+) -> NDArray[np.float64]:
     """Return the deviations of counts (rows, pixels) from their means, added up over sources.
 
     `sources`: random stream, number of the source, and means (rows, pixels) of each. Row r of a
@@ -82,13 +92,22 @@ def draw_deviations(
         for number, (of_rows, (_, _, means)) in enumerate(zip(keys, sources, strict=True)):
             draw_counts(
                 counting=Counting(
-                    begin=begin, end=end, pixels=pixels, groups=rows, accumulates=int(number > 0),
+                    begin=begin,
+                    end=end,
+                    pixels=pixels,
+                    groups=rows,
+                    accumulates=int(number > 0),
                     rate_cap=RATE_CAP,
                 ),
-                keys=of_rows, rates=means, places=places, away=away, values=values,
-                scratch=scratch, pending_rates=pending_rates,
+                keys=of_rows,
+                rates=means,
+                places=places,
+                away=away,
+                values=values,
+                scratch=scratch,
+                pending_rates=pending_rates,
                 pending_pixels=np.empty(BLOCK, np.int64),
-            )  # fmt: skip
+            )
 
     in_parts(run, pixels, threads, BLOCK)
     return away

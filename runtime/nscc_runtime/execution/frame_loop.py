@@ -45,9 +45,17 @@ class Adding:
 
 @compiled
 def _beside(
-    adding: Adding, direction: int, draw: int, bucket: int, first: int, stop: int,
-    own_weights: Floats32, neighbour_weights: Floats32, away: Floats, total: Floats,
-) -> None:  # fmt: skip
+    adding: Adding,
+    direction: int,
+    draw: int,
+    bucket: int,
+    first: int,
+    stop: int,
+    own_weights: Floats32,
+    neighbour_weights: Floats32,
+    away: Floats,
+    total: Floats,
+) -> None:
     """Add to total[bucket, i] the charge from one neighbour minus the charge given to it."""
     rows, cols, pixels = adding.rows, adding.cols, adding.pixels
     row, begin, end = first // cols, first, stop
@@ -72,9 +80,14 @@ def _beside(
 
 @compiled
 def _counted(
-    adding: Adding, first: int, stop: int, own_weights: Floats32, neighbour_weights: Floats32, away:
-    Floats, total: Floats,
-) -> None:  # fmt: skip
+    adding: Adding,
+    first: int,
+    stop: int,
+    own_weights: Floats32,
+    neighbour_weights: Floats32,
+    away: Floats,
+    total: Floats,
+) -> None:
     """Set total[b, i] to the deviation of the exposure of pixel first + i due to counts."""
     for bucket in range(adding.buckets):
         at = bucket * BLOCK - first
@@ -87,9 +100,17 @@ def _counted(
                 total[at + p] += own_weights[own_start + p] * away[draw_start + p]
             for direction in range(4 if adding.exchanges else 0):
                 _beside(
-                    adding, direction, draw, bucket, first, stop, own_weights, neighbour_weights,
-                    away, total,
-                )  # fmt: skip
+                    adding,
+                    direction,
+                    draw,
+                    bucket,
+                    first,
+                    stop,
+                    own_weights,
+                    neighbour_weights,
+                    away,
+                    total,
+                )
 
 
 @loop

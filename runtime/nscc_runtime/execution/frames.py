@@ -119,8 +119,9 @@ def frame_source(
         reference, scene = Reference.of(container, sensor, effects), scene_of(container, light)
         return FrameSource(
             lambda seed, number: reference.expose(scene, seed, device_seed, number, count),
-            convert, np.empty(0, np.int64),
-        )  # fmt: skip
+            convert,
+            np.empty(0, np.int64),
+        )
     program = analysed(container, sensor)
     near = near_saturation(program, light, device_seed, effects).places
     moments = scene_moments(program, light, effects, device_seed, count)

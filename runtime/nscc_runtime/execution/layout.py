@@ -171,8 +171,17 @@ class PixelState(NamedTuple):
 
         rows = registers + 2
         return cls(
-            pattern=floats(), leak=floats(), offset=floats(), value=floats(rows),
-            since_s=floats(rows), lost_e=floats(rows), full=np.empty(rows * BLOCK, np.int64),
-            level=floats(), running=np.zeros(BLOCK, np.int64), total=floats(),
-            total_lost_e=floats(), total_full=np.empty(BLOCK, np.int64), normals=floats(draws),
-        )  # fmt: skip
+            pattern=floats(),
+            leak=floats(),
+            offset=floats(),
+            value=floats(rows),
+            since_s=floats(rows),
+            lost_e=floats(rows),
+            full=np.empty(rows * BLOCK, np.int64),
+            level=floats(),
+            running=np.zeros(BLOCK, np.int64),
+            total=floats(),
+            total_lost_e=floats(),
+            total_full=np.empty(BLOCK, np.int64),
+            normals=floats(draws),
+        )

@@ -115,9 +115,14 @@ def scene_moments(
         products = len(weights.slots) - len(chip.fixed_e) * len(chip.leak_rates)
     source = (effects.find_part(Moving) and light.motion) or light
     sums = light_sums(
-        source, program.lanes, (chip.factor, chip.factor_32), weights,
-        products if exchanged else len(weights.slots), exchanged, threads,
-    )  # fmt: skip
+        source,
+        program.lanes,
+        (chip.factor, chip.factor_32),
+        weights,
+        products if exchanged else len(weights.slots),
+        exchanged,
+        threads,
+    )
     mean_e = _at_each_leakage(sums[products:], chip.rate_weights) + chip.fixed_e
     covariance_e2 = chip.dark_e2
     if lit:
@@ -186,9 +191,18 @@ def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> 
             own_weights[range(buckets), range(buckets)] = electron_weights
         fixed_e = _fixed_e(program, effects, device, rates, rate_weights)
         return _ChipMoments(
-            rates, rate_weights, factor, factor.astype(np.float32), fixed_e, dark_e2,
-            electron_weights, own_weights, unknown, beside, _word_errors(program, effects),
-        )  # fmt: skip
+            rates,
+            rate_weights,
+            factor,
+            factor.astype(np.float32),
+            fixed_e,
+            dark_e2,
+            electron_weights,
+            own_weights,
+            unknown,
+            beside,
+            _word_errors(program, effects),
+        )
 
     chip: _ChipMoments = program.recent.of((_ChipMoments, effects.on, device_seed), make)
     return chip
@@ -253,9 +267,12 @@ def _at_each_leakage(sums: Values, rate_weights: Values) -> Values:
 
 
 def _fixed_e(
-    program: AnalysedProgram, effects: Selection, device: Device, rates: tuple[float, ...],
+    program: AnalysedProgram,
+    effects: Selection,
+    device: Device,
+    rates: tuple[float, ...],
     rate_weights: Values,
-) -> Values:  # fmt: skip
+) -> Values:
     """Return the part of mean exposures (buckets, pixels) that does not depend on the light: dark
     charge and fixed errors of words."""
     model, lanes = program.model(effects), program.lanes
@@ -285,9 +302,10 @@ def _dark_covariances(program: AnalysedProgram, effects: Selection, device: Devi
     square_s = np.stack(
         [
             np.einsum("n,nl,nl->l", program.slot_s, weights[:, :, a], weights[:, :, b])
-            for b in range(weights.shape[2]) for a in range(b + 1)
+            for b in range(weights.shape[2])
+            for a in range(b + 1)
         ]
-    )  # fmt: skip
+    )
     return np.asarray(square_s[:, program.lanes] * dark_e_per_s(effects, device))
 
 

@@ -101,9 +101,13 @@ def _search(
         return NO_PIXELS
     lanes = lanes[places]
     seen_e = light_sums(
-        light_at(light, places), lanes, (factor[places], np.empty(0, np.float32)), limits.weights,
-        len(limits.weights.slots), 0.0,
-    )  # fmt: skip
+        light_at(light, places),
+        lanes,
+        (factor[places], np.empty(0, np.float32)),
+        limits.weights,
+        len(limits.weights.slots),
+        0.0,
+    )
     row, col = np.divmod(places, light.shape[1])
     below, right = row + 1 < light.shape[0], col + 1 < light.shape[1]
     neighbour_count = (row > 0).astype(np.int64) + below + (col > 0) + right

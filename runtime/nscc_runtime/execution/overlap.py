@@ -17,9 +17,11 @@ matrices is some thirty times as fast as sums over single pairs."""
 _CHUNK = 4096
 _ALL, _FIRST, _LAST = slice(None), slice(None, -1), slice(1, None)
 NEIGHBOURS = (
-    ((_LAST, _ALL), (_FIRST, _ALL)), ((_FIRST, _ALL), (_LAST, _ALL)),
-    ((_ALL, _LAST), (_ALL, _FIRST)), ((_ALL, _FIRST), (_ALL, _LAST)),
-)  # fmt: skip
+    ((_LAST, _ALL), (_FIRST, _ALL)),
+    ((_FIRST, _ALL), (_LAST, _ALL)),
+    ((_ALL, _LAST), (_ALL, _FIRST)),
+    ((_ALL, _FIRST), (_ALL, _LAST)),
+)
 """Index pairs for neighbours above, below, left and right: the pixels (rows, cols) that have such a
 neighbour, and these neighbours."""
 

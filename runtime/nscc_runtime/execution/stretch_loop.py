@@ -255,9 +255,14 @@ class Exchanging:
 
 @compiled
 def _receive(
-    exchanging: Exchanging, stretches: Stretches, sites: Sites, away: Floats, i: int, other: int,
+    exchanging: Exchanging,
+    stretches: Stretches,
+    sites: Sites,
+    away: Floats,
+    i: int,
+    other: int,
     charge: Floats,
-) -> None:  # fmt: skip
+) -> None:
     """Exchange counts between pixel i and a neighbour, whose counts are spread evenly over the time
     of its own stretches."""
     boundary, times, at_s, c = stretches.boundary, stretches.start_s, 0.0, exchanging.exchanged

@@ -52,9 +52,16 @@ class SceneSizes:
 
 @inlined
 def _moved(
-    frames: Floats32, share: Floats32, frame: int, p: int, up_step: int, down_step: int, left_step:
-    int, right_step: int, c: np.float32,
-) -> np.float32:  # fmt: skip
+    frames: Floats32,
+    share: Floats32,
+    frame: int,
+    p: int,
+    up_step: int,
+    down_step: int,
+    left_step: int,
+    right_step: int,
+    c: np.float32,
+) -> np.float32:
     """Return the light of pixel p of a frame after crosstalk. The steps are index differences to
     its neighbours."""
     own_light = share[p] * frames[frame + p]
@@ -70,9 +77,15 @@ def _moved(
 
 @compiled
 def _smear(
-    sizes: SceneSizes, frames: Floats32, share: Floats32, frame: int, first: int, stop: int,
-    lit: Floats32, at: int,
-) -> None:  # fmt: skip
+    sizes: SceneSizes,
+    frames: Floats32,
+    share: Floats32,
+    frame: int,
+    first: int,
+    stop: int,
+    lit: Floats32,
+    at: int,
+) -> None:
     """Set lit[at + i] to q + fraction laplacian(q) at pixel first + i, where q = share * frame. The
     border reflects. All pixels belong to one row."""
     cols, c = sizes.cols, np.float32(sizes.fraction)
@@ -110,9 +123,16 @@ def _gather(
 
 @compiled
 def _gather_smeared(
-    sizes: SceneSizes, frames: Floats32, share: Floats32, k: int, count: int, first: int,
-    stop: int, lit: Floats32, gathered: Floats,
-) -> None:  # fmt: skip
+    sizes: SceneSizes,
+    frames: Floats32,
+    share: Floats32,
+    k: int,
+    count: int,
+    first: int,
+    stop: int,
+    lit: Floats32,
+    gathered: Floats,
+) -> None:
     """Add the light of frames k to k + count - 1 after crosstalk to `gathered`."""
     pixels = sizes.rows * sizes.cols
     for first_frame in range(0, count, TOGETHER):
@@ -125,10 +145,20 @@ def _gather_smeared(
 
 @compiled
 def _add_alike(
-    sizes: SceneSizes, frames: Floats32, share: Floats32, k: int, alike: int, table: Floats,
-    lit_sums: Bytes, lanes: Ints32, first: int, stop: int, lit: Floats32, gathered: Floats,
+    sizes: SceneSizes,
+    frames: Floats32,
+    share: Floats32,
+    k: int,
+    alike: int,
+    table: Floats,
+    lit_sums: Bytes,
+    lanes: Ints32,
+    first: int,
+    stop: int,
+    lit: Floats32,
+    gathered: Floats,
     out: Floats,
-) -> None:  # fmt: skip
+) -> None:
     """Add `alike` frames from k on, which have equal weights, to all sums."""
     pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
     for smeared in range(2):
@@ -182,9 +212,20 @@ def scene_sums(
             k = 0
             while k < count:
                 _add_alike(
-                    sizes, frames, share, k, alike[k], table, lit_sums, lanes, first, stop, lit,
-                    gathered, out,
-                )  # fmt: skip
+                    sizes,
+                    frames,
+                    share,
+                    k,
+                    alike[k],
+                    table,
+                    lit_sums,
+                    lanes,
+                    first,
+                    stop,
+                    lit,
+                    gathered,
+                    out,
+                )
                 k += alike[k]
             for j in range(sizes.smeared):
                 for p in range(first, stop):
@@ -301,10 +342,14 @@ def light_sums(
         }
         sums, _, lane_count = of_frames.weights.shape
         sizes = {
-            "rows": shape[0], "cols": shape[1], "count": len(frames), "sums": sums,
-            "lane_count": lane_count, "fraction": fraction,
+            "rows": shape[0],
+            "cols": shape[1],
+            "count": len(frames),
+            "sums": sums,
+            "lane_count": lane_count,
+            "fraction": fraction,
             "smeared": min(max(smeared - batch.start, 0), sums),
-        }  # fmt: skip
+        }
 
         def run(
             begin: int, end: int, arrays: dict[str, Any] = arrays, sizes: dict[str, Any] = sizes
@@ -312,9 +357,11 @@ def light_sums(
             lit = np.empty(TOGETHER * BLOCK, np.float32)
             gathered = np.empty(BLOCK)
             scene_sums(
-                sizes=SceneSizes(begin=begin, end=end, **sizes), lit=lit, gathered=gathered,
+                sizes=SceneSizes(begin=begin, end=end, **sizes),
+                lit=lit,
+                gathered=gathered,
                 **arrays,
-            )  # fmt: skip
+            )
 
         in_parts(run, shape[0], threads)
     return out.reshape(count, -1)

@@ -36,20 +36,33 @@ def draw_exposures(
     draws, _, lanes = moments.error_e.shape
     noise_keys = [key(seed, SUMS, ERRORS, frame, draw) for draw in range(draws)]
     sizes: dict[str, Any] = {
-        "rows": rows, "cols": cols, "pixels": pixels, "buckets": buckets, "lane_count": lanes,
-        "draws": len(away), "sources": draws, "exchanges": moments.exchanged > 0 and len(away) > 0,
+        "rows": rows,
+        "cols": cols,
+        "pixels": pixels,
+        "buckets": buckets,
+        "lane_count": lanes,
+        "draws": len(away),
+        "sources": draws,
+        "exchanges": moments.exchanged > 0 and len(away) > 0,
         "fraction": moments.exchanged,
-    }  # fmt: skip
+    }
     exposure = np.empty((buckets, pixels))
 
     def run(begin: int, end: int) -> None:
         add_up(
             adding=Adding(begin=begin, end=end, **sizes),
-            noise_keys=np.array(noise_keys, np.uint64), lanes=lane.reshape(-1), places=places,
-            expected=moments.mean_e, away=away, own_weights=moments.own_weights,
-            neighbour_weights=moments.neighbour_weights, sigma=moments.error_e,
-            total=np.empty(BLOCK * buckets), drawn=np.empty(BLOCK), exposure=exposure,
-        )  # fmt: skip
+            noise_keys=np.array(noise_keys, np.uint64),
+            lanes=lane.reshape(-1),
+            places=places,
+            expected=moments.mean_e,
+            away=away,
+            own_weights=moments.own_weights,
+            neighbour_weights=moments.neighbour_weights,
+            sigma=moments.error_e,
+            total=np.empty(BLOCK * buckets),
+            drawn=np.empty(BLOCK),
+            exposure=exposure,
+        )
 
     in_parts(run, rows, threads)
     return exposure

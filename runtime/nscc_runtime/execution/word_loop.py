@@ -64,9 +64,13 @@ def reset(
 
 @inlined
 def add(
-    switches: Switches, numbers: Numbers, word: LoopWord, count: int, program: LoopProgram,
+    switches: Switches,
+    numbers: Numbers,
+    word: LoopWord,
+    count: int,
+    program: LoopProgram,
     state: PixelState,
-) -> None:  # fmt: skip
+) -> None:
     """Set the totals of `state` to the sum of a word's sources, their losses and their marks; the
     error of a read is state.normals[j]."""
     pixels, total, pix = state.running, state.total, switches.registers
@@ -117,9 +121,14 @@ def compare(
 
 @inlined
 def write(
-    switches: Switches, numbers: Numbers, word: LoopWord, count: int, program: LoopProgram,
-    state: PixelState, normals: int,
-) -> None:  # fmt: skip
+    switches: Switches,
+    numbers: Numbers,
+    word: LoopWord,
+    count: int,
+    program: LoopProgram,
+    state: PixelState,
+    normals: int,
+) -> None:
     """Write a bus word's result to its destinations d, each with the error
     state.normals[normals + d * BLOCK + j]."""
     if switches.holds:
@@ -150,9 +159,17 @@ def write(
 
 @inlined
 def read_out(
-    switches: Switches, numbers: Numbers, count: int, readouts: Readouts, state: PixelState,
-    pixels: int, chosen: Ints, first: int, out: Floats, marked: Bytes,
-) -> None:  # fmt: skip
+    switches: Switches,
+    numbers: Numbers,
+    count: int,
+    readouts: Readouts,
+    state: PixelState,
+    pixels: int,
+    chosen: Ints,
+    first: int,
+    out: Floats,
+    marked: Bytes,
+) -> None:
     """Read out the pixels of a block into `out` (electrons) and `marked` (saturation marks): pixel
     i of the block is number chosen[first + i] of `pixels`."""
     for bucket in range(switches.buckets):

@@ -117,9 +117,12 @@ _WHOLE = 1e-3
 
 
 def frame_content(
-    file: FrameFile, container: Container, light: Light | None,
-    shutters: Callable[[], NDArray[np.bool_]], tone: str | None = None,
-) -> Content:  # fmt: skip
+    file: FrameFile,
+    container: Container,
+    light: Light | None,
+    shutters: Callable[[], NDArray[np.bool_]],
+    tone: str | None = None,
+) -> Content:
     """Return the content of a frame file.
 
     Pictures of linear light contain electrons, other pictures the codes. Buckets are side by side,
@@ -129,11 +132,17 @@ def frame_content(
     frame, colour = file.frame, "colours" in file.meta
     codes, electrons = _read_out(frame, container)
     return Content(
-        {"frame": codes}, electrons, moving=frame.frame.ndim == 4 and not colour,
-        colour=colour, codes=codes, write_npz=file.write,
+        {"frame": codes},
+        electrons,
+        moving=frame.frame.ndim == 4 and not colour,
+        colour=colour,
+        codes=codes,
+        write_npz=file.write,
         benchmark=lambda: benchmark_arrays(container, shutters(), frame.exposure_e, light, colour),
-        tone=tone, usual="linear", picture=_picture,
-    )  # fmt: skip
+        tone=tone,
+        usual="linear",
+        picture=_picture,
+    )
 
 
 def _read_out(
@@ -171,9 +180,12 @@ def _picture(values: NDArray[Any]) -> NDArray[Any]:
 
 
 def benchmark_arrays(
-    container: Container, shutters: NDArray[np.bool_], exposure_e: NDArray[np.float64],
-    light: Light | None, colour: bool = False,
-) -> Arrays:  # fmt: skip
+    container: Container,
+    shutters: NDArray[np.bool_],
+    exposure_e: NDArray[np.float64],
+    light: Light | None,
+    colour: bool = False,
+) -> Arrays:
     """Return `mask` (H, W, T), `meas` (H, W, K) and, for a known scene, `orig` (H, W, T * K).
 
     K is the number of frames. As in the benchmark 255 is white, and without effects meas = sum(mask

@@ -103,9 +103,15 @@ def gif(content: Content) -> bytes:
     first = next(frames)
     stream = io.BytesIO()
     first.save(
-        stream, "GIF", save_all=True, append_images=frames, loop=0,
-        comment=content.tone_text.encode(), duration=round(1000 / FRAMES_A_SECOND), optimize=False,
-    )  # fmt: skip
+        stream,
+        "GIF",
+        save_all=True,
+        append_images=frames,
+        loop=0,
+        comment=content.tone_text.encode(),
+        duration=round(1000 / FRAMES_A_SECOND),
+        optimize=False,
+    )
     return stream.getvalue()
 
 

@@ -93,9 +93,14 @@ class PictureWords:
         for name, plane in code.items():
             planes[table.digital[name]] = packed(plane.reshape(shape))
         run_array_words(
-            shape=array, words=self._words, operands=self._operands, values=values, marks=marks,
-            planes=planes, marked=np.array([any(by.any() for by in exposed_by.values())], np.int64),
-        )  # fmt: skip
+            shape=array,
+            words=self._words,
+            operands=self._operands,
+            values=values,
+            marks=marks,
+            planes=planes,
+            marked=np.array([any(by.any() for by in exposed_by.values())], np.int64),
+        )
         return ArrayContents(register, cut_by, dict(zip(table.digital, planes, strict=True)))
 
 
@@ -157,16 +162,23 @@ class PicturedProgram:
         return image_sensor(self.sensor, self.container.target)
 
     def frames(
-        self, light: Light, seed: int, device_seed: int, count: int,
+        self,
+        light: Light,
+        seed: int,
+        device_seed: int,
+        count: int,
         settings: Sequence[HostSetting] = (),
-    ) -> Iterator[Frame]:  # fmt: skip
+    ) -> Iterator[Frame]:
         """Yield frames 0 to `count` - 1 of one light; states go on from frame to frame."""
         return self.film(repeat(light, count), seed, device_seed, settings)
 
     def film(
-        self, lights: Iterable[Light], seed: int, device_seed: int,
+        self,
+        lights: Iterable[Light],
+        seed: int,
+        device_seed: int,
         settings: Sequence[HostSetting] = (),
-    ) -> Iterator[Frame]:  # fmt: skip
+    ) -> Iterator[Frame]:
         """Yield a frame of each light; states go on from frame to frame.
 
         `settings`: what the host sets before each frame; the last one also holds for all later
@@ -189,9 +201,14 @@ class PicturedProgram:
             yield frame
 
     def next_frame(
-        self, exposure: Exposure, kept: KeptRegisters, reaches: Mapping[str, Reach] | None,
-        seeds: tuple[int, int], number: int, params: Mapping[str, int] = MappingProxyType({}),
-    ) -> tuple[Frame, KeptRegisters]:  # fmt: skip
+        self,
+        exposure: Exposure,
+        kept: KeptRegisters,
+        reaches: Mapping[str, Reach] | None,
+        seeds: tuple[int, int],
+        number: int,
+        params: Mapping[str, int] = MappingProxyType({}),
+    ) -> tuple[Frame, KeptRegisters]:
         """Return frame `number` of a film, and what registers keep for the next frame.
 
         `kept` is what the previous frame left; a register without bits contains its code bits.
@@ -230,9 +247,13 @@ class PicturedProgram:
         ).expose
 
     def _frame_of(
-        self, pixels: ArrayPixels | ArrayContents, exposure: Exposure, seeds: tuple[int, int],
-        number: int, reaches: Mapping[str, Reach] | None,
-    ) -> Frame:  # fmt: skip
+        self,
+        pixels: ArrayPixels | ArrayContents,
+        exposure: Exposure,
+        seeds: tuple[int, int],
+        number: int,
+        reaches: Mapping[str, Reach] | None,
+    ) -> Frame:
         """Return the frame that is read out after the last word."""
         pictures, buckets = self.pictures, list(self.container.buckets)
         valid = np.asarray(exposure.valid.all(axis=0))
@@ -263,9 +284,13 @@ class PicturedProgram:
         return replace(frame, told=told)
 
     def _bucket_frame(
-        self, names: list[str], read: dict[str, Any], valid: NDArray[np.bool_],
-        seeds: tuple[int, int], number: int,
-    ) -> Frame:  # fmt: skip
+        self,
+        names: list[str],
+        read: dict[str, Any],
+        valid: NDArray[np.bool_],
+        seeds: tuple[int, int],
+        number: int,
+    ) -> Frame:
         """Return the frame of the buckets `names`, which may be empty. `read`: value and saturation
         marks (rows, cols) by name. `valid` (rows, cols): see `Exposure`."""
         shape = (len(names), *valid.shape)
@@ -280,9 +305,13 @@ class PicturedProgram:
         return converted(exposure, target, self.sensor, self.effects, seeds, number)
 
     def _converted(
-        self, names: list[str], read: dict[str, Any], valid: NDArray[np.bool_],
-        seeds: tuple[int, int], number: int,
-    ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:  # fmt: skip
+        self,
+        names: list[str],
+        read: dict[str, Any],
+        valid: NDArray[np.bool_],
+        seeds: tuple[int, int],
+        number: int,
+    ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
         """Return codes, symmetric around 0, and saturation marks (names, rows, cols) of images."""
         target = replace(self.container.target, readout="full")
         # The converter draws noise by index: images follow the buckets.
@@ -296,9 +325,13 @@ class PicturedProgram:
         return frame.frame[buckets:], frame.saturated_by[buckets:]
 
     def _computed(
-        self, exposure: Exposure, seeds: tuple[int, int], number: int, kept: KeptRegisters,
+        self,
+        exposure: Exposure,
+        seeds: tuple[int, int],
+        number: int,
+        kept: KeptRegisters,
         params: Mapping[str, int],
-    ) -> ArrayPixels | ArrayContents:  # fmt: skip
+    ) -> ArrayPixels | ArrayContents:
         """Return the registers of all pixels after the last word."""
         container, pictures = self.container, self.pictures
         shape = exposure.exposure_e.shape[1:]
@@ -318,11 +351,18 @@ class PicturedProgram:
         if self.effects.noiseless:
             return words.compiled(params).run((shape[0], shape[1]), exposed, exposed_by, code)
         pixels = ArrayPixels(
-            sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=number,
-            places=np.arange(shape[0] * shape[1], dtype=np.int64), container=container,
+            sensor=self.sensor,
+            seed=seeds[0],
+            device_seed=seeds[1],
+            frame=number,
+            places=np.arange(shape[0] * shape[1], dtype=np.int64),
+            container=container,
             effects=self.effects,
-            code=code, shape=(shape[0], shape[1]), exposed=exposed, exposed_by=exposed_by,
-        )  # fmt: skip
+            code=code,
+            shape=(shape[0], shape[1]),
+            exposed=exposed,
+            exposed_by=exposed_by,
+        )
         pixels.run_words(words.listed(params))
         pixels.hold(pixels.after_us * 1e-6)
         return pixels
@@ -365,9 +405,10 @@ def image_sensor(sensor: Sensor, target: Target) -> Sensor:
 
 
 def sums_of_images(
-    container: Container, values: Mapping[str, NDArray[np.float64]],
+    container: Container,
+    values: Mapping[str, NDArray[np.float64]],
     reaches: Mapping[str, Reach] | None = None,
-) -> Told:  # fmt: skip
+) -> Told:
     """Return the reports of sums: electrons of all pixels outside the margin of an image.
 
     `values`: analog registers; `reaches` as for `told_of_planes`."""
@@ -383,10 +424,11 @@ def sums_of_images(
 
 
 def told_of_planes(
-    container: Container, planes: Mapping[str, NDArray[np.bool_]],
+    container: Container,
+    planes: Mapping[str, NDArray[np.bool_]],
     reaches: Mapping[str, Reach] | None = None,
     summaries: Mapping[str, PlaneSummary] = MappingProxyType({}),
-) -> Told:  # fmt: skip
+) -> Told:
     """Return the planes, reports and margin of a frame.
 
     `planes` are the bits (rows, cols) by digital register, and `summaries` those of planes that are

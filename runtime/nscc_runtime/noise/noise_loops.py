@@ -87,9 +87,12 @@ class Counts:
 
 @loop
 def fill_poisson(
-    counts: Counts, pixels: _Places, rate: Annotated[Floats, "count"], out: _Drawn,
+    counts: Counts,
+    pixels: _Places,
+    rate: Annotated[Floats, "count"],
+    out: _Drawn,
     valid: Written[Annotated[Bytes, "count"]],
-) -> None:  # fmt: skip
+) -> None:
     """Set out[i] to a Poisson count of rate[i], drawn at pixels[i], and valid[i] to whether rate[i]
     is a number."""
     for i in range(counts.count):

@@ -165,20 +165,33 @@ class DataFlow:
             right, down = before[-1][0] - x, before[-1][1] - y
             share = float(np.clip(0.4 / max(abs(right), 1e-9), 0.2, 0.4))
             axes.text(
-                x + share * right, y + share * down, label, size=6.5, color=theme().ink,
-                ha="center", va="center", zorder=2,
+                x + share * right,
+                y + share * down,
+                label,
+                size=6.5,
+                color=theme().ink,
+                ha="center",
+                va="center",
+                zorder=2,
                 bbox={"boxstyle": "square,pad=0.1", "color": theme().paper, "linewidth": 0},
-            )  # fmt: skip
+            )
 
     def _draw_box(self, axes: Axes, node: str, at: tuple[float, float], width: float) -> None:
         from matplotlib.patches import FancyBboxPatch
 
         kind, text = (self.graph.nodes[node][key] for key in ("kind", "text"))
-        axes.add_patch(FancyBboxPatch(
-            (at[0] - width / 2, at[1] - _BOX / 2), width, _BOX, linewidth=1.2, zorder=3,
-            boxstyle="round,pad=0,rounding_size=0.05", facecolor=theme().closed,
-            edgecolor=theme().series[_SERIES[kind]],
-        ))  # fmt: skip
+        axes.add_patch(
+            FancyBboxPatch(
+                (at[0] - width / 2, at[1] - _BOX / 2),
+                width,
+                _BOX,
+                linewidth=1.2,
+                zorder=3,
+                boxstyle="round,pad=0,rounding_size=0.05",
+                facecolor=theme().closed,
+                edgecolor=theme().series[_SERIES[kind]],
+            )
+        )
         is_start = kind == "state" and not text
         name = "exposure" if node == "frame" else f"state {node}" if is_start else node
         size = min(8.5, width * 72 / (0.62 * max(len(name), len(text), 8)))

@@ -77,9 +77,10 @@ def _score(network: DiGraph) -> _Score:
         column |= {node: at + i for i, node in enumerate(boundary_nodes[:_MOST])}
         at += len(boundary_nodes)
     values = [
-        node for node in nodes
+        node
+        for node in nodes
         if nodes[node]["kind"] == "plane" or (nodes[node]["kind"] in _WRITING and node in column)
-    ]  # fmt: skip
+    ]
     names = {nodes[node]["register"] for node in values}
     order = sorted(names, key=lambda name: (name == "FLAG", len(name), name))
     # Values that are read later than the picture shows are drawn up to its edge.
@@ -163,20 +164,42 @@ def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None
         kind = _SERIES.get(nodes[node]["function"])
         colour = theme().faint if kind is None else theme().series[kind]
         # The box covers the dot on the written stave.
-        axes.plot([x] * (1 + len(read)), sorted([row, *read]), color=colour, linewidth=1, zorder=3,
-                  marker="o", markersize=3)  # fmt: skip
+        axes.plot(
+            [x] * (1 + len(read)),
+            sorted([row, *read]),
+            color=colour,
+            linewidth=1,
+            zorder=3,
+            marker="o",
+            markersize=3,
+        )
         axes.text(
-            x, row, nodes[node]["function"], size=5.6, color=theme().on(colour),
-            ha="center", va="center", zorder=5,
+            x,
+            row,
+            nodes[node]["function"],
+            size=5.6,
+            color=theme().on(colour),
+            ha="center",
+            va="center",
+            zorder=5,
             bbox={"boxstyle": "round,pad=0.25", "color": colour, "linewidth": 0},
-        )  # fmt: skip
+        )
 
 
 def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> None:
     row = len(score.row) - 1
     for node in demands:
         x = score.column[node] - first + 0.5
-        axes.plot([x, x], [row, row + 0.85], color=theme().ink, linewidth=0.8, zorder=3,
-                  clip_on=False, marker="v", markersize=4, markevery=[1])  # fmt: skip
+        axes.plot(
+            [x, x],
+            [row, row + 0.85],
+            color=theme().ink,
+            linewidth=0.8,
+            zorder=3,
+            clip_on=False,
+            marker="v",
+            markersize=4,
+            markevery=[1],
+        )
         edge = score.network.nodes[node]["edge"]
         axes.text(x, row + 1.2, edge, size=6.5, color=theme().ink, ha="center", va="top")

@@ -60,9 +60,14 @@ def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None 
         axes.set_axis_off()
         axes.set_title("\n".join(lines(image.title)), pad=4)
         axes.annotate(
-            "\n".join(lines(image.note)), (0, 0), (0, -4), "axes fraction",
-            textcoords="offset points", va="top", color=theme().faint,
-        )  # fmt: skip
+            "\n".join(lines(image.note)),
+            (0, 0),
+            (0, -4),
+            "axes fraction",
+            textcoords="offset points",
+            va="top",
+            color=theme().faint,
+        )
     sheet.head(figure, title, "")
     return figure
 

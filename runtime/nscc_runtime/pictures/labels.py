@@ -83,19 +83,34 @@ def _placed(axes: Axes, labels: list[ChartLabel], farthest: float) -> list[Chart
     limits = axes.get_xlim(), axes.get_ylim()
     with redirect_stdout(None):  # textalloc prints if there is no free position
         *_, texts, leaders = allocate(
-            axes, [label.x for label in labels], [label.y for label in labels],
+            axes,
+            [label.x for label in labels],
+            [label.y for label in labels],
             [label.text for label in labels],
-            x_scatter=marks[:, 0], y_scatter=marks[:, 1], scatter_sizes=radii,
-            x_lines=[line[:, 0] for line in lines], y_lines=[line[:, 1] for line in lines],
+            x_scatter=marks[:, 0],
+            y_scatter=marks[:, 1],
+            scatter_sizes=radii,
+            x_lines=[line[:, 0] for line in lines],
+            y_lines=[line[:, 1] for line in lines],
             textsize=[_NAME if label.name else _SMALL for label in labels],
             fontweight=["bold" if label.name else "normal" for label in labels],
             textcolor=[theme().type_in(label.colour) for label in labels],
             linecolor=[label.colour for label in labels],
-            margin=_MARGIN * points, min_distance=_NEAREST * points, max_distance=farthest * points,
-            draw_lines=farthest > _NEAR, draw_all=False, nbr_candidates=_CANDIDATES, linewidth=0.7,
-            avoid_label_lines_overlap=farthest > _NEAR, xlims=(left, right), ylims=(bottom, top),
-            path_effects=halo(), auto_ha=False, ha="left", va="bottom",
-        )  # fmt: skip
+            margin=_MARGIN * points,
+            min_distance=_NEAREST * points,
+            max_distance=farthest * points,
+            draw_lines=farthest > _NEAR,
+            draw_all=False,
+            nbr_candidates=_CANDIDATES,
+            linewidth=0.7,
+            avoid_label_lines_overlap=farthest > _NEAR,
+            xlims=(left, right),
+            ylims=(bottom, top),
+            path_effects=halo(),
+            auto_ha=False,
+            ha="left",
+            va="bottom",
+        )
     axes.set(xlim=limits[0], ylim=limits[1])
     joined: list[Any] = [leader for leader in leaders if leader is not None]
     for leader in joined:

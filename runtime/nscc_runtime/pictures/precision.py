@@ -180,9 +180,12 @@ def precision_diagram(
 
 
 def _draw(
-    axes: Axes, panel: Panel, looks: dict[str, dict[str, Any]], reading: PointReading,
+    axes: Axes,
+    panel: Panel,
+    looks: dict[str, dict[str, Any]],
+    reading: PointReading,
     beaten: dict[int, bool],
-) -> list[ChartLabel]:  # fmt: skip
+) -> list[ChartLabel]:
     """Draw lines and reference lines. Return labels: lines, undominated points, other points."""
     lines = reading.lines(panel.points)
     bounds = {
@@ -200,9 +203,14 @@ def _draw(
         for point, time, error in zip(line_points, medians, errors, strict=True):
             hollow = beaten[id(point)]
             axes.plot(
-                time, error, marker if point.error >= bottom else "v", color=colour,
-                markerfacecolor=theme().paper if hollow else colour, clip_on=False, zorder=3,
-            )  # fmt: skip
+                time,
+                error,
+                marker if point.error >= bottom else "v",
+                color=colour,
+                markerfacecolor=theme().paper if hollow else colour,
+                clip_on=False,
+                zorder=3,
+            )
             # A method with a single setting is described by its text.
             text, sought = reading.text(point), len(line_points) == 1
             labels.append((hollow, ChartLabel(text, time, error, colour, sought=sought)))

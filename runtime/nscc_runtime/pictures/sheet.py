@@ -60,16 +60,24 @@ class Theme:
 
 
 LIGHT = Theme(
-    paper="#ffffff", ink="#1d2129", faint="#5b6270", grid="#e3e7ee", closed="#f1f3f6",
+    paper="#ffffff",
+    ink="#1d2129",
+    faint="#5b6270",
+    grid="#e3e7ee",
+    closed="#f1f3f6",
     bar="#bcc8da",
     # The colours of Okabe and Ito, except yellow, which is illegible on white.
     series=("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#1d2129", "#56b4e9", "#e69f00"),
-)  # fmt: skip
+)
 DARK = Theme(
-    paper="#131416", ink="#e6e9ee", faint="#a3abb8", grid="#2c3037", closed="#22252b",
+    paper="#131416",
+    ink="#e6e9ee",
+    faint="#a3abb8",
+    grid="#2c3037",
+    closed="#22252b",
     bar="#46536b",
     series=("#1f78c8", "#e0682f", "#12a87c", "#d588b4", "#e6e9ee", "#8ccbf5", "#f0b429"),
-)  # fmt: skip
+)
 THEMES = {"light": LIGHT, "dark": DARK}
 
 _current: ContextVar[Theme] = ContextVar("theme", default=LIGHT)
@@ -133,16 +141,33 @@ _MARGIN = 0.15
 
 def _settings(chosen: Theme) -> dict[Any, Any]:  # matplotlib lists every key as a type
     return {
-        "figure.dpi": DPI, "savefig.dpi": "figure", "font.size": SIZE, "text.color": chosen.ink,
-        "figure.facecolor": chosen.paper, "axes.facecolor": chosen.paper,
-        "axes.edgecolor": chosen.faint, "axes.labelcolor": chosen.ink, "axes.axisbelow": True,
-        "axes.grid": True, "axes.spines.top": False, "axes.spines.right": False,
-        "axes.titlelocation": "left", "axes.titlesize": SIZE + 1, "axes.titleweight": "bold",
-        "grid.color": chosen.grid, "grid.linewidth": 0.7, "xtick.color": chosen.faint,
-        "ytick.color": chosen.faint, "legend.frameon": False, "legend.borderpad": 0,
-        "legend.borderaxespad": 0, "legend.handletextpad": 0.5, "legend.columnspacing": 1.4,
-        "lines.linewidth": 1.4, "lines.markersize": 5,
-    }  # fmt: skip
+        "figure.dpi": DPI,
+        "savefig.dpi": "figure",
+        "font.size": SIZE,
+        "text.color": chosen.ink,
+        "figure.facecolor": chosen.paper,
+        "axes.facecolor": chosen.paper,
+        "axes.edgecolor": chosen.faint,
+        "axes.labelcolor": chosen.ink,
+        "axes.axisbelow": True,
+        "axes.grid": True,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.titlelocation": "left",
+        "axes.titlesize": SIZE + 1,
+        "axes.titleweight": "bold",
+        "grid.color": chosen.grid,
+        "grid.linewidth": 0.7,
+        "xtick.color": chosen.faint,
+        "ytick.color": chosen.faint,
+        "legend.frameon": False,
+        "legend.borderpad": 0,
+        "legend.borderaxespad": 0,
+        "legend.handletextpad": 0.5,
+        "legend.columnspacing": 1.4,
+        "lines.linewidth": 1.4,
+        "lines.markersize": 5,
+    }
 
 
 @cache
@@ -155,9 +180,10 @@ def _matplotlib() -> Any:
         import matplotlib.font_manager
     except OSError as error:
         raise rejected(
-            "NS0784", "pictures need a folder for matplotlib's list of fonts: none can be written",
+            "NS0784",
+            "pictures need a folder for matplotlib's list of fonts: none can be written",
             helps=("name one: MPLCONFIGDIR=FOLDER, or TMPDIR=FOLDER",),
-        ) from error  # fmt: skip
+        ) from error
     finally:
         logger.setLevel(level)
     return matplotlib

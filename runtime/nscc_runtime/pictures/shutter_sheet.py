@@ -135,9 +135,14 @@ def _draw_chart(
     axes.set_xlabel(f"time in the frame, {name}")
     axes.tick_params(axis="y", length=0, pad=13, labelcolor=theme().ink)
     axes.scatter(
-        np.full(count, -0.009), np.arange(count), s=36, c=row_colours, marker="s", clip_on=False,
+        np.full(count, -0.009),
+        np.arange(count),
+        s=36,
+        c=row_colours,
+        marker="s",
+        clip_on=False,
         transform=axes.get_yaxis_transform(),
-    )  # fmt: skip
+    )
     _number_slots(axes, edges)
 
 
@@ -222,6 +227,11 @@ def _draw_map(axes: Axes, drawing: _Map) -> None:
     for row, col in np.ndindex(rows, cols):
         if size >= 4.5:
             axes.text(
-                col, row, "\n".join(map(str, drawing.codes[row, col])), ha="center", va="center",
-                size=size, color=theme().on(to_hex(tuple(drawing.colours[row, col]))),
-            )  # fmt: skip
+                col,
+                row,
+                "\n".join(map(str, drawing.codes[row, col])),
+                ha="center",
+                va="center",
+                size=size,
+                color=theme().on(to_hex(tuple(drawing.colours[row, col]))),
+            )

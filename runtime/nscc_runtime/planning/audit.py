@@ -104,9 +104,13 @@ def audit(scene: PlannedScene, plan: Plan) -> Audit:
     rms_e, square_e2 = errors.rms_e, errors.size_e**2
     spread_e2 = float(square_e2.std(axis=(1, 2)).max()) / math.sqrt(square_e2[0].size)
     report = Audit(
-        rms_e, spread_e2 / (2 * rms_e) if rms_e > 0 else 0.0, errors.worst_e, errors.size_e.size,
-        errors.bias_e, other_states=errors.other_states if scene.looks else None,
-    )  # fmt: skip
+        rms_e,
+        spread_e2 / (2 * rms_e) if rms_e > 0 else 0.0,
+        errors.worst_e,
+        errors.size_e.size,
+        errors.bias_e,
+        other_states=errors.other_states if scene.looks else None,
+    )
     if not scene.looks:
         frames = max(_FRAMES, repeats)
         own_e = np.stack([f.exposure_e for f in scene.frames(plan.kept, _SEED, frames)], axis=1)

@@ -93,17 +93,26 @@ def _decision(effect: Effect, choice: EffectChoice) -> Decision:
     if decision != "absent" and not forced:
         reason = _reason(choice, off, saved_ms, alone, then)
     return Decision(
-        name, effect.kind, decision, forced, reason,
-        None if alone is None else alone.rms_e, None if alone is None else 0.0 - alone.bias_e,
-        None if then is None else then.rms_e, max(saved_ms, 0.0),
+        name,
+        effect.kind,
+        decision,
+        forced,
+        reason,
+        None if alone is None else alone.rms_e,
+        None if alone is None else 0.0 - alone.bias_e,
+        None if then is None else then.rms_e,
+        max(saved_ms, 0.0),
         alone.other_states if alone is not None and work.scene.looks else None,
-    )  # fmt: skip
+    )
 
 
 def _reason(
-    choice: EffectChoice, off: bool, saved_ms: float, alone: SampledErrors | None,
+    choice: EffectChoice,
+    off: bool,
+    saved_ms: float,
+    alone: SampledErrors | None,
     then: SampledErrors | None,
-) -> str:  # fmt: skip
+) -> str:
     """Return the reason for simulating or dropping (`off`) an effect. `alone`: the error of
     dropping it alone; `then`: the error of the plan without the effect."""
     if off:

@@ -62,16 +62,36 @@ def measure_prices() -> list[Price]:
     reference_ns = 1e9 * _least_s(lambda: reference.expose(light, 0, 0, 0, 1), 1)
     trial = trial_of(scene)
     return [
-        Price("planning", f"a plan for {rows} x {cols} pixels", "ms", planned_ms,
-              1e3 * _least_s(lambda: make_plan(scene, request))),
-        Price("trial", f"{SAMPLED} pixels with one set of effects", "ms",
-              work.trials_ms(1, SAMPLED), 1e3 * _least_s(lambda: trial.exposures(all_effects))),
-        Price("words", "a pixel through its words, all effects", "ns", work.loop_ns(all_effects),
-              1e9 / _NEAR * _least_s(lambda: expose_pixels(laid, 0, 0))),
-        Price("reference", "a pixel and slot in the reference", "ns", SHIPPED.slot,
-              reference_ns / (scene.pixels * still.slots)),
+        Price(
+            "planning",
+            f"a plan for {rows} x {cols} pixels",
+            "ms",
+            planned_ms,
+            1e3 * _least_s(lambda: make_plan(scene, request)),
+        ),
+        Price(
+            "trial",
+            f"{SAMPLED} pixels with one set of effects",
+            "ms",
+            work.trials_ms(1, SAMPLED),
+            1e3 * _least_s(lambda: trial.exposures(all_effects)),
+        ),
+        Price(
+            "words",
+            "a pixel through its words, all effects",
+            "ns",
+            work.loop_ns(all_effects),
+            1e9 / _NEAR * _least_s(lambda: expose_pixels(laid, 0, 0)),
+        ),
+        Price(
+            "reference",
+            "a pixel and slot in the reference",
+            "ns",
+            SHIPPED.slot,
+            reference_ns / (scene.pixels * still.slots),
+        ),
         *_of_sums(scene),
-    ]  # fmt: skip
+    ]
 
 
 def _of_sums(scene: PlannedScene) -> list[Price]:
@@ -83,13 +103,16 @@ def _of_sums(scene: PlannedScene) -> list[Price]:
         Price("sums", "a pixel without effects", "ns", SHIPPED.frame, bare_ns),
         *(
             Price(
-                effect.name, "a pixel by sums over slots", "ns", effect.cost_ns,
+                effect.name,
+                "a pixel by sums over slots",
+                "ns",
+                effect.cost_ns,
                 max(0.0, every_ns - _frame_ns(scene, all_effects.without(effect.name))),
             )
             for effect in all_effects.effects
             if effect.cost_ns and isinstance(effect.sums, tuple)
         ),
-    ]  # fmt: skip
+    ]
 
 
 def _frame_ns(scene: PlannedScene, effects: Selection) -> float:

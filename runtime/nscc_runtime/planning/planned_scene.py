@@ -92,9 +92,15 @@ class PlannedScene:
         """Return frames 0 to `count` - 1 with these effects, with converter codes."""
         if self.looks:
             return looked_frames(
-                self.container, self.light, self.sensor, effects, seed=seed,
-                device_seed=self.device_seed, count=count, threads=self.threads,
-            )  # fmt: skip
+                self.container,
+                self.light,
+                self.sensor,
+                effects,
+                seed=seed,
+                device_seed=self.device_seed,
+                count=count,
+                threads=self.threads,
+            )
         source = frame_source(
             self.container, self.sensor, self.light, effects, self.device_seed, self.threads
         )
@@ -115,9 +121,12 @@ class PlannedScene:
 
 
 def planning_of(
-    container: Container, sensor: Sensor, light: Light, device_seed: int = 0,
+    container: Container,
+    sensor: Sensor,
+    light: Light,
+    device_seed: int = 0,
     threads: int | None = None,
-) -> PlannedScene:  # fmt: skip
+) -> PlannedScene:
     """Return a program on a scene, to be planned. Raises Rejected for programs to which plans do
     not apply (NS0750), and for light of another size."""
     refuse_planless(container, "planning")
@@ -308,9 +317,11 @@ def unseen_square_e2(trial: Trial, effects: Selection) -> float:
     if not sample.unseen_share or effects.on | saturating >= trial.full.on:
         return 0.0
     near = replace(
-        sample, places=sample.places[sample.near], weight=sample.weight[sample.near],
+        sample,
+        places=sample.places[sample.near],
+        weight=sample.weight[sample.near],
         near=sample.near[sample.near],
-    )  # fmt: skip
+    )
     kept, complete = (
         _sampled(trial.scene, near, selection.without(*saturating))(0, None).exposure_e
         for selection in (effects, trial.full)

@@ -78,25 +78,39 @@ class Reference:
         return tuple(sorted(n for n in first if n < slots))
 
     def expose(
-        self, scene: Scene, seed: int = 0, device_seed: int = 0, frame: int = 0,
+        self,
+        scene: Scene,
+        seed: int = 0,
+        device_seed: int = 0,
+        frame: int = 0,
         threads: int | None = None,
-    ) -> Exposure:  # fmt: skip
+    ) -> Exposure:
         """Return the exposure of frame `frame`, equal for all `threads` (None: all processors)."""
         rows = range(scene.light.shape[0])
         return self.expose_rows(scene, rows, seed, device_seed, frame, threads)
 
     def expose_rows(
-        self, scene: Scene, rows: range, seed: int = 0, device_seed: int = 0, frame: int = 0,
+        self,
+        scene: Scene,
+        rows: range,
+        seed: int = 0,
+        device_seed: int = 0,
+        frame: int = 0,
         threads: int | None = None,
-    ) -> Exposure:  # fmt: skip
+    ) -> Exposure:
         """Return the exposure of consecutive rows, identical to these rows of the whole frame."""
         loaded = self.container.planes()
         return self.execute(scene, loaded, (seed, device_seed), frame, rows, threads).exposure
 
     def execute(
-        self, scene: Scene, loaded: Planes, seeds: tuple[int, int], frame: int,
-        rows: range | None = None, threads: int | None = None,
-    ) -> Executed:  # fmt: skip
+        self,
+        scene: Scene,
+        loaded: Planes,
+        seeds: tuple[int, int],
+        frame: int,
+        rows: range | None = None,
+        threads: int | None = None,
+    ) -> Executed:
         """Return the exposure of frame number `frame`, or of consecutive rows of it, and its state
         registers.
 
@@ -117,11 +131,16 @@ class Reference:
         def run(part_rows: range, fallen: Fallen) -> Marked:
             array_rows = slice(part_rows.start, part_rows.stop)
             pixels = ProgramPixels(
-                sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
-                places=places_of(part_rows, cols), container=container, effects=self.effects,
+                sensor=self.sensor,
+                seed=seeds[0],
+                device_seed=seeds[1],
+                frame=frame,
+                places=places_of(part_rows, cols),
+                container=container,
+                effects=self.effects,
                 program=self,
                 code={name: plane[array_rows].reshape(-1) for name, plane in loaded.items()},
-            )  # fmt: skip
+            )
             marked = pixels.run(fallen.charge.reshape(len(self.starts), -1))
             chunk = slice(part_rows.start - rows.start, part_rows.stop - rows.start)
             for name, plane in final_planes.items():

@@ -61,10 +61,15 @@ def charge_of_rows(
         scene = choose(scene)
     scene = replace(scene, slot_s=np.add.reduceat(scene.slot_s, starts))
     slots = _Slots(
-        sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
-        places=places_of(range(begin, end), cols), scene=scene, rows=slice(begin, end),
+        sensor=sensor,
+        seed=seeds[0],
+        device_seed=seeds[1],
+        frame=frame,
+        places=places_of(range(begin, end), cols),
+        scene=scene,
+        rows=slice(begin, end),
         starts=starts,
-    )  # fmt: skip
+    )
     charge = light = slots.electrons(scene.light)
     for stage in ("light", "response", "count", "charge", "neighbours"):
         for change in effects.at(stage):

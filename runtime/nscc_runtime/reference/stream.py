@@ -66,11 +66,16 @@ def expose_stream(
 
     def run(part_rows: range, fallen: Fallen) -> Marked:
         pixels = _Taps(
-            sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
+            sensor=sensor,
+            seed=seeds[0],
+            device_seed=seeds[1],
+            frame=frame,
             places=np.arange(part_rows.start * cols, part_rows.stop * cols, dtype=np.int64),
-            container=container, sent=sent, effects=effects, rows=slice(part_rows.start,
-            part_rows.stop),
-        )  # fmt: skip
+            container=container,
+            sent=sent,
+            effects=effects,
+            rows=slice(part_rows.start, part_rows.stop),
+        )
         return pixels.run(fallen.charge.reshape(container.slots, -1))
 
     shape = len(container.buckets), cols, container.slots

@@ -21,9 +21,13 @@ _MOST_STEPS = 4096
 
 
 def traced(
-    container: Container, light: Light, sensor: Sensor, effects: Selection,
-    pixel: tuple[int, int], seed: int,
-) -> dict[str, Any]:  # fmt: skip
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    effects: Selection,
+    pixel: tuple[int, int],
+    seed: int,
+) -> dict[str, Any]:
     """Return the words of the exposure as steps with the contents of a pixel's registers after
     them, as JSON values. `pixel`: row and column.
 
@@ -39,11 +43,16 @@ def traced(
     scene = scene_of(container, light)
     fallen = charge_of_rows(scene, sensor, effects, seeds, 0, rows, reference.starts)
     watched = _WatchedPixel(
-        sensor=sensor, seed=seed, device_seed=0, frame=0,
-        places=np.array([row * container.target.cols + col]), container=container, effects=effects,
+        sensor=sensor,
+        seed=seed,
+        device_seed=0,
+        frame=0,
+        places=np.array([row * container.target.cols + col]),
+        container=container,
+        effects=effects,
         program=reference,
         code={name: plane[row, col : col + 1] for name, plane in container.planes().items()},
-    )  # fmt: skip
+    )
     exposures, _ = watched.run(fallen.charge[:, 0, col : col + 1])
     return {
         "registers": watched.names,
@@ -76,9 +85,11 @@ class _WatchedPixel(ProgramPixels):
         electrons = (self.charge, *(self.register[name] for name in self.analog))
         bits = (self.digital.read(name) for name in self.digital_names)
         values = [round(float(value[0]), 1) + 0.0 for value in electrons]  # no -0
-        self.steps.append({
-            "boundary": word.boundary,
-            "us": round(float(self._start_us[word.boundary]) + word.after_us, 3),
-            "word": str(word.op),
-            "values": [*values, *(int(bit[0]) for bit in bits)],
-        })  # fmt: skip
+        self.steps.append(
+            {
+                "boundary": word.boundary,
+                "us": round(float(self._start_us[word.boundary]) + word.after_us, 3),
+                "word": str(word.op),
+                "values": [*values, *(int(bit[0]) for bit in bits)],
+            }
+        )

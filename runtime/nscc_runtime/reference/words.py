@@ -98,8 +98,10 @@ class Marks:
         full = inverted(self.full[name]) if gain < 0 else self.full[name]
         bits = np.zeros_like(full)
         for at, is_marked in (
-            ("well", full & ADDED), ("subtracted", full & SUBTRACTED), ("level", full & LEVEL)
-        ):  # fmt: skip
+            ("well", full & ADDED),
+            ("subtracted", full & SUBTRACTED),
+            ("level", full & LEVEL),
+        ):
             mark = self.mark[at]
             if mark is not None:
                 bits |= np.where(is_marked, np.uint8(mark.bit), np.uint8(0))

@@ -25,9 +25,16 @@ def exposing(
     from nscc_runtime.reference import frames
 
     run = partial(
-        frames, container, light, sensor, effects, seed=request.seed,
-        device_seed=request.device_seed, count=request.repeat or 1, threads=request.threads,
-    )  # fmt: skip
+        frames,
+        container,
+        light,
+        sensor,
+        effects,
+        seed=request.seed,
+        device_seed=request.device_seed,
+        count=request.repeat or 1,
+        threads=request.threads,
+    )
     return Exposing(run, fill_normals, "noise")
 
 

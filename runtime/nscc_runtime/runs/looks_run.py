@@ -27,10 +27,17 @@ class LooksRun(RunKind):
 
         noiseless = request.effects.noiseless
         run = partial(
-            frames, container, light, sensor, effects, seed=request.seed,
-            device_seed=request.device_seed, count=request.repeat or 1, threads=request.threads,
+            frames,
+            container,
+            light,
+            sensor,
+            effects,
+            seed=request.seed,
+            device_seed=request.device_seed,
+            count=request.repeat or 1,
+            threads=request.threads,
             by_words=not noiseless,
-        )  # fmt: skip
+        )
         return Exposing(run, run_blocks) if noiseless else Exposing(run, fill_normals, "noise")
 
     def sheet(self, container: Container, title: str) -> Any:

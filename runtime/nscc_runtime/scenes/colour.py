@@ -11,8 +11,12 @@ from numpy.typing import NDArray
 
 from nscc_runtime.scene_settings import Transfer
 
-CURVES = {"linear": "no curve", "srgb": "the sRGB curve", "pq": "the PQ curve (SMPTE ST 2084)",
-          "hlg": "the HLG curve (ITU-R BT.2100)"}  # fmt: skip
+CURVES = {
+    "linear": "no curve",
+    "srgb": "the sRGB curve",
+    "pq": "the PQ curve (SMPTE ST 2084)",
+    "hlg": "the HLG curve (ITU-R BT.2100)",
+}
 """Descriptions of the transfer curves in messages."""
 
 Weights = tuple[float, float, float]
@@ -120,8 +124,11 @@ def _unchanged(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 _INVERSES: dict[Transfer, Curve] = {
-    "linear": _unchanged, "srgb": srgb_to_linear, "pq": pq_to_linear, "hlg": hlg_to_linear,
-}  # fmt: skip
+    "linear": _unchanged,
+    "srgb": srgb_to_linear,
+    "pq": pq_to_linear,
+    "hlg": hlg_to_linear,
+}
 
 
 def luminance(rgb: NDArray[np.float64], weights: Weights = LUMINANCE) -> NDArray[np.float64]:

@@ -107,9 +107,11 @@ def _picture_layer(channels: Sequence[str]) -> str | None:
 
 
 def _layer_pixels(
-    channels: Mapping[str, Any], layer: str, window: tuple[NDArray[Any], NDArray[Any]],
+    channels: Mapping[str, Any],
+    layer: str,
+    window: tuple[NDArray[Any], NDArray[Any]],
     weights: Weights,
-) -> NDArray[Any]:  # fmt: skip
+) -> NDArray[Any]:
     """Return the picture of a layer on its data window; `weights` are those of luminance."""
 
     def pixels(name: str) -> NDArray[Any]:

@@ -117,8 +117,13 @@ def _parametric(numbers: tuple[float, ...], values: NDArray[np.float64]) -> NDAr
 
 
 _CURVES: dict[int, Transfer | float] = {
-    **dict.fromkeys((1, 6, 13, 14, 15), "srgb"), 4: 2.2, 5: 2.8, 8: "linear", 16: "pq", 18: "hlg",
-}  # fmt: skip
+    **dict.fromkeys((1, 6, 13, 14, 15), "srgb"),
+    4: 2.2,
+    5: 2.8,
+    8: "linear",
+    16: "pq",
+    18: "hlg",
+}
 """Transfer curves, or powers, by their number in ITU-T H.273. Displays show the camera curves of
 BT.709 and BT.2020 nearly like sRGB."""
 _D65, _C = (0.3127, 0.3290), (0.310, 0.316)

@@ -43,11 +43,13 @@ def timed(pages: Pages) -> Pages:
     edges = None if _even(durations_s) else _edges(durations_s)
     if edges is not None:
         low, high = (1e3 * float(size) for size in (durations_s.min(), durations_s.max()))
-        notes.append((
-            f"has frames of {low:.4g} to {high:.4g} ms: without --fps they are repeated in steps "
-            f"of {low:.4g} ms, the shortest",
-            "--fps F shows each frame for its own time, and F of these steps per second",
-        ))  # fmt: skip
+        notes.append(
+            (
+                f"has frames of {low:.4g} to {high:.4g} ms: without --fps they are repeated "
+                f"in steps of {low:.4g} ms, the shortest",
+                "--fps F shows each frame for its own time, and F of these steps per second",
+            )
+        )
     return replace(pages, edges=edges, notes=(*pages.notes, *notes))
 
 

@@ -115,9 +115,7 @@ def _unpacked_sizes(file: IO[bytes]) -> Iterator[int]:
                 block = unpacker.unconsumed_tail
 
 
-def _of_hdf5(
-    path: Path, names: Sequence[str] | None, most_bytes: int
-) -> dict[str, NDArray[Any]]:  # fmt: skip
+def _of_hdf5(path: Path, names: Sequence[str] | None, most_bytes: int) -> dict[str, NDArray[Any]]:
     import h5py
 
     with h5py.File(path, "r") as file:

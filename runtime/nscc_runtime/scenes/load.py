@@ -210,9 +210,11 @@ def laid_scene(
 
         def merged() -> Stored:
             return merged_bracket(
-                files, times, request.scene.transfer,
+                files,
+                times,
+                request.scene.transfer,
                 lambda pages: notes.append(_say_notes(request, pages)),
-            )  # fmt: skip
+            )
 
         return replace(_still(request, merged), notes=notes[0])
     return _load_path(request, _existing(spec))
@@ -458,7 +460,13 @@ def _light(
             slice(first_col, first_col + request.window.cols),
         )
     values = picture_light(
-        stored, colours, name, channel=request.channel, white=request.scene.white, window=window,
-        size=placement.size if placement.fit == "scale" else None, warn=request.warn,
-    )  # fmt: skip
+        stored,
+        colours,
+        name,
+        channel=request.channel,
+        white=request.scene.white,
+        window=window,
+        size=placement.size if placement.fit == "scale" else None,
+        warn=request.warn,
+    )
     return placed(values, placement), placement

@@ -41,8 +41,11 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
     if place is not None:
         read = {int(split_name[place]) for split_name in split_names}
         # Numbers of unread files are reported already.
-        unread_numbers = {int(re.split(r"(\d+)", Path(name).stem)[place]) for name in unread
-                 if _counts(name, split_names[0], place)}  # fmt: skip
+        unread_numbers = {
+            int(re.split(r"(\d+)", Path(name).stem)[place])
+            for name in unread
+            if _counts(name, split_names[0], place)
+        }
         gaps = _gaps(sorted(read | unread_numbers))
         if gaps:
             sentences.append(f"the frame numbers {gaps} are missing")

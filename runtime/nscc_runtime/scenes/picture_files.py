@@ -149,9 +149,10 @@ def only_picture(path: Path, pages: Pages) -> NDArray[Any]:
     """Return the only picture of a file. Raises Rejected (NS0732) for a file of several."""
     if pages.count != 1:
         raise unsupported(
-            path, f"it contains {pages.count} pictures, but one is needed here",
+            path,
+            f"it contains {pages.count} pictures, but one is needed here",
             "save the required picture in a separate file",
-        )  # fmt: skip
+        )
     return next(pages.read())
 
 

@@ -53,10 +53,14 @@ def pillow_pages(path: Path) -> Pages:
                 yield pixels(image, upright=not moving)
 
     return Pages(
-        (size,), len(numbers), read, stated, notes,
+        (size,),
+        len(numbers),
+        read,
+        stated,
+        notes,
         durations_s=(lambda: _durations_s(path, numbers)) if moving else None,
         has_8_bits=not mode.startswith(("I", "F")),
-    )  # fmt: skip
+    )
 
 
 def _is_in_adobe_rgb(image: Any) -> bool:

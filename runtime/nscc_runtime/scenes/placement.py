@@ -217,11 +217,13 @@ def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
         share = (
             placement.size[0] * placement.size[1] / (placement.picture[0] * placement.picture[1])
         )
-        notes.append(picture_note(
-            f"'{name}' is {picture}, the array {array}: {share:.2g} of the picture is exposed",
-            "--fit scale exposes the whole picture, reduced; --fit tiles exposes all of it "
-            "in parts; --crop R,C selects the part",
-        ))  # fmt: skip
+        notes.append(
+            picture_note(
+                f"'{name}' is {picture}, the array {array}: {share:.2g} of the picture is exposed",
+                "--fit scale exposes the whole picture, reduced; --fit tiles exposes all of it "
+                "in parts; --crop R,C selects the part",
+            )
+        )
     elif placement.fit == "scale" and placement.picture != placement.size:
         text = f"'{name}' is {picture}, and is exposed as {size(placement.size)}"
         notes.append(picture_note(text, "--fit tiles exposes every pixel of it, in parts"))

@@ -32,10 +32,17 @@ def raw_pages(path: Path) -> Pages:
         with rawpy.imread(str(path)) as raw:
             _scale(raw)
             picture = raw.postprocess(
-                gamma=(1, 1), no_auto_bright=True, output_bps=16, user_wb=[1, 1, 1, 1],
-                output_color=rawpy.ColorSpace.raw, highlight_mode=rawpy.HighlightMode.Clip,
-                adjust_maximum_thr=0.0, user_black=0, user_cblack=[0] * 4, user_sat=_TOP,
-            )  # fmt: skip
+                gamma=(1, 1),
+                no_auto_bright=True,
+                output_bps=16,
+                user_wb=[1, 1, 1, 1],
+                output_color=rawpy.ColorSpace.raw,
+                highlight_mode=rawpy.HighlightMode.Clip,
+                adjust_maximum_thr=0.0,
+                user_black=0,
+                user_cblack=[0] * 4,
+                user_sat=_TOP,
+            )
             yield picture[..., 0] if picture.shape[2] == 1 else picture
 
     return Pages((size, stored), 1, read, notes=(_NOTE,))

@@ -23,11 +23,27 @@ from nscc_runtime.scenes.pages import Note, Pages, Stated, UnsupportedPicture
 from nscc_runtime.scenes.pillow_pictures import pixels
 
 _SUBFILE, _COLS, _ROWS, _BITS, _COMPRESSION, _PHOTOMETRIC, _DESCRIPTION, _STARTS, _SAMPLES = (
-    254, 256, 257, 258, 259, 262, 270, 273, 277,
-)  # fmt: skip
+    254,
+    256,
+    257,
+    258,
+    259,
+    262,
+    270,
+    273,
+    277,
+)
 _STRIP_ROWS, _COUNTS, _PLANES, _TILE_STARTS, _TILE_COUNTS, _EXTRA, _FORMAT, _TABLES, _PROFILE = (
-    278, 279, 284, 324, 325, 338, 339, 347, 34675,
-)  # fmt: skip
+    278,
+    279,
+    284,
+    324,
+    325,
+    338,
+    339,
+    347,
+    34675,
+)
 _COPIED = (_COLS, _ROWS, _BITS, _COMPRESSION, _PHOTOMETRIC, 266, 274, _SAMPLES, _STRIP_ROWS,
            _PLANES, 317, 320, 322, 323, _EXTRA, _FORMAT, _TABLES, 530)  # fmt: skip
 """Tags that describe how samples are stored."""
@@ -36,8 +52,14 @@ _WHITE_IS_ZERO, _BLACK_IS_ZERO, _CMYK = 0, 1, 5
 _LABS = {8: "CIE L*a*b*", 9: "ICC L*a*b*", 10: "ITU L*a*b*"}
 _UNSIGNED, _SIGNED, _FLOAT = 1, 2, 3
 _FORMATS = {_UNSIGNED: "unsigned integers", _SIGNED: "signed integers", _FLOAT: "floats"}
-_DECODED = {(_UNSIGNED, 16), (_SIGNED, 16), (_UNSIGNED, 32), (_SIGNED, 32), (_FLOAT, 32),
-            (_FLOAT, 64)}  # fmt: skip
+_DECODED = {
+    (_UNSIGNED, 16),
+    (_SIGNED, 16),
+    (_UNSIGNED, 32),
+    (_SIGNED, 32),
+    (_FLOAT, 32),
+    (_FLOAT, 64),
+}
 
 Tags = Mapping[int, Any]
 
@@ -87,10 +109,13 @@ def tiff_pages(path: Path) -> Pages:
             yield _picture(path, byte_order, page)
 
     return Pages(
-        tuple(dict.fromkeys(page.size for page in pages)), len(pages), read,
-        Stated() if profile is None else of_profile(bytes(profile)), notes,
+        tuple(dict.fromkeys(page.size for page in pages)),
+        len(pages),
+        read,
+        Stated() if profile is None else of_profile(bytes(profile)),
+        notes,
         has_8_bits=pages[0].samples[1] <= 8,
-    )  # fmt: skip
+    )
 
 
 def _directories(path: Path) -> tuple[bytes, list[Tags]]:
@@ -226,8 +251,13 @@ def _files_of_planes(path: Path, byte_order: bytes, page: _Page) -> list[bytes]:
     if int(tags.get(_PLANES) or 1) == 1:
         planes = 1
     else:
-        kept |= {_SAMPLES: 1, _BITS: page.samples[1], _PHOTOMETRIC: _BLACK_IS_ZERO, _PLANES: 1,
-                 _FORMAT: page.samples[0]}  # fmt: skip
+        kept |= {
+            _SAMPLES: 1,
+            _BITS: page.samples[1],
+            _PHOTOMETRIC: _BLACK_IS_ZERO,
+            _PLANES: 1,
+            _FORMAT: page.samples[0],
+        }
         kept.pop(_EXTRA, None)
     files = []
     with open(path, "rb") as file:

@@ -70,9 +70,14 @@ def video_pages(path: Path) -> Pages:
         notes = _notes(timing, interlaced, pixel)
         size = (context.height, _square_cols(context.width, pixel))
     return Pages(
-        (size,), len(timing.times), lambda: _frames(path, pixel), stated, notes,
-        durations_s=timing.durations_s, is_clip=True,
-    )  # fmt: skip
+        (size,),
+        len(timing.times),
+        lambda: _frames(path, pixel),
+        stated,
+        notes,
+        durations_s=timing.durations_s,
+        is_clip=True,
+    )
 
 
 @contextmanager
@@ -83,9 +88,10 @@ def _opened(path: Path) -> Iterator[tuple[Any, Any]]:
     # Open a file object, because FFmpeg looks for a protocol in names; files that a playlist
     # names are not opened.
     protocol_options = {"protocol_whitelist": "none"}
-    with open(path, "rb") as file, av.open(
-        file, container_options=protocol_options, options=_bound()
-    ) as container:  # fmt: skip
+    with (
+        open(path, "rb") as file,
+        av.open(file, container_options=protocol_options, options=_bound()) as container,
+    ):
         marks = av.stream.Disposition
         films = [s for s in container.streams.video if not s.disposition & marks.attached_pic]
         usual = [stream for stream in films if stream.disposition & marks.default]
@@ -125,22 +131,28 @@ def _notes(timing: _Timing, interlaced: bool, pixel: Fraction) -> tuple[Note, ..
     notes: list[Note] = []
     have = len(timing.times)
     if have < timing.declared:
-        notes.append((
-            f"is incomplete: it contains {have} of the {timing.declared} frames that its "
+        notes.append(
+            (
+                f"is incomplete: it contains {have} of the {timing.declared} frames that its "
                 "header declares",
-            "copy the file again if you need the other frames",
-        ))  # fmt: skip
+                "copy the file again if you need the other frames",
+            )
+        )
     if interlaced:
-        notes.append((
-            "is interlaced: even and odd rows of a frame come from two moments",
-            "convert it to progressive frames, for instance with FFmpeg's filter bwdif",
-        ))  # fmt: skip
+        notes.append(
+            (
+                "is interlaced: even and odd rows of a frame come from two moments",
+                "convert it to progressive frames, for instance with FFmpeg's filter bwdif",
+            )
+        )
     if pixel != 1:
-        notes.append((
-            f"has pixels of width to height {pixel.numerator}:{pixel.denominator}: its columns are "
-            "resampled to square pixels",
-            "convert it to square pixels if you want another filter",
-        ))  # fmt: skip
+        notes.append(
+            (
+                f"has pixels of width to height {pixel.numerator}:{pixel.denominator}: its "
+                "columns are resampled to square pixels",
+                "convert it to square pixels if you want another filter",
+            )
+        )
     return tuple(notes)
 
 
@@ -225,10 +237,11 @@ def _red_green_blue(
 
     size = luma.shape[1], luma.shape[0]
     blue_chroma, red_chroma = (
-        chroma_plane if chroma_plane.shape == luma.shape
+        chroma_plane
+        if chroma_plane.shape == luma.shape
         else np.asarray(cv2.resize(chroma_plane, size, interpolation=cv2.INTER_LINEAR), np.float32)
         for chroma_plane in chroma
-    )  # fmt: skip
+    )
     if matrix == _UNSPECIFIED:
         matrix = 1 if len(luma) >= _HIGH_DEFINITION else 0
     red_weight, blue_weight = _WEIGHTS.get(matrix, _BT_601)

@@ -87,9 +87,12 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int, progress: Pr
             level = clip.new_full((len(clip),), sigma)
             clip, target = gap_step(measured, clip, target, level)
             clip = denoised_in_tiles(
-                shipped("clip"), clip, lambda rows, cols: measured.crop(rows, cols).planes(),
-                level, number,
-            )  # fmt: skip
+                shipped("clip"),
+                clip,
+                lambda rows, cols: measured.crop(rows, cols).planes(),
+                level,
+                number,
+            )
             if number + 1 >= first:
                 mean += clip / (count + 1 - first)
         return led(measured, mean)

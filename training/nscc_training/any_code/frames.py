@@ -64,9 +64,13 @@ class CodedFrame:
     def crop(self, rows: slice, cols: slice) -> CodedFrame:
         place = (slice(None), rows, cols)
         return CodedFrame(
-            self.value_e[place], self.variance_e2[place], self.saturated[place],
-            self.opened, self.row[rows, cols], self.slot_us,
-        )  # fmt: skip
+            self.value_e[place],
+            self.variance_e2[place],
+            self.saturated[place],
+            self.opened,
+            self.row[rows, cols],
+            self.slot_us,
+        )
 
     def clip(self) -> Measured[NDArray[Any]]:
         """Return the measurement of a clip, in electrons per slot of mean length."""
@@ -88,9 +92,11 @@ class CodedFrame:
 
 
 def read_coded_frames(
-    path: Path, program: Path | None = None, dark: Path | None = None,
+    path: Path,
+    program: Path | None = None,
+    dark: Path | None = None,
     warn: Callable[[Diagnostic], None] = lambda _doubt: None,
-) -> tuple[CodedFrame, ...]:  # fmt: skip
+) -> tuple[CodedFrame, ...]:
     """Read a frame file of any program: return one frame, or the frames of red, green and blue.
 
     Repeated frames are averaged. `program` is the container or text that exposed the frame, needed
@@ -106,21 +112,28 @@ def read_coded_frames(
         raise no_frame(path, why_no_arrays(error), _WRITE) from error
     if program is not None:
         table = _table_of(path, program, meta)
-        pixels, frame_pixels = (source[name].shape[-2:] for source, name in
-                       ((table, "decode_row"), (arrays, "frame")))  # fmt: skip
+        pixels, frame_pixels = (
+            source[name].shape[-2:] for source, name in ((table, "decode_row"), (arrays, "frame"))
+        )
         if pixels != frame_pixels:
             rows, cols = frame_pixels
             sizes = f"{rows} x {cols} pixels, but '{program}' has {pixels[0]} x {pixels[1]}"
             raise no_frame(path, f"it has {sizes}", "name the program that exposed the frame")
         if not _is_exposed_by(program, arrays, meta, table):
             reason = f"it was exposed with other shutters than those of '{program}'"
-            raise no_frame(path, f"{reason} (`program_sha256` of its meta is another)",
-                           "name the .icw file that exposed it, or leave --program out "
-                           "if the frame contains its shutters")  # fmt: skip
+            raise no_frame(
+                path,
+                f"{reason} (`program_sha256` of its meta is another)",
+                "name the .icw file that exposed it, or leave --program out "
+                "if the frame contains its shutters",
+            )
         arrays |= table
     if "decode_row" not in arrays:
-        raise no_frame(path, "it does not contain the shutters of its pixels",
-                       "name the program that exposed it: --program FILE.icw")  # fmt: skip
+        raise no_frame(
+            path,
+            "it does not contain the shutters of its pixels",
+            "name the program that exposed it: --program FILE.icw",
+        )
     offset = None if dark is None else _dark_of(dark, arrays, meta, warn)
     try:
         if "colours" not in meta:
@@ -136,9 +149,11 @@ def read_coded_frames(
 
 
 def _dark_of(
-    path: Path, arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any],
+    path: Path,
+    arrays: Mapping[str, NDArray[Any]],
+    meta: Mapping[str, Any],
     warn: Callable[[Diagnostic], None],
-) -> NDArray[np.float64]:  # fmt: skip
+) -> NDArray[np.float64]:
     """Return the dark value (B, rows, cols) of each pixel of an array, for a frame with these
     arrays.
 
@@ -182,9 +197,10 @@ def coded_capture(
 
 
 def coded_frame(
-    arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any],
+    arrays: Mapping[str, NDArray[Any]],
+    meta: Mapping[str, Any],
     dark: NDArray[np.float64] | None = None,
-) -> CodedFrame:  # fmt: skip
+) -> CodedFrame:
     """Convert the arrays and `meta` of a frame file, of one frame or of repeated frames.
 
     `dark` (B, rows, cols) is the array's dark value in codes above the ADC's offset. Raises
@@ -209,8 +225,9 @@ def coded_frame(
     largest = np.maximum(np.abs(gain), np.abs(bias_e))
     known = (np.abs(gain) > 1e-15) & (largest < 1e15) & (variance_e2 >= 0)
     if not known.all():
-        raise ValueError("the response (`decode_gain`, `decode_bias_e`, `decode_variance_e2`) "
-                         "is not numeric")  # fmt: skip
+        raise ValueError(
+            "the response (`decode_gain`, `decode_bias_e`, `decode_variance_e2`) is not numeric"
+        )
     read = codes.mean(axis=0) - number_of(meta, "adc_offset")
     if dark is not None:
         read, bias_e = undarkened(read, dark), 0
@@ -247,9 +264,11 @@ def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDAr
 
 
 def _is_exposed_by(
-    program: Path, arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any],
+    program: Path,
+    arrays: Mapping[str, NDArray[Any]],
+    meta: Mapping[str, Any],
     table: Mapping[str, NDArray[Any]],
-) -> bool:  # fmt: skip
+) -> bool:
     """Return whether the frame was exposed with the program's shutters, its `table`, by its own
     shutters or its digest."""
     if "decode_row" in arrays:

@@ -83,9 +83,10 @@ class LessonSet(Dataset[Lesson]):
         if settings.decoder.still:
             clips = [
                 np.repeat(clip[:1], frames, axis=0)
-                if generator.random() < settings.decoder.still else clip
+                if generator.random() < settings.decoder.still
+                else clip
                 for clip in clips
-            ]  # fmt: skip
+            ]
         draw = _film_mask if filmed else mask_drawn
         if filmed and frames == SEARCHED_SLOTS and generator.random() < settings.decoder.searched:
             draw = _searched_mask

@@ -37,9 +37,11 @@ class ClipDenoiser(nn.Module):
         )
         self.deep = _pair(coarse)
         self.grow = nn.ModuleList(
-            [nn.ConvTranspose2d(middle, fine, 2, stride=2),
-             nn.ConvTranspose2d(coarse, middle, 2, stride=2)]
-        )  # fmt: skip
+            [
+                nn.ConvTranspose2d(middle, fine, 2, stride=2),
+                nn.ConvTranspose2d(coarse, middle, 2, stride=2),
+            ]
+        )
         self.up = nn.ModuleList([_pair(fine), _pair(middle)])
         self.last = nn.Conv2d(fine, planes, 3, padding=1)
         nn.init.zeros_(self.last.weight)

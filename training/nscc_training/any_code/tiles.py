@@ -21,9 +21,12 @@ _SMALLEST = 64
 
 
 def denoised_in_tiles(
-    denoiser: Denoiser, clip: Tensor, planes: Callable[[slice, slice], Tensor], level: Tensor,
+    denoiser: Denoiser,
+    clip: Tensor,
+    planes: Callable[[slice, slice], Tensor],
+    level: Tensor,
     number: int = 0,
-) -> Tensor:  # fmt: skip
+) -> Tensor:
     """Return a clip (batch, T, rows, cols) denoised in stage `number`.
 
     `planes` returns the denoiser's inputs for rows and columns of the clip, `level` (batch,) is the

@@ -18,9 +18,12 @@ exactly."""
 
 
 def gap_tv_of(
-    measured: Measured[Array], iterations: int = START, *, weight: float = WEIGHT,
+    measured: Measured[Array],
+    iterations: int = START,
+    *,
+    weight: float = WEIGHT,
     start: Array | None = None,
-) -> tuple[Array, Array]:  # fmt: skip
+) -> tuple[Array, Array]:
     """Reconstruct by accelerated generalised alternating projection with total variation (Yuan
     2016).
 

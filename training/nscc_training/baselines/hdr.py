@@ -14,9 +14,12 @@ _OWN = 8.0
 
 
 def merged(
-    frame: NDArray[np.floating], open_share: Picture, electrons_per_lsb: float,
-    saturated: NDArray[np.bool_], read_noise_e: float,
-) -> Picture:  # fmt: skip
+    frame: NDArray[np.floating],
+    open_share: Picture,
+    electrons_per_lsb: float,
+    saturated: NDArray[np.bool_],
+    read_noise_e: float,
+) -> Picture:
     """Estimate the light over the whole frame in electrons (rows, cols), from codes above the
     offset.
 

@@ -18,9 +18,11 @@ _RIDGE = 0.01
 
 
 def gap_tv(
-    measurement: NDArray[np.float32], mask: Clip, iterations: int = ITERATIONS,
+    measurement: NDArray[np.float32],
+    mask: Clip,
+    iterations: int = ITERATIONS,
     weight: float = WEIGHT,
-) -> Clip:  # fmt: skip
+) -> Clip:
     """Reconstruct a clip by GAP-TV, starting from the measurement spread over the open frames."""
     measured = Measured.exact(measurement[None], mask[None])
     start = adjoint(measurement, mask)[None]
@@ -29,9 +31,11 @@ def gap_tv(
 
 
 def admm_tv(
-    measurement: NDArray[np.float32], mask: Clip, iterations: int = ITERATIONS,
+    measurement: NDArray[np.float32],
+    mask: Clip,
+    iterations: int = ITERATIONS,
     weight: float = WEIGHT,
-) -> Clip:  # fmt: skip
+) -> Clip:
     """Reconstruct a clip by the alternating direction method of multipliers (ADMM) with TV."""
     energy = _energy(mask) + np.float32(_RIDGE)
     clip = mask * (measurement / energy)

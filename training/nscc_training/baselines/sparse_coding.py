@@ -30,9 +30,13 @@ _COARSE = 3.0
 
 
 def sparse_coded(
-    coarse: Picture, measured: Picture, confidence: Picture, filters: Tensor,
-    iterations: int = ITERATIONS, weight: float = WEIGHT,
-) -> Picture:  # fmt: skip
+    coarse: Picture,
+    measured: Picture,
+    confidence: Picture,
+    filters: Tensor,
+    iterations: int = ITERATIONS,
+    weight: float = WEIGHT,
+) -> Picture:
     """Return a picture that follows `measured` where `confidence` (0..1) is high, else `coarse`,
     blurred.
 
@@ -55,9 +59,14 @@ def sparse_coded(
 
 
 def coded_still(
-    frame: NDArray[np.floating], open_share: Picture, coarse_e: Picture, electrons_per_lsb: float,
-    saturated: NDArray[np.bool_], full_well_e: float, iterations: int = ITERATIONS,
-) -> Picture:  # fmt: skip
+    frame: NDArray[np.floating],
+    open_share: Picture,
+    coarse_e: Picture,
+    electrons_per_lsb: float,
+    saturated: NDArray[np.bool_],
+    full_well_e: float,
+    iterations: int = ITERATIONS,
+) -> Picture:
     """Reconstruct the light over the frame in electrons (rows, cols), from codes and a coarse
     result.
 
@@ -67,9 +76,12 @@ def coded_still(
     relative = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
     usable = ~saturated & (open_share > 0)
     root = sparse_coded(
-        np.sqrt(np.maximum(coarse_e, 0) / full_well_e), np.sqrt(np.maximum(relative, 0)),
-        np.where(usable, share**0.25, 0.0), made_filters(), iterations,
-    )  # fmt: skip
+        np.sqrt(np.maximum(coarse_e, 0) / full_well_e),
+        np.sqrt(np.maximum(relative, 0)),
+        np.where(usable, share**0.25, 0.0),
+        made_filters(),
+        iterations,
+    )
     light = np.square(np.maximum(root, 0.0))
     return np.where(saturated & (open_share > 0), np.maximum(light, relative), light) * full_well_e
 

@@ -52,9 +52,11 @@ def _boxes(count: int, reach: int, lanes: int, values: Floats, sums: Floats) -> 
 
 @loop
 def tent_lines(
-    lines: AxisLines, picture: Written[Annotated[Floats, "pixels"]],
-    values: Written[Floats], sums: Written[Floats],
-) -> None:  # fmt: skip
+    lines: AxisLines,
+    picture: Written[Annotated[Floats, "pixels"]],
+    values: Written[Floats],
+    sums: Written[Floats],
+) -> None:
     """Replace a picture by its weighted sums along one axis. `values` and `sums` are working
     memory for `padded` pixels of eight lines; `values` is 0."""
     reach, length, stride, step = lines.reach, lines.length, lines.stride, lines.step
@@ -96,9 +98,14 @@ def tent_sums(values: NDArray[np.float64], reach: int) -> NDArray[np.float64]:
     for count, length, stride, step in ((cols, rows, cols, 1), (rows, cols, 1, cols)):
         padded = length + 2 * reach
         lines = AxisLines(
-            pixels=sums.size, count=count, length=length, stride=stride, step=step, padded=padded,
+            pixels=sums.size,
+            count=count,
+            length=length,
+            stride=stride,
+            step=step,
+            padded=padded,
             reach=reach,
-        )  # fmt: skip
+        )
         margins = np.zeros(padded * _LANES)
         tent_lines(
             lines=lines, picture=sums.reshape(-1), values=margins, sums=np.zeros_like(margins)

@@ -14,27 +14,48 @@ _ONE = np.float32(1.0)
 
 @inlined
 def _primal_row(
-    cols: int, at: int, above: int, before: int, time: np.float32,
-    image: Floats32, later: Floats32, down: Floats32, right: Floats32, out: Floats32,
-) -> None:  # fmt: skip
+    cols: int,
+    at: int,
+    above: int,
+    before: int,
+    time: np.float32,
+    image: Floats32,
+    later: Floats32,
+    down: Floats32,
+    right: Floats32,
+    out: Floats32,
+) -> None:
     """Compute out = image + div(field) in the row that begins at `at`.
 
     The neighbours are `above` and `before` elements back. If a neighbour is missing, that element
     is in the last row or frame, where its component of the field is 0."""
     for k in range(at + 1, at + cols):
         out[k] = (
-            image[k] - right[k] + right[k - 1] - down[k] + down[k - above]
+            image[k]
+            - right[k]
+            + right[k - 1]
+            - down[k]
+            + down[k - above]
             + time * (later[k - before] - later[k])
-        )  # fmt: skip
+        )
     first = image[at] - right[at] - down[at] - time * later[at]
     out[at] = first + down[at - above] + time * later[at - before]
 
 
 @inlined
 def _dual_row(
-    cols: int, at: int, below: int, after: int, step: np.float32, pull: np.float32,
-    time: np.float32, out: Floats32, later: Floats32, down: Floats32, right: Floats32,
-) -> None:  # fmt: skip
+    cols: int,
+    at: int,
+    below: int,
+    after: int,
+    step: np.float32,
+    pull: np.float32,
+    time: np.float32,
+    out: Floats32,
+    later: Floats32,
+    down: Floats32,
+    right: Floats32,
+) -> None:
     """Take a descent step of the field in one row, projected back into the ball of radius `weight`.
 
     The neighbours are `below` and `after` elements ahead; 0 if a neighbour is missing, so that its
@@ -70,9 +91,14 @@ _Clip = Annotated[Floats32, "clips frames rows cols"]
 
 @inlined
 def _denoise_clip(
-    volume: Volume, clip: int, image: Floats32, later: Floats32, down: Floats32, right: Floats32,
+    volume: Volume,
+    clip: int,
+    image: Floats32,
+    later: Floats32,
+    down: Floats32,
+    right: Floats32,
     out: Floats32,
-) -> None:  # fmt: skip
+) -> None:
     frames, rows, cols, iterations = volume.frames, volume.rows, volume.cols, volume.iterations
     plane = rows * cols
     begin = clip * frames * plane
@@ -96,16 +122,29 @@ def _denoise_clip(
                 for row in range(rows):
                     below = cols if row < rows - 1 else 0
                     _dual_row(
-                        cols, at - plane + row * cols, below, after, step, pull, time,
-                        out, later, down, right,
-                    )  # fmt: skip
+                        cols,
+                        at - plane + row * cols,
+                        below,
+                        after,
+                        step,
+                        pull,
+                        time,
+                        out,
+                        later,
+                        down,
+                        right,
+                    )
 
 
 @loop
 def denoise(
-    volume: Volume, image: _Clip, later: Written[_Clip], down: Written[_Clip],
-    right: Written[_Clip], out: Written[_Clip],
-) -> None:  # fmt: skip
+    volume: Volume,
+    image: _Clip,
+    later: Written[_Clip],
+    down: Written[_Clip],
+    right: Written[_Clip],
+    out: Written[_Clip],
+) -> None:
     """Denoise each clip by Chambolle's projection (2004): minimise |out - image|^2 / 2 + weight
     TV(out).
 
@@ -138,8 +177,13 @@ def tv_denoised_arrays(clips: NDArray[Any], weight: float, iterations: int, time
     out = np.empty_like(image)
     batch, frames, rows, cols = image.shape
     volume = Volume(
-        clips=batch, frames=frames, rows=rows, cols=cols, iterations=iterations, weight=weight,
+        clips=batch,
+        frames=frames,
+        rows=rows,
+        cols=cols,
+        iterations=iterations,
+        weight=weight,
         time=time,
-    )  # fmt: skip
+    )
     denoise(volume=volume, image=image, later=field[0], down=field[1], right=field[2], out=out)
     return out

@@ -56,9 +56,14 @@ class Batch:
     def patches(self, first: int, last: int) -> Batch:
         """Return the patches from `first` up to `last`."""
         cut = slice(first, last)
-        return replace(self, light=self.light[cut], truth=self.truth[cut], peak=self.peak[cut],
-                       names=self.names[cut],
-                       classes=None if self.classes is None else self.classes[cut])  # fmt: skip
+        return replace(
+            self,
+            light=self.light[cut],
+            truth=self.truth[cut],
+            peak=self.peak[cut],
+            names=self.names[cut],
+            classes=None if self.classes is None else self.classes[cut],
+        )
 
     @cached_property
     def goal(self) -> Tensor:
@@ -100,9 +105,15 @@ class ExposureSet(Dataset[Exposures]):
     """The exposures of a run, by training step."""
 
     def __init__(
-        self, scenes: Scenes, settings: DataSettings, *, slots: int, batch: int, seed: int,
+        self,
+        scenes: Scenes,
+        settings: DataSettings,
+        *,
+        slots: int,
+        batch: int,
+        seed: int,
         classes: Sequence[str] = (),
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.lights = [_without_poles(scene, settings) for scene in scenes.train]
         self.names = [scene.name for scene in scenes.train]
         self.settings, self.slots, self.batch, self.seed = settings, slots, batch, seed
@@ -148,11 +159,18 @@ class ExposureSet(Dataset[Exposures]):
             torch.tensor(values) for values in zip(*draws, strict=True)
         )
         return Exposures(
-            torch.stack(lights), share, contrast, turns, mirrored, backwards,
-            torch.tensor(source), torch.from_numpy(np.concatenate(corners)), brightness,
+            torch.stack(lights),
+            share,
+            contrast,
+            turns,
+            mirrored,
+            backwards,
+            torch.tensor(source),
+            torch.from_numpy(np.concatenate(corners)),
+            brightness,
             tuple(names),
             self._classes[drawn_scenes] if self._classes.numel() else None,
-        )  # fmt: skip
+        )
 
     def _surroundings(
         self, scene: int, generator: np.random.Generator
@@ -176,8 +194,9 @@ class ExposureSet(Dataset[Exposures]):
         return region, share, place
 
 
-def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, device: torch.device
-              ) -> Batch:  # fmt: skip
+def cut_batch(
+    drawn: Exposures, settings: DataSettings, full_well_e: float, device: torch.device
+) -> Batch:
     """Return the patches of a batch, exposed, cut and augmented on a device."""
     light, share, contrast, turns, mirrored, backwards, source, corner, brightness = (
         tensor.to(device, non_blocking=True) for tensor in drawn[:9]
@@ -206,14 +225,20 @@ def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, devi
         values = values.clamp(min=1e-20) ** power
     exposed = values * scale[source].reshape(wide).to(values.dtype)
     peak = (white * scale * (slots / full_well_e)).clamp(min=1e-6)[source]
-    return Batch(exposed, exposed * (slots / full_well_e), peak.to(values.dtype), drawn.names,
-                 classes)  # fmt: skip
+    return Batch(
+        exposed, exposed * (slots / full_well_e), peak.to(values.dtype), drawn.names, classes
+    )
 
 
 def _cut(
-    light: Tensor, patch: int, turns: Tensor, mirrored: Tensor, backwards: Tensor, source: Tensor,
+    light: Tensor,
+    patch: int,
+    turns: Tensor,
+    mirrored: Tensor,
+    backwards: Tensor,
+    source: Tensor,
     corner: Tensor,
-) -> Tensor:  # fmt: skip
+) -> Tensor:
     """Return the patches (batch, [N,] patch, patch) of rotated and mirrored regions."""
     last = light.shape[-1] - 1
     step = torch.arange(patch, device=light.device)

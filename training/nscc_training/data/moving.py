@@ -93,10 +93,14 @@ class _Layer:
         waves = np.zeros(6)
         if generator.random() < 0.3:
             # Height in pixels, cycles a pixel down and across, phases, cycles a frame.
-            waves = np.array([
-                generator.uniform(0.3, 3), *generator.uniform(-0.04, 0.04, 2),
-                *generator.uniform(0, 2 * np.pi, 2), generator.uniform(0.01, 0.15),
-            ])  # fmt: skip
+            waves = np.array(
+                [
+                    generator.uniform(0.3, 3),
+                    *generator.uniform(-0.04, 0.04, 2),
+                    *generator.uniform(0, 2 * np.pi, 2),
+                    generator.uniform(0.01, 0.15),
+                ]
+            )
         outline = None
         if not background:
             corners = generator.uniform(0.4, 1.0, int(generator.integers(4, 12)))
@@ -139,9 +143,12 @@ class _Layer:
         y = self.centre[0] + cosine * down - sine * right
         x = self.centre[1] + sine * down + cosine * right
         warped = cv2.remap(
-            self.picture, x.astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR,
+            self.picture,
+            x.astype(np.float32),
+            y.astype(np.float32),
+            cv2.INTER_LINEAR,
             borderMode=cv2.BORDER_REFLECT_101,
-        )  # fmt: skip
+        )
         return np.asarray(warped, np.float32)
 
     def cover_at(self, moment: float, size: int) -> NDArray[np.float32]:
@@ -159,10 +166,14 @@ class _Layer:
 
 def pictures_below(folder: Path) -> list[Path]:
     """Return all pictures below a folder; raise Rejected (NS0811) if there are none."""
-    files = sorted({
-        path for place in folders_of(str(folder)) for path in place.rglob("*")
-        if path.suffix.lower() in PICTURES and path.is_file()
-    })  # fmt: skip
+    files = sorted(
+        {
+            path
+            for place in folders_of(str(folder))
+            for path in place.rglob("*")
+            if path.suffix.lower() in PICTURES and path.is_file()
+        }
+    )
     if not files:
         raise rejected(
             "NS0811",

@@ -77,9 +77,15 @@ class Scenes:
 
 
 def load_scenes(
-    settings: DataSettings, still: bool, slots: int, seed: int, *, pictures: bool = False,
-    classes: tuple[str, ...] = (), tell: Callable[[str], object] = lambda _text: None,
-) -> Scenes:  # fmt: skip
+    settings: DataSettings,
+    still: bool,
+    slots: int,
+    seed: int,
+    *,
+    pictures: bool = False,
+    classes: tuple[str, ...] = (),
+    tell: Callable[[str], object] = lambda _text: None,
+) -> Scenes:
     """Load the training and validation scenes that a configuration names.
 
     With `pictures`, the training scenes are the light of all pictures in a folder and its
@@ -88,10 +94,14 @@ def load_scenes(
     Rejected: NS0811 for a folder without suitable scenes, or if training and validation would share
     a scene; NS0812 for an import path."""
     kind = _Kind(settings, still, slots, seed, classes, tell)
-    train = [
-        SourceScene(path.name, file_sha256(path), light_of_picture(path))
-        for path in pictures_below(Path(settings.train))
-    ] if pictures else _load(settings.train, kind, "train")  # fmt: skip
+    train = (
+        [
+            SourceScene(path.name, file_sha256(path), light_of_picture(path))
+            for path in pictures_below(Path(settings.train))
+        ]
+        if pictures
+        else _load(settings.train, kind, "train")
+    )
     if settings.val or pictures or settings.train == "procedural":
         if pictures and not settings.val:
             tell("validation: procedural scenes, as lessons learn from all pictures of data.train")
@@ -116,10 +126,12 @@ def load_scenes(
             "NS0811",
             "training and validation share scenes" if shared else "there are too few scenes",
             notes=(f"shared: {', '.join(names[:5])}",) if shared else (),
-            helps=("name different folders in [data] train and val, or leave val empty: every "
-                   "fifth file of train is then used for validation, which needs at least two "
-                   "files",),
-        )  # fmt: skip
+            helps=(
+                "name different folders in [data] train and val, or leave val empty: every "
+                "fifth file of train is then used for validation, which needs at least two "
+                "files",
+            ),
+        )
     return Scenes(tuple(train), tuple(val))
 
 
@@ -155,21 +167,28 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
         for name, _, label in drawn:
             if label not in ([[known] for known in kind.classes] or [[]]):
                 wanted = f"one of {', '.join(kind.classes)}" if kind.classes else "no class"
-                raise own_failed(source, "data", f"scene '{name[:60]}' must have {wanted}, after "
-                                 "its name and its light")  # fmt: skip
+                raise own_failed(
+                    source,
+                    "data",
+                    f"scene '{name[:60]}' must have {wanted}, after its name and its light",
+                )
         return [
             replace(_scene(name, light, kind), label="".join(label)) for name, light, label in drawn
         ]
     folder, endings = Path(source), LINEAR if kind.still else (*CLIPS, *LINEAR, *DISPLAY)
     kind_text = "stills" if kind.still else "clips"
     files = data_files(
-        class_folders(folder) if kind.classes else folder, endings, f"{kind_text} for training",
-        f"{kind_text} end in", "such files, `procedural`, or a function as module:name",
-    )  # fmt: skip
+        class_folders(folder) if kind.classes else folder,
+        endings,
+        f"{kind_text} for training",
+        f"{kind_text} end in",
+        "such files, `procedural`, or a function as module:name",
+    )
     return [
         replace(scene, label=class_of(path, kind.classes) if kind.classes else "")
-        for path in files for scene in _read(path, kind)
-    ]  # fmt: skip
+        for path in files
+        for scene in _read(path, kind)
+    ]
 
 
 def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
@@ -243,10 +262,12 @@ def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
     return [
         _scene(
             f"{path.name}, path {index}",
-            linear(moving([picture], generator, kind.slots, size), transfer), kind, digest,
+            linear(moving([picture], generator, kind.slots, size), transfer),
+            kind,
+            digest,
         )
         for index, generator in enumerate(_generators(digest, kind))
-    ]  # fmt: skip
+    ]
 
 
 def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
@@ -286,8 +307,10 @@ def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = Non
         share = max(kind.settings.saturated) if kind.still else _LIT_SHARE
         lit = float(np.mean(light > 0 if kind.still else light.any(axis=0)))
         if lit < share:
-            reason = (f"{lit:.1%} of its pixels have light, but at least {share:.0%} must: it is "
-                      "dark where it should saturate")  # fmt: skip
+            reason = (
+                f"{lit:.1%} of its pixels have light, but at least {share:.0%} must: it is "
+                "dark where it should saturate"
+            )
     if reason:
         raise rejected(
             "NS0811",

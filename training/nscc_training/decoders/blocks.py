@@ -79,11 +79,14 @@ class BlockNet(nn.Module):
         self.overlapping = (True, True)
         (hidden,), inputs = channels, self.block[0] * self.block[1]
         self.layers = nn.Sequential(
-            nn.Linear(inputs, hidden), nn.ReLU(inplace=True),
-            nn.Linear(hidden, hidden), nn.ReLU(inplace=True),
-            nn.Linear(hidden, hidden), nn.ReLU(inplace=True),
+            nn.Linear(inputs, hidden),
+            nn.ReLU(inplace=True),
+            nn.Linear(hidden, hidden),
+            nn.ReLU(inplace=True),
+            nn.Linear(hidden, hidden),
+            nn.ReLU(inplace=True),
             nn.Linear(hidden, task.slots * inputs),
-        )  # fmt: skip
+        )
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         rows, cols = frame.shape[-2:]

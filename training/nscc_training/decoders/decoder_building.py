@@ -61,17 +61,19 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
         extra |= {"classes": len(task.classes)} if task.classes else {}
         with own_code(name, "decoder"):
             network = make(
-                size=size, kind=task.kind, slots=task.slots, tile=task.tile,
-                sees_code=task.sees_code, **extra,
-            )  # fmt: skip
+                size=size,
+                kind=task.kind,
+                slots=task.slots,
+                tile=task.tile,
+                sees_code=task.sees_code,
+                **extra,
+            )
         if not isinstance(network, nn.Module):
             raise ValueError(f"'{name}' returned a {type(network).__name__}, not a torch module")
         # The module is not wrapped, so the weights keep their names in the user's module.
         network.forward = partial(_called, network, network.forward, name, task)
         return network
-    abilities = {
-        "stills": declared.stills, "clips": declared.clips, "classes": declared.classifies
-    }  # fmt: skip
+    abilities = {"stills": declared.stills, "clips": declared.clips, "classes": declared.classifies}
     wanted = "classes" if task.classes else "stills" if task.kind == "still" else "clips"
     if not abilities[wanted]:
         decoded = " and ".join(kind for kind, able in abilities.items() if able)
@@ -119,9 +121,13 @@ def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.
 
 
 def _called(
-    module: nn.Module, forward: Callable[..., Any], name: str, task: DecoderTask,
-    frame: Tensor, shutters: Tensor,
-) -> Tensor:  # fmt: skip
+    module: nn.Module,
+    forward: Callable[..., Any],
+    name: str,
+    task: DecoderTask,
+    frame: Tensor,
+    shutters: Tensor,
+) -> Tensor:
     """Return the output of the user's decoder; raise Rejected (NS0822) for an unusable one."""
     with own_code(name, "decoder"):
         output = forward(frame, shutters)

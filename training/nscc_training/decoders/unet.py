@@ -38,9 +38,11 @@ class UNet(nn.Module):
 
         def double(channels: int, width: int) -> nn.Module:
             return nn.Sequential(
-                convolution(channels, width, 3, padding=1), nn.ReLU(inplace=True),
-                convolution(width, width, 3, padding=1), nn.ReLU(inplace=True),
-            )  # fmt: skip
+                convolution(channels, width, 3, padding=1),
+                nn.ReLU(inplace=True),
+                convolution(width, width, 3, padding=1),
+                nn.ReLU(inplace=True),
+            )
 
         self.down = nn.ModuleList(
             double(before, width) for before, width in pairwise([inputs, *widths])

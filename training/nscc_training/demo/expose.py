@@ -154,15 +154,16 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
         kinds = {True: "a still", False: "a clip"}
         made = "names classes" if like.classifies else f"reconstructs {kinds[like.still]}"
         raise rejected(
-            "NS0821", f"'{subject.scene.name}' is {kinds[subject.still]}, but the run '{run}' "
-                      f"{made}",
+            "NS0821",
+            f"'{subject.scene.name}' is {kinds[subject.still]}, but the run '{run}' {made}",
             helps=("name another scene, or leave --run out",),
-        )  # fmt: skip
+        )
     if subject.still and settings.readouts:
         raise rejected(
-            "NS0821", f"'{subject.scene.name}' is a still, and a still is read out once",
+            "NS0821",
+            f"'{subject.scene.name}' is a still, and a still is read out once",
             helps=("name a clip, or leave --readouts out",),
-        )  # fmt: skip
+        )
     program = settings.program if run is None else like.program
     target = None if like.target is None else str(like.target)
     compiled = compile_file(program, Options(target=target)).container
@@ -188,12 +189,25 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
     fair = None
     if subject.still or count > 1:
         ordinary = camera(like.slots, like.slot_us, target, count, stop)
-        fair = (simulate_scene(ordinary, laid, sensor, request, listener),
-                _dark(ordinary, sensor, settings, listener))  # fmt: skip
+        fair = (
+            simulate_scene(ordinary, laid, sensor, request, listener),
+            _dark(ordinary, sensor, settings, listener),
+        )
     return Exposed(
-        run, program, scene, laid, compiled, sensor,
-        coded_capture, dark, usual, usual_dark, seconds, looked, fair,
-    )  # fmt: skip
+        run,
+        program,
+        scene,
+        laid,
+        compiled,
+        sensor,
+        coded_capture,
+        dark,
+        usual,
+        usual_dark,
+        seconds,
+        looked,
+        fair,
+    )
 
 
 def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) -> Looked:
@@ -224,8 +238,11 @@ def _laid(
     """Return the placed light of the scene, and the scene with the chosen exposure."""
     scene = replace(subject.scene, fit=settings.fit, color=settings.color)
     electrons, _, _ = like.exposure.partition("@")
-    exposures = (settings.exposure,) if settings.exposure else (
-        like.exposure, *(electrons + brighter for brighter in _BRIGHTER))  # fmt: skip
+    exposures = (
+        (settings.exposure,)
+        if settings.exposure
+        else (like.exposure, *(electrons + brighter for brighter in _BRIGHTER))
+    )
     for exposure in exposures:
         exposed = scene if subject.in_electrons else replace(scene, exposure=exposure)
         try:
@@ -248,8 +265,9 @@ def camera(
     rules = f"open when n < {stop or slots}\n"
     if frames > 1:
         ends = [slots * k // frames for k in range(frames + 1)]
-        rules = "".join(f"bucket frame{k + 1} open when {ends[k]} <= n < {ends[k + 1]}\n"
-                        for k in range(frames))  # fmt: skip
+        rules = "".join(
+            f"bucket frame{k + 1} open when {ends[k]} <= n < {ends[k + 1]}\n" for k in range(frames)
+        )
     text = f"nsl 1\n{frame_text(slots, slot_us)}\n{rules}"
     compiled = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
     assert compiled.container is not None  # a single shutter fits every chip

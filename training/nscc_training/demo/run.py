@@ -72,9 +72,13 @@ def demo(
         exposed_scene, scene_subject.transfer == "srgb", settings.tone, light, how, decode_s
     )
     content = Content(
-        {"image" if exposed_scene.still else "video": light}, light, not exposed_scene.still,
-        len(exposed_scene.laid) > 1, tone=shown.curve, white=shown.fitted.white,
-    )  # fmt: skip
+        {"image" if exposed_scene.still else "video": light},
+        light,
+        not exposed_scene.still,
+        len(exposed_scene.laid) > 1,
+        tone=shown.curve,
+        white=shown.fitted.white,
+    )
     paths = [
         out / (name + end)
         for end in ((".hdr", ".png") if exposed_scene.still else (".mp4", ".gif"))
@@ -86,9 +90,14 @@ def demo(
     write_together(products)
     files = (*products, *frames)
     return Demo(
-        files, shown.open_db, shown.psnr_db, shown.looked_db, shown.fair_db, exposed_scene.readouts,
+        files,
+        shown.open_db,
+        shown.psnr_db,
+        shown.looked_db,
+        shown.fair_db,
+        exposed_scene.readouts,
         _commands(exposed_scene, settings, files),
-    )  # fmt: skip
+    )
 
 
 def _reconstructed(
@@ -106,8 +115,9 @@ def _reconstructed(
         )
         how = {
             "network": f"{readouts_text(exposed_scene.readouts)}, decoder for any code",
-            "merge": "neighbours merged", "gap-tv": "total variation (GAP-TV)",
-        }[reconstruction.method]  # fmt: skip
+            "merge": "neighbours merged",
+            "gap-tv": "total variation (GAP-TV)",
+        }[reconstruction.method]
     return reconstruction.light, reconstruction.decode_s, how
 
 
@@ -127,10 +137,15 @@ def _commands(
         quote(files[3].as_posix()) if exposed_scene.run is None else f"--like {exposed_scene.run}"
     )
     options = {
-        "--scene": scene.name, "--exposure": scene.exposure, "--fit": scene.fit,
-        "--fps": scene.fps, "--first": scene.first or None, "--transfer": scene.transfer,
-        "--seed": settings.seed or None, "--effects": "auto",
-    }  # fmt: skip
+        "--scene": scene.name,
+        "--exposure": scene.exposure,
+        "--fit": scene.fit,
+        "--fps": scene.fps,
+        "--first": scene.first or None,
+        "--transfer": scene.transfer,
+        "--seed": settings.seed or None,
+        "--effects": "auto",
+    }
     scene_options = [
         f"{name} {quote(str(value))}" for name, value in options.items() if value is not None
     ]

@@ -189,9 +189,13 @@ def _still_rows(shown: Shown) -> list[list[Image]]:
     """Return the panel rows for a still: truth and ordinary camera; pixels that look; the run."""
     truth, light = shown.fitted(shown.truth), shown.fitted(shown.light)
     rows = [
-        [Image(_fit(light), "reconstruction", _decoder_text(shown)), _error(truth, light),
-         _shutters(shown), _readout(shown)]
-    ]  # fmt: skip
+        [
+            Image(_fit(light), "reconstruction", _decoder_text(shown)),
+            _error(truth, light),
+            _shutters(shown),
+            _readout(shown),
+        ]
+    ]
     if shown.exposed_scene.looked is not None:
         rows.insert(0, _of_looks(shown, shown.exposed_scene.looked, truth))
     first = [Image(_fit(truth), "truth", _tone(shown))]
@@ -213,8 +217,11 @@ def _clip_rows(shown: Shown) -> list[list[Image]]:
     moments = np.linspace(0, len(shown.truth) - 1, _MOMENTS).round().astype(int)
     truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
     codes = fitted("srgb", np.array([0.0]), float(exposed_scene.container.target.top_code))
-    usual = Image(_fit(codes(exposed_scene.codes(exposed_scene.usual))), "always open",
-                  f"an ordinary camera: {shown.measure} {shown.open_db:.1f} dB")  # fmt: skip
+    usual = Image(
+        _fit(codes(exposed_scene.codes(exposed_scene.usual))),
+        "always open",
+        f"an ordinary camera: {shown.measure} {shown.open_db:.1f} dB",
+    )
     rows = [
         [usual, _readout(shown), _shutters(shown)],
         _row(truth, [f"truth, frame {k + 1} of {len(shown.truth)}" for k in moments], _tone(shown)),
@@ -240,9 +247,10 @@ def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Im
     times = np.log2(looked.open_us / shortest) / max(1.0, np.log2(longest / shortest))
     closed = f"open for {shortest * 1e-3:.3g} to {longest * 1e-3:.3g} ms: yellow is longest"
     return [
-        Image(_fit(light), "pixels that look", note), _error(truth, light),
+        Image(_fit(light), "pixels that look", note),
+        _error(truth, light),
         Image(_fit(_coloured(times)), "when they closed", closed),
-    ]  # fmt: skip
+    ]
 
 
 def readouts_text(count: int) -> str:

@@ -235,13 +235,19 @@ def design_pattern(
         return frame.container("pattern.nsl", text_of(stops))
 
     ranked = judged(
-        frame.chip(), [np.asarray(scene, np.float64) for scene in scenes], frame.slots,
-        frame.slot_us, lambda stop: container_of([[stop]]), progress,
-    )  # fmt: skip
-    best = ranked[cheapest(
-        [pattern.mean_db for pattern in ranked],
-        lambda k: container_of(ranked[k].stops.tolist()).words_per_frame,
-    )]  # fmt: skip
+        frame.chip(),
+        [np.asarray(scene, np.float64) for scene in scenes],
+        frame.slots,
+        frame.slot_us,
+        lambda stop: container_of([[stop]]),
+        progress,
+    )
+    best = ranked[
+        cheapest(
+            [pattern.mean_db for pattern in ranked],
+            lambda k: container_of(ranked[k].stops.tolist()).words_per_frame,
+        )
+    ]
     best_of_shape = {pattern.name: pattern for pattern in reversed(ranked)}
     # Frames of few slots have no 2 x 2 tile of four stops.
     others = [best_of_shape[name] for name in ("uniform", "2 x 2") if name in best_of_shape]

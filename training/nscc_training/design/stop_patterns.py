@@ -80,9 +80,13 @@ def patterns(slots: int) -> list[Pattern]:
 
 
 def judged(
-    chip: DesignChip, scenes: Sequence[Values], slots: int, slot_us: float,
-    compiled: Callable[[int], Container], progress: Progress,
-) -> list[Pattern]:  # fmt: skip
+    chip: DesignChip,
+    scenes: Sequence[Values],
+    slots: int,
+    slot_us: float,
+    compiled: Callable[[int], Container],
+    progress: Progress,
+) -> list[Pattern]:
     """Return all patterns with their PSNR after merging under all effects, best first; `compiled`
     gives the program of one stop."""
     candidates = patterns(slots)
@@ -109,9 +113,13 @@ def cheapest(ranked_db: Sequence[float], words: Callable[[int], int]) -> int:
 
 
 def _frames(
-    chip: DesignChip, light_e: Values, slots: int, slot_us: float,
-    compiled: Callable[[int], Container], number: int,
-) -> dict[int, tuple[Values, NDArray[np.bool_]]]:  # fmt: skip
+    chip: DesignChip,
+    light_e: Values,
+    slots: int,
+    slot_us: float,
+    compiled: Callable[[int], Container],
+    number: int,
+) -> dict[int, tuple[Values, NDArray[np.bool_]]]:
     """Return for each stop the exposures in electrons and the saturated pixels."""
     seconds = np.full(slots, slot_us * 1e-6)
     target, sensor = chip.target, chip.sensor

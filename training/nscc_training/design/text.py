@@ -27,16 +27,18 @@ def looking_text(
     levels = [level_text(steps, target) for steps in schedule.steps]
     level = levels[0] if len(set(levels)) == 1 else f"[{', '.join(levels)}]"
     at = ", ".join(map(str, schedule.at))
-    return _formatted([
-        *_head("nsl 2", remark, chip, slots, slot_us),
-        f"sense bright when light > {level} at n in [{at}]",
-        "",
-        f"state closed_at : 0..{len(schedule.at)} = 0".ljust(36) + "# 0: open to the end",
-        "next closed_at = looks when bright and closed_at == 0",
-        "",
-        "open when closed_at == 0",
-        "read closed_at",
-    ])  # fmt: skip
+    return _formatted(
+        [
+            *_head("nsl 2", remark, chip, slots, slot_us),
+            f"sense bright when light > {level} at n in [{at}]",
+            "",
+            f"state closed_at : 0..{len(schedule.at)} = 0".ljust(36) + "# 0: open to the end",
+            "next closed_at = looks when bright and closed_at == 0",
+            "",
+            "open when closed_at == 0",
+            "read closed_at",
+        ]
+    )
 
 
 def tile_text(
@@ -44,13 +46,15 @@ def tile_text(
 ) -> str:
     """Return the program of a fixed tile of stops, given row by row."""
     rows = [f"[{', '.join(map(str, row))}]" for row in stops]
-    return _formatted([
-        *_head("nsl 1", remark, chip, slots, slot_us),
-        "code stop : 1..N",
-        "open when n < stop",
-        "",
-        f"pixels stop = tile [{', '.join(rows)}]",
-    ])  # fmt: skip
+    return _formatted(
+        [
+            *_head("nsl 1", remark, chip, slots, slot_us),
+            "code stop : 1..N",
+            "open when n < stop",
+            "",
+            f"pixels stop = tile [{', '.join(rows)}]",
+        ]
+    )
 
 
 def level_text(steps: int, target: Target) -> str:

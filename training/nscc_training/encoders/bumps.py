@@ -131,10 +131,12 @@ class Bump(Encoder):
 
     def within(self, fields: Tensor) -> Tensor:
         """Return fields (fields, rows, cols) clipped to their limits."""
-        return torch.stack([
-            torch.clamp(field, *limits)
-            for field, limits in zip(fields, self.limits.values(), strict=True)
-        ])  # fmt: skip
+        return torch.stack(
+            [
+                torch.clamp(field, *limits)
+                for field, limits in zip(fields, self.limits.values(), strict=True)
+            ]
+        )
 
     def snapped(self, fields: Tensor) -> Tensor:
         """Return the nearest legal codes; the gradient passes straight through."""

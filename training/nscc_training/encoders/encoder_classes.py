@@ -43,11 +43,15 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
         raise ValueError(f"{name} needs bumps for clips, classes {', '.join(_CODES)}")
     period = 2 if name in YARDSTICKS else _SIDE
     if any(side % period for side in spec.tile):
-        raise ValueError(f"{name} repeats every {period} x {period} places: the tile must be a "
-                         f"multiple of that, but is {spec.tile[0]} x {spec.tile[1]}")  # fmt: skip
+        raise ValueError(
+            f"{name} repeats every {period} x {period} places: the tile must be a "
+            f"multiple of that, but is {spec.tile[0]} x {spec.tile[1]}"
+        )
     if name == "cyclic" and spec.kind in "cd":
-        raise ValueError(f"bumps of class {spec.kind} end with the frame, but those of cyclic "
-                         "continue at its start: use class e or a codebook of 16 rows")  # fmt: skip
+        raise ValueError(
+            f"bumps of class {spec.kind} end with the frame, but those of cyclic "
+            "continue at its start: use class e or a codebook of 16 rows"
+        )
     length = spec.length or -(-spec.slots * _SIXTEENTHS.get(name, 4) // 16)
     return _CODES[spec.kind](spec, _first(name, spec, length), length)
 

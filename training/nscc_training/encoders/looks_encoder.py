@@ -55,9 +55,9 @@ class LooksEncoder(Encoder):
             boundaries.append(
                 torch.clamp(torch.maximum(whole_slots[k], least), max=slots - looks + k)
             )
-        return torch.cat([
-            replaced(at, torch.stack(boundaries)), rounded(levels.clamp(1, max(self.most, 1)))
-        ])  # fmt: skip
+        return torch.cat(
+            [replaced(at, torch.stack(boundaries)), rounded(levels.clamp(1, max(self.most, 1)))]
+        )
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
         fields = over(self.fields())

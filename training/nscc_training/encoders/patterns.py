@@ -130,10 +130,12 @@ class Codebook(_Digits):
                 1, max(2, self.rows), current.shape, generator=generator, device=generator.device
             )
             alternative = (current + steps.to(current.device)) % self.rows
-        fields = torch.cat([
-            self.shown(self.shapes, current),
-            scores.gather(0, current) - scores.gather(0, alternative),
-        ])  # fmt: skip
+        fields = torch.cat(
+            [
+                self.shown(self.shapes, current),
+                scores.gather(0, current) - scores.gather(0, alternative),
+            ]
+        )
         with torch.no_grad():
             spread = self.trial_spread(fields)
             # two scores differ by the noise of both

@@ -106,7 +106,8 @@ BASELINES: dict[str, dict[str, Baseline]] = {
     },
     "video-v1": {
         name: Baseline(
-            method, "c:random" if name == "bilinear" else "e:random",
+            method,
+            "c:random" if name == "bilinear" else "e:random",
             takes_codes=method.sees == "capture",
         )
         for name, method in methods.CLIPS.items()
@@ -129,7 +130,7 @@ BASELINES: dict[str, dict[str, Baseline]] = {
             _ANY, tiles=lambda p, _seed: _film(p, staggered=True), alone=True
         ),
     },
-}  # fmt: skip
+}
 
 
 def evaluate_baseline(
@@ -167,12 +168,16 @@ def evaluate_baseline(
     extra_settings = {} if published is None else {"published_db": published}
     spent_s = [entry.seconds for entry in scored_scenes]
     return result_of(
-        protocol, name,
+        protocol,
+        name,
         {**settings, "seed": seed, "shutter": codes or baseline.start, **extra_settings},
-        files, scored_scenes, left_out, sees=baseline.method.sees,
+        files,
+        scored_scenes,
+        left_out,
+        sees=baseline.method.sees,
         decoder_ms=1e3 * float(np.mean(spent_s)) if scored_scenes else None,
         **also_saturated(files, protocol, lambda shown: decoded(tile, shown)),
-    )  # fmt: skip
+    )
 
 
 def _choices(
@@ -205,9 +210,11 @@ def _choices(
         for key, values in encoder.codes().items():
             settings["stops" if key == "stop" else key] = values.tolist()
         return [(encoder.hard().cpu(), settings)]
-    stops = [int(baseline.start)] if baseline.start else [
-        1 << k for k in range(slots.bit_length()) if 1 << k <= slots
-    ]  # fmt: skip
+    stops = (
+        [int(baseline.start)]
+        if baseline.start
+        else [1 << k for k in range(slots.bit_length()) if 1 << k <= slots]
+    )
     opened = torch.arange(slots).reshape(-1, 1, 1)
     return [((opened < stop).float(), {"stops": [[stop]]}) for stop in stops]
 

@@ -110,8 +110,10 @@ def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> d
             ),
             helps=("name a folder of panoramas and clips, or with folders hdr and video of them",),
         )
-    shots = {"still" if kind else "clip": _shot_of(folder, kind, scenes[kind], effects, seed)
-             for kind, folder in runs.items()}  # fmt: skip
+    shots = {
+        "still" if kind else "clip": _shot_of(folder, kind, scenes[kind], effects, seed)
+        for kind, folder in runs.items()
+    }
     layout = files("nscc_training.evaluation") / "figures.toml"
     pngs = {}
     for name, figure in tomllib.loads(layout.read_text(encoding="utf-8")).items():

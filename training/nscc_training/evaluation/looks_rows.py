@@ -81,9 +81,14 @@ def evaluate_looks(
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
     size, well = int(protocol["crop_size"]), float(protocol["full_well_e"])
     target = replace(
-        builtin_target("scamp5"), rows=size, cols=size, full_well_e=well, register_max_e=well,
-        register_min_e=-well, adc_bits=int(protocol["adc_bits"]),
-    )  # fmt: skip
+        builtin_target("scamp5"),
+        rows=size,
+        cols=size,
+        full_well_e=well,
+        register_max_e=well,
+        register_min_e=-well,
+        adc_bits=int(protocol["adc_bits"]),
+    )
     noise_settings = f"adc_noise_lsb={float(protocol['read_noise_lsb'])}", "spread_noise_lsb=0.0"
     program = _programs(name, target, load_sensor(target, None, noise_settings))
     sensor = load_sensor(target, None, (*noise_settings, *changes))
@@ -103,15 +108,24 @@ def evaluate_looks(
         method = {"looks": list(looks), "level": f"{percent:g}%"}
     settings = {"effects": effects or _EFFECTS, "sensor_changes": [*changes], "seed": seed}
     return result_of(
-        protocol, name, {**method, **settings}, files, decoded(usable), left_out, decoder_ms=0.0,
+        protocol,
+        name,
+        {**method, **settings},
+        files,
+        decoded(usable),
+        left_out,
+        decoder_ms=0.0,
         **also_saturated(files, protocol, decoded),
-    )  # fmt: skip
+    )
 
 
 def looked_light(
-    container: Container, light_e: NDArray[Any], sensor: Sensor, effects: Selection | str,
+    container: Container,
+    light_e: NDArray[Any],
+    sensor: Sensor,
+    effects: Selection | str,
     seeds: tuple[int, int],
-) -> NDArray[np.float64]:  # fmt: skip
+) -> NDArray[np.float64]:
     """Return the light in electrons that pixels which look measure of `light_e`."""
     slot_s = container.slot_s
     frame_s = float(slot_s.sum())

@@ -105,10 +105,12 @@ def captured(scene: ProtocolScene, tile: Tensor, model: SensorModel, seed: int) 
     from nscc_training.sensor_model import frame_of
 
     tiles = tile if tile.ndim == 4 else tile[None]
-    codes = np.stack([
-        frame_of(scene.light_e, frame_tile, model, seed * len(tiles) + k).numpy()
-        for k, frame_tile in enumerate(tiles)
-    ])  # fmt: skip
+    codes = np.stack(
+        [
+            frame_of(scene.light_e, frame_tile, model, seed * len(tiles) + k).numpy()
+            for k, frame_tile in enumerate(tiles)
+        ]
+    )
     return CapturedScene(scene, codes, tiles.float().numpy(), codes >= model.full_code, model)
 
 
@@ -154,9 +156,14 @@ def _sparse(captured: CapturedScene, **options: Any) -> Light:
     model = captured.model
     assert model is not None
     return coded_still(
-        captured.codes[0], captured.share, _merged(captured), model.electrons_per_lsb,
-        captured.saturated[0], model.full_well_e, **options,
-    )  # fmt: skip
+        captured.codes[0],
+        captured.share,
+        _merged(captured),
+        model.electrons_per_lsb,
+        captured.saturated[0],
+        model.full_well_e,
+        **options,
+    )
 
 
 def _any(captured: CapturedScene, **options: Any) -> Light:

@@ -80,8 +80,12 @@ def _row(
         for value, digits in ((row["psnr_db"], 2), (row["ssim"], 3), (row["psnr_by_source_db"], 2))
     )
     cells = (
-        f"{label} {dagger(folder, name)}".strip(), f"{psnr_db} / {ssim}",
-        f"{own} / {own_ssim}" if results else "-", by_source, str(row["steps"] or "-"),
-        ",".join(map(str, row["seeds"])) or "-", row["remark"],
-    )  # fmt: skip
+        f"{label} {dagger(folder, name)}".strip(),
+        f"{psnr_db} / {ssim}",
+        f"{own} / {own_ssim}" if results else "-",
+        by_source,
+        str(row["steps"] or "-"),
+        ",".join(map(str, row["seeds"])) or "-",
+        row["remark"],
+    )
     return row, f"| {' | '.join(cells)} |"

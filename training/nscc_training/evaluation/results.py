@@ -82,8 +82,9 @@ def damaged_files(result: Mapping[str, Any]) -> list[Diagnostic]:
     help_text = "repair or remove the file, then the same command scores all files"
     return [
         Diagnostic(entry["code"], entry["reason"], helps=(help_text,))
-        for entry in result["left_out"] if "code" in entry
-    ]  # fmt: skip
+        for entry in result["left_out"]
+        if "code" in entry
+    ]
 
 
 class Scorer:
@@ -102,9 +103,10 @@ class Scorer:
         return self._open_store()
 
     def scored(
-        self, scenes: Iterable[ProtocolScene | None],
+        self,
+        scenes: Iterable[ProtocolScene | None],
         decode: Callable[[ProtocolScene, int], tuple[Array, float]],
-    ) -> list[Scored]:  # fmt: skip
+    ) -> list[Scored]:
         """Decode and score every scene.
 
         `decode` takes a scene and its index, which seeds the noise, and returns electrons and
@@ -187,19 +189,32 @@ def also_saturated(
         usable, left_out = usable_scenes(scenes_in(files, protocol, fraction), protocol)
         scored_scenes = decoded(usable)
         means = {f"mean_{name}": mean_score(scored_scenes, name) for name in _MEANS}
-        rows.append({
-            "saturated_fraction": fraction, "crops": len(usable), "crops_left_out": len(left_out),
-            **{name: value if math.isfinite(value) else None for name, value in means.items()},
-        })  # fmt: skip
+        rows.append(
+            {
+                "saturated_fraction": fraction,
+                "crops": len(usable),
+                "crops_left_out": len(left_out),
+                **{name: value if math.isfinite(value) else None for name, value in means.items()},
+            }
+        )
     return {"also_saturated": rows} if rows else {}
 
 
 def result_of(
-    protocol: Protocol, method: str, settings: dict[str, Any], files: Sequence[Path],
-    scored_scenes: Sequence[Scored], left_out: Sequence[Mapping[str, Any]], *,
-    sees: str = "capture", decoder_ms: float | None = None, device: str = "cpu",
-    parameters: int = 0, flops: int | None = None, **extra_keys: Any,
-) -> tuple[dict[str, Any], dict[str, Array]]:  # fmt: skip
+    protocol: Protocol,
+    method: str,
+    settings: dict[str, Any],
+    files: Sequence[Path],
+    scored_scenes: Sequence[Scored],
+    left_out: Sequence[Mapping[str, Any]],
+    *,
+    sees: str = "capture",
+    decoder_ms: float | None = None,
+    device: str = "cpu",
+    parameters: int = 0,
+    flops: int | None = None,
+    **extra_keys: Any,
+) -> tuple[dict[str, Any], dict[str, Array]]:
     """Return the result of scored scenes as JSON values, and the arrays of `--save` by name.
 
     The arrays are the reconstruction of each item, an `image` or a `video`, and its ground truth.

@@ -76,16 +76,18 @@ def evaluate_run(
     files = [path for path in files if path not in seen_files]
     if effects and protocol.name == "sci8":
         raise rejected(
-            "NS0841", "sci8 contains measurements that were not made by the emulated chip",
+            "NS0841",
+            "sci8 contains measurements that were not made by the emulated chip",
             helps=("leave --effects out, or use video-v1",),
-        )  # fmt: skip
+        )
     decode = (
         _by_mask(folder) if protocol.name == "sci8" else _by_run(folder, seed, effects, changes)
     )
     candidates = (
         class_windows(files, folder.setup.classes, protocol, seed)
-        if protocol.classifies else scenes_in(files, protocol)
-    )  # fmt: skip
+        if protocol.classifies
+        else scenes_in(files, protocol)
+    )
     scenes, unusable = usable_scenes(candidates, protocol)
     left_out = [
         {"file": path.name, "reason": "the run has seen it"} for path in seen_files
@@ -112,11 +114,12 @@ def evaluate_validation(
     )
     if not {scene.sha256 for scene in scenes.val} <= folder.seen_digests:
         raise rejected(
-            "NS0811", f"'{folder.path}' was validated on other scenes than those that its "
-                      "configuration now names",
+            "NS0811",
+            f"'{folder.path}' was validated on other scenes than those that its "
+            "configuration now names",
             notes=("split.json contains the digests of the original validation scenes",),
             helps=("set [data] val to the original files",),
-        )  # fmt: skip
+        )
     shown = validation_scenes(folder.setup, scenes)
     effects = settings.sensor.effects
     scored_scenes = (scorer or Scorer()).scored(shown, _by_run(folder, 0, effects, ()))
@@ -159,9 +162,15 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
 
 
 def _run_result(
-    folder: RunFolder, protocol: Protocol, files: list[Path], scored_scenes: Sequence[Scored],
-    left_out: list[dict[str, Any]], seed: int, effects: str, extra_keys: dict[str, Any],
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:  # fmt: skip
+    folder: RunFolder,
+    protocol: Protocol,
+    files: list[Path],
+    scored_scenes: Sequence[Scored],
+    left_out: list[dict[str, Any]],
+    seed: int,
+    effects: str,
+    extra_keys: dict[str, Any],
+) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of scored scenes with the settings of the run, and its arrays by name."""
     setup, settings = folder.setup, folder.setup.settings
     decoder_s = [entry.seconds for entry in scored_scenes]
@@ -183,13 +192,16 @@ def _run_result(
             "trained_effects": settings.sensor.effects,
             "seed": seed,
         },
-        files, scored_scenes, left_out,
+        files,
+        scored_scenes,
+        left_out,
         decoder_ms=1e3 * float(np.median(decoder_s)) if scored_scenes else None,
         device=setup.device.type,
         parameters=parameter_count(setup.decoder),
         flops=flops(setup.decoder, setup.slots, *_SIZE, setup.buckets),
-        **extra_keys, flops_size=[*_SIZE],
-    )  # fmt: skip
+        **extra_keys,
+        flops_size=[*_SIZE],
+    )
 
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
@@ -221,9 +233,10 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
     name = setup.settings.decoder.name
     if protocol.name == "sci8" and setup.buckets > 1:
         raise rejected(
-            "NS0821", f"'{folder.path}' was trained with two buckets, but clips of sci8 have one",
+            "NS0821",
+            f"'{folder.path}' was trained with two buckets, but clips of sci8 have one",
             helps=("protocol two-bucket-v1 has two",),
-        )  # fmt: skip
+        )
     if protocol.name == "sci8" and name in DECODERS and not DECODERS[name].any_code:
         raise rejected(
             "NS0821",
@@ -257,10 +270,18 @@ def check_unseen(folder: RunFolder, files: list[Path]) -> None:
 
 
 def evaluate(
-    subject: str, data: Path, protocol: str, seed: int, *,
-    trust_code: bool = False, skip_seen: bool = False, codes: str = "",
-    effects: str = "", changes: Sequence[str] = (), scorer: Scorer | None = None,
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:  # fmt: skip
+    subject: str,
+    data: Path,
+    protocol: str,
+    seed: int,
+    *,
+    trust_code: bool = False,
+    skip_seen: bool = False,
+    codes: str = "",
+    effects: str = "",
+    changes: Sequence[str] = (),
+    scorer: Scorer | None = None,
+) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a baseline or of a run, and its arrays by name.
 
     `subject` is a baseline, a run folder, or a run that comes with nscc. `trust_code` is as in
@@ -278,11 +299,11 @@ def evaluate(
     if subject in known:
         if effects or changes:
             raise rejected(
-                "NS0841", f"the baseline {subject} has no program, so effects of a chip cannot be "
-                    "applied",
+                "NS0841",
+                f"the baseline {subject} has no program, so effects of a chip cannot be applied",
                 notes=("its codes are exposed with the fixed sensor of the protocol",),
                 helps=("name a run folder of nscc train, or leave --effects out",),
-            )  # fmt: skip
+            )
         return evaluate_baseline(chosen, subject, data, seed, codes, scorer)
     run = run_path(Path(subject))
     if run.is_dir():

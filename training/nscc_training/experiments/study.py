@@ -214,8 +214,17 @@ def _gathered(
         times_ms = ms if isinstance(ms, list) else [row.figures["ms"] for row in point_rows]
         method, setting, bound = (figures.pop(name) for name in names)
         made += [
-            Point(point.case, method, setting, error, unit, tuple(times_ms), bound,
-                  more_is_better=unit in _MORE_IS_BETTER, device=point.device)
+            Point(
+                point.case,
+                method,
+                setting,
+                error,
+                unit,
+                tuple(times_ms),
+                bound,
+                more_is_better=unit in _MORE_IS_BETTER,
+                device=point.device,
+            )
             for unit, error in figures.items()
-        ]  # fmt: skip
+        ]
     return StudyResult(tuple(made), tuple(refused), turns)

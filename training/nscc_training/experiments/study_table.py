@@ -11,8 +11,15 @@ from nscc.columns import columns
 from nscc_runtime.pictures.precision import Point, dominated
 
 COLUMNS = (
-    "method", "setting", "error", "error_unit", "time_ms", "spread_ms", "device", "dominated",
-)  # fmt: skip
+    "method",
+    "setting",
+    "error",
+    "error_unit",
+    "time_ms",
+    "spread_ms",
+    "device",
+    "dominated",
+)
 
 
 @dataclass(frozen=True)

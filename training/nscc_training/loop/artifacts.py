@@ -220,10 +220,13 @@ def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[
         codes, begun = setup.encoder.codes(), start.codes()
         moved = (codes["at"] != begun["at"]) | (codes["level"] != begun["level"])
         return {
-            "places": int(moved.size), "start": chosen.init, "moved": int(moved.sum()),
-            "shutters": int(moved.size) + 1, "at": codes["at"][0].tolist(),
+            "places": int(moved.size),
+            "start": chosen.init,
+            "moved": int(moved.sum()),
+            "shutters": int(moved.size) + 1,
+            "at": codes["at"][0].tolist(),
             "steps": codes["level"][0].tolist(),
-        }  # fmt: skip
+        }
     hard = setup.encoder.hard().cpu()
     moved = (start.hard() != hard).any(dim=0)
     alone = validated(setup, shown, by_model(setup, start.hard()))
@@ -278,9 +281,11 @@ def _card(setup: TrainingSetup, scenes: Scenes, result: dict[str, Any]) -> str:
     alone = ""
     if result["codes"]["moved"] and f"{_START}{metric}" in result["codes"]:
         # The report of pixels that look lacks this score.
-        alone = (f"\nBehind this decoder the start alone gives "
-                 f"{score_text(metric, result['codes'][f'{_START}{metric}'])} where these shutters "
-                 f"give {score_text(metric, result['robustness'][0][metric])}.")  # fmt: skip
+        alone = (
+            f"\nBehind this decoder the start alone gives "
+            f"{score_text(metric, result['codes'][f'{_START}{metric}'])} where these shutters "
+            f"give {score_text(metric, result['robustness'][0][metric])}."
+        )
     stages = " | ".join(
         "-" if result["stages"][k] is None else plain(result["stages"][k])
         for k in ("soft", "hard", "compiled", "emulated")

@@ -43,9 +43,12 @@ def container_of(setup: TrainingSetup) -> Container:
 
 @torch.no_grad()
 def scene_by_model(
-    setup: TrainingSetup, light_e: Arrays, seed: int, tile: Tensor | None = None,
+    setup: TrainingSetup,
+    light_e: Arrays,
+    seed: int,
+    tile: Tensor | None = None,
     model: SensorModel | None = None,
-) -> tuple[NDArray[np.float64], float]:  # fmt: skip
+) -> tuple[NDArray[np.float64], float]:
     """Capture a scene with the sensor model and decode it; return the electrons, over the frame or
     per slot, and seconds."""
     tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
@@ -66,9 +69,13 @@ def scene_by_model(
 
 
 def scene_by_chip(
-    setup: TrainingSetup, container: Container, sensor: Sensor, light_e: Arrays, effects: str,
+    setup: TrainingSetup,
+    container: Container,
+    sensor: Sensor,
+    light_e: Arrays,
+    effects: str,
     seeds: tuple[int, int],
-) -> tuple[NDArray[np.float64], float]:  # fmt: skip
+) -> tuple[NDArray[np.float64], float]:
     """Capture a scene with the emulated chip and decode it; return the light and decoding seconds.
 
     Equals `nscc run` followed by `nscc reconstruct`. `seeds` are the seeds of the noise and of the
@@ -117,10 +124,12 @@ def scene_by_words(
 
 
 def decoded_frame(
-    setup: TrainingSetup, frame: NDArray[np.uint8] | NDArray[np.float32],
+    setup: TrainingSetup,
+    frame: NDArray[np.uint8] | NDArray[np.float32],
     saturated: NDArray[np.bool_],
-    share: NDArray[np.float32] | None = None, corner: tuple[int, int] = (0, 0),
-) -> NDArray[np.float32]:  # fmt: skip
+    share: NDArray[np.float32] | None = None,
+    corner: tuple[int, int] = (0, 0),
+) -> NDArray[np.float32]:
     """Decode the codes of a frame to electrons over the frame (rows, cols), or per slot (T, rows,
     cols), or to a number for each class.
 
@@ -158,10 +167,11 @@ def decoded_frame(
 
 @torch.no_grad()
 def _decoded_block(
-    setup: TrainingSetup, frame: NDArray[np.uint8] | NDArray[np.float32],
+    setup: TrainingSetup,
+    frame: NDArray[np.uint8] | NDArray[np.float32],
     saturated: NDArray[np.bool_],
     shutters: Tensor,
-) -> NDArray[np.float32]:  # fmt: skip
+) -> NDArray[np.float32]:
     shutters = shutters.to(setup.device)
     codes = torch.from_numpy(frame.astype(np.float32)).to(setup.device)
     relative = setup.model.relative(codes - setup.model.adc_offset_lsb)

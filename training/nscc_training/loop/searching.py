@@ -135,9 +135,11 @@ def _losses(setup: TrainingSetup, codes: Codes, batch: Batch, step: int) -> NDAr
     shutters = window(setup.encoder.hard(), rows, cols, place).to(setup.device)
     noise = generator_of(setup.device, seed, DrawStream.READOUT_NOISE, step)
     prediction = decoded(setup, batch.light, shutters, setup.model, noise)
-    losses = torch.stack([
-        setup.loss(*compared(prediction[k : k + 1], batch.patches(k, k + 1)))
-        for k in range(len(prediction))
-    ])  # fmt: skip
+    losses = torch.stack(
+        [
+            setup.loss(*compared(prediction[k : k + 1], batch.patches(k, k + 1)))
+            for k in range(len(prediction))
+        ]
+    )
     words = (_words(setup, codes) or 0.0) if weight else 0.0
     return losses.double().cpu().numpy() + weight * words

@@ -177,15 +177,25 @@ def make_setup(settings: RunSettings) -> TrainingSetup:
     fixed = not named_sensor and "full_well_e" in protocol.values
     model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
     model = replace(
-        model, comparator_noise=sensor.comparator_noise_fraction,
+        model,
+        comparator_noise=sensor.comparator_noise_fraction,
         comparator_offset=sensor.comparator_offset_fraction,
-    )  # fmt: skip
+    )
     model = model if settings.sensor.noise else model.noiseless()
     return TrainingSetup(
-        settings, protocol, still, chip, target, sensor,
-        replace(model, slope=settings.sensor.slope), encoder.to(device), decoder.to(device),
-        _loss(settings.loss.name), device, files,
-    )  # fmt: skip
+        settings,
+        protocol,
+        still,
+        chip,
+        target,
+        sensor,
+        replace(model, slope=settings.sensor.slope),
+        encoder.to(device),
+        decoder.to(device),
+        _loss(settings.loss.name),
+        device,
+        files,
+    )
 
 
 def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
@@ -201,12 +211,14 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
             "a code for every pixel, allows",
         )
     spec = ShutterSpec(
-        chosen.kind, chosen.slots, (1, 1) if chosen.kind == "a" else tile,
+        chosen.kind,
+        chosen.slots,
+        (1, 1) if chosen.kind == "a" else tile,
         length=chosen.length if chosen.kind == "c" else None,
         rows=chosen.rows if chosen.kind == "codebook" else None,
         levels=most_steps(target, target.full_well_e) if chosen.kind == LOOKS else None,
         buckets=chosen.buckets,
-    )  # fmt: skip
+    )
     named = chosen.init in _STARTS
     start = {"learned": "quad"}.get(chosen.init, chosen.init) if named else "quad"
     try:

@@ -139,12 +139,17 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
         and about.get("steps", np.inf) < settings.train.steps
     ):
         raise _refused(path, f"it was made with another configuration{_changed(path, settings)}")
-    changed = [name for name, digest in _file_digests(state.setup).items()
-               if about.get("files", {}).get(name) != digest]  # fmt: skip
+    changed = [
+        name
+        for name, digest in _file_digests(state.setup).items()
+        if about.get("files", {}).get(name) != digest
+    ]
     if changed:
         names = " and the ".join(changed)
-        raise _refused(path, "the chip or the sensor has changed since: the original is "
-                             f"{names} in the run folder")  # fmt: skip
+        raise _refused(
+            path,
+            f"the chip or the sensor has changed since: the original is {names} in the run folder",
+        )
     if about.get("split_sha256") != split_digest(scenes):
         raise _refused(path, "it was made with other scenes: the files of [data] have changed")
     try:

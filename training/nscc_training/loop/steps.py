@@ -25,9 +25,12 @@ def window(shutters: Tensor, rows: int, cols: int, seed: tuple[int, ...]) -> Ten
 
 
 def decoded(
-    setup: TrainingSetup, light: Tensor, shutters: Tensor, model: SensorModel,
+    setup: TrainingSetup,
+    light: Tensor,
+    shutters: Tensor,
+    model: SensorModel,
     generator: torch.Generator | None,
-) -> Tensor:  # fmt: skip
+) -> Tensor:
     """Capture `light` with `shutters`, a tile for the first bucket, and decode it.
 
     A model without photon noise has no other effects either."""

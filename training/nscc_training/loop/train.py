@@ -160,13 +160,15 @@ def train(
             checkpoint_path = out / CHECKPOINT
             brought = checkpoint is not None and checkpoint.resolve() != checkpoint_path.resolve()
             out.mkdir(parents=True, exist_ok=True)
-            write_together({
-                out / "config.resolved.toml": config_toml(settings).encode(),
-                out / "split.json": lines_of(run.scenes.split()),
-                out / "environment.json": lines_of(environment(run.setup)),
-                **{out / name: data for name, data in run.setup.files.items()},
-                **(_so_far(run) if brought else {}),
-            })  # fmt: skip
+            write_together(
+                {
+                    out / "config.resolved.toml": config_toml(settings).encode(),
+                    out / "split.json": lines_of(run.scenes.split()),
+                    out / "environment.json": lines_of(environment(run.setup)),
+                    **{out / name: data for name, data in run.setup.files.items()},
+                    **(_so_far(run) if brought else {}),
+                }
+            )
         try:
             _steps(run, track if ranks.first else unseen, report, stop_after)
         except KeyboardInterrupt as stop:
@@ -194,9 +196,12 @@ def _how_to_go_on(out: Path, resume: str) -> str:
 
 
 def start(
-    settings: RunSettings, checkpoint: Path | None, ranks: Ranks, out: Path,
+    settings: RunSettings,
+    checkpoint: Path | None,
+    ranks: Ranks,
+    out: Path,
     report: Callable[[str], None] = lambda _text: None,
-) -> TrainingRun:  # fmt: skip
+) -> TrainingRun:
     """Return a run at step 0, or at the step of a checkpoint."""
     setup = make_setup(settings)
     lessons, data, seed = settings.decoder.lessons, settings.data, settings.train.seed
@@ -243,9 +248,10 @@ def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
     if ranks.count > 1 and (searched or settings.decoder.lessons):
         activity = "codes are searched" if searched else "lessons are learned"
         raise rejected(
-            "NS0815", f"{activity} by one process, but {ranks.count} are running",
+            "NS0815",
+            f"{activity} by one process, but {ranks.count} are running",
             helps=("start one: `nscc train` without torchrun",),
-        )  # fmt: skip
+        )
 
 
 def _checkpoint(out: Path, resume: str) -> Path | None:
@@ -269,9 +275,13 @@ def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
     """Return the random draws of steps `first` to `last`, in order."""
     workers, device = run.setup.settings.train.workers, run.setup.device
     return DataLoader(
-        run.dataset, batch_size=None, sampler=range(first, last), num_workers=workers,
-        pin_memory=device.type == "cuda", multiprocessing_context="spawn" if workers else None,
-    )  # fmt: skip
+        run.dataset,
+        batch_size=None,
+        sampler=range(first, last),
+        num_workers=workers,
+        pin_memory=device.type == "cuda",
+        multiprocessing_context="spawn" if workers else None,
+    )
 
 
 def _steps(
@@ -360,20 +370,26 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
     run.log.add(step, "train", loss=loss, dead_share=dead)
     words = None
     with suppress(Rejected):
-        words = words_per_slot(compiled(
-            program_of(setup.encoder, setup.chip), setup.chip,
-            every_code=settings.shutter.codes == "open",
-        ))  # fmt: skip
+        words = words_per_slot(
+            compiled(
+                program_of(setup.encoder, setup.chip),
+                setup.chip,
+                every_code=settings.shutter.codes == "open",
+            )
+        )
     learned = tensors_of(setup) if run.state.average is not None else None
     if run.state.average is not None:
         setup.decoder.load_state_dict(run.state.average.module.state_dict())
     setup.decoder.eval()
     scores = validated(setup, run.shown)
-    run.log.add(step, "val", loss=scores.loss, words_per_slot=words, dead_share=dead,
-                **scores.means)  # fmt: skip
-    report(f"step {step}: loss {scores.loss:.5f}, {means_text(scores.means)} "
-           f"({setup.protocol.name}, {counted(len(run.shown), 'validation scene')})"
-           + (f", {words:.1f} words a slot" if words is not None else ""))  # fmt: skip
+    run.log.add(
+        step, "val", loss=scores.loss, words_per_slot=words, dead_share=dead, **scores.means
+    )
+    report(
+        f"step {step}: loss {scores.loss:.5f}, {means_text(scores.means)} "
+        f"({setup.protocol.name}, {counted(len(run.shown), 'validation scene')})"
+        + (f", {words:.1f} words a slot" if words is not None else "")
+    )
     counts = words is not None and within(settings.shutter, words)
     if counts and scores.loss < run.progress.best_loss:
         run.progress.best_loss, run.progress.best_step = scores.loss, step
@@ -392,9 +408,14 @@ def take_best(run: TrainingRun) -> None:
     words = words_per_slot(compiled(program_of(setup.encoder, setup.chip), setup.chip))
     if not within(setup.settings.shutter, words):
         raise rejected(
-            "NS0850", f"the search found no code with at most {most:g} words per slot",
-            notes=(f"it has {words:.1f} after {run.progress.step} steps; words_per_slot in "
-                   f"{METRICS} shows the progress",),
-            helps=("raise [shutter] most_words, or give the search more steps",
-                   "start with `quad` or `uniform`, which need few words"),
-        )  # fmt: skip
+            "NS0850",
+            f"the search found no code with at most {most:g} words per slot",
+            notes=(
+                f"it has {words:.1f} after {run.progress.step} steps; words_per_slot in "
+                f"{METRICS} shows the progress",
+            ),
+            helps=(
+                "raise [shutter] most_words, or give the search more steps",
+                "start with `quad` or `uniform`, which need few words",
+            ),
+        )

@@ -60,8 +60,9 @@ def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScen
         labels = {scene.name: scene.label for scene in scenes.val}
         shown = [
             with_class(scene, labels[str(scene.file)], setup.classes)
-            for scene in shown if isinstance(scene, ClipWindow)
-        ]  # fmt: skip
+            for scene in shown
+            if isinstance(scene, ClipWindow)
+        ]
     if not shown:
         raise rejected(
             "NS0811",

@@ -35,9 +35,11 @@ class ClassWindow(ClipWindow):
         scores = np.asarray(result_e, np.float64)
         surprise = np.logaddexp.reduce(scores) - scores[self.classes.index(self.label)]
         return {
-            "correct": float(decoded == self.label), "cross_entropy": float(surprise),
-            "class": self.label, "decoded": decoded,
-        }  # fmt: skip
+            "correct": float(decoded == self.label),
+            "cross_entropy": float(surprise),
+            "class": self.label,
+            "decoded": decoded,
+        }
 
 
 def with_class(window: ClipWindow, label: str, classes: Sequence[str]) -> ClassWindow:
@@ -74,16 +76,21 @@ def class_of(path: Path, classes: Sequence[str]) -> str:
             "NS0811",
             f"the folder of '{path}' is not named after a class",
             notes=(f"the classes are {', '.join(classes)[:200]}",),
-            helps=("put the clips of each class into a folder of its name, or change "
-                   "[data] classes",),
-        )  # fmt: skip
+            helps=(
+                "put the clips of each class into a folder of its name, or change [data] classes",
+            ),
+        )
     return name
 
 
 def moving_texture(
-    generator: np.random.Generator, index: int, classes: Sequence[str], frames: int, size: int,
+    generator: np.random.Generator,
+    index: int,
+    classes: Sequence[str],
+    frames: int,
+    size: int,
     protocol: Protocol,
-) -> tuple[str, NDArray[np.float32]]:  # fmt: skip
+) -> tuple[str, NDArray[np.float32]]:
     """Return class and light (frames, size, size) of scene `index`; the classes alternate."""
     label = classes[index % len(classes)]
     speed = float(np.exp(generator.uniform(*np.log(protocol["speed"]))))

@@ -28,11 +28,15 @@ KINDS: tuple[Kind, ...] = ("clips", "stills")
 _PANORAMAS = (ENDINGS, "panoramas are files ending in", "linear panoramas, 512 x 1024")
 _CLIPS = (CLIPS, "clips end in", "clips of at least 256 x 256")
 _WANTED: dict[str, tuple[Sequence[str], str, str]] = {
-    "hdr-v1": _PANORAMAS, "deblur-v1": _PANORAMAS, "video-v1": _CLIPS, "two-bucket-v1": _CLIPS,
-    "staggered-v1": _CLIPS, "codes-v1": _CLIPS,
+    "hdr-v1": _PANORAMAS,
+    "deblur-v1": _PANORAMAS,
+    "video-v1": _CLIPS,
+    "two-bucket-v1": _CLIPS,
+    "staggered-v1": _CLIPS,
+    "codes-v1": _CLIPS,
     "class-v1": (CLIPS, "clips end in", "folders of clips, named after classes, or `procedural`"),
     "sci8": ((".mat",), "clips end in", "the benchmark's clips, or one of them"),
-}  # fmt: skip
+}
 
 
 def files_of(protocol: Protocol, folder: Path) -> list[Path]:

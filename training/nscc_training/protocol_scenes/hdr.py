@@ -74,9 +74,12 @@ def crops_of(
 
 
 def exposed_crop(
-    path: Path, corner: tuple[int, int], light: Picture, protocol: Protocol,
+    path: Path,
+    corner: tuple[int, int],
+    light: Picture,
+    protocol: Protocol,
     fraction: float | None = None,
-) -> Crop | Unusable:  # fmt: skip
+) -> Crop | Unusable:
     """Return a crop, scaled so that `fraction` of its pixels would saturate if always open."""
     share = float(protocol["saturated_fraction"]) if fraction is None else fraction
     well_e, place = float(protocol["full_well_e"]), {"crop": list(corner)}

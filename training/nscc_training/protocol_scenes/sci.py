@@ -78,8 +78,9 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     if not all(np.isfinite(a).all() for a in values):
         raise _unusable(path, "its arrays are not finite")
     if min(shape) < WINDOW:
-        raise _unusable(path, f"{shape[0]} x {shape[1]} is too small: SSIM needs {WINDOW} x "
-                        f"{WINDOW}")  # fmt: skip
+        raise _unusable(
+            path, f"{shape[0]} x {shape[1]} is too small: SSIM needs {WINDOW} x {WINDOW}"
+        )
     if not np.array_equal(values[0], np.clip(np.rint(values[0]), 0, 255)):
         raise _unusable(path, "`orig` has other values than whole numbers 0..255")
     if values[1].min() < 0 or values[1].max() == 0:

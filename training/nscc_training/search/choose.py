@@ -48,9 +48,11 @@ class MotionDesign(Design):
 
 
 def design_motion(
-    kind: Kind, scenes: Sequence[NDArray[np.floating]] = (), frame: Frame | None = None,
+    kind: Kind,
+    scenes: Sequence[NDArray[np.floating]] = (),
+    frame: Frame | None = None,
     most_words: float = 4.0,
-) -> MotionDesign:  # fmt: skip
+) -> MotionDesign:
     """Design shutters for moving light.
 
     The candidates are bumps in a 4 x 4 tile and, for 16 slots, searched bits.
@@ -73,8 +75,11 @@ def design_motion(
     """
     frame = frame or Frame(slots=16)
     if kind == "scene" and not scenes:
-        raise rejected("NS0843", "there is no scene to measure the motion of",
-                       helps=("name one with --scene, or --motion slow or fast",))  # fmt: skip
+        raise rejected(
+            "NS0843",
+            "there is no scene to measure the motion of",
+            helps=("name one with --scene, or --motion slow or fast",),
+        )
     motions = [_motion(kind, scene, frame.chip()) for scene in scenes or (None,)]
     encoders = encoders_by_name(frame.slots)
     expected = {
@@ -82,7 +87,8 @@ def design_motion(
         for name, encoder in encoders.items()
     }
     remark = "Shutters for clips, {}: of such codes most is expected of it where motion is " + (
-        "as its scene has it." if kind == "scene" else f"{kind}.")  # fmt: skip
+        "as its scene has it." if kind == "scene" else f"{kind}."
+    )
     passed: list[str] = []
     refused: Rejected | None = None
     for name in sorted(expected, key=lambda code_name: -expected[code_name]):
@@ -103,19 +109,22 @@ def design_motion(
     if refused and all(code_name.endswith("(does not fit)") for code_name in passed):
         raise refused  # the compiler's message says more
     raise rejected(
-        "NS0843", f"no code for clips has at most {most_words:g} words per slot here",
+        "NS0843",
+        f"no code for clips has at most {most_words:g} words per slot here",
         notes=(f"rejected: {'; '.join(passed)}",),
         helps=("allow more words with --max-words, or use longer slots",),
-    )  # fmt: skip
+    )
 
 
 def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: DesignChip) -> Motion:
     """Return the motion model of the light, with the chip's noise."""
     mean_e = _BRIGHT * chip.full_e if scene is None else float(scene.sum(axis=0).mean())
     if mean_e <= 0:
-        raise rejected("NS0824", "a scene has no light, so no shutters can be designed for it",
-                       helps=("use a scene with light; --exposure sets how much light a frame "
-                              "receives",))  # fmt: skip
+        raise rejected(
+            "NS0824",
+            "a scene has no light, so no shutters can be designed for it",
+            helps=("use a scene with light; --exposure sets how much light a frame receives",),
+        )
     dark_e = float(chip.exposed_sd_e(np.zeros(1))[0])
     motion = Motion(SPEEDS.get(kind, (0.0,)), noise=(dark_e / mean_e) ** 2, counts=1 / mean_e)
     if scene is None:
@@ -147,9 +156,12 @@ def _lines(
     lines = [
         ("code", name),
         ("motion", f"{min(speeds):.3g} to {max(speeds):.3g} pixels over the frame"),
-        ("expected", f"{expected[name]:.1f} dB below the light's variance; the 2 x 2 tile "
-                     f"{expected[_YARDSTICK]:.1f} dB"),
-    ]  # fmt: skip
+        (
+            "expected",
+            f"{expected[name]:.1f} dB below the light's variance; the 2 x 2 tile "
+            f"{expected[_YARDSTICK]:.1f} dB",
+        ),
+    ]
     if passed:
         lines.append(("passed", "; ".join(passed)))
     return tuple(lines)

@@ -84,8 +84,9 @@ class ClipDesign(Design):
 
 def clip_codes(slots: int) -> list[ClipCode]:
     """Return all codes: bumps, mixtures and free bits, in one readout and in two."""
-    tiles = {name: encoder.hard().numpy() > 0.5
-             for name, encoder in encoders_by_name(slots).items()}  # fmt: skip
+    tiles = {
+        name: encoder.hard().numpy() > 0.5 for name, encoder in encoders_by_name(slots).items()
+    }
     always_open = np.ones((slots, *RANKS.shape), bool)
     bumps = {k: tiles[_BUMPS.format(k)].reshape(slots, -1)[:, _EIGHT_STARTS] for k in (2, 4, 8)}
     for longer, shorter in _MIXED:
@@ -94,8 +95,11 @@ def clip_codes(slots: int) -> list[ClipCode]:
     tiles["random bits"] = np.random.default_rng(0).random((slots, 8, 8)) < 0.5
     single = [ClipCode(f"{name}, one readout", opened) for name, opened in tiles.items()]
     # A second readout that is always open makes such pixels of the first one useless.
-    both = [ClipCode(f"{name}, two readouts, one always open", opened, long=True)
-            for name, opened in tiles.items() if not opened.all(axis=0).any()]  # fmt: skip
+    both = [
+        ClipCode(f"{name}, two readouts, one always open", opened, long=True)
+        for name, opened in tiles.items()
+        if not opened.all(axis=0).any()
+    ]
     return [ClipCode(_USUAL, always_open), *single, *both]
 
 
@@ -109,8 +113,11 @@ def design_clip(
     compiler's errors if no code fits the chip."""
     frame = frame or Frame(slots=16)
     ranked = _judged(clip_codes(frame.slots), scenes, frame, progress)
-    best = ranked[cheapest([code.mean_db for code in ranked],
-                           lambda k: ranked[k].container(frame).words_per_frame)]  # fmt: skip
+    best = ranked[
+        cheapest(
+            [code.mean_db for code in ranked], lambda k: ranked[k].container(frame).words_per_frame
+        )
+    ]
     remark = f"The code that the decoder for any code is best with, of {len(ranked)}: {best.name}."
     text = best.text(frame, remark)
     single = next(code for code in ranked if not code.long)
@@ -148,8 +155,10 @@ def _psnr_db(container: Container, sensor: Sensor, light_e: Clip, number: int) -
     light = light_on_array(light_e, container.slots, container.target)
     # All codes have the same noise, so that their differences are those of the codes.
     frame = exposed_frame(container, light, sensor, Request.of(effects="all", seed=number))
-    middle = [slice(max(0, side - _JUDGED_SIDE) // 2, -(-(side + min(side, _JUDGED_SIDE)) // 2))
-              for side in light_e.shape[1:]]  # fmt: skip
+    middle = [
+        slice(max(0, side - _JUDGED_SIDE) // 2, -(-(side + min(side, _JUDGED_SIDE)) // 2))
+        for side in light_e.shape[1:]
+    ]
     clip = decoded_clip(frame.crop(*middle).clip().tensors())[0].numpy()
     truth = np.asarray(light_e[:, middle[0], middle[1]], np.float64)
     peak = peak_of(truth.reshape(-1), number)

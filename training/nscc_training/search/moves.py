@@ -51,8 +51,9 @@ def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
         return np.asarray(((y - row) % tile[0] < high) & ((x - col) % tile[1] < wide))
     down, across = generator.choice(_PERIODS, 2)
     if kind == 2:
-        return np.asarray((y % down == generator.integers(down))
-                          & (x % across == generator.integers(across)))  # fmt: skip
+        return np.asarray(
+            (y % down == generator.integers(down)) & (x % across == generator.integers(across))
+        )
     return np.asarray((y // down + x // across) % 2 == generator.integers(2))
 
 
@@ -194,13 +195,20 @@ def _clipped(values: NDArray[np.number], low: int, high: int) -> Values:
 
 
 MOVING: dict[str, Callable[[ShutterSpec, Codes, Where, Generator], Codes]] = {
-    "b": _stops, "c": _starts, "d": _edges, "e": _bits, "codebook": _rows,
-}  # fmt: skip
+    "b": _stops,
+    "c": _starts,
+    "d": _edges,
+    "e": _bits,
+    "codebook": _rows,
+}
 """The function that changes shutters at some places, by class."""
 
 _LATER: dict[str, Callable[[ShutterSpec, Codes, Values], Codes]] = {
-    "b": _shorter, "c": _starts_later, "d": _edges_later, "e": _bits_later,
+    "b": _shorter,
+    "c": _starts_later,
+    "d": _edges_later,
+    "e": _bits_later,
     "codebook": _rows_later,
-}  # fmt: skip
+}
 """The function that shifts shutters around the frame, by class; for stills it shortens
 exposures."""

@@ -65,8 +65,11 @@ def looks_figures(values: Values) -> Figures:
     scenes."""
     scenes = scenes_of(values)
     name = f"looks-{values['exposures']}"
-    looks = scenes.designed(values["exposures"]) if values["designed"] else (
-        row_of(name, scenes.target))  # fmt: skip
+    looks = (
+        scenes.designed(values["exposures"])
+        if values["designed"]
+        else (row_of(name, scenes.target))
+    )
     chip = Chip(values["target"])
     named = chip.target if chip.file is None else None
 

@@ -49,9 +49,12 @@ def local_workers(workers: int, threads: int) -> Iterator[Executor[PointTask]]:
         before = pthread_sigmask(SIG_BLOCK, {SIGINT})
         try:
             cluster = LocalCluster(
-                n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None,
+                n_workers=workers,
+                threads_per_worker=1,
+                processes=True,
+                dashboard_address=None,
                 silence_logs=logging.CRITICAL,
-            )  # fmt: skip
+            )
         finally:
             pthread_sigmask(SIG_SETMASK, before)
     with dask.config.set(settings), cluster, Client(cluster) as client:

@@ -68,22 +68,29 @@ def _compile_fault(values: Values, named: Collection[str]) -> PointFault | None:
 
 
 COMPILE = PointKind(
-    "compile", "words, registers and times of a program, as its report has them", program_keys,
-    _compile, ("words_a_slot",), program_files,
+    "compile",
+    "words, registers and times of a program, as its report has them",
+    program_keys,
+    _compile,
+    ("words_a_slot",),
+    program_files,
     _compile_fault,
-)  # fmt: skip
+)
 
 
 def _limit_keys() -> tuple[Key, ...]:
     names = tuple(family.name for family in families())
     return (
         axis("family", TextKind(names), "a class at every size"),
-        axis("slot",
-             TextKind(pattern=r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)", phrase="a time: 10us"),
-             "the length of its slots", "1ms"),
+        axis(
+            "slot",
+            TextKind(pattern=r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)", phrase="a time: 10us"),
+            "the length of its slots",
+            "1ms",
+        ),
         *declared_axes(Options, level=1),
         *target_keys(),
-    )  # fmt: skip
+    )
 
 
 def _limit_fault(values: Values, _named: Collection[str]) -> PointFault | None:
@@ -123,7 +130,11 @@ def _limit(values: Values, _task: PointTask) -> Figures:
 
 
 LIMITS = PointKind(
-    "limits", "how large a class may be on a chip: `nscc targets --limits` point by point",
-    _limit_keys, _limit, ("built_up_to",), program_files,
+    "limits",
+    "how large a class may be on a chip: `nscc targets --limits` point by point",
+    _limit_keys,
+    _limit,
+    ("built_up_to",),
+    program_files,
     _limit_fault,
-)  # fmt: skip
+)

@@ -31,14 +31,19 @@ def _keys() -> tuple[Key, ...]:
     return (
         *scene_keys(),
         axis("looks", Integer(2, 32), "exposures of pixels that look, the last the whole frame"),
-        axis("criterion", TextKind(_CRITERIA), "the curve on which the error is minimised; "
-                                           "sve-risk: a fixed 2 x 2 tile instead of looks", "mu"),
+        axis(
+            "criterion",
+            TextKind(_CRITERIA),
+            "the curve on which the error is minimised; "
+            "sve-risk: a fixed 2 x 2 tile instead of looks",
+            "mu",
+        ),
         axis("slots", Integer(2, 4096), "slots of a frame", 256),
         axis("slot_us", Number(0.01, 1e6), "length of a slot in microseconds", 125.0),
         axis("target", TextKind(), "the chip, by name or file", DEFAULT_NAME),
         *declared_axes(Options, "level"),
         *sensor_keys(),
-    )  # fmt: skip
+    )
 
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
@@ -96,9 +101,15 @@ def _design(values: Values, task: PointTask) -> Figures:
 
 
 DESIGN = PointKind(
-    "design", "a program designed for a scene, and its expected error", _keys, _design,
-    ("expected_mu_db",), _reads, _fault,
+    "design",
+    "a program designed for a scene, and its expected error",
+    _keys,
+    _design,
+    ("expected_mu_db",),
+    _reads,
+    _fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
-    distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy"), leaves=".nsl",
+    distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy"),
+    leaves=".nsl",
     folder="programs",
-)  # fmt: skip
+)

@@ -29,9 +29,17 @@ from nscc_training.sweep.point_programs import (
 _BENCHES = ("clips", "stills")
 _SILENT = {
     "scene": ("data", "scenes", "frames", "at_us"),
-    "bench": ("slot_us", "max_words", "exposure", "transfer", "tolerance", "fidelity", "audit",
-              "device_seed"),
-}  # fmt: skip
+    "bench": (
+        "slot_us",
+        "max_words",
+        "exposure",
+        "transfer",
+        "tolerance",
+        "fidelity",
+        "audit",
+        "device_seed",
+    ),
+}
 """Keys that have no effect on points with a scene, and on points with a bench."""
 
 
@@ -39,21 +47,32 @@ def _keys() -> tuple[Key, ...]:
     return (
         *program_keys(),
         *scene_keys(),
-        axis("bench", TextKind(_BENCHES),
-             "instead of scene: scenes of a protocol, decoded without training"),
+        axis(
+            "bench",
+            TextKind(_BENCHES),
+            "instead of scene: scenes of a protocol, decoded without training",
+        ),
         axis("data", TextKind(), "the bench's folder of scenes; empty: synthetic scenes", ""),
         axis("scenes", Integer(1, 1000), "the number of scenes", 1),
-        axis("frames", Integer(1, 4096),
-             "number of frames of the bench's clips, a multiple of the slots", 16),
-        axis("at_us", Number(0.01, 1e6, automatic=True), "slot length of the bench; auto: the "
-                                                         "shortest", None),
+        axis(
+            "frames",
+            Integer(1, 4096),
+            "number of frames of the bench's clips, a multiple of the slots",
+            16,
+        ),
+        axis(
+            "at_us",
+            Number(0.01, 1e6, automatic=True),
+            "slot length of the bench; auto: the shortest",
+            None,
+        ),
         axis("effects", TextKind(), "sensor effects, as in --effects", "auto"),
         axis("tolerance", TextKind(), "the tolerance of the plan, as in --tolerance", "5e"),
         axis("fidelity", TextKind(("planned", "reference")), "how words are executed", "planned"),
         axis("audit", Flag(), "measure how far the plan is from the reference", False),
         axis("device_seed", Integer(0, 2**31 - 1), "seed of fixed patterns", 0),
         *sensor_keys(),
-    )  # fmt: skip
+    )
 
 
 def _fault(values: Values, named: Collection[str]) -> PointFault | None:
@@ -131,9 +150,13 @@ def _bench(values: Values) -> Figures:
 
 
 EMULATE = PointKind(
-    "emulate", "frames of the emulated chip, and for a bench their reconstructions", _keys,
+    "emulate",
+    "frames of the emulated chip, and for a bench their reconstructions",
+    _keys,
     lambda values, task: _bench(values) if "bench" in values else _capture(values, task.threads),
-    ("psnr_db", "mean_e"), _reads, _fault,
+    ("psnr_db", "mean_e"),
+    _reads,
+    _fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
-)  # fmt: skip
+)

@@ -24,18 +24,23 @@ RUN = "run"
 def _keys() -> tuple[Key, ...]:
     return (
         axis(RUN, TextKind(), "parts of this grid, of kind train, whose runs are evaluated"),
-        axis("subject", TextKind(),
-             "instead of run: a baseline, a run folder, or for sci8 a method"),
+        axis(
+            "subject", TextKind(), "instead of run: a baseline, a run folder, or for sci8 a method"
+        ),
         axis("protocol", TextKind(NAMES), "the evaluation protocol", "hdr-v1"),
         axis("data", TextKind(), "the folder of scenes"),
         axis("seed", Integer(0, 2**31 - 1), "seed of random codes and noise", 0),
-        axis("shutter", TextKind(),
-             "other codes for a baseline that accepts any code, as in --shutter", ""),
+        axis(
+            "shutter",
+            TextKind(),
+            "other codes for a baseline that accepts any code, as in --shutter",
+            "",
+        ),
         axis("effects", TextKind(), "effects of the emulated chip that exposes the scenes", ""),
         *(key for key in sensor_keys() if key.name != "sensor.file"),
         axis("skip_seen", Flag(), "leave out files that the run was trained on", False),
         *declared_axes(TvSettings, "iterations", "weight"),
-    )  # fmt: skip
+    )
 
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
@@ -105,17 +110,25 @@ def _result(values: Values) -> dict[str, Any]:
         return evaluate_sci8(files_of(load_protocol("sci8"), data), subject, count, weight)[0]
     # Runs of this grid may execute the code that their configuration names.
     chosen = {
-        "trust_code": RUN in values, "skip_seen": values["skip_seen"],
-        "codes": values["shutter"], "effects": values["effects"],
+        "trust_code": RUN in values,
+        "skip_seen": values["skip_seen"],
+        "codes": values["shutter"],
+        "effects": values["effects"],
         "changes": sensor_changes(values),
-    }  # fmt: skip
+    }
     return evaluate(subject, data, values["protocol"], values["seed"], **chosen)[0]
 
 
 EVALUATE = PointKind(
-    "evaluate", "scores under a protocol; complete results are stored under results", _keys,
+    "evaluate",
+    "scores under a protocol; complete results are stored under results",
+    _keys,
     _evaluate,
-    ("psnr_db", "correct"), _reads, _fault, packages=("nscc", "nscc_runtime", "nscc_training"),
+    ("psnr_db", "correct"),
+    _reads,
+    _fault,
+    packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
-    leaves=".json", folder="results",
-)  # fmt: skip
+    leaves=".json",
+    folder="results",
+)

@@ -45,11 +45,15 @@ _NAME, _NAME_SAID = r"[A-Za-z0-9_-]{1,60}", "take letters, digits, `-` and `_`"
 _VALUE = re.compile(r"\{([^{}]+)\}")
 _PLOT = "plot"
 _CALLED = Key(
-    "", "name", TextKind(
+    "",
+    "name",
+    TextKind(
         pattern=r"(?!(.*/)?\.{0,2}(/|$))([A-Za-z0-9_.+/-]|\{[^{}]+\})+",
         phrase='a name, in which "{KEY}" stands for a value',
-    ), "the names of its points, instead of the part's name and the values of the axes", "",
-)  # fmt: skip
+    ),
+    "the names of its points, instead of the part's name and the values of the axes",
+    "",
+)
 _LIKE = Key("", "like", TextKind(), "an earlier part, whose keys this part copies", "")
 _OF_PART = (_KIND.name, _CALLED.name, _LIKE.name)
 """Keys of every part that are not axes."""
@@ -222,9 +226,11 @@ def _schema(kinds: Mapping[str, str]) -> Schema[Key]:
 
 
 def _points(
-    axes_by_part: Mapping[str, Mapping[str, tuple[Any, ...]]], kinds: Mapping[str, str],
-    called: Mapping[str, str], source: Source,
-) -> tuple[GridPoint, ...]:  # fmt: skip
+    axes_by_part: Mapping[str, Mapping[str, tuple[Any, ...]]],
+    kinds: Mapping[str, str],
+    called: Mapping[str, str],
+    source: Source,
+) -> tuple[GridPoint, ...]:
     """Return the points of all parts, with runs before the points that need them."""
     count = sum(prod(map(len, keys.values())) for keys in axes_by_part.values())
     if count > MOST_POINTS:

@@ -48,11 +48,17 @@ def key_of(point: GridPoint, threads: int) -> str:
         name: int(value) if isinstance(value, float) and value.is_integer() else value
         for name, value in sorted(point.values.items())
     }
-    return digest((
-        _SCHEMA, kind.name, plain_values, [content(path) for path in kind.reads(point.values)],
-        versions(kind.packages, kind.distributions),
-        threads if "torch" in kind.distributions else 0, *after,
-    ))  # fmt: skip
+    return digest(
+        (
+            _SCHEMA,
+            kind.name,
+            plain_values,
+            [content(path) for path in kind.reads(point.values)],
+            versions(kind.packages, kind.distributions),
+            threads if "torch" in kind.distributions else 0,
+            *after,
+        )
+    )
 
 
 @cache

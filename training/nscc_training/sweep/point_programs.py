@@ -65,8 +65,10 @@ def target_keys() -> tuple[Key, ...]:
         for key in SCHEMA.keys
         if key.section not in ("", "registers")
     )
-    return (axis("target", TextKind(), "the chip, by name or file; empty: the program's own", ""),
-            *numbers)  # fmt: skip
+    return (
+        axis("target", TextKind(), "the chip, by name or file; empty: the program's own", ""),
+        *numbers,
+    )
 
 
 def program_keys() -> tuple[Key, ...]:
@@ -79,14 +81,18 @@ def program_keys() -> tuple[Key, ...]:
         axis("slot_us", Number(1e-3, 1e9), "length of a slot in microseconds", 1000.0),
         axis("tile", Several(Integer(1, 4096), 2), "rows and columns of a class's tile", (8, 8)),
         axis("init", TextKind(STARTS), "the codes of a class", "random"),
-        axis("length", Integer(1, 65536, automatic=True),
-             "slots of a bump of class c; auto: a quarter of the frame", None),
+        axis(
+            "length",
+            Integer(1, 65536, automatic=True),
+            "slots of a bump of class c; auto: a quarter of the frame",
+            None,
+        ),
         axis("rows", Integer(1, 4096), "rows of a codebook", 64),
         axis("seed", Integer(0, 2**31 - 1), "seed of all random numbers", 0),
         *declared_axes(Options, "codes", "lowering", "level"),
         axis("max_words", Integer(1, 10**6, unlimited=True), "most words in a slot", None),
         *target_keys(),
-    )  # fmt: skip
+    )
 
 
 def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
@@ -152,9 +158,13 @@ def target_of(values: Values) -> Target | None:
 def compiled_of(values: Values) -> Compiled:
     """Compile and prove a point's program, without the cache of searches."""
     options = Options(
-        level=values["level"], codes=values["codes"], lowering=values["lowering"],
-        target=target_of(values), cache=False, max_words_per_slot=values["max_words"],
-    )  # fmt: skip
+        level=values["level"],
+        codes=values["codes"],
+        lowering=values["lowering"],
+        target=target_of(values),
+        cache=False,
+        max_words_per_slot=values["max_words"],
+    )
     return run_passes(*_source(values), options)
 
 
@@ -177,10 +187,12 @@ def encoder_of(values: Values) -> Encoder:
 
     kind = values["class"]
     spec = ShutterSpec(
-        kind, values["slots"], values["tile"],
+        kind,
+        values["slots"],
+        values["tile"],
         length=(values["length"] or max(1, values["slots"] // 4)) if kind == "c" else None,
         rows=values["rows"] if kind == "codebook" else None,
-    )  # fmt: skip
+    )
     return make_encoder(spec, values["init"], values["seed"])
 
 
@@ -195,11 +207,19 @@ _SENSOR, _FILE = "sensor.", "sensor.file"
 def scene_keys() -> tuple[Key, ...]:
     return (
         axis("scene", TextKind(), "a scene, as nscc run takes it"),
-        axis("exposure", TextKind(), "electrons over the frame, as --exposure; empty: the scene's",
-             ""),
-        axis("transfer", TextKind(("", "linear", "srgb")), "the scene's curve; empty: by its file",
-             ""),
-    )  # fmt: skip
+        axis(
+            "exposure",
+            TextKind(),
+            "electrons over the frame, as --exposure; empty: the scene's",
+            "",
+        ),
+        axis(
+            "transfer",
+            TextKind(("", "linear", "srgb")),
+            "the scene's curve; empty: by its file",
+            "",
+        ),
+    )
 
 
 def sensor_keys() -> tuple[Key, ...]:

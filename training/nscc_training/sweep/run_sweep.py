@@ -71,9 +71,15 @@ def work_text(count: int, todo: int) -> str:
 
 
 def sweep(
-    grid: Grid, out: Path, how: How, *, grid_parts: Sequence[str] = (), parquet: bool = False,
-    track: Progress = unseen, report: Callable[[str], None] = lambda _text: None,
-) -> Swept:  # fmt: skip
+    grid: Grid,
+    out: Path,
+    how: How,
+    *,
+    grid_parts: Sequence[str] = (),
+    parquet: bool = False,
+    track: Progress = unseen,
+    report: Callable[[str], None] = lambda _text: None,
+) -> Swept:
     """Compute the missing points of a grid, or of some parts, and write table, report and diagram
     to `out`.
 
@@ -179,9 +185,12 @@ def _output_path(out: Path, point: GridPoint, key: str) -> Path | None:
 
 
 def _compute(
-    tasks: Sequence[PointTask], keys: Mapping[GridPoint, str], store: ExperimentStore, how: How,
+    tasks: Sequence[PointTask],
+    keys: Mapping[GridPoint, str],
+    store: ExperimentStore,
+    how: How,
     track: Progress,
-) -> None:  # fmt: skip
+) -> None:
     """Compute the tasks; runs are computed before the points that name them."""
     out = tasks[0].files.parent
     if any(KINDS[task.point.kind].leaves is not None for task in tasks):
@@ -199,9 +208,10 @@ def _compute(
             while pending:
                 # Runs that a point names come first: one round per level of dependency.
                 ready = [
-                    task for task in pending.values()
+                    task
+                    for task in pending.values()
                     if not any(keys[run] in pending for run in task.point.after)
-                ]  # fmt: skip
+                ]
                 without = {task.key: _without_run(task, keys, store) for task in ready}
                 for done in filter(None, without.values()):
                     keep(store, done)
@@ -287,8 +297,13 @@ def times_csv(store: ExperimentStore) -> str:
     timings = store.timings()
     begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
     rows = (
-        (timing.name[:12], timing.label, f"{timing.seconds:.3f}", f"{timing.ended - begin:.3f}",
-         timing.worker)
+        (
+            timing.name[:12],
+            timing.label,
+            f"{timing.seconds:.3f}",
+            f"{timing.ended - begin:.3f}",
+            timing.worker,
+        )
         for timing in timings
-    )  # fmt: skip
+    )
     return csv_of(("key", "name", "seconds", "ended_s", "worker"), rows)

@@ -74,13 +74,15 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
     lines = [*plot.line] or lines
     panels = [
         Lines(
-            "" if value is None else f"{panel} {_short(value)}", x, figure,
+            "" if value is None else f"{panel} {_short(value)}",
+            x,
+            figure,
             _lines(table, x, figure, lines, {panel: value} if panel else {}),
         )
         for figure in plot.y or _drawn(grid, table)
         for value in (dict.fromkeys(table.columns[panel]) if panel else (None,))
         if x
-    ]  # fmt: skip
+    ]
     panels = [panel_lines for panel_lines in panels if panel_lines.lines][:_MOST_PANELS]
     if not panels:
         return None

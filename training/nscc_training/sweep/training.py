@@ -50,13 +50,17 @@ def _reads(values: Values) -> Sequence[Path]:
     """Return the configuration and all files and folders that it names, including user modules."""
     settings = _settings(values)
     named = [
-        settings.shutter.target, settings.sensor.file, settings.decoder.name,
+        settings.shutter.target,
+        settings.sensor.file,
+        settings.decoder.name,
         *settings.loss.name.split("+"),
-    ]  # fmt: skip
+    ]
     data = [
-        folder for text in (settings.data.train, settings.data.val)
-        if text and not is_import_path(text) for folder in folders_of(text)
-    ]  # fmt: skip
+        folder
+        for text in (settings.data.train, settings.data.val)
+        if text and not is_import_path(text)
+        for folder in folders_of(text)
+    ]
     named += [text for text in (settings.data.train, settings.data.val) if is_import_path(text)]
     files = [
         f"{n.partition(':')[0].replace('.', '/')}.py" if is_import_path(n) else n for n in named
@@ -98,8 +102,14 @@ def _train(values: Values, task: PointTask) -> Figures:
 
 
 TRAIN = PointKind(
-    "train", "a run of nscc train and its validation; the run is stored under runs", _keys, _train,
-    ("psnr_db", "correct"), _reads, packages=("nscc", "nscc_runtime", "nscc_training"),
+    "train",
+    "a run of nscc train and its validation; the run is stored under runs",
+    _keys,
+    _train,
+    ("psnr_db", "correct"),
+    _reads,
+    packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
-    leaves="", folder="runs",
-)  # fmt: skip
+    leaves="",
+    folder="runs",
+)

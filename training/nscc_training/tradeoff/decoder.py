@@ -72,10 +72,11 @@ def decoder_study(
 
     def text(measured: StudyResult) -> str:
         tables = (
-            table_text([p for p in measured.points if p.error_unit == unit],
-                       ("decoder", "setting", title))
+            table_text(
+                [p for p in measured.points if p.error_unit == unit], ("decoder", "setting", title)
+            )
             for unit, title in TITLES.items()
-        )  # fmt: skip
+        )
         return "\n".join(["\n\n".join(tables), *not_measured(runs)])
 
     points = decoder_points(runs, settings)
@@ -126,12 +127,18 @@ def _points(
 
     return [
         StudyPoint(
-            case, method, setting, partial(decode_all, decode), partial(score_figures, captures),
-            partial(decode, corner), loads=setting if setting.endswith(_FORMATS) else "",
-            device=device, count=len(captures),
+            case,
+            method,
+            setting,
+            partial(decode_all, decode),
+            partial(score_figures, captures),
+            partial(decode, corner),
+            loads=setting if setting.endswith(_FORMATS) else "",
+            device=device,
+            count=len(captures),
         )
         for method, setting, decode, device in decoders
-    ]  # fmt: skip
+    ]
 
 
 def score_figures(captures: Sequence[CapturedScene], lights: Sequence[Light]) -> Figures:
@@ -231,8 +238,10 @@ def not_measured(folders: Sequence[RunFolder]) -> list[str]:
     names = [name for name in DECODERS if name not in have and not DECODERS[name].fixed_channels]
     if not names:
         return []
-    return [f"not measured: {', '.join(names)}; an untrained network decodes nothing, so name a "
-            "run of nscc train with --run"]  # fmt: skip
+    return [
+        f"not measured: {', '.join(names)}; an untrained network decodes nothing, so name a "
+        "run of nscc train with --run"
+    ]
 
 
 def decoder_diagram(measured: StudyResult, device: str) -> Figure:
@@ -244,7 +253,8 @@ def decoder_diagram(measured: StudyResult, device: str) -> Figure:
         for unit, title in TITLES.items()
     ]
     return precision_diagram(
-        panels, "What decoding time buys",
+        panels,
+        "What decoding time buys",
         f"more is better; hollow: dominated; time of one scene, {measured.times}, on {device}",
         PointReading("time of one scene, ms", linear=True),
-    )  # fmt: skip
+    )

@@ -205,9 +205,13 @@ class EmulatorBench:
         seeds = range(seed, seed + self.frames)
         methods: list[tuple[str, str, Callable[[], Any], Callable[[], tuple[float, float]]]] = [
             (SUMMED, "none", naive.summed, lambda: self.error([naive.summed()] * self.frames)),
-            (DRAWN, counting.name, partial(naive.drawn, seed),
-             lambda: self.error(list(map(naive.drawn, seeds)))),
-        ]  # fmt: skip
+            (
+                DRAWN,
+                counting.name,
+                partial(naive.drawn, seed),
+                lambda: self.error(list(map(naive.drawn, seeds))),
+            ),
+        ]
         for tolerance in self.tolerances:
             name, errors = tolerance.name, partial(self.plan_error, tolerance.name)
             methods.append((PLANNED, name, partial(self.first_frame, name), errors))
@@ -215,13 +219,17 @@ class EmulatorBench:
         scene = self.scene.name
         return [
             StudyPoint(scene, REFERENCE, "all", lambda: self._of_reference(0.0, 0.0)),
-            StudyPoint(scene, OTHER_DRAWS, "all", lambda: self._of_reference(
-                *error(self.truth[0][1:], self.truth[0][:-1]))),
+            StudyPoint(
+                scene,
+                OTHER_DRAWS,
+                "all",
+                lambda: self._of_reference(*error(self.truth[0][1:], self.truth[0][:-1])),
+            ),
             *(
                 StudyPoint(scene, method, setting, run, partial(_error_figures, errors))
                 for method, setting, run, errors in methods
             ),
-        ]  # fmt: skip
+        ]
 
     @cached_property
     def tolerances(self) -> list[Tolerance]:
@@ -251,10 +259,17 @@ class EmulatorBench:
     def truth(self) -> tuple[list[Frame], list[float]]:
         """Frames of the reference, and the time of each in milliseconds."""
         settings, light, program = self.settings, self.scene.light, self.program
-        drawn = iter(reference_frames(
-            program.container, light, program.sensor, selected("all"), seed=settings.seed,
-            device_seed=settings.device_seed, count=self.frames,
-        ))  # fmt: skip
+        drawn = iter(
+            reference_frames(
+                program.container,
+                light,
+                program.sensor,
+                selected("all"),
+                seed=settings.seed,
+                device_seed=settings.device_seed,
+                count=self.frames,
+            )
+        )
         # One row compiles and loads everything; each frame is then drawn once and timed.
         reference = Reference.of(program.container, program.sensor, selected("all"))
         reference.expose_rows(scene_of(program.container, light), range(1))
@@ -287,10 +302,13 @@ class EmulatorBench:
         errors_e = {p.setting: p.error for p in points[::-1] if p.method == PLANNED}
         plans = (MeasuredPlan(n, plan, errors_e[n]) for n, plan in self.plans.items())
         return EmulatorStudy(
-            name, tuple(points), tuple(plans), floor_ms(self.scene.light, gb_per_s),
+            name,
+            tuple(points),
+            tuple(plans),
+            floor_ms(self.scene.light, gb_per_s),
             self.budget,
             tuple(refusal for refusal in measured.refused if refusal.case == name),
-        )  # fmt: skip
+        )
 
     def _of_reference(self, error_e: float, error_lsb: float) -> Figures:
         return {ELECTRONS: error_e, LSB: error_lsb, "ms": self.truth[1]}

@@ -59,16 +59,18 @@ def study_diagram(studies: Sequence[EmulatorStudy], times: str, device: str) -> 
     )
     unit = " in e" if plain else ""
     return precision_diagram(
-        panels, "What the emulator's time buys",
+        panels,
+        "What the emulator's time buys",
         "against the reference with all effects, same draws (hollow: dominated; beside the marks: "
         f"tolerance{unit}); {times} on {device}",
         PointReading(
-            "time of one frame, ms", line=lambda point: _NAMES.get(point.method, ""),
+            "time of one frame, ms",
+            line=lambda point: _NAMES.get(point.method, ""),
             text=lambda p: (
                 p.setting.removesuffix("e" if unit else "") if p.method == PLANNED else ""
             ),
         ),
-    )  # fmt: skip
+    )
 
 
 def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
@@ -117,7 +119,9 @@ def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
     sheet.round_ticks(axes.yaxis)
     dot: dict[str, Any] = {"color": theme().faint, "linestyle": "", "marker": "o"}
     sheet.head(
-        figure, "What was asked, what came of it", "RMS electrons before the ADC, worst bucket",
+        figure,
+        "What was asked, what came of it",
+        "RMS electrons before the ADC, worst bucket",
         [
             Line2D([], [], color=theme().ink, label="y = x"),
             Line2D([], [], color=theme().ink, ls="--", label=f"y = {SLACK:g} x: the promise"),
@@ -125,7 +129,7 @@ def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
             Line2D([], [], markersize=9, fillstyle="none", label="predicted", **dot),
             *(Line2D([], [], ls="", label=s, **theme().of(i)) for i, s in enumerate(scenes)),
         ],
-    )  # fmt: skip
+    )
     place_labels(axes, labels)
     return figure
 
@@ -149,7 +153,8 @@ def budget_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
         _draw_budget(axes, study.budget, span)
         axes.set_title(study.scene)
     sheet.head(
-        figure, "Error budgets: what each effect does, and what is left out",
+        figure,
+        "Error budgets: what each effect does, and what is left out",
         "RMS electrons of each effect; at the right, ms a frame that leaving it out saves (model)",
         [
             Patch(facecolor=kept_colour, edgecolor=kept_colour, label="simulated"),
@@ -157,7 +162,7 @@ def budget_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
             Line2D([], [], color=theme().ink, label="tolerance asked"),
             Line2D([], [], color=theme().ink, linestyle="--", label="predicted error"),
         ],
-    )  # fmt: skip
+    )
     return figure
 
 
@@ -180,9 +185,15 @@ def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
         rms_e, colour = decision.predicted_rms_e, colours[decision.decision]
         if decision.decision == "absent":
             axes.text(
-                span[0], i, " absent", size=7.5, color=colour, va="center", style="italic",
+                span[0],
+                i,
+                " absent",
+                size=7.5,
+                color=colour,
+                va="center",
+                style="italic",
                 path_effects=halo(),
-            )  # fmt: skip
+            )
         elif rms_e is not None and rms_e > span[0]:
             face = colour if decision.decision == "kept" else theme().paper
             axes.barh(i, rms_e - span[0], 0.62, span[0], facecolor=face, edgecolor=colour)

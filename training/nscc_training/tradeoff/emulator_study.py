@@ -48,11 +48,14 @@ class EmulatorBenches:
         return Study(
             [point for bench in self.benches for point in bench.points()],
             lambda measured: studies_text(self.results(measured), self.gb_per_s),
-            {"png": self._diagram,
-             "calibration": lambda measured, _device: promise_diagram(self.results(measured)),
-             "budget": lambda measured, _device: budget_diagram(self.results(measured))},
-            self.benches[0].settings.repeats, csv_of=self._in_order,
-        )  # fmt: skip
+            {
+                "png": self._diagram,
+                "calibration": lambda measured, _device: promise_diagram(self.results(measured)),
+                "budget": lambda measured, _device: budget_diagram(self.results(measured)),
+            },
+            self.benches[0].settings.repeats,
+            csv_of=self._in_order,
+        )
 
     def results(self, measured: StudyResult) -> tuple[EmulatorStudy, ...]:
         """Return the results of each scene."""

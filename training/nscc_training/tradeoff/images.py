@@ -56,8 +56,9 @@ def images_diagram(measured: StudyResult, _device: str) -> Figure:
     groups = groupby(measured.points, key=lambda point: point.case)
     panels = [Panel(case, "errors of one word", list(group)) for case, group in groups]
     return precision_diagram(
-        panels, "Programs of words for kernels",
+        panels,
+        "Programs of words for kernels",
         "standard deviation of the error that the words add (numbers: words; hollow: dominated) "
         "against their time",
         PointReading("time, us", 1e3, text=lambda point: point.setting.partition(" ")[0]),
-    )  # fmt: skip
+    )

@@ -68,9 +68,13 @@ def joint_study(
     target_percent = 100 * bench.target.electrons / bench.signal_e()
     points = [point for name in request.stages for point in _points(name, bench)]
     joint = Joint(
-        request, target_percent, bench.shot_percent, bench.signal_e(), bench.largest,
+        request,
+        target_percent,
+        bench.shot_percent,
+        bench.signal_e(),
+        bench.largest,
         tuple(bench.notes),
-    )  # fmt: skip
+    )
     text, diagram = partial(joint_text, joint), partial(joint_diagram, joint)
     return Study(points, text, {"png": diagram}, request.repeats, refuses=("NS",))
 
@@ -159,7 +163,9 @@ def joint_diagram(joint: Joint, measured: StudyResult, device: str) -> Figure:
         "the reference; decoder: against the scene's light (names: the advised setting; hollow: "
         f"dominated within its stage; pointing down: no error); {times} on {device}",
         PointReading(
-            "time, s", 1e-3, lambda point: names[point.case],
+            "time, s",
+            1e-3,
+            lambda point: names[point.case],
             lambda point: "advised" if point is advice.get(point.case) else "",
         ),
-    )  # fmt: skip
+    )

@@ -84,8 +84,10 @@ class Bench:
     def source(self) -> Source:
         """The program's text; raises Rejected (NS0743) if the program is already compiled."""
         if is_compiled(self.request.program):
-            raise rejected("NS0743", "the program is compiled already: give its text, FILE.nsl, to "
-                           "compare these")  # fmt: skip
+            raise rejected(
+                "NS0743",
+                "the program is compiled already: give its text, FILE.nsl, to compare these",
+            )
         return read_source(self.request.program)
 
     def compiled(self, source: Source, **changes: Any) -> Compiled:
@@ -133,17 +135,19 @@ class Bench:
             return signal_e
         if not self.container.buckets_read:
             raise rejected(
-                "NS0826", f"'{self.request.program.name}' reads out no exposure",
+                "NS0826",
+                f"'{self.request.program.name}' reads out no exposure",
                 notes=("errors are relative to the mean signal of the exposures",),
                 helps=("name an exposure and read it: `bucket NAME open when ...`, `read NAME`",),
-            )  # fmt: skip
+            )
         raise rejected(
             "NS0826",
             f"'{self.request.scene.name}' gives no signal: the mean signal of the frame is 0",
             notes=("errors are relative to the mean signal, which is 0 electrons",),
-            helps=("use a scene with light, such as --scene builtin:hdr, that the open pixels "
-                   "receive",),
-        )  # fmt: skip
+            helps=(
+                "use a scene with light, such as --scene builtin:hdr, that the open pixels receive",
+            ),
+        )
 
     def noise_e(self) -> float:
         """Return the standard deviation of the frame's noise in electrons."""
@@ -244,9 +248,11 @@ class Bench:
         if not KINDS.of(container).without_plan:
             tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
         request = Request.of(
-            effects="all", tolerance=tolerance, seed=self.request.seed,
+            effects="all",
+            tolerance=tolerance,
+            seed=self.request.seed,
             device_seed=self.request.device_seed,
-        )  # fmt: skip
+        )
         return simulate(container, light, self.sensor, request)
 
     def _ideal_e(self, container: Container, light: Light) -> Values:

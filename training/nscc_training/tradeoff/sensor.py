@@ -88,16 +88,21 @@ def sensor_points(options: Mapping[str, Any]) -> list[StudyPoint]:
         shapes, options["codes"], options["lowerings"]
     ):
         values = {
-            **bench_values(options, kind), "class": name, "slots": slots, "codes": codes,
+            **bench_values(options, kind),
+            "class": name,
+            "slots": slots,
+            "codes": codes,
             "lowering": lowering,
-        }  # fmt: skip
+        }
         method = f"{name}, {codes} codes, {lowering}"
         points.append(_point(kind, method, slots, partial(bench_figures, values)))
     rows = [("looks", count) for count in options["looks"] if is_looks_row(count)]
     for name, count in rows + [("designed", count) for count in options["looks"]]:
         values = {
-            **bench_values(options, "stills"), "exposures": count, "designed": name == "designed"
-        }  # fmt: skip
+            **bench_values(options, "stills"),
+            "exposures": count,
+            "designed": name == "designed",
+        }
         points.append(_point("stills", f"{name}-{count}", 256, partial(looks_figures, values)))
     return [point for point in points if point.case in kinds]
 
@@ -107,10 +112,15 @@ def bench_values(options: Mapping[str, Any], kind: str) -> Values:
     tile = {"tile": (2, 2), "init": "quad"} if kind == "stills" else {}
     named = ("target", "level", "effects", "seed")
     return {
-        **EMULATE.defaults(), **tile, **{name: options[name] for name in named}, "bench": kind,
-        "at_us": options["slot_us"], "data": str(options["data"] or ""),
-        "scenes": options["count"], "frames": max(options["slots"]),
-    }  # fmt: skip
+        **EMULATE.defaults(),
+        **tile,
+        **{name: options[name] for name in named},
+        "bench": kind,
+        "at_us": options["slot_us"],
+        "data": str(options["data"] or ""),
+        "scenes": options["count"],
+        "frames": max(options["slots"]),
+    }
 
 
 def _point(kind: str, method: str, slots: int, measure: Callable[[], Figures]) -> StudyPoint:
@@ -135,8 +145,9 @@ def readout_points(options: Mapping[str, Any]) -> list[StudyPoint]:
     values = {**bench_values(options, "clips"), "frames": SLOTS}
     return [
         StudyPoint("readouts", method, str(count), partial(_readouts, method, count, values))
-        for count in options["readouts"] for method in ("burst", "coded")
-    ]  # fmt: skip
+        for count in options["readouts"]
+        for method in ("burst", "coded")
+    ]
 
 
 def _readouts(method: str, count: int, values: Values) -> Figures:
@@ -187,11 +198,15 @@ def sensor_diagram(points: Sequence[Point], target: str, slot_us: float | None) 
     ]
     slots = "shortest slots" if slot_us is None else f"slots of {slot_us:g} us"
     return precision_diagram(
-        panels, "What the shortest slot costs",
+        panels,
+        "What the shortest slot costs",
         f"captured by the emulated {target} at {slots} (numbers: slots of a frame, "
         "exposures of pixels that look; hollow: dominated), decoded without training",
         PointReading(
-            "shortest slot, us", 1e3, lambda point: names(point)[1],
-            lambda point: point.method.partition("-")[2] or point.setting.split()[0], linear=True,
+            "shortest slot, us",
+            1e3,
+            lambda point: names(point)[1],
+            lambda point: point.method.partition("-")[2] or point.setting.split()[0],
+            linear=True,
         ),
-    )  # fmt: skip
+    )

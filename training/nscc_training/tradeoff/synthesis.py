@@ -80,18 +80,25 @@ def programs_of(files: Sequence[Path]) -> tuple[StudiedProgram, ...]:
 
 
 def synthesis_study(
-    programs: Iterable[StudiedProgram], lowerings: Iterable[Lowering], levels: Iterable[int],
-    count: Count, repeats: int,
-) -> Study:  # fmt: skip
+    programs: Iterable[StudiedProgram],
+    lowerings: Iterable[Lowering],
+    levels: Iterable[int],
+    count: Count,
+    repeats: int,
+) -> Study:
     """Return the study of each combination of program, lowering and level."""
     words = _WORDS[count]
     points = [
         StudyPoint(
-            program.name, lowering, f"-O{level}", partial(program.compiled, lowering, level),
-            partial(word_figures, count), partial(program.compiled, lowering, min(LEVELS)),
+            program.name,
+            lowering,
+            f"-O{level}",
+            partial(program.compiled, lowering, level),
+            partial(word_figures, count),
+            partial(program.compiled, lowering, min(LEVELS)),
         )
         for program, lowering, level in product(programs, lowerings, levels)
-    ]  # fmt: skip
+    ]
 
     def text(measured: StudyResult) -> str:
         table = table_text(measured.points, ("lowering", "level", words))
@@ -126,8 +133,9 @@ def synthesis_diagram(words: str, measured: StudyResult, device: str) -> Figure:
     levels = " ".join(sorted({point.setting for point in points}))
     times = measured.times.replace("run", "compilation")
     return precision_diagram(
-        panels, "What compile time buys",
+        panels,
+        "What compile time buys",
         f"{words} at {levels} (numbers; hollow: dominated) against {times}, from text to proof, "
         f"on {device}",
         PointReading("time, s", 1e-3, text=lambda point: point.setting.removeprefix("-O")),
-    )  # fmt: skip
+    )
