@@ -108,7 +108,8 @@ test: lint types $(VENV)/.compiled
 
 # What breaks most often and is told soonest: language, messages, words, layout of the packages.
 QUICK := tests/e2e/test_cases.py tests/e2e/test_imports.py \
-  $(foreach part,cli_front cli_support diagnostics files program syntax targets toml words,$(wildcard tests/unit/test_$(part)*.py))
+  $(patsubst %,tests/unit/%,cli/test_main.py cli/test_support.py cli/test_containers.py nscc/test_files.py \
+  $(addprefix nscc/,chips diagnostics program syntax toml words))
 
 quick: lint
 	$(BIN)/pytest --quiet --numprocesses auto --dist loadgroup $(QUICK)
@@ -126,7 +127,7 @@ test-slow: $(VENV)/.test-installed $(VENV)/.compiled
 # SEED chooses the places; the first run of a commit records what each file of tests runs.
 SEED ?= 1
 mutants: $(VENV)/.test-installed $(VENV)/.compiled
-	$(BIN)/python tests/mutants.py --seed $(SEED) --build $(OUT)
+	$(BIN)/python tests/helpers/mutants.py --seed $(SEED) --build $(OUT)
 
 bench: $(VENV)/.test-installed $(VENV)/.compiled
 	$(PIP) --no-build-isolation --editable '.[bench,test]'

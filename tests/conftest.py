@@ -6,14 +6,13 @@ import gc
 import os
 import signal
 import sys
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
+from checkout import ROOT
 from hypothesis import HealthCheck, settings
-from nscc_command import Outcome, invoke
-
-ROOT = Path(__file__).resolve().parent.parent
+from nscc_command import RunNscc, invoke
 
 # A shell's background jobs ignore Ctrl-C, and so would the processes that tests interrupt.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -35,9 +34,6 @@ settings.register_profile(
     "search", parent=settings.get_profile("ci"), max_examples=2000, derandomize=False
 )
 settings.load_profile("ci")
-
-RunNscc = Callable[[Sequence[str], Path], Outcome]
-"""`run_nscc(arguments, folder)`: status, standard output, standard error."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

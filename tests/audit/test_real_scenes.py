@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from checkout import ROOT
 from plan_cases import case
 from promise import POOLED, Outcome, full_frames, outcome
 from reference_programs import sensor_of
@@ -15,7 +16,7 @@ from reference_programs import sensor_of
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import ExposureLevel, load_scene
 
-DATA = Path(os.environ.get("NSCC_DATA") or Path(__file__).resolve().parents[3] / "shared" / "data")
+DATA = Path(os.environ.get("NSCC_DATA") or ROOT.parent / "shared" / "data")
 FILES = sorted(
     path
     for path in DATA.rglob("*")

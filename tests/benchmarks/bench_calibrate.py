@@ -2,7 +2,8 @@
 
     python tests/benchmarks/bench_calibrate.py [--chips N]
 
-Chips and frames come from tests/calibration_frames.py, which shares no code with the product.
+Chips and frames come from tests/helpers/calibration_frames.py, which shares no code with the
+product.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / part) for part in ("", "runtime", "tests")]
+sys.path[:0] = [str(ROOT / part) for part in ("", "runtime", "tests/helpers")]
 
 from calibration_frames import TOP, Chip, taken, truth  # noqa: E402
 

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from scipy.ndimage import correlate
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "helpers"))
 
 from network_kernels import ANALOGNET2, MAX_POOLED
 

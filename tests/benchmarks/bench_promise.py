@@ -6,8 +6,9 @@
     python tests/benchmarks/bench_promise.py --successions 500 [--first-seed 10000]
 
 Arrays of 64 x 64, frames pooled to 65536 samples, the default sensor: every scene of
-`tests/promise.py` x every program of `tests/plan_cases.py` x five tolerances; then programs, scenes
-and sensors at random. A line a program: runs, broken promises, runs whose error is large enough to
+`tests/helpers/promise.py` x every program of `tests/helpers/plan_cases.py` x five tolerances; then
+programs, scenes and sensors at random. A line a program: runs, broken promises, runs whose error
+is large enough to
 be judged (a tenth of the tolerance), predictions within 15 % of the error among them, effects kept
 at a cost though the tolerance could have spared them. Some minutes; it exits 1 where a promise
 breaks or fewer than nine in ten predictions come true.
@@ -15,8 +16,8 @@ breaks or fewer than nine in ten predictions come true.
 `--kept-back`: so many plans instead, of programs, scenes, sensors and tolerances drawn from seeds
 that no test uses, half of them on arrays of 128 x 128: how often a promise breaks. `--rare`: plans
 for scenes of 256 x 256 in which few pixels have most of the error: lamps, flashes, suns, disks.
-`--successions`: series of scenes that share plans (`tests/successions.py`). It exits 1 where a
-promise breaks in more than one of 2000 plans, or predictions come true too seldom.
+`--successions`: series of scenes that share plans (`tests/helpers/successions.py`). It exits 1
+where a promise breaks in more than one of 2000 plans, or predictions come true too seldom.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / part) for part in ("", "runtime", "tests")]
+sys.path[:0] = [str(ROOT / part) for part in ("", "runtime", "tests/helpers")]
 
 from plan_cases import CASES, case  # noqa: E402
 from promise import SCENES, TOLERANCES, Outcome, full_frames, outcome, pool, scene  # noqa: E402

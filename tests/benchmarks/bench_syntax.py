@@ -15,7 +15,7 @@ from pathlib import Path
 from time import process_time
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT / "tests"))
+sys.path.append(str(ROOT / "tests/helpers"))
 
 from syntax_text import PIECES, check, over_and_over, read, tile  # noqa: E402
 

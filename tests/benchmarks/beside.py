@@ -38,7 +38,7 @@ def in_turns(
 
 
 def _worker(root: Path, script: str, arguments: Sequence[str]) -> dict[str, float]:
-    parts = [str(root / part) for part in ("", "runtime", "training", "cli", "tests")]
+    parts = [str(root / part) for part in ("", "runtime", "training", "cli", "tests/helpers")]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(parts)}
     command = [str(root / ".venv/bin/python"), script, "--worker", *arguments]
     done = subprocess.run(

@@ -8,9 +8,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from checkout import ROOT
 from nscc_command import Outcome, invoke
 
-CASES = Path(__file__).resolve().parent.parent / "cases"
+CASES = ROOT / "tests/cases"
 PASS, FAIL = (sorted((CASES / kind).glob("*.nsl")) for kind in ("pass", "fail"))
 
 

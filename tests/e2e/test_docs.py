@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from checkout import ROOT
 from nscc_command import invoke
 
 from nscc_runtime.effects import registered
 
 pytestmark = pytest.mark.pages
 
-ROOT = Path(__file__).resolve().parents[2]
 PAGES = (
     "README.md",
     "ARCHITECTURE.md",

@@ -15,13 +15,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from checkout import ROOT
 from textmate_colours import Token, colours
 
 import nscc
 from nscc.source import Source
 from nscc.syntax.lexer import lex
 
-ROOT = Path(__file__).parents[2]
 EXTENSION = ROOT / "editors" / "vscode"
 EXAMPLES = sorted((ROOT / "examples").glob("*.nsl"))
 SOURCE = (EXTENSION / "src" / "extension.js").read_text()

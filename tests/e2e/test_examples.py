@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from checkout import ROOT
 from example_shutters import RULES, shutters_of
 from marks import slow
 from nscc_command import Outcome, invoke
 
-ROOT = Path(__file__).resolve().parent.parent.parent
 EXAMPLES = sorted((ROOT / "examples").glob("*.nsl"))
 LOOKING = [path for path in EXAMPLES if "\nnsl 2\n" in path.read_text()]
 """Their shutters depend on the light: `test_looks_examples.py` has an oracle for each."""

@@ -14,12 +14,12 @@ from itertools import chain
 from pathlib import Path
 
 import pytest
+from checkout import ROOT
 from import_graph import arrows_up, circles, file_graph, folder_graph, imported, modules
 from packaging.requirements import Requirement
 
 from nscc.requirements import distribution_of
 
-ROOT = Path(__file__).parents[2]
 FLOORS = {
     "nscc": "nscc",
     "nscc_runtime": "runtime/nscc_runtime",

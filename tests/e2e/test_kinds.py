@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from checkout import ROOT
 
 from nscc.kinds import KindTable
 
-ROOT = Path(__file__).parents[2]
 FOLDERS = ("nscc", "runtime/nscc_runtime", "training/nscc_training", "cli/nscc_cli")
 ASKS = re.compile(
     r"\b(machine|pictures) is (not )?None|\.streamed\b|\bkind [!=]= \"(scamp|stream)\""

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from checkout import ROOT
 from nscc_command import Outcome, invoke
 from numpy.typing import NDArray
 
-ROOT = Path(__file__).resolve().parent.parent.parent
 LOOKING = [p for p in (ROOT / "examples").glob("*.nsl") if "\nnsl 2\n" in p.read_text()]
 STEP_E = 30000 / 127
 Floats = NDArray[np.float64]

@@ -12,13 +12,13 @@ from random import Random
 from typing import Any
 
 import pytest
+from checkout import ROOT
 from lsprotocol import types
 from pytest_lsp import LanguageClient, make_test_lsp_client
 from random_edits import PROGRAMS, edited
 
 from nscc_cli.main import main
 
-ROOT = Path(__file__).parents[2]
 SENT = "nsl 1\nframe slots [1ms, 2ms]\nlet a = 1 + 1\ncode stop : 1..a\nopen when n < stop\n"
 
 

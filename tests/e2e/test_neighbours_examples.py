@@ -6,10 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from checkout import ROOT
 from nscc_command import invoke
 from scipy.ndimage import binary_erosion, correlate
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+EXAMPLES = ROOT / "examples"
 STEP_E = 30000.0 / 127
 CROSS = np.array([[0, 1, 0], [1, 1, 1], [0, 1, 0]], bool)
 SOBEL = np.array([[1, 0, -1], [2, 0, -2], [1, 0, -1]]) / 8

@@ -7,6 +7,7 @@ import shlex
 from pathlib import Path
 
 import pytest
+from checkout import ROOT
 from nscc_command import invoke
 
 pytest.importorskip("torch")
@@ -14,7 +15,7 @@ pytest.importorskip("IPython")
 
 pytestmark = pytest.mark.pages
 
-PAGE = Path(__file__).parents[2] / "docs/tutorials/own_pictures.md"
+PAGE = ROOT / "docs/tutorials/own_pictures.md"
 COMMANDS = {"train", "evaluate", "build", "run", "reconstruct", "demo"}
 
 

@@ -13,11 +13,11 @@ import sys
 from pathlib import Path
 
 import pytest
+from checkout import ROOT
 from nscc_command import Outcome, invoke
 
 pytestmark = pytest.mark.pages
 
-ROOT = Path(__file__).resolve().parent.parent.parent
 PAGES = sorted((ROOT / "nscc/diagnostics/pages").glob("*.md"))
 SOURCES = sorted(
     path for part in ("cli", "nscc", "runtime", "training") for path in ROOT.glob(f"{part}/**/*.py")

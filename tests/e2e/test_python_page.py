@@ -13,10 +13,10 @@ import textwrap
 from pathlib import Path
 
 import pytest
+from checkout import ROOT
 
 pytestmark = pytest.mark.pages
 
-ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "python.md"
 PACKAGES = ("nscc", "nscc_runtime", "nscc_training")
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import ast
-from pathlib import Path
 
+from checkout import ROOT
 from vulture import Vulture
 
-ROOT = Path(__file__).parents[2]
 PRODUCT = ("nscc", "runtime/nscc_runtime", "training/nscc_training", "cli/nscc_cli")
 USERS = ("docs/nscc_site", "docs/motion_cells.py", "training/results")
 """What uses the product without being a part of it; tests do not count."""

@@ -8,9 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from checkout import ROOT
 from nscc_command import invoke
 
-PREVIOUS = Path(__file__).parents[1] / "data/previous"
+PREVIOUS = ROOT / "tests/data/previous"
 PROGRAMS = ("stops", "looks")
 
 

@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from checkout import ROOT
 
-SITE = Path(__file__).resolve().parents[2] / "build" / "site"
+SITE = ROOT / "build" / "site"
 PAGES = (
     "docs/index.html", "docs/start.html", "docs/language.html", "docs/emulator.html",
     "docs/python.html", "docs/reference/python.html", "docs/generated/gallery.html",

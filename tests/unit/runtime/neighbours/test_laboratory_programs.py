@@ -1,0 +1,233 @@
+"""Ten pixel programs of laboratories (`tests/laboratory`) beside numpy models, on films.
+
+Exposures are multiples of a quarter of a step of IN, so that no comparison is a tie."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from checkout import ROOT
+from numpy.typing import NDArray
+from scipy.ndimage import label
+
+import nscc
+import nscc_runtime
+from nscc_runtime import Capture
+
+FOLDER = ROOT / "tests" / "laboratory"
+SIDE, FRAMES = 256, 20
+STEP_E = 30000 / 127
+Array = NDArray[Any]
+PUBLIC_WORDS = {
+    "sobel_laplace": 70,
+    "hdr_edges": 191,
+    "any_in_box": 9,
+    "masked_memory": 7,
+    "history": 23,
+    "half": 774,
+}
+"""Words of the public versions that count all their words."""
+
+
+def program(name: str) -> nscc.ShutterProgram:
+    return nscc.compile(FOLDER / f"{name}.nsl")
+
+
+def film_light(slots: int, seed: int, frames: int = FRAMES, most_steps: int = 100) -> Array:
+    """Light of smooth blobs that move, and noise: (frames, slots, rows, cols), electrons."""
+    rng = np.random.default_rng(seed)
+    y, x = np.mgrid[:SIDE, :SIDE]
+    lights = np.empty((frames, slots, SIDE, SIDE), np.float32)
+    for frame in range(frames):
+        wave = np.sin((x + 3 * frame) / 17.0) + np.sin((y - 2 * frame) / 23.0) + 2
+        steps = (wave / 4 * most_steps).round() + rng.integers(0, 8, (SIDE, SIDE)) + 0.25
+        lights[frame] = (steps * STEP_E / slots).astype(np.float32)
+    return lights
+
+
+def moved(values: Array, dx: int, dy: int) -> Array:
+    """The values of the pixels at an offset; 0 beyond the array."""
+    result = np.zeros_like(values)
+    rows, cols = values.shape
+    result[max(0, -dy) : min(rows, rows - dy), max(0, -dx) : min(cols, cols - dx)] = values[
+        max(0, dy) : min(rows, rows + dy), max(0, dx) : min(cols, cols + dx)
+    ]
+    return result
+
+
+def sobel(exposure: Array) -> Array:
+    across = sum(
+        w * (moved(exposure, -1, d) - moved(exposure, 1, d)) for d, w in ((-1, 1), (0, 2), (1, 1))
+    )
+    along = sum(
+        w * (moved(exposure, d, -1) - moved(exposure, d, 1)) for d, w in ((-1, 1), (0, 2), (1, 1))
+    )
+    return np.asarray(np.abs(across) / 8 + np.abs(along) / 8)
+
+
+def exposures(light: Array) -> Array:
+    """Exposures in electrons (frames, rows, cols), added as the emulator does."""
+    return light.astype(np.float64).sum(axis=1)
+
+
+def same(capture: Capture, name: str, frame: int, expected: Array, border: int = 0) -> None:
+    inner = np.s_[border : SIDE - border, border : SIDE - border]
+    np.testing.assert_array_equal(capture.planes[name][frame][inner], expected[inner])
+
+
+@pytest.mark.parametrize("name", PUBLIC_WORDS)
+def test_a_program_has_no_more_words_than_the_public_one(name: str) -> None:
+    """Without the words that load and refresh inputs: two for each input plane."""
+    pictures = program(name).container.pictures
+    assert pictures.words - 2 * len(pictures.inputs) <= PUBLIC_WORDS[name]
+
+
+def test_sobel_and_laplace() -> None:
+    light = film_light(4, 1)
+    capture = nscc_runtime.film(program("sobel_laplace"), light)
+    inner = np.s_[1:-1, 1:-1]
+    for frame, e in enumerate(exposures(light)):
+        four = sum(moved(e, *d) for d in ((1, 0), (-1, 0), (0, 1), (0, -1)))
+        for name, expected in (("sobel", sobel(e)), ("laplace", np.abs(e - four / 4))):
+            np.testing.assert_allclose(
+                capture.images[name][frame][inner], expected[inner], atol=1e-6
+            )
+
+
+def test_hdr_edges() -> None:
+    light = film_light(21, 2, most_steps=90)
+    thresholds = [{"t": f"{2 + frame % 5}%"} for frame in range(FRAMES)]
+    capture = nscc_runtime.film(program("hdr_edges"), light, params=thresholds)
+    for frame in range(FRAMES):
+        parts = np.split(light[frame].astype(np.float64), [1, 5])
+        level = round((2 + frame % 5) * 300 / STEP_E) * STEP_E
+        edge = np.any([sobel(part.sum(axis=0)) > level for part in parts], axis=0)
+        expected = edge | np.any([moved(edge, *d) for d in ((1, 0), (-1, 0), (0, 1), (0, -1))], 0)
+        same(capture, "wide", frame, expected, border=3)
+
+
+def test_any_in_a_rectangle() -> None:
+    light, rng = film_light(4, 3), np.random.default_rng(3)
+    boxes = rng.random((FRAMES, SIDE, SIDE)) < 1e-4
+    levels = [75.0 + frame * 2 for frame in range(FRAMES)]
+    capture = nscc_runtime.film(
+        program("any_in_box"),
+        light,
+        inputs=[{"box": box} for box in boxes],
+        params=[{"t": level * STEP_E} for level in levels],
+    )
+    found = [
+        bool((e[box] > level * STEP_E).any())
+        for e, box, level in zip(exposures(light), boxes, levels, strict=True)
+    ]
+    assert capture.reports["any bright"] == found
+    assert len(set(found)) == 2
+
+
+def test_masked_memory() -> None:
+    light, rng = film_light(4, 4), np.random.default_rng(4)
+    boxes = rng.random((FRAMES, SIDE, SIDE)) < 0.3
+    capture = nscc_runtime.film(
+        program("masked_memory"), light, inputs=[{"box": box} for box in boxes], params={"t": "30%"}
+    )
+    memory = np.zeros((SIDE, SIDE), np.bool_)
+    for frame, e in enumerate(exposures(light)):
+        memory = np.where(boxes[frame], e > 38 * STEP_E, memory)
+        same(capture, "memory", frame, memory)
+
+
+def test_history() -> None:
+    light = film_light(4, 5)
+    capture = nscc_runtime.film(program("history"), light)
+    bright = exposures(light) > 51 * STEP_E
+    for frame in range(FRAMES):
+        for age in range(9):
+            past = bright[frame - age] if frame >= age else np.zeros_like(bright[0])
+            same(capture, f"h{age}", frame, past)
+
+
+def spiral() -> NDArray[np.bool_]:
+    """A dark path, one pixel wide, from the border to the middle."""
+    dark = np.zeros((SIDE, SIDE), np.bool_)
+    x = y = 0
+    dx, dy, dark[0, 0] = 1, 0, True
+    while True:
+        ahead, beyond = (y + dy, x + dx), (y + 2 * dy, x + 2 * dx)
+        free = all(0 <= each < SIDE for each in ahead) and not (
+            all(0 <= each < SIDE for each in beyond) and dark[beyond]
+        )
+        if not free:
+            dx, dy = -dy, dx
+            if dark[y + dy, x + dx] or dark[y + 2 * dy, x + 2 * dx]:
+                return dark
+            continue
+        y, x = ahead
+        dark[y, x] = True
+
+
+def test_flood_from_the_border() -> None:
+    """What touches the border is removed; a spiral is longer than the steps, and the frame says
+    so."""
+    light = film_light(4, 6, most_steps=80)
+    light[-1] = np.where(spiral(), 1.25, 100.25) * STEP_E / 4
+    capture = nscc_runtime.film(program("flood_border"), light, params={"t": "35%"})
+    complete = capture.reports["flood outer"]
+    edge = np.ones((SIDE, SIDE), np.bool_)
+    edge[1:-1, 1:-1] = False
+    for frame, e in enumerate(exposures(light)):
+        dark = e < 44 * STEP_E
+        parts, _ = label(dark)
+        outer = np.isin(parts, np.unique(parts[edge & dark]))
+        inner = capture.planes["inner"][frame]
+        if complete[frame]:
+            np.testing.assert_array_equal(inner, dark & ~outer)
+        else:
+            assert not (dark & ~outer & ~inner).any()
+            assert (inner & outer).any()
+    assert complete == [True] * (FRAMES - 1) + [False]
+
+
+@pytest.mark.parametrize("name", ["contrast", "contrast_share"])
+def test_temporal_contrast(name: str) -> None:
+    """An event camera: events are those of a numpy model, bit for bit."""
+    light = film_light(4, 7, most_steps=50)
+    capture = nscc_runtime.film(program(name), light)
+    reference = np.zeros((SIDE, SIDE))
+    events = 0
+    for frame, e in enumerate(exposures(light)):
+        if name == "contrast":
+            on, off = e - reference > 13 * STEP_E, reference - e > 13 * STEP_E
+        else:
+            on, off = e - reference * 9 / 8 > 0, reference * 7 / 8 - e > 0
+        reference = np.where(on | off, e, reference)
+        same(capture, "on", frame, on)
+        same(capture, "off", frame, off)
+        events += on.sum() + off.sum()
+    assert events > 0
+
+
+def test_stabilisation() -> None:
+    light, rng = film_light(4, 9), np.random.default_rng(9)
+    offsets = [{"dx": int(dx), "dy": int(dy)} for dx, dy in rng.integers(-32, 33, (FRAMES, 2))]
+    offsets[1:3] = [{"dx": 32, "dy": -32}, {"dx": -32, "dy": 32}]
+    capture = nscc_runtime.film(program("stabilise"), light, params=offsets)
+    around = {"here": (0, 0), "east": (1, 0), "west": (-1, 0), "south": (0, 1), "north": (0, -1)}
+    last = np.zeros((SIDE, SIDE), np.bool_)
+    for frame, e in enumerate(exposures(light)):
+        edge = np.zeros((SIDE, SIDE), np.bool_)  # at the border, edges depend on light beyond it
+        edge[1:-1, 1:-1] = (sobel(e) > 5 * STEP_E)[1:-1, 1:-1]
+        shifted = moved(edge, *offsets[frame].values())
+        for name, step in around.items():
+            expected = (moved(shifted, *step) & last).sum()
+            assert capture.reports[f"count {name}"][frame] == expected
+            assert expected or frame % 4 == 0
+        last = edge
+
+
+def test_half_size() -> None:
+    light = film_light(4, 10)
+    capture = nscc_runtime.film(program("half"), light)
+    for frame, e in enumerate(exposures(light)):
+        np.testing.assert_allclose(capture.images["both"][frame][64:192], e[::2], atol=1e-6)
