@@ -285,7 +285,11 @@ def _read_fraction(items: list[Any]) -> Fraction:
 
 
 def _literal(options: tuple[Any, ...]) -> _Codec:
+    """Return the codec of a Literal type: only values equal to an option, and of its type, are
+    allowed."""
+
     def check(value: Any) -> Any:
+        """Return `value` if it is one of the options; raise InvalidRecord otherwise."""
         for option in options:
             if type(value) is type(option) and value == option:
                 return value
@@ -295,6 +299,10 @@ def _literal(options: tuple[Any, ...]) -> _Codec:
 
 
 def _annotated(kind: Any, remarks: tuple[Any, ...]) -> _Codec:
+    """Return the codec of an Annotated type `kind` with these `remarks`.
+
+    The remark `HEX` stores an integer as hexadecimal text. Each `Within` limits a number or the
+    length of a value, in writing and reading. Other remarks are ignored."""
     if HEX in remarks:
         return _Codec(lambda value: f"{value:x}", _read_hex)
     codec = _codec(kind)
@@ -306,6 +314,8 @@ def _annotated(kind: Any, remarks: tuple[Any, ...]) -> _Codec:
 
 
 def _read_hex(text: Any) -> int:
+    """Return the integer that a hexadecimal text stands for; raise InvalidRecord for other
+    values."""
     try:
         return int(_instance(str, text), 16)
     except ValueError:
@@ -316,6 +326,8 @@ def _checked(limits: Within, convert: Convert) -> Convert:
     """Return the conversion of values within limits."""
 
     def converted(value: Any) -> Any:
+        """Convert `value`; raise InvalidRecord if the result (or its length) is outside the
+        limits."""
         result = convert(value)
         is_number = isinstance(result, int | float)
         measured = result if is_number else len(result)
@@ -339,12 +351,15 @@ def _union(kinds: tuple[Any, ...]) -> _Codec:
     by_name: dict[str, Any] = {kind.__name__: kind for kind in kinds}
 
     def write(value: Any) -> list[Any]:
+        """Return the name of the value's class, followed by the plain values of its fields."""
         name = type(value).__name__
         if name not in by_name:
             raise _refused(value, f"one of {', '.join(by_name)}")
         return [name, *_joined(_fields(by_name[name]), _values(by_name[name], value))]
 
     def read(plain: Any) -> Any:
+        """Return the record whose class is named by the first item of `plain`; the other items are
+        its fields."""
         name = _instance(list, plain)[0] if plain else None
         if type(name) is not str or name not in by_name:
             raise InvalidRecord(f"begins with {_shown(name)}, not with the name of a node")
@@ -354,6 +369,8 @@ def _union(kinds: tuple[Any, ...]) -> _Codec:
 
 
 def _convert_all(convert: Convert, values: Any) -> list[Any]:
+    """Convert each value of a sequence; an InvalidRecord then names the index of the value at
+    fault."""
     converted: list[Any] = []
     try:
         for value in values:
@@ -364,6 +381,8 @@ def _convert_all(convert: Convert, values: Any) -> list[Any]:
 
 
 def _convert_values(convert: Convert, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Convert each value of a mapping; an InvalidRecord then names the key of the value at
+    fault."""
     converted: dict[str, Any] = {}
     name = ""
     try:
@@ -423,6 +442,8 @@ def _fields(kind: Any) -> tuple[_Field, ...]:
 
 
 def _values(kind: Any, record: Any) -> list[Any]:
+    """Return the field values of `record`; raise InvalidRecord unless its class is exactly
+    `kind`."""
     names = [field.name for field in _fields(kind)]
     if type(record) is not kind:
         raise InvalidRecord(f"is a {type(record).__name__}, not a {kind.__name__}")
@@ -430,6 +451,8 @@ def _values(kind: Any, record: Any) -> list[Any]:
 
 
 def _write_object(kind: Any, record: Any) -> dict[str, Any]:
+    """Return a record as a JSON object. Fields added in a later version are left out at their
+    default."""
     plain: dict[str, Any] = {}
     for field, value in zip(_fields(kind), _values(kind, record), strict=True):
         if not field.later or value != field.default:
@@ -438,6 +461,10 @@ def _write_object(kind: Any, record: Any) -> dict[str, Any]:
 
 
 def _read_object(kind: Any, plain: Any) -> Any:
+    """Return the record of class `kind` that a JSON object stands for.
+
+    Raises InvalidRecord for an unknown key, and for a missing key unless a later version added the
+    field."""
     _instance(dict, plain)
     row = {field.key: field for field in _fields(kind)}
     for key in plain.keys() - row.keys():

@@ -14,6 +14,8 @@ def columns(
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
 
     def line(row: Sequence[str]) -> str:
+        """Return one row: cells padded to the column widths, two spaces apart, without trailing
+        spaces."""
         cells = (
             cell.ljust(width)
             if left_aligned is None or number in left_aligned

@@ -52,6 +52,11 @@ def compare(
 
 
 def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnChip:
+    """Compile a program for one chip and return its figures, or the first error if it does not fit.
+
+    `noise_of` returns the read noise of the compiled program (None leaves it out). If only the
+    slots are too short, `shortest_slot_us` of the result is the length that the chip needs. Syntax
+    and name errors (NS01.., NS02..) do not depend on the chip and are raised as Rejected."""
     try:
         compiled = compile_file(path, Options(level=level, target=target))
     except Rejected as error:
@@ -136,6 +141,7 @@ def _sent(chip: OnChip) -> str:
 
 
 def _mean_rate(chip: OnChip) -> str:
+    """Return the peak data rate and the mean rate over a frame as text."""
     if not chip.sent_bits:
         return _sent(chip)
     assert chip.bits_per_us is not None

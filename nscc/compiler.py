@@ -51,6 +51,7 @@ def _with_ways_out(
     alike = replace(options, target=program.target, price_all=False, unproved_is_error=True)
 
     def attempt(source: Source, codes: Codes, level: int) -> Lowered | None:
+        """Compile a similar program up to its lowering; return None if it is rejected."""
         try:
             return run_passes(source, base, replace(alike, codes=codes, level=level)).lowered
         except Rejected:

@@ -36,6 +36,10 @@ def notebook(page: str) -> bytes:
 
 
 def _cell(kind: str, text: str) -> dict[str, Any]:
+    """Return a notebook cell of a `kind` ("code" or "markdown") as JSON values.
+
+    A first line with tags becomes metadata. Links to local files become plain text in markdown
+    cells."""
     if kind == "markdown":
         return {"cell_type": kind, "metadata": {}, "source": _LOCAL_LINK.sub(r"\1", text.strip())}
     tags = _TAGS.match(text)

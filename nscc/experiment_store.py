@@ -74,6 +74,11 @@ class ExperimentStore:
         experiment: str = "",
         report: Callable[[str], object] = lambda _text: None,
     ) -> None:
+        """Open the database at `path`, or one in memory if it is None, and create its table.
+
+        `experiment` is the key of the measurements that this object reads and adds; `report`
+        receives messages. A lock on a file beside the database tells other processes that it is in
+        use. Raises Rejected if the file cannot be opened."""
         self._path, self._of, self._report = path, experiment, report
         self._claims: int | None = None
         self._known = False
@@ -243,6 +248,8 @@ class ExperimentStore:
         value: BaseException | None,
         _trace: TracebackType | None,
     ) -> None:
+        """Close the database. A KeyboardInterrupt is raised again with the path of stored
+        results."""
         self.close()
         if isinstance(value, KeyboardInterrupt) and self._known and self._path is not None:
             raise KeyboardInterrupt(

@@ -157,6 +157,7 @@ def refuse_inputs(*paths: Path) -> None:
 
 
 def _refuse_input(path: Path, data: Product) -> None:
+    """Raise Rejected (NS0785) if `path` is an input of this command and `data` would change it."""
     try:
         status = path.stat()
     except (OSError, ValueError):
@@ -209,6 +210,8 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
 
 
 def _fill(file: BinaryIO, data: Product) -> None:
+    """Write a product to an open file: bytes as they are, or by calling the product with the
+    file."""
     if isinstance(data, bytes):
         file.write(data)
     else:

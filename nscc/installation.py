@@ -78,6 +78,7 @@ def _import_error(distribution: str) -> str:
 
 
 def _targets() -> Finding:
+    """Load every built-in target and return the finding: their names, or the first error."""
     try:
         names = [load_target(name, Path()).name for name in target_names()]
     except Rejected as rejected:
@@ -86,6 +87,8 @@ def _targets() -> Finding:
 
 
 def _cache() -> Finding:
+    """Return the finding on the cache of search results: its folder and its size, or why it is
+    off."""
     folder = cache_folder()
     if folder is None:
         return Finding(ABSENT, f"cache of search results: {refusal() or 'off (NSCC_CACHE=off)'}")

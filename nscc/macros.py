@@ -88,6 +88,7 @@ def expand(name: str, operands: Sequence[str], own_words: tuple[Operation, ...] 
 
 
 def _count(mnemonic: Mnemonic) -> str:
+    """Return how many operands a mnemonic takes, as text."""
     low, high = mnemonic.least, mnemonic.most
     if high is None:
         return f"{low} or more operands"
@@ -128,6 +129,9 @@ def _listed(names: Sequence[str] | dict[str, int]) -> str:
 
 
 def _native(row: Operation) -> Mnemonic:
+    """Return the mnemonic of one operation: its usage, and how its operands become a word.
+
+    Operands are the destinations, then the sources. Either number may vary, but not both."""
     low, high = row.destinations
     first, last = row.sources
     # SET, CLR and WHERE have one kind of operand, so this split is unambiguous.
@@ -163,6 +167,10 @@ def _not(x: Sequence[str]) -> Ops:
 
 
 def _or_nor(kind: str, x: Sequence[str]) -> Ops:
+    """Return the words of OR or NOR with operands `x`: one word, or a pair if it works in place.
+
+    It is in place if the destination is also a source, or if there is only one source. Raises
+    OperandError if a source occurs twice."""
     destination, sources = x[0], x[1:]
     if len(sources) > 1 and destination not in sources:
         return (_word(BY_NAME[kind], x[:1], sources),)
@@ -219,6 +227,7 @@ class _Form:
     """One form of a macro: its operand names and its expansion."""
 
     def __init__(self, line: str) -> None:
+        """Read a macro from a line like `not d, s: NOR d, s`: its operands, then its words."""
         self.head, _, words = line.partition(": ")
         self.name, *self.operands = self.head.replace(",", "").split()
         split = [word.replace(",", "").split() for word in words.split("; ")]

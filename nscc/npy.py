@@ -101,6 +101,11 @@ def npy_array(file: Path | IO[bytes], most_bytes: int = MOST_BYTES) -> NDArray[A
 
 
 def _array(stream: IO[bytes], name: str, most_bytes: int, before_bytes: int = 0) -> NDArray[Any]:
+    """Read one array from a .npy stream. `before_bytes` counts arrays read before from the same
+    file.
+
+    Raises UnsuitableArray for Python objects or more than `most_bytes` in all, and InvalidArrays
+    for data that does not fit its header. Sizes are checked before data is read."""
     with _damage_of(name):
         _, shape, fortran, dtype = npy_header(stream)
         check_size(before_bytes + prod(shape) * dtype.itemsize, most_bytes)

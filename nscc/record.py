@@ -32,12 +32,15 @@ class Record:
     __dataclass_fields__: ClassVar[Any] = _Fields()
 
     def __init_subclass__(cls, *, eq: bool = True) -> None:
+        """Take the annotated attributes of the class as fields. With `eq` False, records compare by
+        identity."""
         cls.field_names = (*cls.field_names, *vars(cls).get("__annotations__", ()))
         type.__setattr__(cls, "__match_args__", cls.field_names)
         if not eq:
             cls.__eq__, cls.__hash__ = object.__eq__, object.__hash__  # type: ignore[method-assign]
 
     def __init__(self, *values: Any, **named: Any) -> None:
+        """Set the fields, by position or by name; raise TypeError for missing or unknown ones."""
         names, cls = self.field_names, type(self)
         if named or len(values) != len(names):
             later = names[len(values) :]

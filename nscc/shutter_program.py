@@ -233,6 +233,7 @@ class ShutterProgram:
         return replace(self, container=with_pixels(self.container, self.name, pixel_source))
 
     def __repr__(self) -> str:
+        """Return name, class, number of codes and slots, size and target as one line."""
         name = self.container.notes.get("class", "")
         kind = f"class {name}, " if len(name) == 1 else f"{name}, " if name else ""
         size = KINDS.of(self.container).size_text(self.container)
@@ -256,6 +257,9 @@ class ShutterProgram:
         return replace(self, container=with_pixels(self.container, self.name))
 
     def _as_compiled(self, product: str) -> tuple[Compiled, Options]:
+        """Return the compiler's result and options, which `product` needs.
+
+        Raises Rejected (NS0743) for a program that was loaded from compiled words."""
         if self.compiled is None or self.options is None:
             raise rejected(
                 "NS0743",

@@ -146,6 +146,8 @@ def _states(files: Iterable[Path]) -> dict[Path, State]:
 
 
 def _state(path: Path) -> State:
+    """Return modification time, size and number of a file, which change when it is written; None
+    if it is missing."""
     try:
         status = os.stat(path)
     except (OSError, ValueError):

@@ -164,6 +164,7 @@ def _inputs(arguments: Sequence[str]) -> list[Path]:
 
 
 def _is_file(path: Path) -> bool:
+    """Return whether the path is a file; False also for paths that the system refuses."""
     try:
         return path.is_file()
     except (OSError, ValueError):
@@ -171,6 +172,7 @@ def _is_file(path: Path) -> bool:
 
 
 def _content(path: Path) -> bytes:
+    """Return the content of a file for a fault report, or a line that says why it is not copied."""
     try:
         size = path.stat().st_size
         if size > _MOST_BYTES:

@@ -39,6 +39,7 @@ class Server(LanguageServer):
     """The open texts by URI, and the thread that handles requests about them."""
 
     def __init__(self) -> None:
+        """Begin without open texts. One worker thread handles all requests in order."""
         super().__init__(
             "nscc", __version__, text_document_sync_kind=types.TextDocumentSyncKind.Full
         )
@@ -59,12 +60,15 @@ class Server(LanguageServer):
         document, version = self.documents[uri], self.versions[uri]
 
         def publish(finished: asyncio.Future[list[types.Diagnostic] | None]) -> None:
+            """Send the diagnostics to the editor, unless a newer text has replaced the checked
+            one."""
             diagnostics = None if finished.cancelled() else finished.result()
             if diagnostics is not None and self.documents.get(uri) is document:
                 message_params = types.PublishDiagnosticsParams(uri, diagnostics, version)
                 self.text_document_publish_diagnostics(message_params)
 
         def checked_diagnostics() -> list[types.Diagnostic] | None:
+            """Return the diagnostics of the text, or None if a newer one has replaced it."""
             if self.documents.get(uri) is not document:
                 return None
             return [
@@ -142,6 +146,7 @@ def _take_texts(server: Server) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)
     def did_close(params: types.DidCloseTextDocumentParams) -> None:
+        """Forget a closed text and remove its diagnostics in the editor."""
         uri = params.text_document.uri
         server.documents.pop(uri, None)
         server.versions.pop(uri, None)
@@ -159,6 +164,7 @@ def _take_texts(server: Server) -> None:
 
 
 def _hover(document: Document, at: Positions, params: types.HoverParams) -> types.Hover | None:
+    """Return the hover text at a position of the text, or None."""
     hover_text = hover(document, at.offset(params.position))
     if hover_text is None:
         return None
@@ -169,6 +175,7 @@ def _hover(document: Document, at: Positions, params: types.HoverParams) -> type
 def _completions(
     text: Text, at: Positions, params: types.CompletionParams
 ) -> list[types.CompletionItem]:
+    """Return the words and names that may stand at a position of a program or an assembly text."""
     offset = at.offset(params.position)
     span, offers = (
         complete_listing(text, offset) if isinstance(text, Listing) else complete(text, offset)
@@ -192,6 +199,7 @@ def _hints(
 def _definition(
     document: Document, at: Positions, params: types.DefinitionParams
 ) -> types.Location | None:
+    """Return where the name at a position is declared, or None."""
     mention = mention_at(document, at.offset(params.position))
     definition = mention and declaration(document, mention)
     if not definition:
@@ -202,6 +210,7 @@ def _definition(
 def _references(
     document: Document, at: Positions, params: types.ReferenceParams
 ) -> list[types.Location]:
+    """Return all uses of the name at a position, with its declaration if the editor asks for it."""
     mention = mention_at(document, at.offset(params.position))
     mentions = alike(document, mention) if mention else []
     uri, also_declaration = params.text_document.uri, params.context.include_declaration
@@ -212,6 +221,7 @@ def _references(
 def _fixes(
     document: Document, at: Positions, params: types.CodeActionParams
 ) -> list[types.CodeAction]:
+    """Return the fixes that apply in a range, and one action that applies all safe fixes."""
     uri, only = params.text_document.uri, params.context.only
     actions = [
         values.quick_fix(diagnostic, fix, document, uri)
@@ -225,6 +235,8 @@ def _fixes(
 
 
 def _formatted(document: Document, at: Positions, _params: object) -> list[types.TextEdit]:
+    """Return the edit that puts the text into the standard style; none if it is already, or has
+    errors."""
     try:
         text = format_source(document.source)
     except Rejected:  # the error is shown already

@@ -76,6 +76,7 @@ def _interrupts(*, of_process: bool) -> Iterator[list[int]]:
     came: list[int] = []
 
     def remember(number: int, frame: FrameType | None) -> None:
+        """Raise KeyboardInterrupt at the first Ctrl-C; leave the process at once at the second."""
         if came and of_process:
             os.write(2, b"\ninterrupted\n")
             _leave()

@@ -45,6 +45,7 @@ def section(title: str, *options: Callable[[Any], Any]) -> Callable[[Command], C
     """Combine several options into one decorator; `--help` lists them under this title."""
 
     def add(function: Command) -> Command:
+        """Add the options to a command, and list them below this title in its help."""
         known = list(getattr(function, "__click_params__", ()))
         function = together(*options)(function)
         for parameter in function.__click_params__:  # type: ignore[attr-defined]  # of click
@@ -65,6 +66,8 @@ def chosen_names(
     """Return a callback that parses a comma-separated choice of `names`, in their order."""
 
     def chosen(context: click.Context, option: click.Parameter, value: str) -> tuple[str, ...]:
+        """Return the names in the option's text, in the order of `names`; raise BadParameter for
+        others."""
         chosen_set = {item.strip() for item in value.split(",")}
         for name in sorted(chosen_set.difference(names)):
             raise click.BadParameter(f"{name!r} is not one of {', '.join(names)}", context, option)

@@ -159,6 +159,7 @@ class _Handler(BaseHTTPRequestHandler):
             self._write(data, kind, status)
 
     def _write(self, data: bytes, kind: str, status: HTTPStatus) -> None:
+        """Send a response with this status, content type (`kind`) and data."""
         self.send_response(status)
         for header, value in _HEADERS.items():
             self.send_header(header, value)

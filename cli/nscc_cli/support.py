@@ -97,6 +97,7 @@ def show_gathered(of: Session) -> None:
 
 
 def _write(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> None:
+    """Write diagnostics to standard error in the chosen format."""
     if message_format == "github" or message_format == "sarif":
         from nscc.diagnostics.reports import sarif, workflow_commands
 
@@ -154,6 +155,7 @@ def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
 
 
 def _denied(diagnostic: Diagnostic) -> Diagnostic:
+    """Return a warning as an error, for `--deny-warnings`; other diagnostics stay as they are."""
     if diagnostic.severity is not Severity.WARNING:
         return diagnostic
     notes = (*diagnostic.notes, "a warning, treated as an error because of --deny-warnings")
@@ -174,6 +176,7 @@ class CommonCommand(click.Command):
     parameters are inputs, which products must not overwrite (NS0785)."""
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
+        """Add the options `--message-format` and `--deny-warnings` to every command."""
         super().__init__(*arguments, **settings)
         self.params += [
             click.Option(
@@ -314,6 +317,8 @@ def waiting(task: str) -> Iterator[None]:
     over = Event()
 
     def draw() -> None:
+        """Show how long the task takes, after `_BAR_DELAY_S`, until it is over; then remove the
+        line."""
         begin, pause = monotonic(), _BAR_DELAY_S
         while not over.wait(pause):
             _redraw(f"{task}: {monotonic() - begin:.0f} s")

@@ -157,6 +157,7 @@ def details(target: Target) -> str:
 
 
 def _value(target: Target, key: Key) -> str:
+    """Return the value of a target's key as text; a run of registers is shortened to R0..R12."""
     value = getattr(target, key.attribute)
     if value is None:
         return str(key.kind.plain(value))

@@ -37,6 +37,7 @@ class _Tradeoffs(Subcommands):
     unknown = "{group} '{name}': there is no such command, file or run"
 
     def or_else(self) -> Sequence[str]:
+        """Return the help that lists what can be named instead of a subcommand."""
         from nscc_training.run_files import shipped_runs
 
         return (
@@ -256,6 +257,8 @@ def _numbers(
     """Return a callback for distinct numbers, separated by commas; with `none` also that word."""
 
     def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
+        """Return the integers in the option's text, sorted; raise BadParameter outside `least`
+        to `most`."""
         if none and value.strip() == "none":
             return ()
         items = [item.strip() for item in value.split(",")]

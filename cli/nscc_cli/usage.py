@@ -62,6 +62,7 @@ def _scene_meant(context: click.Context | None, message: str) -> tuple[str, ...]
 
 
 def _options(context: click.Context | None) -> list[str]:
+    """Return the names of all options of the command, for suggestions."""
     if context is None:
         return []
     known = context.command.get_params(context)

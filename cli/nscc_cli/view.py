@@ -52,6 +52,7 @@ def command(program: Path, out: Path | None, gates: bool, tone: str | None, **op
 
 
 def _shutters(program: Path, options: dict[str, Any]) -> bytes:
+    """Return the PNG of a program's shutters and their arrangement on the array."""
     container, messages = load_program(program, options)
     say(messages)
     from nscc_runtime.pictures.sheet import png_of
@@ -61,6 +62,8 @@ def _shutters(program: Path, options: dict[str, Any]) -> bytes:
 
 
 def _gates(program: Path, options: dict[str, Any]) -> bytes:
+    """Return the PNG of a program's gates; raise Rejected for a compiled program, which has no
+    gates."""
     if program.suffix.lower() == ".icw":
         raise rejected(
             "NS0743",

@@ -119,6 +119,11 @@ def _token(value: Any, known: dict[int, bytes]) -> bytes:
 
 
 def _compound(value: Any, known: dict[int, bytes]) -> bytes:
+    """Return the SHA-256 digest of an array, sequence, mapping or dataclass instance: 32 bytes.
+
+    The digest covers the kind of `value`, its number of tokens and each token with its length.
+    `known` caches digests of frozen values by identity, and this call may add to it. Raises
+    TypeError for any other kind of value."""
     tokens: list[bytes]
     if isinstance(value, np.ndarray | np.generic):
         head = f"a{value.dtype.str}{value.shape}"

@@ -86,6 +86,10 @@ class Store(Record):
         return sum(status.st_size for _, status in self._files(_ENTRY))
 
     def _make_room(self) -> None:
+        """Delete abandoned partial files and, if the folder exceeds `most_bytes`, old entries.
+
+        The least recently used entries are deleted first, until the folder is at most `_KEPT_SHARE`
+        of `most_bytes`. Files that cannot be deleted are left."""
         now = time.time()
         for path, status in self._files(_PART):
             if now - status.st_mtime > _PART_AGE_S:

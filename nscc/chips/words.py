@@ -58,6 +58,10 @@ class OwnWords(Kind):
         return f"a list of at most {_MOST} [[words]], each different from every other word"
 
     def read(self, value: Any) -> tuple[Operation, ...]:
+        """Return the operations that the `[[words]]` tables of a target file declare.
+
+        Raises ValueError if `value` is not a list of at most `_MOST` tables, if a name exists
+        already, or if a word has the same bits as another word."""
         if not isinstance(value, list) or len(value) > _MOST:
             raise ValueError
         operations: list[Operation] = []
@@ -84,6 +88,8 @@ def words_toml(rows: Iterable[Operation]) -> list[str]:
 
 
 def _plain(row: Operation) -> dict[str, Any]:
+    """Return an operation as the table of a target file: only needed keys and values unlike their
+    defaults."""
     names = {effect: name for name, effect in EFFECTS.items()}
     values = {
         "name": row.name,

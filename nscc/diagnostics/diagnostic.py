@@ -22,12 +22,15 @@ class Rejected(Exception):
     """
 
     def __init__(self, diagnostics: Sequence[Diagnostic] | Diagnostic, status: int = 1) -> None:
+        """Carry one or more diagnostics, and the exit status of the command (1: the user's
+        error)."""
         listed = (diagnostics,) if isinstance(diagnostics, Diagnostic) else tuple(diagnostics)
         super().__init__(listed, status)
         self.diagnostics = listed
         self.status = status
 
     def __repr__(self) -> str:
+        """Return the class name with code and message of each diagnostic."""
         text = "; ".join(
             f"{diagnostic.code}: {diagnostic.message}" for diagnostic in self.diagnostics
         )

@@ -42,6 +42,8 @@ def render(diagnostics: Sequence[Diagnostic], form: Format, color: bool = False)
 
 
 def _place(diagnostic: Diagnostic) -> str:
+    """Return "file:row:column" of a diagnostic; only the file without a label, "" without a
+    source."""
     source = diagnostic.source
     if source is None:
         return ""
@@ -59,6 +61,7 @@ def _short(diagnostic: Diagnostic) -> str:
 
 
 def _json(diagnostic: Diagnostic) -> str:
+    """Return a diagnostic as one line of JSON, with positions, fixes and the text for people."""
     import json
 
     source, label = diagnostic.source, diagnostic.label
@@ -94,6 +97,9 @@ def _locations(source: Source | None, at: Label | Fix | None) -> dict[str, dict[
 
 
 def _human(diagnostic: Diagnostic, color: bool) -> str:
+    """Return a diagnostic as text for a terminal: message, quoted source lines, notes and helps.
+
+    With `color`, the text contains ANSI escape sequences."""
     paint = _painted if color else lambda _code, text: text
     head = paint(_PAINT[diagnostic.severity], f"{diagnostic.severity}[{diagnostic.code}]")
     lines = [head + paint(_BOLD, f": {_one_line(diagnostic.message)}")]
@@ -141,6 +147,7 @@ def _labelled(
 
 
 def _helps(diagnostic: Diagnostic) -> list[str]:
+    """Return the help lines: helps, fixes that no help quotes, and numbered ways out."""
     helps_text = "".join(diagnostic.helps)
     fixes = [fix.title for fix in diagnostic.fixes if f"`{fix.replacement}`" not in helps_text]
     helps = [*diagnostic.helps, *fixes]

@@ -22,6 +22,8 @@ def workflow_commands(diagnostics: Iterable[Diagnostic]) -> str:
 
 
 def _annotation(diagnostic: Diagnostic) -> str:
+    """Return a diagnostic as a GitHub workflow command, for example `::error
+    file=..,line=..::text`."""
     name = names().get(diagnostic.code, "")
     properties = {"title": f"{diagnostic.code} {name}".strip()}
     source = diagnostic.source
@@ -55,6 +57,8 @@ def sarif(diagnostics: Sequence[Diagnostic]) -> str:
 
 
 def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
+    """Return a diagnostic as a SARIF `result` object; `codes` lists the rules, and gives the rule's
+    index."""
     source = diagnostic.source
     result: dict[str, Any] = {
         "ruleId": diagnostic.code,
@@ -75,6 +79,7 @@ def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
 
 
 def _location(source: Source, label: Label | None) -> dict[str, Any]:
+    """Return a SARIF `location`: the file, and with a label also its region and text."""
     place: dict[str, Any] = {"artifactLocation": {"uri": quote(source.name)}}
     if label is None:
         return {"physicalLocation": place}
@@ -84,6 +89,7 @@ def _location(source: Source, label: Label | None) -> dict[str, Any]:
 
 
 def _fix(source: Source, fix: Fix) -> dict[str, Any]:
+    """Return a SARIF `fix` object, which replaces the fix's region by its text."""
     change = {
         "artifactLocation": {"uri": quote(source.name)},
         "replacements": [

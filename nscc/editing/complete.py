@@ -99,6 +99,10 @@ class _Place(Record):
     starts: list[int]
 
     def offers(self) -> Iterator[Offer]:
+        """Yield all words and names that may stand at the cursor.
+
+        The grammar decides which tokens are possible after the text before the cursor. After an
+        earlier error, every name and the end of the statement count as possible."""
         kinds = self.tokens.kinds
         if not self.starts:
             yield from (Offer(form, "word", "language and version") for form in FORMS["nsl"])
@@ -136,6 +140,10 @@ class _Place(Record):
                     yield Offer(word, "word", FORMS[word][0])
 
     def _known(self, statement: str, kinds: Collection[str]) -> Iterator[Offer]:
+        """Yield the names that expressions of this statement may use, with their meanings.
+
+        `kinds` are the tokens of the statement before the cursor; `sense` has other names after
+        `at`."""
         declared, constants = self.document.declared, self.document.constants
         match statement:
             case "open" | "bucket":
@@ -226,6 +234,10 @@ def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
 
 
 def _offers(listing: Listing, before: list[str]) -> Iterator[Offer]:
+    """Yield the completions of a line of assembly text after the words `before`.
+
+    The first word of a line is a directive or a mnemonic; the second is a chip, a kernel or a
+    register."""
     if not before:
         yield from (Offer(name, "word", "a directive") for name in DIRECTIVES)
         known = mnemonics(listing.target.words)

@@ -53,6 +53,8 @@ def hover(document: Document, offset: int) -> Hover | None:
 
 
 def _name(document: Document, offset: int) -> Hover | None:
+    """Return the hover text of the name at `offset` (characters), or None if there is no known
+    name."""
     mention = mention_at(document, offset)
     if mention is None:
         return None
@@ -61,6 +63,8 @@ def _name(document: Document, offset: int) -> Hover | None:
 
 
 def _bucket(document: Document, mention: Mention) -> str | None:
+    """Return the description of a bucket, with the range of its open slots if all shutters are
+    known."""
     if declaration(document, mention) is None:
         return None
     compiled = document.checked.compiled
@@ -79,6 +83,10 @@ def _bucket(document: Document, mention: Mention) -> str | None:
 
 
 def _meaning(document: Document, mention: Mention) -> str | None:
+    """Return what a name stands for: its kind, and its value or size as far as the program is
+    valid.
+
+    None for an unknown name."""
     name, declared = mention.name, document.declared
     if name in declared.lets:
         meaning = document.constants.get(name)
@@ -156,6 +164,8 @@ def _grid(weights: Weights) -> str:
 
 
 def _field(document: Document, name: str) -> str:
+    """Return the description of a field of the pixel code: its range, and the values that pixels
+    use."""
     field = document.fields.get(name)
     if field is None:
         return "a field of the pixel code"
@@ -175,6 +185,8 @@ def _field(document: Document, name: str) -> str:
 
 
 def _sense(document: Document, name: str) -> str:
+    """Return the description of a sense (a comparison of the pixel's light), with its
+    boundaries."""
     senses = document.looking.senses if document.looking else ()
     sense = next((sense for sense in senses if sense.name == name), None)
     if sense is None:
@@ -188,6 +200,8 @@ def _sense(document: Document, name: str) -> str:
 
 
 def _state(document: Document, name: str) -> str:
+    """Return the description of a state: its range, its initial value, and whether it is kept or
+    read out."""
     states = document.looking.states if document.looking else ()
     state = next((state for state in states if state.name == name), None)
     if document.declared.keeps_planes:

@@ -46,6 +46,7 @@ def program_text(program: Program) -> str:
 
 
 def _frame_text(frame: SlotGrid) -> str:
+    """Return the number and the lengths (us) of the slots; at most 16 lengths are listed."""
     total = f"{sum(frame.slot_us):g} us in all"
     slots = counted(len(frame.slot_us), "slot")
     if frame.equal:
@@ -56,6 +57,7 @@ def _frame_text(frame: SlotGrid) -> str:
 
 
 def _field_text(field: Field) -> str:
+    """Return a field's name, its range, and its kind if it is not a plain range."""
     text = f"{field.name} : {field.low}..{field.high}"
     if field.kind == "bits":
         return f"{text} ({counted(field.bits or 0, 'free bit')})"
@@ -65,6 +67,8 @@ def _field_text(field: Field) -> str:
 
 
 def _shutter_lines(program: Program) -> list[str]:
+    """Return a line for each shutter: a digit for each slot and bucket, and how many codes use
+    it."""
     table = program.table
     users = [0] * len(table.shutters)
     for shutter in table.shutter_of_code.tolist():
@@ -96,6 +100,7 @@ def print_tree(file: File, source: Source) -> str:
 
 
 def _print(node: Node, source: Source, indent: str, lines: list[str]) -> None:
+    """Append the lines of a syntax tree to `lines`; fields that are nodes follow, indented."""
     row, column = source.row_column(node.span.start)
     plain: list[str] = []
     inner: list[Node] = []

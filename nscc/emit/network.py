@@ -67,6 +67,7 @@ class NetworkMaker:
     value."""
 
     def __init__(self, lowered: Lowered, encoding: str) -> None:
+        """Begin with an empty network; its graph attributes name encoding, lowering and size."""
         plan = lowered.plan
         self.lowered = lowered
         self.places = lowered.schedule.allocation.places
@@ -147,6 +148,8 @@ class KernelFinder:
     """A search for the kernel that contains each gate's words."""
 
     def __init__(self, lowered: Lowered) -> None:
+        """List the words that run at each boundary, without the kernels that only refresh
+        registers."""
         schedule = lowered.schedule
         refreshes = set(lowered.time.refresh_at or ())
         self._run: dict[int, list[tuple[Op, int]]] = {}
@@ -224,6 +227,8 @@ def dot_text(network: nx.DiGraph) -> str:
 
 
 def _label(node: dict[str, str | int]) -> list[str]:
+    """Return the two lines of text that describe a node: what it is, and in which register and
+    when."""
     match node["kind"]:
         case "plane":
             return [f"{node['name']} in {node['register']}", str(node["holder"])]

@@ -93,6 +93,8 @@ def _range(lowered: Lowered) -> dict[str, int]:
 
 
 def _priced(lowered: Lowered) -> dict[str, Any]:
+    """Return the cost of one lowering as JSON values: words, the shortest slot (us), analog writes,
+    headroom (e)."""
     return {
         "lowering": lowered.plan.lowering,
         "fits": lowered.fits,

@@ -145,6 +145,11 @@ def _by_slots(
     counted_as: str,
     least: int = 1,
 ) -> Family:
+    """Return the family of programs with one shutter rule, whose size is the number of slots.
+
+    `shutters` gives the number of shutters for a size, and `counted_as` the same as text. `least`
+    is the smallest size. The largest size follows from the limit on codes x slots that nscc proves,
+    or from the longest frame."""
     ceiling = largest_with(lambda slots: shutters(slots) * slots, PROOF_LIMIT, 1, MOST_SLOTS)
     reason = f"nscc proves at most {PROOF_LIMIT} codes x slots (NS0450)"
     if ceiling == MOST_SLOTS:
@@ -165,6 +170,8 @@ def _by_slots(
 
 
 def _fixed_bump(length: int) -> Family:
+    """Return the family of class c: bumps of `length` slots with any start, one shutter for each
+    start."""
     return _by_slots(
         f"c len {length}",
         f"a bump of {length} slots, any start 0..N - {length}",
@@ -176,6 +183,8 @@ def _fixed_bump(length: int) -> Family:
 
 
 def _book_by_slots(rows: int) -> Family:
+    """Return the family of codebooks with `rows` pseudo-random rows; its size is the number of
+    slots."""
     return Family(
         f"codebook, {rows} rows",
         "pseudo-random rows of N slots",
@@ -192,6 +201,8 @@ def _book_by_slots(rows: int) -> Family:
 
 
 def _book_by_rows(slots: int) -> Family:
+    """Return the family of codebooks of `slots` slots; its size is the number of pseudo-random
+    rows."""
     return Family(
         f"codebook, {slots} slots",
         "K pseudo-random rows",

@@ -101,6 +101,10 @@ def limit_of(
 
 
 def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTrial:
+    """Compile the family's program of one size and return its figures, or the error that decides.
+
+    `slot` is the text of the slot length. An error that is certain (data `proved`) is preferred to
+    others."""
     try:
         source = Source("limits.nsl", family.text(size, slot))
         compiled = run_passes(source, Path(), options)
@@ -173,6 +177,8 @@ def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
 
 
 def _row(limit: Limit) -> tuple[str, ...]:
+    """Return a row of the table of limits: the largest size built, the smallest impossible size,
+    and costs."""
     unit, built = limit.family.unit, limit.built
     impossible = "-" if limit.impossible is None else f"{limit.impossible} {unit}"
     if built is None:
@@ -190,6 +196,8 @@ def _row(limit: Limit) -> tuple[str, ...]:
 
 
 def _reasons(limit: Limit) -> list[str]:
+    """Return the lines that explain a row: which sizes were tried, and why no larger one was
+    built."""
     family = limit.family
     lines = [f"  {family.name}: {family.description}", f"    built       {_trials_text(limit)}"]
     if limit.impossible is not None:
@@ -226,6 +234,7 @@ def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, An
 
 
 def _limit_values(limit: Limit) -> dict[str, Any]:
+    """Return a limit as JSON values, with the sizes that were tried."""
     unknown = None
     if limit.unknown_reason:
         last = None if limit.impossible is None else limit.impossible - 1

@@ -76,6 +76,10 @@ def ways_out(program: Program, attempt: Attempt, level: int) -> list[WayOut]:
 
 
 def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOut]:
+    """Yield similar programs that fit, in the order in which the error lists them.
+
+    `attempt` compiles a source at an optimisation level and returns None if it does not fit. `most`
+    is the user's optimisation level; searches for fewer slots use at most `QUICK_LEVEL`."""
     level = min(most, QUICK_LEVEL)
     if program.mode == "open" and program.pixel_codes is not None:
         lowered = attempt(program.source, "fixed", level)
@@ -153,6 +157,9 @@ def _largest(
     begin, remark = process_time(), ""
 
     def fits(size: int) -> bool:
+        """Compile the size and store the result in `built`; return whether it fits.
+
+        Once the time is used up, sizes count as not fitting and `remark` says so."""
         nonlocal remark
         if process_time() > begin + _MOST_S:
             remark = f"; looked no further after {_MOST_S:g} s"

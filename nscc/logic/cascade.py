@@ -94,6 +94,9 @@ class _Finder:
     """A search for plans of one problem."""
 
     def __init__(self, problem: Problem, machine: Machine, budget: Budget) -> None:
+        """Reduce the problem's demands to tasks on distinct points, and count equal tasks.
+
+        Raises GaveUp if the budget of steps is used up."""
         self._problem = problem
         self._machine = machine
         self._budget = budget
@@ -225,6 +228,11 @@ class _Finder:
         return _Plan(choice, planes, scratch, cascades, words) if words <= most else None
 
     def _search(self, planes: NDArray[np.bool_], scratch: int) -> Search:
+        """Return a search for gates that reads these stored predicates and `scratch` free
+        registers.
+
+        `planes`, bool (planes, points), are the contents of the stored predicates. Spends steps of
+        the budget."""
         sets = packed(planes)
         self._budget.spend(_STEPS_A_CHOICE + (sets.shape[1] << len(planes)) // 64)
         table = Planes(sets, planes.shape[1], self._machine)

@@ -124,6 +124,7 @@ class _Values:
 
     @staticmethod
     def joined(groups: Sequence[_Values]) -> _Values:
+        """Return all rows of several groups of values as one group, in order."""
         if len(groups) == 1:
             return groups[0]
         alike = zip(*(vars(group).values() for group in groups), strict=True)
@@ -141,6 +142,8 @@ class Search:
     """A search for cascades over one set of planes, with `scratch` registers."""
 
     def __init__(self, planes: Planes, machine: Machine, scratch: int, budget: Budget) -> None:
+        """Prepare a search with the cubes of `planes`, `scratch` free registers and a limit on
+        steps."""
         self._table = planes
         self._scratch = scratch
         self._budget = budget
@@ -355,6 +358,8 @@ class Search:
         return Cascade(tuple(links), words)
 
     def _way(self, number: int) -> _Way:
+        """Return how the value with this number was made: from which value, negated or not, and
+        with which cubes."""
         at = bisect_right(self._recorded, number, key=lambda entry: entry[0]) - 1
         first, values, in_flag = self._recorded[at]
         i = number - first

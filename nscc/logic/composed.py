@@ -132,6 +132,10 @@ class _Writer:
         return self._covered(columns(is_open), base)
 
     def _covered(self, predicates: Sequence[int], base: int) -> _Covered:
+        """Return for each predicate the cheaper cover by cubes: of itself, or of its complement.
+
+        Cubes read the planes from number `base` on. Raises GaveUp if a predicate needs more than
+        `_MOST_CUBES`."""
         vectors, everything = [p for p, _ in self.planes[base:]], self.problem.everything
         budget = Budget(20_000 * len(predicates))
         known: dict[int, tuple[list[Cube], bool]] = {}
@@ -262,6 +266,7 @@ _Planned = _Counted | _Covered | tuple[Operator, "_Planned", "_Planned"]
 
 
 def _leaves(planned: _Planned) -> Iterator[_Counted | _Covered]:
+    """Yield the parts of a composed rule from left to right: counted ones and covered ones."""
     if isinstance(planned, tuple):
         yield from _leaves(planned[1])
         yield from _leaves(planned[2])

@@ -193,6 +193,11 @@ def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> 
     visits = 0
 
     def descend(remaining: int, chosen: list[Nor], cost: float) -> None:
+        """Extend `chosen` by cubes until no shutter is left in `remaining`; keep the cheapest
+        choice found.
+
+        This is a branch-and-bound search: a branch that costs at least the best choice so far is
+        cut."""
         nonlocal best, best_cost, visits
         if not remaining:
             if cost < best_cost - 1e-9:

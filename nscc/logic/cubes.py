@@ -118,6 +118,9 @@ def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
 
 
 def _emit_with(problem: Problem, machine: Machine, encoding: Encoding, scratch: int) -> Solution:
+    """Return the solution of an encoding with `scratch` registers for intermediate results.
+
+    Raises GaveUp if these are too few."""
     emitter = _Emitter(machine, len(encoding.planes), scratch)
     inverted = encoding.inverted or (False,) * len(encoding.cubes)
     answers = tuple(
@@ -155,6 +158,7 @@ class _Emitter:
     """A list of gates under construction, with the contents of registers."""
 
     def __init__(self, machine: Machine, planes: int, scratch: int) -> None:
+        """Begin with all planes as stored, not inverted, and `scratch` free registers."""
         self._machine = machine
         self._scratch = [f"t{i}" for i in range(scratch)]
         self._gates = Gates(machine)
@@ -200,6 +204,8 @@ class _Emitter:
             segments.append(pending)
 
     def _free(self, terms: Sequence[str]) -> str:
+        """Return a scratch register that none of the `terms` occupies; raise GaveUp if there is
+        none."""
         for i, name in enumerate(self._scratch):
             if name not in terms:
                 self.used = max(self.used, i + 1)
@@ -223,6 +229,12 @@ class _Emitter:
         return [scratch_terms[0], *stored_terms]
 
     def _negate(self, plane: int, terms: list[str], segments: list[Segment]) -> list[str]:
+        """Make the inverse of a plane readable, and return the terms with the register that holds
+        it.
+
+        The inverse is computed in a scratch register. Without scratch registers, the plane is
+        inverted in place, and the gates so far are appended to `segments` first. Raises GaveUp if
+        the plane itself is a term."""
         name = f"p{plane}"
         if name in terms:
             raise GaveUp("a plane is needed both ways round at once")
@@ -250,6 +262,7 @@ class _Emitter:
         self._gates.load_flag(terms, spare)
 
     def _finish(self, terms: list[str], inverted: bool) -> None:
+        """Load FLAG with the OR of the terms, or with their NOR if `inverted`."""
         if not inverted:
             self._load_flag(terms)
             return

@@ -203,6 +203,10 @@ def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encodi
 
 
 def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Encoding:
+    """Return the encoding that stores `planes` and computes each predicate by the cheaper cover.
+
+    The complement of a predicate is covered instead if this saves more than the gate that inverts
+    the result."""
     predicates = [demand.predicate for demand in problem.demands]
     vectors = [plane for plane, _ in planes]
     covers: dict[int, tuple[tuple[Cube, ...], bool]] = {}

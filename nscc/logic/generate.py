@@ -86,6 +86,9 @@ class Generator(Record):
 
 
 def _emitted(kind: Kind, encode: Callable[[Problem, Machine, Budget], Encoding]) -> Generator:
+    """Return the generator of a `kind` that chooses planes with `encode` and then emits their
+    gates."""
+
     def solve(problem: Problem, machine: Machine, steps: int) -> tuple[Solution]:
         return (emit(problem, machine, encode(problem, machine, Budget(steps))),)
 

@@ -20,6 +20,11 @@ class Planes:
     tuples of words, cubes (M, W) and masks of planes (M,)."""
 
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
+        """Compute all different cubes of these planes, in groups of equal cost in words.
+
+        `planes`: packed sets (planes, W) of `points` points. Each group holds its cost, the cubes
+        as sets, and the mask of planes that each cube's NOR reads. Of equal cubes, the one that
+        reads fewest planes is kept."""
         self.planes = planes
         self.everything: Points = packed(np.ones((1, points), dtype=np.bool_))[0]
         # The union of every subset of the planes, doubled for each plane: row m belongs to mask m.

@@ -207,6 +207,11 @@ class Gates:
         self._gates.append(Gate("WHERE", "FLAG", tuple(sources)))
 
     def _gather(self, name: str, destination: str, sources: Sequence[str]) -> None:
+        """Append the OR or NOR (`name`) of any number of sources, as several gates if the machine
+        limits them.
+
+        Excess sources are gathered by OR in the destination first, so only the last gate inverts.
+        """
         if not sources:
             self.add(Gate("SET" if name == "NOR" else "CLR", destination, ()))
             return

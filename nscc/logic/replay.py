@@ -56,6 +56,8 @@ def _names(kind: str, count: int) -> list[str]:
 
 
 def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
+    """Return whether the machine has this gate: known name, legal registers and number of
+    sources."""
     if gate.name not in _SOURCES:
         return False
     is_where = gate.name == "WHERE"
@@ -75,6 +77,8 @@ class _Frame:
     """One frame of a solution; `contents` are truth vectors by register, None if unknown."""
 
     def __init__(self, problem: Problem, machine: Machine, solution: Solution) -> None:
+        """Set the registers as they are before a frame: planes known, states and scratch
+        unknown."""
         self.problem = problem
         self.solution = solution
         self.scratch = _names("t", solution.scratch)
@@ -114,12 +118,18 @@ class _Frame:
         self.contents |= dict.fromkeys(registers)
 
     def _known(self, name: str, gate: Gate) -> int:
+        """Return the contents of a register; raise _Wrong if they are unknown, with the gate that
+        reads it."""
         content = self.contents[name]
         if content is None:
             raise _Wrong(f"{gate} reads {name}, whose contents are unknown")
         return content
 
     def _run(self, segments: Sequence[Segment]) -> None:
+        """Run gates on the truth vectors of all registers. Writing the masked register makes t0
+        unknown.
+
+        Raises _Wrong if a gate reads unknown contents, or no register is free for the mask."""
         contents, everything, masked = self.contents, self.problem.everything, self.masked
         for segment in segments:
             for gate in segment:

@@ -64,6 +64,7 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
     gates = Gates(machine)
 
     def narrow(segment: Segment) -> Segment:
+        """Return the segment with gates of too many sources divided into several gates."""
         for gate in segment:
             if len(gate.sources) <= limit or gate.name == "WHERE":
                 gates.add(gate)
@@ -273,6 +274,7 @@ class _Walker:
         return min(names, key=missed, default=None)
 
     def _gate(self, kind: str, destination: str, sources: Sequence[str]) -> None:
+        """Append an OR or NOR gate and compute the new content of its destination."""
         inverted = kind == "NOR"
         (self.gates.nor if inverted else self.gates.or_)(destination, sources)
         self.values[destination] = self._or(sources, inverted)
@@ -283,6 +285,10 @@ class _Walker:
         return self.problem.everything & ~value if inverted else value
 
     def _load_flag(self, sources: Sequence[str]) -> None:
+        """Append the gates that load FLAG with the OR of `sources`, and compute its content.
+
+        If WHERE takes fewer sources, a scratch register gathers some first, which overwrites it.
+        Raises GaveUp if no register is free."""
         limit = self.machine.where_sources
         spare = None
         if limit is not None and len(sources) > limit:

@@ -94,6 +94,11 @@ class Board:
         return all(map(self._tells, vectors))
 
     def _tells(self, vector: int) -> bool:
+        """Return whether the registers distinguish all lanes inside `vector` from all lanes outside
+        it.
+
+        If not, no gates can compute `vector`. A lane is a node of the state machine with one
+        outcome of a look."""
         mixed = [self.everything]  # groups of lanes with equal contents, inside and outside
         for v in (self.everything, *self.values.values()):
             halves = [half for group in mixed for half in (group & v, group & ~v)]
@@ -177,6 +182,11 @@ class Board:
         destination: str,
         most_cubes: int,
     ) -> Iterator[GateSequence]:
+        """Yield gate sequences that compute `vector`, or its inverse, as an OR of at most
+        `most_cubes` NORs.
+
+        `names` and `values` are the readable registers and their contents; `destination` is a
+        register or FLAG."""
         for inverted in (False, True):
             target = self.everything & ~vector if inverted else vector
             covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))
@@ -195,6 +205,11 @@ class Board:
         destination: str,
         inverted: bool,
     ) -> GateSequence:
+        """Return the gates of a cover: one NOR for each cube, then the gate that writes
+        `destination`.
+
+        Names that begin with "~" stand for complements, which are first computed in unused scratch
+        registers."""
         gates = Gates(self.machine)
         scratch_values: dict[str, int] = {}
         complements: dict[int, str] = {}
@@ -206,6 +221,8 @@ class Board:
             return name
 
         def source(index: int) -> str:
+            """Return the register to read for source `index`; a complement is computed at its first
+            use."""
             if not names[index].startswith("~"):
                 return names[index]
             if index not in complements:

@@ -99,6 +99,10 @@ def _outlasts(machine: StateMachine, k: int) -> bool:
 
 
 def _of_code(behaviours: int) -> Iterator[tuple[str, Rows]]:
+    """Yield encodings of `behaviours` different codes: their kind and bits, bool (behaviours,
+    registers).
+
+    Kinds are thermometer, one-hot and binary; a single behaviour needs no register ("none")."""
     if behaviours == 1:
         yield "none", np.zeros((1, 0), np.bool_)
         return

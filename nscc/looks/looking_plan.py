@@ -175,6 +175,12 @@ def _moment(
     after: Nodes,
     outcomes: Nodes | None = None,
 ) -> Moment:
+    """Return which buckets close, open or reset at a boundary, in which lanes.
+
+    A lane is a transition of the state machine: from node `before[k]` to node `after[k]` by the
+    answers `outcomes[k]`. `fresh` (nodes, buckets) tells where a bucket was open since the last
+    reset, so that closing it copies PIX instead of adding a difference. `comparisons` are those
+    made at this boundary."""
     buckets = machine.opens.shape[1]
     was = machine.opens[before, :, boundary - 1]
     inside = boundary < machine.slots

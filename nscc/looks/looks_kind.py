@@ -62,6 +62,8 @@ class Looks(ProgramKind):
         return LookingNetwork(lowered).build_network()
 
     def report(self, compiled: Compiled) -> dict[str, Any]:
+        """Return the build report with the number of proved answers and a description of the
+        looks."""
         values = super().report(compiled)
         assert compiled.proof is not None
         values["proof"]["answers"] = compiled.proof.transitions
@@ -69,6 +71,8 @@ class Looks(ProgramKind):
         return {**values, "looks": _REPORT.looks_report(compiled.program), **end}
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
+        """Return the rows of the summary, with the looks first and the number of proved answers in
+        the last."""
         looks = _REPORT.looks_lines(compiled.program)
         rows = [("looks" * (not number), text) for number, text in enumerate(looks)]
         rows += super().rows(compiled)

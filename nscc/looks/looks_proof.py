@@ -49,6 +49,10 @@ class LookingReplay(ReplayPixels):
     (lanes,) is the signal `light`; `exact` is bool (lanes,)."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
+        """Begin with a pixel for each initial node of the state machine, at the start of a frame.
+
+        `kernels` are the container's words as operations. Registers of kept states hold their
+        initial values."""
         self.machine: StateMachine = container.machine
         self.full_e = container.target.full_well_e
         nodes = np.arange(self.machine.first[1], dtype=np.int64)
@@ -126,6 +130,10 @@ class LookingReplay(ReplayPixels):
         self.analog["PIX"][:, 0] += light_e
 
     def _check_end(self) -> None:
+        """Check every pixel at the end of the frame: exposures, states and code.
+
+        Raises ReplayError if a readout register does not hold the exposure, a state's register does
+        not hold the state, or a code register has changed."""
         gains = {readout.bucket: readout for readout in self.container.readouts}
         for bucket, name in enumerate(self.container.buckets):
             if name not in gains:

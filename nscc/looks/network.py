@@ -20,6 +20,7 @@ class LookingNetwork(NetworkMaker):
     It leads from codes, states and answers to shutter changes, resets and final states."""
 
     def __init__(self, lowered: LookingLowered) -> None:
+        """Begin an empty network of a lowered program with senses; `build_network` fills it."""
         super().__init__(lowered, lowered.looking.encoding.name)
         self.solution = lowered.looking
         self.machine = lowered.program.machine
@@ -27,6 +28,7 @@ class LookingNetwork(NetworkMaker):
         self.resets_some = lowered.program.target.reset_honours_flag != "no"
 
     def build_network(self) -> nx.DiGraph:
+        """Return the network of a whole frame: planes, gates, looks and final values."""
         solution = self.solution
         self.planes(solution.planes, solution.holders)
         for i, holder in enumerate(solution.states):

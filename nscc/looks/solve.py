@@ -53,6 +53,9 @@ class Solver:
     """A search for the words of a plan with one encoding."""
 
     def __init__(self, plan: LookingPlan, encoding: LooksEncoding, target: Target) -> None:
+        """Assign virtual registers to the bits of the code and of each state.
+
+        Kept states get planes, which the host loads; other states get registers that start at 0."""
         self.plan, self.encoding, self.target = plan, encoding, target
         self.machine = plan.machine
         self.gates = Machine.of(target)
@@ -136,6 +139,8 @@ class _Moment:
     """The words of one moment, under construction."""
 
     def __init__(self, solver: Solver, moment: Moment) -> None:
+        """Compute the register contents before the moment, and the new values that it must
+        write."""
         self.solver, self.moment, self.plan = solver, moment, solver.plan
         self.target = solver.target
         self.board = Board(solver.gates, moment.everything, solver.vectors(moment.before))

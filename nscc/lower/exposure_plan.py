@@ -257,6 +257,11 @@ class _Builder:
     def __init__(
         self, program: Program, lowering: Lowering, opens: Opens, analog: AnalogRegisters
     ) -> None:
+        """Begin a plan without steps.
+
+        `opens` lists for each bucket and slot the shutters that are open, as a truth vector.
+        `analog` holds the exposure registers, the register of the reset level, the scratch
+        register, and what each register holds."""
         self.program = program
         self.lowering = lowering
         self.opens = opens
@@ -267,6 +272,7 @@ class _Builder:
         self.steps: list[PlanStep] = []
 
     def build(self) -> ExposurePlan:
+        """Return the plan: clear the registers, reset PIX, then the steps of the lowering."""
         scratch = self.scratch
         clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
         self.steps.append(PlanStep(0, "setup", -1, None, clear))
@@ -305,6 +311,8 @@ class _Builder:
         return op("bus", (self.scratch,), before), op("bus", (register,), after)
 
     def _accumulate(self) -> None:
+        """Append the steps of the lowering `accumulate`: read PIX after each slot in pixels with an
+        open shutter, and reset it before the next."""
         adds = [self._add(register) for register in self.registers]
         for slot, lit in enumerate(zip(*self.opens, strict=True)):
             if slot and any(lit):

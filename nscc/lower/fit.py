@@ -159,6 +159,7 @@ def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: 
 
 
 def _reasons(misfits: Mapping[Lowering, Misfit]) -> list[str]:
+    """Return why each lowering does not fit, with the lowering's name in front."""
     return [
         misfit.reason if misfit.reason.startswith(name) else f"{name}: {misfit.reason}"
         for name, misfit in misfits.items()
@@ -204,6 +205,7 @@ def as_note(diagnostic: Diagnostic) -> Diagnostic:
 
 
 def _store(lowered: Lowered, level: int) -> Diagnostic:
+    """Return the error (NS0501) that the program needs more words than the controller stores."""
     program, target = lowered.program, lowered.program.target
     stored = lowered.schedule.words_stored
     store = f"all kernels together: {target.store_words} words"

@@ -96,6 +96,9 @@ def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
 
 
 def _gate_words(gate: Gate, places: dict[str, str]) -> tuple[Op, ...]:
+    """Return the words of a gate. `places` maps virtual registers to the chip's registers.
+
+    A gate that reads its own destination takes a pair of words; every other gate takes one word."""
     sources = [places.get(name, name) for name in gate.sources]
     if gate.name == "WHERE":
         return (op("WHERE", (), sources),)
@@ -251,6 +254,7 @@ def _segments(decoding: Decoding, allocation: Allocation, size: KernelSize) -> l
     known: dict[Segment, Words] = {}
 
     def placed(*segments: Segment) -> Iterator[Words]:
+        """Yield the words of segments, by gate or by segment; equal ones are the same object."""
         for segment in segments:
             for part in [(gate,) for gate in segment] if size == "gate" else [segment]:
                 if part not in known:

@@ -103,6 +103,10 @@ def _predecessors(
     centre = -sign * weights[0, 0] if (0, 0) in left else 0
 
     def add(places: frozenset[Offset], words: int, word: Added) -> None:
+        """Record a state of the search before the added `word`, with its cost.
+
+        `places` are the neighbours that the word adds, and `words` the number of words that it
+        takes. New multiples of the input cost further words."""
         multiples = {(word.centre, (0, 0))} if word.centre else set()
         if word.content is not None:
             multiples.add(word.content[:2])
@@ -145,6 +149,11 @@ def _steps(place: Offset) -> list[Offset]:
 
 
 def _program(order: Sequence[Added], halvings: int, news_keeps: bool) -> Program:
+    """Return the words that halve the input `halvings` times and then add the neighbours in this
+    `order`.
+
+    `news_keeps` tells whether NEWS keeps its content when it is read, so that it need not be
+    written again."""
     words = [
         BusWord((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
         for number in range(halvings)
@@ -174,6 +183,9 @@ class _Multiples:
     `used_news` tells whether a computation wrote NEWS."""
 
     def __init__(self, halvings: int, words: list[BusWord]) -> None:
+        """Begin with the input and its halvings, each with its inverted sign.
+
+        `words` is the program to which further multiples are appended."""
         self.words, self.used_news = words, False
         self.held = {
             (-2) ** (halvings - number): f"h{number}" if number else "x"
@@ -188,6 +200,11 @@ class _Multiples:
         return self.held[factor]
 
     def _emit(self, factor: int) -> None:
+        """Append the words that compute the multiple `factor` of the halved input, and record its
+        register.
+
+        One word adds up to `_MOST_SOURCES` - 1 known multiples; otherwise the factor is divided in
+        two."""
         name, held = f"m{factor}", self.held
         for count in range(1, _MOST_SOURCES):
             for terms in combinations(held, count):

@@ -45,6 +45,7 @@ def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
         return None
 
     def divided_source(node: p.Node) -> p.Node:
+        """Return the node with each source replaced by its common divided form."""
         if isinstance(node, p.Source) and node.name in divisors:
             divisor = divisors[node.name]
             return p.Sum(((Fraction(divisor), p.Source(f"{node.name} / {divisor}")),))
@@ -79,6 +80,7 @@ def _divisors(node: p.Node, kernels: Mapping[str, p.Weights]) -> Iterator[tuple[
 
 
 def _is_kernel_of_exposure(item: p.Picture, pictures: p.Pictures) -> bool:
+    """Return whether an image only applies a convolution kernel of several taps to an exposure."""
     if isinstance(item.node, p.Condition):
         return False
     taps, inner = merged(item.node, pictures.weights_by_name)

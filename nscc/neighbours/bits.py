@@ -23,6 +23,11 @@ class BitWords:
     def __init__(
         self, lowering: Emitter, registers: Sequence[str], unwritten: Collection[str]
     ) -> None:
+        """Assign registers to kept and input planes, and count how often each plane is read.
+
+        `registers` are the free digital registers, `unwritten` those that the exposure's words
+        never write, which can keep planes from frame to frame. Raises PictureRefused if there are
+        too few."""
         self.lowering = lowering
         pictures = lowering.pictures
         expressions = pictures.expressions

@@ -141,6 +141,8 @@ class _Writer:
     `inputs` names the registers of the halved input by sign."""
 
     def __init__(self, halvings: int) -> None:
+        """Begin with the words that halve the input `halvings` times. Each halving inverts the
+        sign."""
         self.words: list[BusWord] = []
         name, sign = "x", 1
         for _ in range(halvings):

@@ -63,6 +63,7 @@ class Emitter(ABC):
     """Words under construction; `now` is the image or plane that they compute."""
 
     def __init__(self, pictures: p.Pictures) -> None:
+        """Begin with a word that sets FLAG in all pixels, so that words act everywhere."""
         self.pictures = pictures
         self.weights = pictures.weights_by_name
         self.words: list[Leveled] = [(op("all"), None)]
@@ -70,6 +71,8 @@ class Emitter(ABC):
         self.now = ""
 
     def word(self, op: Op, level: Level = None) -> None:
+        """Append a word; `level` is its value of IN. A word that changes FLAG also updates
+        `masked`."""
         effect = op.operation.effect
         if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL):
             self.masked = True

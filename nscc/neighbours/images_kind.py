@@ -21,6 +21,8 @@ class Images(ProgramKind):
     has_simpler_programs = False
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
+        """Return the container of the exposure with the words of images and planes after it, and
+        diagnostics."""
         container, found = super().assemble(layout, job)
         program, level = layout.program, job.options.level
         container, errors = with_pictures(container, program, level, job.results)

@@ -34,6 +34,10 @@ class Lowering(RegisterEmitter):
         synthesis: Synthesis,
         kept_ranges: Mapping[str, tuple[float, float]] = MappingProxyType({}),
     ) -> None:
+        """Prepare to lower the images of one program; `run` emits the words.
+
+        `synthesis` finds the words of convolution kernels. `kept_ranges` gives the least and
+        largest value (e) of each kept image."""
         super().__init__(pictures, container, kept_ranges)
         self.synthesis, self.is_output = synthesis, False
         self.registers: dict[str, str] = {}
@@ -140,6 +144,11 @@ class Lowering(RegisterEmitter):
                 return self.largest(self.value(node.value), list(self.weights[node.kernel].taps))
 
     def filtered(self, value: Held, weights: Weights) -> Held:
+        """Emit the convolution of a value with `weights`, and return the register that holds it.
+
+        Frees the value's register unless the weights are 1. The first program of `synthesis` for
+        which there are enough registers is used. Raises PictureRefused if none fits, or if values
+        exceed the range of registers."""
         if weights == {(0, 0): 1}:
             return value
         if not weights:
@@ -239,6 +248,11 @@ class Lowering(RegisterEmitter):
         return Held(register, 1, 0.0, 0.0)
 
     def added(self, signed_terms: list[tuple[int, Held]]) -> Held:
+        """Emit the sum of at most four values with signs, in one or two words, and return its
+        register.
+
+        Frees the values' registers. Raises PictureRefused if the sum exceeds the range of
+        registers, or needs more than four sources."""
         low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
         high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
         self.checked(low, high)

@@ -108,6 +108,12 @@ def lowered(
 def _shortest(
     container: Container, pictures: Pictures, level: int, searches: Sequence[Synthesis]
 ) -> Lowering:
+    """Return the lowering with the fewest words among several forms of the images and several
+    searches.
+
+    From `_LEVEL_OF_ALTERNATIVES` on, equivalent forms of the images are tried as well. If no form
+    fits, the images are computed in another order. Raises PictureRefused, with the first reason, if
+    this does not fit either."""
     pictures = replace(
         pictures,
         items=tuple(Picture(item.name, _without_zeros(item.node)) for item in pictures.items),
@@ -174,6 +180,9 @@ def _lowered_with(
     synthesis: Synthesis,
     ranges: Mapping[str, tuple[float, float]],
 ) -> Lowering:
+    """Return a lowering with as many images computed together as registers allow.
+
+    `ranges` gives the least and largest value (e) of each kept image. Raises PictureRefused."""
     for most_together in range(MOST_IMAGES, 0, -1):
         lowering = Lowering(pictures, container, synthesis, ranges)
         lowering.most_together = most_together
@@ -243,6 +252,8 @@ def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
 
 
 def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
+    """Return the error (NS0541) if an image reads pixels more than a quarter of the array away,
+    else None."""
     target = program.target
     for name, reach in reaches(pictures, of_a_step=True).items():
         for size, limit, unit in (
@@ -288,6 +299,8 @@ def _fading(pictures: Pictures, program: Program) -> Diagnostic | None:
 def _refusal(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
+    """Return the error for images that do not fit (NS0535), or whose values leave the range
+    (NS0540)."""
     name, needed, available = refused.name, refused.needed, refused.available
     label = Label(declared_at(program.source, name), "computed here")
     if refused.kind == "range":

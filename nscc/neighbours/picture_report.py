@@ -37,6 +37,8 @@ def picture_report(container: Container) -> dict[str, Any]:
     reach, counts = reaches(pictures), counts_by_name(pictures)
 
     def item_report(item: Picture | KeptPlane | KeptImage) -> dict[str, Any]:
+        """Return words, reach (pixels), gains and count range of one image or plane as JSON
+        values."""
         cost = costs[item.name]
         report: dict[str, Any] = {"words": cost.words, "reach": max(reach[item.name])}
         if item.name not in pictures.planes:

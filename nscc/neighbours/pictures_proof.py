@@ -212,6 +212,9 @@ class PictureReplay:
     digital: dict[str, Bits] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        """Set the registers as the exposure leaves them: exposures where they are read out.
+
+        All other registers, FLAG and kept values hold unknowns of their own in each pixel."""
         container, forms = self.container, self.forms
         target = container.target
         places = forms.places()
@@ -344,6 +347,9 @@ class PictureReplay:
         }
 
     def _bus(self, op: Op, level: int | LevelOf | None) -> None:
+        """Replay an analog word; `level` is its value of IN.
+
+        Raises PictureReplayError if it accesses neighbours while FLAG is not 1 in all pixels."""
         forms, flag = self.forms, self.digital["FLAG"]
         masked = any(bit != forms.diagrams.one for bit in flag.values())
         if masked and NEIGHBOURS.keys() & {*op.sources, *op.destinations}:
@@ -381,6 +387,8 @@ class PictureReplay:
         return bits
 
     def _digital(self, op: Op) -> None:
+        """Replay a digital word. A pair reads into the bus first and writes from it in its second
+        word."""
         row = op.operation
         if row.phase is Phase.WRITE:
             value = self.digital["bus"]
@@ -396,6 +404,8 @@ class PictureReplay:
             self._write(name, value)
 
     def _write(self, name: str, value: Bits) -> None:
+        """Write bits to a digital register; the masked register changes only where its mask is
+        1."""
         target, diagrams = self.container.target, self.forms.diagrams
         if name == target.masked_register and target.mask_register is not None:
             mask, previous = self.digital[target.mask_register], self.digital[name]

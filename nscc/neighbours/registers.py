@@ -104,6 +104,11 @@ class RegisterEmitter(CountEmitter):
         container: Container,
         kept_ranges: Mapping[str, tuple[float, float]],
     ) -> None:
+        """Find the registers that are free after the exposure, and count how often each value is
+        read.
+
+        Registers of the code and its mask are never free. `kept_ranges` gives the least and largest
+        value (e) of each kept image."""
         super().__init__(pictures)
         self.kept_ranges = kept_ranges
         self.loops: list[LoopWords] = []
@@ -160,6 +165,10 @@ class RegisterEmitter(CountEmitter):
         return True
 
     def take(self) -> str:
+        """Return a free analog register, which is then occupied; raise PictureRefused if there is
+        none.
+
+        Registers without content that may be read again are preferred."""
         if not self.free:
             count = len(self.target.analog_available)
             raise PictureRefused("registers", self.now, count + 1, count)
@@ -186,6 +195,8 @@ class RegisterEmitter(CountEmitter):
             self.free.sort(key=self.target.analog_available.index)
 
     def checked(self, low: float, high: float) -> None:
+        """Raise PictureRefused ("range") if values from `low` to `high` electrons do not fit a
+        register."""
         target, slack = self.target, 1 + 1e-9
         if high > target.register_max_e * slack or low < target.register_min_e * slack:
             over = max(high / target.register_max_e, low / target.register_min_e)

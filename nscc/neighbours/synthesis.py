@@ -81,6 +81,9 @@ class Synthesis:
     Programs that an earlier compilation found come from `results`."""
 
     def __init__(self, steps: int, forms: WordForms, results: Results | None = None) -> None:
+        """Prepare a search of at most `steps` steps for each kernel.
+
+        `forms` are the words that the chip allows; `results` is the cache of earlier searches."""
         self.most_steps, self.forms, self.results = steps, forms, results
         self.steps: float = 0
         self.budget = inf
@@ -104,6 +107,10 @@ class Synthesis:
         return self._variants[key]
 
     def _stored(self, kernels: list[Polynomial]) -> list[list[Program]]:
+        """Return the programs of each kernel from the cache, else search for them and store them.
+
+        Cached programs are checked by running them, so that a damaged cache cannot give a wrong
+        program."""
         import json
 
         items = [sorted(taps.items()) for taps in kernels]
@@ -126,6 +133,8 @@ class Synthesis:
         return proved
 
     def _proved(self, taps: Taps) -> list[Program]:
+        """Return all programs found for a kernel, each checked by running it on exact
+        polynomials."""
         self.steps = allowed = min(self.most_steps, self.budget)
         candidates = [ranged.program for ranged in self._programs(dict(taps), _MOST_DEPTH)]
         self.budget -= allowed - self.steps
@@ -142,6 +151,10 @@ class Synthesis:
         return kernel_of(program) == taps and all(map(self.forms.allow, program))
 
     def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
+        """Return the best known programs for a kernel, found by at most `depth` nested
+        decompositions.
+
+        Spends one step; without steps left, it returns what is known."""
         key = frozenset(taps.items())
         if taps == IDENTITY:
             return [Ranged(())]
@@ -160,6 +173,8 @@ class Synthesis:
         return best
 
     def _candidates(self, taps: Polynomial, key: Key, depth: int) -> Iterator[Program]:
+        """Yield programs for a kernel: from the table, halved, separated in rows and columns, as a
+        product of kernels, or with the centre added."""
         if key in rows(self.forms):
             yield rows(self.forms)[key]
         if taps == {(0, 0): -UNIT}:

@@ -192,6 +192,7 @@ def most_looks(declared: Declarations, looking: Looking) -> Excess:
 
 
 def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
+    """Return ways to reduce the number of answers of a program whose state machine is too large."""
     helps = []
     if most_senses > 1:
         helps.append("use fewer senses at one boundary: each sense doubles the number of answers")

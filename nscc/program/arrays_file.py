@@ -30,6 +30,9 @@ class ArraysFile:
     `shown` is the path as the user wrote it."""
 
     def __init__(self, path: Path, shown: str) -> None:
+        """Read the file and list its arrays; `shown` is its path as written in the program.
+
+        Raises Rejected (NS0313) for a file that is missing, too large or not an .npz file."""
         self.shown = clipped(shown, 80)
         self._data = self._bytes(path)
         try:
@@ -98,6 +101,10 @@ class ArraysFile:
         return values
 
     def _bytes(self, path: Path) -> bytes:
+        """Return the content of the file, at most `MOST_FILE_BYTES`; raise Rejected (NS0313) if it
+        cannot be read.
+
+        The file counts as an input of the command, which products must not overwrite."""
         try:
             if not path.is_file():
                 problem = "is not a file" if path.exists() else "does not exist"

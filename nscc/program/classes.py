@@ -54,6 +54,10 @@ def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: s
 def _recognise_rule(
     rules: Rules, rule: Checked, shutters: NDArray[np.bool_], basis: str
 ) -> Recognised:
+    """Return the shutter class of one rule, with the reason.
+
+    `shutters`, bool (shutters, slots), are those of the rule; `basis` says how they are known.
+    Codebooks and free bits are recognised from the rule, other classes from the shutters."""
     if len(rules.rules) > 1:
         packed, _ = distinct_rows(np.packbits(shutters, axis=1))
         shutters = np.unpackbits(packed, axis=1, count=rules.slots).view(np.bool_)

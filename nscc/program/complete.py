@@ -67,6 +67,8 @@ class Completion:
     pictures: Pictures = NO_PICTURES
 
     def __post_init__(self) -> None:
+        """Find whether pixels have codes, and whether all codes count as used ("open") or only
+        these."""
         has_pixels, fields = self.declared.has_pixels, self.rules.fields
         self.has_data = has_pixels or not fields
         self.mode: Codes = self.codes if has_pixels and fields else "open"
@@ -160,6 +162,10 @@ class Completion:
         recognised: Recognised,
         machine: StateMachine = NO_LOOKS,
     ) -> Program:
+        """Return the checked program.
+
+        `legal` is the number of codes that `require` allows, None if it was not counted. `at_pixel`
+        are the rows of the table that pixels use, (rows, cols)."""
         target_span = None
         match self.declared.target:
             case tree.TargetByName(name=place) | tree.TargetFromFile(path=place):
@@ -214,6 +220,8 @@ class Completion:
         self.problems.stop_on_errors()
 
     def _decode(self, codes: CodeArray, mode: Codes) -> DecodeTable:
+        """Return the decode table of these codes; raise Rejected for faults of the rules or too
+        many codes."""
         try:
             return decode(self.rules, codes)
         except (NoValue, TooMuch) as problem:
@@ -261,6 +269,9 @@ class Completion:
         return table, legal
 
     def _refused(self, problem: NoValue | TooMuch, span: Span, mode: Codes = "fixed") -> Rejected:
+        """Report the problem and return the exception with all diagnostics so far.
+
+        TooMuch becomes NS0450; NoValue becomes one error for each missing value."""
         if isinstance(problem, TooMuch):
             reduce_help = "reduce the ranges of the fields, or use fewer slots"
             self.problems.error(
@@ -308,6 +319,8 @@ class Completion:
 
 
 def _proved(problem: TooMuch) -> dict[str, object]:
+    """Return the data of the error: what is needed and available, and that no search could change
+    it."""
     return {
         "resource": "proof",
         "required": problem.required,

@@ -128,7 +128,11 @@ def resolve_constants(
 
 
 class _Resolver:
+    """Computes the values of all `let` constants and of N, in the order of their dependencies."""
+
     def __init__(self, declared: Declarations, target: Target | None, problems: Problems) -> None:
+        """Collect the expressions of constants; rows and cols come from the target, if it is
+        known."""
         self.declared = declared
         self.problems = problems
         self.known: dict[str, Meaning] = {"rows": FAILED, "cols": FAILED, "N": FAILED}
@@ -182,6 +186,7 @@ class _Resolver:
         return self.known
 
     def _slots(self, count: int, place: Span) -> None:
+        """Set N; report an error (NS0308) for an invalid number of slots."""
         if 1 <= count <= MOST_SLOTS:
             self._learn("N", Meaning("constant", count))
             return
@@ -195,6 +200,7 @@ class _Resolver:
             self.scope[name] = meaning
 
     def _report(self, cycle: list[str]) -> None:
+        """Report that these constants depend on each other in a cycle."""
         shown = [*cycle, cycle[0]] if len(cycle) <= 8 else [*cycle[:4], "...", cycle[-1], cycle[0]]
         chain = " -> ".join(shown)
         first, *following = cycle

@@ -129,6 +129,8 @@ def _remainder(node: Binary, a: Value, b: Value) -> Value:
 
 
 def _shift(node: Binary, a: Value, b: Value) -> Value:
+    """Return a << b, with faults for shift counts outside 0..61 and results beyond 2^62 - 1."""
+
     def fault() -> Fault:
         count, place = clipped(b.data), node.right.span
         return Fault("NS0304", f"invalid shift by {count}", place, f"the count is {count}")
@@ -211,6 +213,10 @@ def _value(
     bindings: Bindings,
     books: Books,
 ) -> Value:
+    """Return the value of one node from the values of its operands (`arguments`).
+
+    `constants` and `bindings` give the values of names, and `books` the digits of codebooks. Faults
+    of operands that do not decide the result are dropped."""
     match node:
         case tree.Int():
             return Value(node.value)
@@ -264,6 +270,8 @@ def _value(
 
 
 def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
+    """Return `then` where the condition holds and `otherwise` elsewhere, with the faults of the
+    chosen branch."""
     branches = either(
         faults_where(condition.data, then.faults),
         faults_where(condition.data ^ True, otherwise.faults),
@@ -282,7 +290,11 @@ def _junction(a: Value, b: Value, conjunction: bool) -> Value:
 
 
 def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tuple[Data, Faults]:
+    """Return an index in range; places where it is outside 0..`size` - 1 get a fault (NS0303) and
+    index 0."""
+
     def fault() -> Fault:
+        """Return the error that names the first index out of range."""
         shown = clipped(index.data)
         return Fault(
             "NS0303",
@@ -297,6 +309,7 @@ def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tupl
 
 
 def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Value:
+    """Return one bit of a field; long fields are stored in chunks of `CHUNK_BITS` bits."""
     bits = bindings[bit_count(node.base.text)].data
     position, faults = _position(node, index, bits, f"{bits} bits")
     if bits <= CHUNK_BITS:
@@ -325,6 +338,7 @@ def bit_count(field: str) -> str:
 
 
 def _digit(node: tree.Index, index: Value, book: NDArray[np.bool_], slot: Value) -> Value:
+    """Return the digit of a codebook row in a slot, bool, broadcast over rows and slots."""
     row, faults = _position(node, index, book.shape[0], f"{book.shape[0]} rows")
     n = slot.data
     if isinstance(row, int) and isinstance(n, int):

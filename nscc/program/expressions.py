@@ -126,7 +126,11 @@ def check(
 
 
 class _Checker:
+    """Checks one expression and collects the names that it uses. `sound` becomes False at an
+    error."""
+
     def __init__(self, scope: Scope, problems: Problems) -> None:
+        """Begin with a scope: the names that this kind of expression may use."""
         self.scope = scope
         self.problems = problems
         self.sound = True
@@ -135,6 +139,10 @@ class _Checker:
         self.books: set[str] = set()
 
     def run(self, expr: tree.Expr, expected: Type, role: str) -> Checked | None:
+        """Return the checked expression, or None after reporting errors.
+
+        `role` names the expression in messages, for example "a shutter rule"; `expected` is its
+        type."""
         nodes = in_evaluation_order(expr)
         types: list[Type | None] = []
         for node in nodes:
@@ -153,6 +161,7 @@ class _Checker:
         )
 
     def _type(self, node: tree.Expr, operand_types: list[Type | None]) -> Type | None:
+        """Return the type of a node from the types of its operands; None after an error in it."""
         match node:
             case tree.Int():
                 if node.value > LIMIT:
@@ -197,6 +206,8 @@ class _Checker:
         assert_never(node)
 
     def _name(self, node: tree.Name) -> Type | None:
+        """Return the type of a name, and record it as constant or variable; None after reporting an
+        error."""
         meaning = self.scope.get(node.text)
         if meaning is None:
             kinds = ("constant", "variable", "failed")
@@ -232,6 +243,8 @@ class _Checker:
         assert_never(meaning.kind)
 
     def _base(self, base: tree.Name) -> None:
+        """Return whether a name before brackets is a codebook or a field with bits; report an error
+        otherwise."""
         meaning = self.scope.get(base.text)
         if meaning is None:
             indexable = [k for k, m in self.scope.items() if m.kind == "book" or m.bits]
@@ -255,6 +268,7 @@ class _Checker:
             self._error("NS0209", message, base.span, label, helps=helps)
 
     def _compare(self, node: tree.Compare, operand_types: list[Type | None]) -> None:
+        """Check a chain of comparisons: integers, or two booleans with == or !=."""
         compared = [node.first, *node.later_operands]
         for k, op in enumerate(node.ops):
             first_type, second_type = operand_types[k], operand_types[k + 1]
@@ -276,6 +290,8 @@ class _Checker:
     def _branches(
         self, node: tree.IfElse, then: Type | None, otherwise: Type | None
     ) -> Type | None:
+        """Return the common type of both branches of a conditional; report an error if they
+        differ."""
         if then is None or otherwise is None:
             return then or otherwise
         if then != otherwise:
@@ -291,6 +307,8 @@ class _Checker:
         nodes: Iterable[tree.Node],
         role: str,
     ) -> None:
+        """Report an error for each operand whose type is known and not `expected`. `role` names the
+        operator."""
         for actual, node in zip(operand_types, nodes, strict=True):
             if actual is not None and actual != expected:
                 message = f"{role} needs {_a(expected)}, not {_a(actual)}"
@@ -304,6 +322,7 @@ class _Checker:
         self._error("NS0208", message, node.span, "", notes=(meaning.note,))
 
     def _unknown(self, node: tree.Name, category: str, known: Iterable[str]) -> None:
+        """Report that a name does not exist, with similar names as suggestions."""
         self.sound = False
         constant = node.text.lower()
         known = (constant,) if constant in ("true", "false") else known

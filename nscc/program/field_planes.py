@@ -95,6 +95,10 @@ class PlaneMaker:
         return self._values(statement.value, "integer", "a pixel's value")
 
     def _values(self, value: Expr, kind: Type, role: str) -> NDArray[Any] | None:
+        """Return the value of an expression over x and y in every pixel, shape (rows, cols).
+
+        None after reporting an error: a wrong type, a fault at some pixel, or more than
+        `WORK_LIMIT` operations."""
         scope = pixels_scope(self.declared, self.constants)
         checked = check(value, kind, scope, self.problems, role)
         if checked is None or self.target is None:
@@ -122,6 +126,11 @@ class PlaneMaker:
         return values
 
     def _tile(self, statement: PixelsTile) -> Plane | None:
+        """Return the values of a tile repeated over the array from its top left corner, (rows,
+        cols).
+
+        None after reporting an error (rows of different lengths). A tile larger than the array is a
+        warning."""
         lines = statement.rows
         widths = {len(row.values) for row in lines}
         if len(widths) != 1 or 0 in widths:
@@ -163,6 +172,9 @@ class PlaneMaker:
         return np.asarray(tile[y[:, None], x[None, :]], dtype=np.int64)
 
     def _file(self, planes: dict[str, Plane], missing: list[str]) -> None:
+        """Read the values of the `missing` fields from the program's file into `planes`.
+
+        Reports errors at the statement. A file that no field needs is a warning."""
         statement = self.declared.pixels_file
         assert statement is not None
         if not missing:
@@ -301,6 +313,10 @@ def _single_bits(
     bits: int | None,
     origin: str,
 ) -> NDArray[Any]:
+    """Return an array of single bits (rows, cols, bits) as stored.
+
+    Raises Rejected (NS0314) if its shape does not fit the array and the field, or if values other
+    than 0 and 1 occur. `origin` names the file in messages."""
     count = stored.shape[2]
     least = bits or (chunk_count - 1) * CHUNK_BITS + 1
     most = bits or chunk_count * CHUNK_BITS

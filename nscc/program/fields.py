@@ -47,6 +47,8 @@ def make_books(
 
 
 def _inline(book: BookInline, slots: Meaning, problems: Problems) -> Digits | None:
+    """Return the digits of a codebook in the program, bool (rows, slots); None after reporting an
+    error."""
     has_errors = _wrong_digit(book, problems) or _wrong_length(book, slots, problems)
     if not book.rows:
         message = f"the codebook `{book.name.text}` has no rows"
@@ -59,6 +61,7 @@ def _inline(book: BookInline, slots: Meaning, problems: Problems) -> Digits | No
 
 
 def _wrong_digit(book: BookInline, problems: Problems) -> bool:
+    """Report the first digit that is not 0 or 1; return whether there was one."""
     for row in book.rows:
         wrong_digit = next((d for d in row.digits if d not in "01"), None)
         if wrong_digit is not None:
@@ -86,6 +89,11 @@ def _wrong_length(book: BookInline, slots: Meaning, problems: Problems) -> bool:
 
 
 def _from_file(book: BookFromFile, slots: Meaning, base: Path) -> Digits | None:
+    """Return the digits of a codebook in an .npz file, bool (rows, slots).
+
+    None if the number of slots is unknown. Raises Rejected for a missing or changed file (NS0313),
+    a wrong shape (NS0314) or values other than 0 and 1 (NS0310). The array is named by the program
+    or like the codebook; a file with one array needs no name."""
     file = ArraysFile(base / book.path.value, book.path.value)
     if book.sha256 is not None:
         file.require_sha256(book.sha256.value)
@@ -134,6 +142,7 @@ class _Maker:
     problems: Problems
 
     def make(self, statement: CodeRange | CodeBits | CodeRow) -> Field | None:
+        """Return the field that a `code` statement declares; None after reporting an error."""
         match statement:
             case CodeRange():
                 low = constant(statement.low, self.scope, self.problems, "the start of a range")

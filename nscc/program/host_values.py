@@ -39,6 +39,10 @@ class HostValues:
         planes: PlaneMaker,
         problems: Problems,
     ) -> None:
+        """Check the declared parameters and input planes, and report errors.
+
+        `planes` computes the initial bits of input planes, which are 0 without a `pixels`
+        statement."""
         self.declared, self.constants, self.target = declared, constants, target
         self.planes, self.problems = planes, problems
         self.params: dict[str, HostParam] = {}
@@ -103,6 +107,8 @@ class HostValues:
         return constant(expr, self.constants, self.problems, "the range of a parameter")
 
     def _steps(self, expr: tree.Expr) -> int | None:
+        """Return a level in steps of IN, or the value of an integer; None after reporting an
+        error."""
         sign, level = signed_level(expr)
         if not isinstance(level, tree.Amount):
             return self._integer(expr)

@@ -101,6 +101,8 @@ def make_looking(
 
 
 class _Maker:
+    """Checks the statements of senses, states, resets and readouts one by one."""
+
     def __init__(
         self,
         declared: Declarations,
@@ -108,6 +110,7 @@ class _Maker:
         target: Target | None,
         problems: Problems,
     ) -> None:
+        """Prepare the scopes in which these statements look up names."""
         self.declared = declared
         self.constants = constants_scope(declared, constants)
         self.scope = next_scope(declared, constants)
@@ -122,6 +125,8 @@ class _Maker:
         }
 
     def sense(self, sense: tree.Sense) -> CheckedSense | None:
+        """Return a checked sense; None after reporting an error, such as a comparison other than <
+        and >."""
         signal = self._signal(sense.signal)
         if sense.comparison not in ("<", ">"):
             self.problems.error(
@@ -143,6 +148,8 @@ class _Maker:
         return CheckedSense(name, signal, above, at, steps, None, sense.span)
 
     def _signal(self, signal: tree.Light | tree.Exposure) -> int | None:
+        """Return what a sense compares: the light since the reset, or a bucket; None after an
+        error."""
         if isinstance(signal, tree.Light):
             return machine.LIGHT
         if signal.bucket is None:
@@ -194,6 +201,8 @@ class _Maker:
         return tuple(at.tolist())
 
     def _levels(self, sense: tree.Sense, looks: int, target: Target) -> tuple[int, ...] | None:
+        """Return the level of a sense in steps of IN, or the field that holds it; None after an
+        error."""
         items: tuple[tree.Amount | tree.Levels | tree.Expr, ...] = (sense.level,) * looks
         if isinstance(sense.level, tree.Levels):
             items = sense.level.items
@@ -254,6 +263,8 @@ class _Maker:
         return level_steps(float(value), unit, target)
 
     def state(self, name: str, state: State) -> machine.State | None:
+        """Return a checked state with its range and initial value; None after reporting an
+        error."""
         boolean = isinstance(state, tree.StateBit)
         low, high = 0, 1
         if isinstance(state, tree.StateRange):
@@ -289,6 +300,8 @@ class _Maker:
         return machine.State(name, low, high, start, state.kept, read, boolean)
 
     def next(self, statement: tree.Next) -> CheckedNext | None:
+        """Return the checked change of a state, with its condition; None after reporting an
+        error."""
         if not self.known_state(statement.name):
             return None
         boolean = isinstance(self.declared.states[statement.name.text], tree.StateBit)

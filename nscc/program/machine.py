@@ -48,6 +48,7 @@ class MachineBuilder:
     """Builds the state machine of checked rules for the compiled codes."""
 
     def __init__(self, rules: Rules, looking: Looking, codes: CodeArray, target: Target) -> None:
+        """Find which answers a pixel must remember: those that rules read after their look."""
         self.rules, self.looking, self.codes, self.target = rules, looking, codes, target
         self.looks = looking.looks
         expressions = [*rules.rules, *([looking.reset] if looking.reset else [])]
@@ -96,6 +97,7 @@ class MachineBuilder:
         return self._joined(stages, tuple(comparisons))
 
     def _limit(self, added: int) -> None:
+        """Count `added` transitions; raise TooMuch beyond `MOST_TRANSITIONS`."""
         self.transitions += added
         if self.transitions > MOST_TRANSITIONS:
             message = (
@@ -196,6 +198,9 @@ class MachineBuilder:
         return comparisons, of_sense
 
     def _field_step(self, sense: CheckedSense, value: int) -> int:
+        """Return the level of a sense in steps of IN for one value of its field.
+
+        Raises NoValue if the chip cannot compare with this level."""
         target = self.target
         step = level_steps(value, "lsb", target)
         if not can_tell(value, "lsb", target):

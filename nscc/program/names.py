@@ -43,6 +43,7 @@ class Declarations:
     statements of the names that are repeated; `pictures` contains these names with their steps."""
 
     def __init__(self, statements: tuple[tree.Statement, ...]) -> None:
+        """Begin without declarations; `gather` fills them from the statements."""
         self.statements = statements
         self.target: tree.TargetByName | tree.TargetFromFile | None = None
         self.frame: tree.EqualSlots | tree.ListedSlots | None = None
@@ -153,12 +154,15 @@ def gather(file: tree.File, problems: Problems) -> Declarations:
 
 
 class _Gatherer:
+    """Adds statements to the declarations, and reports names and statements that occur twice."""
+
     def __init__(self, declared: Declarations, problems: Problems) -> None:
         self.declared, self.problems = declared, problems
         self.first_place: dict[str, Span] = {}
         self.mixed = False
 
     def add(self, statement: tree.Statement) -> None:
+        """Add one statement to the declarations of its kind."""
         declared = self.declared
         match statement:
             case tree.Version():
@@ -257,6 +261,7 @@ class _Gatherer:
             self.problems.error("NS0450", message, place, text, helps=helps)
 
     def _once(self, word: str, first: tree.Statement | None, second: tree.Statement) -> bool:
+        """Return whether this statement is the first of its kind; report an error otherwise."""
         if first is None:
             return True
         message = f"`{word}` is given twice, but a program has only one"
@@ -269,6 +274,9 @@ class _Gatherer:
             named[name.text] = statement
 
     def _new(self, name: tree.Name, *allowed: str) -> bool:
+        """Return whether a name is neither declared nor predefined; report an error otherwise.
+
+        Predefined names in `allowed` may be declared. A refused name is remembered in `refused`."""
         meaning = None if name.text in allowed else PREDEFINED.get(name.text)
         if name.text == LOOKS and self.declared.version > 1:
             meaning = "the number of looks so far"
@@ -284,6 +292,8 @@ class _Gatherer:
         return False
 
     def _unused(self, name: tree.Name, message: str, key: str) -> bool:
+        """Return whether `key` was not declared before; otherwise report `message` (NS0201) at the
+        second name."""
         first = self.first_place.setdefault(key, name.span)
         if first is name.span:
             return True
@@ -298,6 +308,7 @@ class _Gatherer:
         return False
 
     def _rule(self, rule: Rule) -> None:
+        """Add an `open` or `bucket` rule. A program has one `open` or several buckets, not both."""
         rules = self.declared.rules
         if rules and isinstance(rules[0], tree.Open) != isinstance(rule, tree.Open):
             if self.mixed:

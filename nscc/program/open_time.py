@@ -96,6 +96,11 @@ def _differing(
 def _missing(
     machine: StateMachine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> tuple[str, ...]:
+    """Return the smallest set of states (up to three, else all) whose readout makes open times
+    known.
+
+    `last` are the nodes at the end of a frame, `times` their possible open times, and `read` the
+    states read already."""
     unread = [k for k, state in enumerate(machine.states) if not (state.read or state.sense)]
     choices = [added for count in (1, 2, 3) for added in combinations(unread, count)]
     for added in [*choices, tuple(unread)]:

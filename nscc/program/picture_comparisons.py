@@ -37,6 +37,7 @@ class PictureComparer(ABC):
         problems: Problems,
         host: HostValues,
     ) -> None:
+        """Prepare to check comparisons; `counts` collects the ranges of images of integers."""
         self.host = host
         self.declared, self.constants, self.target = declared, constants, target
         self.kernels, self.problems = kernels, problems
@@ -75,6 +76,9 @@ class PictureComparer(ABC):
         return p.Joined("and", first, second)
 
     def _compare(self, compare: tree.Compare) -> p.Condition:
+        """Return the condition of a chain of comparisons such as `a < image < b`.
+
+        Raises WrongPicture after reporting NS0533 for == and !=."""
         operands = (compare.first, *compare.later_operands)
         condition: p.Condition | None = None
         for op, first, second in zip(
@@ -100,6 +104,10 @@ class PictureComparer(ABC):
     def _one_comparison(
         self, op: str, first: tree.Expr, second: tree.Expr, span: Span
     ) -> p.Condition:
+        """Return the condition of one comparison: an image with a level, or two images.
+
+        Two images are compared by the sign of their difference. Raises WrongPicture after reporting
+        NS0533 for two levels."""
         if self._is_level(first):
             if not self._is_level(second):
                 return self._one_comparison(_MIRRORED[op], second, first, span)
@@ -122,6 +130,9 @@ class PictureComparer(ABC):
         return test if op[0] == ">" else self._not(test)
 
     def _above(self, value: p.Value, level: tree.Expr) -> p.Condition:
+        """Return the condition that an image is above a level, a number or a parameter of the host.
+
+        Raises WrongPicture after reporting NS0533 if the parameter is an integer."""
         param = self.host.level_param(level)
         if param is None:
             return p.Above(value, self._steps(level))
@@ -171,6 +182,10 @@ class PictureComparer(ABC):
         return test if op[0] == ">" else p.Inverse(test)
 
     def _steps(self, expr: tree.Expr) -> int:
+        """Return a level, with its sign, in whole steps of IN; a plain 0 needs no unit.
+
+        Raises WrongPicture after reporting NS0533 for a level without a unit or one that IN cannot
+        represent."""
         sign, inner = signed_level(expr)
         if not isinstance(inner, tree.Amount):
             number = constant(expr, self.constants, self.problems, "a level")

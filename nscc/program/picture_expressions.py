@@ -37,6 +37,9 @@ class Reader(LoopReader):
         problems: Problems,
         host: HostValues,
     ) -> None:
+        """Begin with the kept states, kept images and input planes as known names.
+
+        `outside` is the bit of planes beyond the array, None if the program does not say."""
         super().__init__(declared, constants, target, kernels, problems, host)
         self.buckets, self.outside = buckets, outside
         if declared.keeps_planes:
@@ -74,6 +77,9 @@ class Reader(LoopReader):
     # --- images
 
     def _image(self, expr: tree.Expr) -> p.Value:
+        """Return the node of an expression that must be an image.
+
+        Raises WrongPicture after reporting an error, for example for a plane or an unknown name."""
         match expr:
             case tree.Name():
                 text = expr.text
@@ -132,6 +138,8 @@ class Reader(LoopReader):
         )
 
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
+        """Raise WrongPicture, after reporting NS0531, if one value is a count and the other in
+        electrons."""
         counts = [counts_of(value, self.counts, self.kernels) for value in (first, second)]
         if counts.count(None) == 1:
             raise self._report(
@@ -143,6 +151,9 @@ class Reader(LoopReader):
             )
 
     def _scaled(self, expr: tree.Binary, image: tree.Expr, factor: tree.Expr) -> p.Value:
+        """Return the node of an image multiplied by an integer or divided by a power of two.
+
+        Raises WrongPicture after reporting an error for other factors, or for two images."""
         if expr.op == "*" and self._is_number(image):
             image, factor = factor, image
         if not self._is_number(factor):
@@ -165,6 +176,9 @@ class Reader(LoopReader):
         return picture_sum((Fraction(1, number), self._image(image)))
 
     def _call(self, call: tree.Call) -> p.Value:
+        """Return the node of a function of images: a convolution kernel, `abs`, `max` or `agree`.
+
+        Raises WrongPicture after reporting an error, for example for a function of planes."""
         name, arguments = call.function.text, call.arguments
         if name in ("agree", "max"):
             kernel = self._kernel_of(call, "EXPR" if name == "max" else "PLANE")
@@ -206,6 +220,10 @@ class Reader(LoopReader):
     # --- planes
 
     def _condition(self, expr: tree.Expr) -> p.Condition:
+        """Return the node of an expression that must be a plane.
+
+        In version 4, conditions on x and y alone become input planes. Raises WrongPicture after
+        reporting an error, for example for an image."""
         if self.declared.version > 3:
             text = self.problems.source.text[expr.span.start : expr.span.end]
             plane = self.host.plane_of_places(expr, text)
@@ -267,6 +285,8 @@ class Reader(LoopReader):
         )
 
     def _named_plane(self, name: tree.Name) -> p.Condition:
+        """Return the node that reads a plane; raise WrongPicture after reporting that it is not
+        one."""
         kind = self.kinds.get(name.text)
         if kind == "plane":
             return p.Bit(name.text)
@@ -300,6 +320,7 @@ class Reader(LoopReader):
         return kernel.text
 
     def _needs_outside(self, span: Span) -> None:
+        """Report, once for each program, that bits beyond the array are read but not defined."""
         if self.outside is not None or self._outside_asked:
             return
         self._outside_asked = True
@@ -314,6 +335,10 @@ class Reader(LoopReader):
     # --- both
 
     def _unknown(self, category: str, name: tree.Name, kind: str) -> WrongPicture:
+        """Report a name that cannot be used here, and return the exception to raise.
+
+        `category` is what was expected, as text for the message; `kind` chooses which names are
+        suggested. Names that failed before are not reported again."""
         text = name.text
         if text in ("x", "y") and self.declared.version > 3:
             return self._report(

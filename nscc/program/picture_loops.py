@@ -28,6 +28,7 @@ class LoopReader(PictureComparer):
     kernels: dict[str, p.Weights]
 
     def __init__(self, *arguments: Any) -> None:
+        """Begin without images and planes; the arguments are those of `PictureComparer`."""
         super().__init__(*arguments)
         self.kinds: dict[str, Kind] = {}
         self.failed: set[str] = set()

@@ -57,6 +57,8 @@ class PictureMaker:
         base: Path,
         problems: Problems,
     ) -> None:
+        """Prepare to check the statements of images and planes; `base` is the folder of kernel
+        files."""
         self.declared, self.target, self.base, self.problems = declared, target, base, problems
         self.constants = constants_scope(declared, constants)
         self.buckets = [
@@ -206,6 +208,8 @@ class PictureMaker:
         return True
 
     def _outside(self) -> int | None:
+        """Return the bit of planes beyond the array, or None if it is not declared. Other values
+        are reported."""
         outside = self.declared.outside
         if outside is None:
             return None
@@ -222,6 +226,7 @@ class PictureMaker:
     # --- kernels
 
     def _kernel(self, kernel: tree.Kernel | tree.KernelFromFile) -> Weights | None:
+        """Return the weights of a declared convolution kernel; None after reporting an error."""
         name = kernel.name.text
         if isinstance(kernel, tree.KernelFromFile):
             return self._from_file(kernel)
@@ -243,6 +248,8 @@ class PictureMaker:
         return self._weights(name, rows, divisor, kernel.span)
 
     def _from_file(self, kernel: tree.KernelFromFile) -> Weights | None:
+        """Read the weights of a convolution kernel from an .npz file; None after reporting an
+        error."""
         try:
             file = ArraysFile(self.base / kernel.path.value, kernel.path.value)
             if kernel.sha256 is not None:
@@ -266,6 +273,7 @@ class PictureMaker:
         return None
 
     def _bad_kernel(self, name: str, fault: str, span: Span, helps: tuple[str, ...] = ()) -> None:
+        """Report that a convolution kernel is not valid (NS0530), because of `fault`."""
         self.problems.error(
             "NS0530",
             f"`{clipped(name)}` is not a valid convolution kernel: {fault}",
@@ -298,6 +306,8 @@ class PictureMaker:
         return tuple(states)
 
     def _start(self, name: str, state: State) -> int | None:
+        """Return the initial bit of a state; None after reporting that it is not a kept bit, or not
+        0 or 1."""
         if isinstance(state, tree.StateRange) or not state.kept:
             self.problems.error(
                 "NS0543",
@@ -377,6 +387,9 @@ class PictureMaker:
     # --- what leaves the chip
 
     def _report(self, report: tree.Report, reader: Reader) -> PlaneReport | None:
+        """Return the checked `report` statement; None after reporting an error.
+
+        `reader` knows the names of images and planes. Only events have a largest number."""
         kind, plane = report.kind.text, report.plane.text
         if kind not in (_REPORTS if self.declared.version > 3 else _REPORTS[:3]):
             self._bad_report(report.kind.span, f"unknown kind of report `{clipped(kind)}`")

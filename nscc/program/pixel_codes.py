@@ -143,6 +143,11 @@ def refuse_outside(origin: str, name: str, plane: Plane, values: tuple[int, int]
 def _unknown(
     origin: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
 ) -> Rejected:
+    """Return the error for pixels whose code the program forbids (NS0312) or was not compiled for
+    (NS0319).
+
+    `missing`, bool (rows, cols), marks these pixels, `planes` are their field values, and `origin`
+    says where they come from."""
     y, x = first_place(missing)
     count = int(missing.sum())
     code = ", ".join(f"{n} = {p[y, x]}" for n, p in zip(table.fields, planes, strict=True))

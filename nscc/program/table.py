@@ -32,6 +32,7 @@ class TooMuch(Exception):
     """Raised if codes, slots or operations exceed a limit."""
 
     def __init__(self, message: str, required: int, available: int) -> None:
+        """Say what is too much, with the required and the available number."""
         super().__init__(message)
         self.message = message
         self.required = required
@@ -205,6 +206,7 @@ UNCOUNTED = 2**72
 
 
 def _limit_codes(rules: Rules, codes: int) -> None:
+    """Raise TooMuch if this number of codes cannot be proved, or takes too much memory."""
     buckets = len(rules.rules)
     needed = codes * buckets * rules.slots
     if needed > PROOF_LIMIT:
@@ -225,6 +227,8 @@ def _limit_codes(rules: Rules, codes: int) -> None:
 
 
 def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) -> None:
+    """Raise TooMuch if evaluating the expressions for all codes and slots takes too many
+    operations."""
     sizes = {field.name: (0, codes) for field in rules.fields}
     sizes["n"] = (1, slots)
     needed = sum(work(expr, sizes) for expr in exprs)

@@ -41,6 +41,7 @@ class Diagrams:
     """All diagrams of one proof; `zero` and `one` are leaves."""
 
     def __init__(self) -> None:
+        """Begin with the leaves 0 and 1, which are the nodes 0 and 1."""
         self._nodes: list[tuple[int, int, int]] = []
         self._values: dict[int, Fraction] = {}
         self._number: dict[object, int] = {}
@@ -138,6 +139,11 @@ class Diagrams:
         return self.add(self.times(bit, then), self.times(self.inverse(bit), otherwise))
 
     def _apply(self, name: str, a: int, b: int) -> int:
+        """Return the diagram of a + b, a * b, a | b or a ^ b. Results are cached.
+
+        Both diagrams are followed from the top; at each node, the variable that is first in the
+        order is decided. `a` and `b` may be exchanged, because all four operations are commutative.
+        """
         if a > b:
             a, b = b, a
         if a == self.zero:
@@ -163,6 +169,7 @@ class Diagrams:
         return result
 
     def _node(self, variable: int, low: int, high: int) -> int:
+        """Return the node that branches on a variable; the same node for the same branches."""
         if low == high:
             return low
         key = (variable, low, high)
@@ -170,6 +177,7 @@ class Diagrams:
         return self._add(key, key) if number is None else number
 
     def _add(self, key: object, node: tuple[int, int, int]) -> int:
+        """Append a node and return its number; raise TooLarge beyond `MOST_NODES`."""
         if len(self._nodes) >= MOST_NODES:
             raise TooLarge
         self._nodes.append(node)
@@ -314,6 +322,7 @@ class Forms:
         return sign_of_0 is not None and self._depends_on(value, self.diagrams.support(sign_of_0))
 
     def _depends_on(self, value: Form | int, variables: Set[int]) -> bool:
+        """Return whether a bit or a form depends on one of these variables."""
         bits = [value] if isinstance(value, int) else list(value.values())
         if not isinstance(value, int):
             bits += [bit for kind, bit, _ in value if kind == COUNTED]

@@ -24,6 +24,8 @@ def reaches(pictures: p.Pictures, *, of_a_step: bool = False) -> dict[str, Reach
     states = {*pictures.stepping}
 
     def reach(node: p.Node) -> Reach:
+        """Return how far away (pixels, in four directions) the pixels are on which a node's value
+        depends."""
         if isinstance(node, p.Source | p.Bit):
             return Reach() if node.name in states else reach_of.get(node.name, Reach())
         joined = Reach().joined(*map(reach, p.operands(node)))
@@ -69,6 +71,9 @@ class PictureMeaning:
     `outside`."""
 
     def __init__(self, pictures: p.Pictures, forms: Forms) -> None:
+        """Prepare to evaluate images and planes on the small array of `forms`.
+
+        Kept and repeated values are unknowns. Results are cached by node and pixel."""
         self.pictures, self.forms, self.weights = pictures, forms, pictures.weights_by_name
         self.nodes = pictures.expressions
         # Names whose values are unknowns: before a frame, or before a step.
@@ -103,6 +108,7 @@ class PictureMeaning:
         return form
 
     def _image(self, value: p.Value, at: Place) -> Form:
+        """Return the exact form of an image at pixel `at`, column and row of the small array."""
         forms, (x, y) = self.forms, at
         match value:
             case p.Source():
@@ -166,6 +172,8 @@ class PictureMeaning:
         return diagram
 
     def _bit(self, condition: p.Condition, at: Place) -> int:
+        """Return the decision diagram of a plane's bit at pixel `at`, column and row of the small
+        array."""
         forms, diagrams, (x, y) = self.forms, self.forms.diagrams, at
         match condition:
             case p.Bit():

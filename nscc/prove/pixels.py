@@ -95,6 +95,12 @@ class ReplayPixels:
         terms: int = 0,
         quiet: bool = False,
     ) -> None:
+        """Begin a replay with one lane (a pixel that the proof distinguishes) for each row of
+        `encoding`.
+
+        `kernels` are the words as operations, `encoding` the bits of the code registers, bool
+        (lanes, registers). A value has a part for each of `lights` and of `terms`. `quiet` collects
+        doubts without raising them. Registers that are not loaded are unknown."""
         self.container, self.kernels, self.target = container, kernels, container.target
         self.lights, self.parts, self.quiet = lights, lights + terms, quiet
         self.doubts: list[str] = []
@@ -249,6 +255,7 @@ class ReplayPixels:
         return self._split[1:]
 
     def _digital(self, word: Op) -> None:
+        """Run a digital word on the bits of all lanes; a pair moves a value over the bus."""
         row = word.operation
         if row.phase is Phase.WRITE:
             value = self.read("bus")

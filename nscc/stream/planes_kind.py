@@ -40,6 +40,9 @@ class BitPlanes(ProgramKind):
         return prove_planes(container)
 
     def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
+        """Return the shutters that the bit planes open, bool (shutters, buckets, slots).
+
+        Raises Rejected (NS0442) if they differ from the decode table; `name` names the file."""
         failure = prove_planes(container).failure
         if failure is not None:
             raise rejected(
@@ -54,6 +57,10 @@ class BitPlanes(ProgramKind):
         return with_planes(container)
 
     def product(self, product: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
+        """Return the bit planes or their times as files by name; `stem` is the file name without
+        its ending.
+
+        Raises Rejected for products of words, which a chip without logic does not have."""
         container, name = compiled.container, stem + SUFFIXES[product]
         assert container is not None
         if product == "planes":

@@ -52,6 +52,9 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
         return node
 
     def __default__(self, data: str, children: list[Token | _Part], meta: Meta) -> _Part:
+        """Return the syntax node of a grammar rule `data` from its parts.
+
+        Raises Rejected (NS0110) for expressions nested more than `MOST_DEPTH` deep."""
         begin, end = children[0], children[-1]
         first = begin.first if isinstance(begin, _Part) else begin
         last = end.last if isinstance(end, _Part) else end
@@ -227,6 +230,7 @@ _OF_NODES: dict[str, Callable[..., Any]] = {
 
 
 def _whole_number(text: str, span: Span) -> int:
+    """Return the number; raise Rejected (NS0111) above 2^62 - 1, without converting many digits."""
     digits = text.lstrip("0")
     value = int(digits or "0") if len(digits) <= 19 else tree.MOST_INTEGER + 1
     if value > tree.MOST_INTEGER:
@@ -239,6 +243,7 @@ def _whole_number(text: str, span: Span) -> int:
 
 
 def _microseconds(text: str, span: Span) -> Fraction:
+    """Return a time such as `125us` in us, exactly; raise Rejected (NS0112) if it is zero."""
     number = text.rstrip("nums")
     integer_digits, _, decimals = number.partition(".")
     unit_us = _UNIT_US[text[len(number) :]]
@@ -249,6 +254,8 @@ def _microseconds(text: str, span: Span) -> Fraction:
 
 
 def _decimals(digits: str, span: Span) -> Fraction:
+    """Return the digits after a decimal point as an exact fraction; raise Rejected (NS0111) for too
+    many."""
     if len(digits) > _MOST_DECIMALS:
         help_text = f"at most {_MOST_DECIMALS} decimals are allowed"
         raise _refused("NS0111", f"this number has {len(digits)} decimals", span, help_text)

@@ -107,6 +107,7 @@ class _Writer:
     lines: list[_Line] = field(default_factory=list)
 
     def text(self) -> str:
+        """Return the whole program in the standard style, with its comments."""
         tokens = lex(self.source)
         starts = {statement.span.start for statement in self.file.statements}
         first = [k for k in range(len(tokens.kinds)) if tokens.span(k).start in starts]
@@ -193,6 +194,9 @@ def _with_comments(lines: Sequence[_Line]) -> Iterator[str]:
 
 
 def _statement_lines(tokens: list[_Token]) -> list[_Line]:
+    """Return the lines of one statement: a table of digits, or wrapped text.
+
+    Commas at the ends of lists are dropped. A statement with comments inside keeps its lines."""
     followers = [token.kind for token in tokens[1:]] + [""]
     tokens = [
         token

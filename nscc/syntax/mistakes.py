@@ -170,6 +170,10 @@ def _is_word(kind: str) -> bool:
 
 
 def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
+    """Return the error for a character that no token begins with, and a fix if its meaning is
+    known.
+
+    `expected` are the tokens that the grammar allows here."""
     text, span = tokens.text(token), tokens.span(token)
     doubled = text + tokens.text(token + 1) if token + 1 < len(tokens.kinds) else ""
     if doubled in _SIGNS and tokens.span(token + 1).start == span.end:
@@ -210,6 +214,8 @@ def _forms(statement: str) -> tuple[str, ...]:
 
 
 def _open_brackets(tokens: Tokens, first: int, stuck: Stuck) -> list[int]:
+    """Return the indices of the brackets opened since `first` and not closed where parsing
+    stopped."""
     opened: list[int] = []
     for index in range(first, stuck.token):
         if tokens.kinds[index] in ("[", "(", "PLACE"):

@@ -123,12 +123,15 @@ class _Errors:
         return len(self._first) >= MOST_ERRORS
 
     def add(self, make: Callable[[], Diagnostic]) -> None:
+        """Add the diagnostic that `make` returns. Beyond the limit, it is only counted and never
+        made."""
         if self.are_many:
             self._more += 1
         else:
             self._first.append(make())
 
     def in_order(self) -> tuple[Diagnostic, ...]:
+        """Return the diagnostics in text order, with a last one that counts those left out."""
         diagnostics = sorted(self._first, key=lambda d: d.label.span.start if d.label else 0)
         if self._more:
             diagnostics.append(more_errors(self._more, self._source))
@@ -166,6 +169,10 @@ def statement_starts(tokens: Tokens) -> list[int]:
 
 
 def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[tree.Statement]:
+    """Yield the statements without errors; add the errors of all others to `errors`.
+
+    `starts` are the indices of the tokens that begin statements. After a misspelt keyword, parsing
+    continues as if it were spelt correctly."""
     builder = Builder()
     for begin, last in pairwise([*starts, len(tokens.kinds)]):
         first: int | None = begin
@@ -222,6 +229,7 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
 
 
 def _said_twice(source: Source, versions: list[tree.Version]) -> Diagnostic:
+    """Return the error (NS0104) for a second version statement, with a fix that removes it."""
     return Diagnostic(
         "NS0104",
         f"`nsl {versions[0].number.value}` must appear once, at the start",
@@ -284,6 +292,7 @@ def too_large(name: str) -> Diagnostic:
 
 
 def _not_text(path: Path, reason: str) -> Rejected:
+    """Return the error (NS0102) for a file that is not UTF-8 text, with help for its ending."""
     ending = path.suffix.lower()
     message = f"this file is not UTF-8 text: {reason}"
     helps = ("save the program as UTF-8 text; a compiled program ends in .icw",)

@@ -31,6 +31,9 @@ def argument(call: str, name: str, kind: Kind, value: Any) -> Any:
 
 
 def _checked(call: str, key: Key, value: Any) -> Any:
+    """Return an argument of the Python function `call`, checked and converted by its declaration.
+
+    None is allowed if it is the default. Raises WrongArgument."""
     if value is None and key.default is None:
         return None
     subject = f"{call} takes" if key.required else f"{call}: {key.attribute} is"
@@ -38,6 +41,7 @@ def _checked(call: str, key: Key, value: Any) -> Any:
 
 
 def _read(subject: str, kind: Kind, value: Any) -> Any:
+    """Return the argument converted by its kind; raise WrongArgument with what is allowed."""
     plain = value.item() if isinstance(value, np.generic) else value
     try:
         return kind.argument(plain)

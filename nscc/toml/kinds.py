@@ -79,6 +79,8 @@ class Number(Kind):
         return "any" if self.unlimited else "auto" if self.automatic else ""
 
     def __post_init__(self) -> None:
+        """Replace an excluded limit 0 by the nearest float, so that all limits are inclusive
+        there."""
         for end, excluded, least in (
             ("low", "low_excluded", LEAST),
             ("high", "high_excluded", -LEAST),
@@ -105,6 +107,7 @@ class Number(Kind):
 
     @property
     def in_python(self) -> str:
+        """Return the allowed numbers as text, with the unit."""
         number = "a whole number" if self.is_whole else "a number"
         if -self.low == self.high == inf:
             return "a finite number"
@@ -117,6 +120,8 @@ class Number(Kind):
         return None if self._word and value == self._word else self.argument(value)
 
     def argument(self, value: Any) -> float | None:
+        """Return a number within the limits, as float unless it is a whole number; raise ValueError
+        otherwise."""
         if self._word and value is None:
             return None
         if isinstance(value, bool) or not isinstance(value, int if self.is_whole else (int, float)):
@@ -174,6 +179,10 @@ class TextKind(Kind, Record):
         return f"one of {', '.join(map(repr, self.choices))}" if self.choices else self.phrase
 
     def read(self, value: Any) -> str | None:
+        """Return the text if it is one of the choices and matches the pattern; raise ValueError
+        otherwise.
+
+        An optional text "none" gives None."""
         # Command-line bytes that are not UTF-8 arrive as surrogates.
         if not isinstance(value, str) or any("\ud800" <= c <= "\udfff" for c in value):
             raise ValueError
@@ -220,6 +229,8 @@ class Axis(Kind, Record):
         return f"{self.element.allowed}, or a list of such values"
 
     def read(self, value: Any) -> tuple[Any, ...]:
+        """Return the values of an axis, a single value as a tuple of one; raise ValueError for
+        repeated values."""
         is_list = isinstance(value, list | tuple)
         if is_list and isinstance(self.element, Several):
             is_list = not value or isinstance(value[0], list | tuple)
@@ -233,6 +244,7 @@ class Axis(Kind, Record):
         return values
 
     def _read_one(self, value: Any) -> Any:
+        """Return one value of the axis; raise ValueError with a reason."""
         try:
             return self.element.read(value)
         except ValueError as reason:
@@ -285,6 +297,8 @@ class FilePath(Kind, Record):
         return self.phrase
 
     def read(self, value: Any) -> Any:
+        """Return a Path, or the value itself if it has one of the allowed types; raise ValueError
+        otherwise."""
         path = os.fspath(value) if isinstance(value, str | os.PathLike) else None
         if path is None and _is_one(value, self.types):
             return value
@@ -304,6 +318,8 @@ class TextOrNumbers(Kind, Record):
         return f"text or {numbers}"
 
     def read(self, value: Any) -> Any:
+        """Return text as it is, and numbers as text with commas; raise ValueError for a wrong
+        count."""
         if isinstance(value, str):
             return value
         values = value if isinstance(value, tuple | list) else [value]

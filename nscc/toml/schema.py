@@ -141,6 +141,7 @@ class Schema(Generic[Row]):
     example: str = ""
 
     def __post_init__(self) -> None:
+        """Raise ValueError if two keys have one path, or a key has an unknown heading."""
         for index, key in enumerate(self.keys):
             if key.path in (earlier.path for earlier in self.keys[:index]):
                 raise ValueError(f"two keys of a {self.file_kind} are {key.path}")

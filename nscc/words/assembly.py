@@ -88,6 +88,10 @@ def _own_words(source: Source, base: Path) -> tuple[Operation, ...]:
 
 
 def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ()) -> Draft:
+    """Return the lines of an assembly text as a draft, before names are resolved.
+
+    `own_words` are operations that the target adds. Malformed lines are added to `faults` and left
+    out."""
     draft = Draft()
     block: TextBlock | None = None
     known = mnemonics(own_words)
@@ -216,6 +220,8 @@ def _instruction(
     faults: Faults,
     own_words: tuple[Operation, ...],
 ) -> None:
+    """Add one instruction or macro to the draft as words; add a fault for unknown registers or a
+    wrong number."""
     name = head.text
     unknown = [operand for operand in operands if operand.text not in READ_LINES]
     for operand in unknown[:20]:

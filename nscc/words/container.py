@@ -60,6 +60,7 @@ class DecodeTable(Record, eq=False):
     shutters: Annotated[NDArray[np.bool_], "shutters buckets slots"]
 
     def __repr__(self) -> str:
+        """Return the numbers of codes, shutters, buckets and slots as one line."""
         fields, (shutters, buckets, slots) = ", ".join(self.fields), self.shutters.shape
         return (
             f"DecodeTable({len(self.codes)} codes of ({fields}), {shutters} shutters, "
@@ -147,6 +148,7 @@ class Container:
         return words + self.pictures.words
 
     def __repr__(self) -> str:
+        """Return the numbers of codes, slots and words, and the target, as one line."""
         return (
             f"Container({len(self.table.codes)} codes, {self.slots} slots, {self.words_stored} "
             f"words, {self.words_per_frame} a frame, for {self.target.name})"

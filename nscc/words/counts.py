@@ -75,6 +75,8 @@ def counts_of(
 
 
 def _total(terms: list[tuple[Fraction, CountRange | None]]) -> CountRange | None:
+    """Return the range of a weighted sum of counts; None if a term is no count, or without
+    terms."""
     low, high, strides = Fraction(0), Fraction(0), []
     for factor, counts in terms:
         if counts is None:

@@ -41,6 +41,7 @@ def differences(first: Container, second: Container) -> list[str]:
 
 
 def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
+    """Yield a line for each cost that differs, with the change in percent."""
     for subject, before, after, unit in (
         ("words stored", old.stored_words, new.stored_words, ""),
         ("words a frame", old.words, new.words, ""),

@@ -158,6 +158,8 @@ class Directive:
 def _block(
     attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults
 ) -> TextBlock:
+    """Begin a block of lines that is stored in `attribute` of the draft; a second one is a
+    fault."""
     if getattr(draft, attribute) is not None:
         faults.add("NS0719", f"{head.text} appears twice", head.span)
     block = TextBlock(head, tuple(tokens))
@@ -171,6 +173,7 @@ def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> T
 
 
 def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
+    """Add a note, a key and a text, to the draft; a second note with this key is a fault."""
     key, text = tokens
     if key.text in draft.notes:
         faults.add("NS0719", f"the note {shown(key.text)} appears twice", key.span)
@@ -179,6 +182,7 @@ def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
+    """Add slot lengths to the draft. A token `x64` repeats the slot before it, 64 slots in all."""
     for token in tokens:
         if token.text.startswith("x"):  # the number of slots, starting with the previous slot
             repeats = int(token.text[1:]) - 1
@@ -197,6 +201,8 @@ def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _kernel(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
+    """Begin a kernel (a list of words stored on the controller); a second one of this name is a
+    fault."""
     (name,) = tokens
     if any(kernel.name.text == name.text for kernel in draft.kernels):
         faults.add("NS0719", f"two kernels have the name {shown(name.text)}", name.span)
@@ -204,6 +210,7 @@ def _kernel(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> N
 
 
 def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
+    """Add an instruction given as five 32-bit integers; larger integers are a fault."""
     a, b, c, d, e = (int(t.text, 16 if t.text[:2] in ("0x", "0X") else 10) for t in tokens)
     span = head.span.to(tokens[-1].span)
     if max(a, b, c, d, e) >= 1 << 32:
@@ -213,6 +220,7 @@ def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
+    """Add the launch of kernels at a range of boundaries; an invalid range is a fault."""
     place, *kernels = tokens
     instants = read_ranges(place.text, MOST_SLOTS)
     if instants is None:
@@ -223,6 +231,8 @@ def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
+    """Add the readout of a register, with its bucket and gain (1 if not given); an invalid gain is
+    a fault."""
     register, *operands = tokens
     gain = read_number(operands[1].text) if len(operands) > 1 else 1.0
     if gain is None:

@@ -116,6 +116,9 @@ def _commented(text: str, comment: str) -> str:
 
 
 def _head(container: Container) -> Iterator[str]:
+    """Yield the first lines: costs as comments, the target, and notes.
+
+    A built-in target is named; any other is written out."""
     cost, target = frame_cost(container), container.target
     slots = _counted(container.slots, "slot")
     yield f"; {slots}, {number_text(round(cost.frame_us, 3))} us of light a frame"
@@ -138,6 +141,7 @@ def _counted(count: int, word: str, plural: str = "") -> str:
 
 
 def _times(slot_us: Sequence[float]) -> Iterator[str]:
+    """Yield `.wait` lines with the slot lengths; equal lengths are written as a count."""
     at, pending = 0, ""
     for index in range(1, len(slot_us) + 1):
         if index < len(slot_us) and slot_us[index] == slot_us[at]:
@@ -151,6 +155,8 @@ def _times(slot_us: Sequence[float]) -> Iterator[str]:
 
 
 def _kernel(container: Container, number: int) -> Iterator[str]:
+    """Yield the lines of kernel `number`, with its cost and the boundaries of its launches as
+    comments."""
     kernel: StoredKernel = container.kernels[number]
     instants = [launch.instant for launch in container.launches if launch.kernel == number]
     instants_text = ranges_text(sorted(set(instants))) if instants else "nowhere"
@@ -177,6 +183,7 @@ def _schedule(container: Container) -> Iterator[str]:
 
 
 def _readouts(container: Container) -> Iterator[str]:
+    """Yield the lines that name the buckets and the register and gain of each."""
     yield f".bucket {' '.join(map(name_text, container.buckets))}"
     for readout in container.readouts:
         bucket = name_text(readout.bucket)
@@ -184,6 +191,8 @@ def _readouts(container: Container) -> Iterator[str]:
 
 
 def _table(container: Container) -> Iterator[str]:
+    """Yield the lines of the decode table: the encoding and slots of each shutter, then each
+    code."""
     table, registers = container.table, container.target.digital_registers
     if container.code_registers:
         yield f".load {' '.join(container.code_registers)}"
@@ -243,6 +252,8 @@ def _pictures(container: Container) -> Iterator[str]:
 
 
 def _pixels(container: Container) -> Iterator[str]:
+    """Yield the code of every pixel: the smallest tile that gives the array, else all codes in
+    base64."""
     codes = container.pixel_codes
     if codes is None:
         return

@@ -59,6 +59,7 @@ def _bit(line: int) -> int:
 
 
 def _raised(lines: Iterable[int]) -> int:
+    """Return the word, as one integer, in which these control lines are 1."""
     word = 0
     for line in lines:
         word |= _bit(line)
@@ -101,6 +102,8 @@ def _joined(word: Word) -> int:
 
 
 def _encoded(operation: Op) -> int:
+    """Return the word of an operation as one integer: its fixed lines and those of its
+    registers."""
     word = _fixed(operation.operation)
     for register in operation.destinations:
         word |= _WRITE[register]

@@ -145,6 +145,7 @@ def to_bytes(container: Container) -> bytes:
 
 
 def _header(container: Container) -> _Header:
+    """Return the header of a container file: everything but the arrays and words."""
     table, machine = container.table, container.machine
     return _Header(
         target=target_dict(container.target),
@@ -228,6 +229,8 @@ def from_bytes(data: bytes, name: str) -> Container:
 
 
 def _rejected(code: str, name: str, reason: str) -> Rejected:
+    """Return the error that a container file `name` cannot be used, with `reason`; a .nsl file gets
+    other help."""
     again = "build the program again: `nscc build PROGRAM.nsl -o FILE.icw`"
     if name.endswith(".nsl"):
         build = shlex.join(["nscc", "build", name])

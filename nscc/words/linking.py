@@ -160,6 +160,7 @@ def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
 
 
 def _check_complete(draft: Draft, faults: Faults) -> None:
+    """Add a fault if the draft has no slot lengths or no readout."""
     if not draft.slot_us:
         helps = ("write `.wait 125us x64`: 64 slots of 125 us each",)
         faults.add("NS0715", "the lengths of the slots are missing", _START, helps=helps)
@@ -179,6 +180,7 @@ def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int
 
 
 def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
+    """Return the index of each name in order; a name that occurs twice is a fault."""
     names: dict[str, int] = {}
     for token in tokens:
         if token.text in names:
@@ -212,6 +214,7 @@ def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
 def _readouts(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[Readout, ...]:
+    """Return the readouts with names checked: each bucket is read out exactly once."""
     registers = {name: i for i, name in enumerate(target.analog_registers)}
     known = {name: i for i, name in enumerate(buckets)}
     readouts, read = [], set()
@@ -322,6 +325,9 @@ def _table(
 
 
 def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray[np.int32] | None:
+    """Return the code of every pixel, int32 (rows, cols), from a tile or a whole plane.
+
+    None without a `.pixels` block, and after adding a fault. `codes` is the number of codes."""
     block = draft.pixels
     if block is None:
         return None

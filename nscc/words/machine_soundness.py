@@ -75,6 +75,8 @@ def faults(container: Container) -> Iterator[str]:
 
 
 def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:
+    """Yield what is wrong with the states: names, ranges, and the registers that hold their
+    bits."""
     names = [state.name for state in machine.states]
     if len({*names}) != len(names):
         yield "two states of its machine have one name"

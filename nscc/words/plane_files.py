@@ -71,6 +71,10 @@ def codes_of_planes(
 def _plane(
     path: Path, register: str, shape: tuple[int, int], stated_sha256: str | None
 ) -> NDArray[np.bool_]:
+    """Return a bit plane from an .npy or .npz file, bool of this `shape`.
+
+    An .npz file has one array or one with the register's name. Raises _BadPlaneError if the file
+    cannot be read, is too large, or has another digest, shape or values other than 0 and 1."""
     try:
         if not path.is_file():
             raise _BadPlaneError("it is not a file" if path.exists() else "it does not exist")

@@ -63,6 +63,7 @@ class RegisterReaches:
         bits_known: bool = False,
         before: Mapping[str, Reach] = MappingProxyType({}),
     ) -> None:
+        """Compute the reach of all registers after these words."""
         self.target, self.bits_known = target, bits_known
         self.reach: dict[str, Reach] = {**before}
         self._constant: dict[str, bool] = {}
@@ -77,6 +78,10 @@ class RegisterReaches:
         return self.reach.get(name, Reach())
 
     def _run(self, op: Op) -> None:
+        """Update the reach of the registers that one word writes.
+
+        In pixels whose FLAG is 0 an analog word leaves the old value, so its reach is joined with
+        the new one."""
         effect, phase = op.operation.effect, op.operation.phase
         reach = Reach().joined(*map(self.of, op.sources))
         if effect is WordEffect.DIGITAL_NEIGHBOURS:

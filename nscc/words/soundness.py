@@ -38,6 +38,7 @@ def faults(container: Container) -> list[str]:
 
 
 def _names(kind: str, names: Sequence[str]) -> Iterator[str]:
+    """Yield what is wrong with a list of names: unprintable, too long, or twice the same."""
     for name in names:
         if not name or len(name) > _LONGEST_NAME or not name.isprintable():
             yield f"the {kind} name {name[:_LONGEST_NAME]!a} is not one line of visible text"
@@ -46,6 +47,7 @@ def _names(kind: str, names: Sequence[str]) -> Iterator[str]:
 
 
 def _time_faults(container: Container) -> Iterator[str]:
+    """Yield what is wrong with slots and buckets: their number, lengths (us) and names."""
     if not 1 <= container.slots <= MOST_SLOTS:
         yield f"it has {container.slots} slots, but 1 to {MOST_SLOTS} are allowed"
     for index, length in enumerate(container.slot_us):
@@ -58,6 +60,7 @@ def _time_faults(container: Container) -> Iterator[str]:
 
 
 def _table_faults(container: Container) -> Iterator[str]:
+    """Yield what is wrong with the decode table: shapes, types and indices."""
     table = container.table
     yield from _names("field", table.fields)
     codes, shutters = len(table.codes), len(table.shutters)
@@ -79,6 +82,7 @@ def _table_faults(container: Container) -> Iterator[str]:
 
 
 def _kernel_faults(container: Container) -> Iterator[str]:
+    """Yield what is wrong with kernels and launches: words, sizes, indices and order."""
     yield from _names("kernel", [kernel.name for kernel in container.kernels])
     stored = 0
     for kernel in container.kernels:
@@ -106,6 +110,8 @@ def _kernel_faults(container: Container) -> Iterator[str]:
 
 
 def _register_faults(container: Container) -> Iterator[str]:
+    """Yield what is wrong with code registers and readouts: unknown or repeated registers,
+    gains."""
     target = container.target
     for register in container.code_registers:
         if register not in target.digital_registers:
@@ -124,6 +130,7 @@ def _register_faults(container: Container) -> Iterator[str]:
 
 
 def _pixel_faults(container: Container) -> Iterator[str]:
+    """Yield what is wrong with the pixel codes: shape, type, or a code that does not exist."""
     pixels, target = container.pixel_codes, container.target
     if pixels is not None:
         shape = target.rows, target.cols

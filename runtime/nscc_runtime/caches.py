@@ -32,6 +32,9 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
 
     @wraps(method)
     def call(self: S, /, *arguments: P.args, **named: P.kwargs) -> R:
+        """Return the cached result for these positional arguments, or compute and cache it.
+
+        Keyword arguments are passed on but do not distinguish results."""
         try:
             results: dict[Hashable, R] = self.__dict__[name]
             return results[arguments]
@@ -80,6 +83,10 @@ class OfContainer(Generic[P, T]):
         self._making = Lock()
 
     def __call__(self, container: Container, *key: P.args, **named: P.kwargs) -> T:
+        """Return the cached analysis of a container for this `key`, or compute and cache it.
+
+        Keyword arguments are passed on but do not distinguish analyses. Threads wait for each
+        other."""
         with self._making:  # threads that share a program wait for a single analysis
             analyses: dict[Any, Any] = vars(container).setdefault(_ANALYSES, _Cache())
             if (self, key) not in analyses:

@@ -204,6 +204,7 @@ class Capture(Frame):
         return out
 
     def __repr__(self) -> str:
+        """Return shape, codes, mean exposure (e) and the kind of simulation as one line."""
         shape = " x ".join(map(str, self.frame.shape))
         mean = float(self.exposure_e.mean(where=self.valid)) if self.valid.any() else 0.0
         how = self._fidelity
@@ -213,6 +214,8 @@ class Capture(Frame):
         return f"<nscc capture: {shape}, codes {self._codes()}, mean {mean:.6g} e, {how}>"
 
     def _repr_html_(self) -> str:
+        """Return the capture as HTML for notebooks: pictures of all buckets, figures, and its
+        plan."""
         shown = np.moveaxis(self.frame, 0, -1) if self._in_colours else self.first.frame
         cols = shown.shape[2]
         step, scale = -(-max(shown.shape[1:3]) // _MOST), max(1, round(_SIDE / cols))
@@ -248,6 +251,8 @@ def capture_of(exposed: Taken) -> Capture:
 
 
 def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
+    """Return the value of a report: a number, the list of events, or a bounding box (None if
+    empty)."""
     if kind in ("any", "flood", "count", "sum"):
         return values.item()
     if kind == "events":
@@ -256,6 +261,7 @@ def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
 
 
 def _png(image: NDArray[np.uint8]) -> bytes:
+    """Return a picture, RGB or grey, as PNG bytes."""
     import cv2
 
     _, data = cv2.imencode(

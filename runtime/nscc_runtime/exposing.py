@@ -186,6 +186,7 @@ def captures(
     plans.expect(range(count))
 
     def run(number: int, program: Any, light: Any) -> Capture:
+        """Capture frame `number` of the series; then let later frames use its plan."""
         try:
             turn = Turn(plans, number, frames=count)
             return capture(program, light, threads=1, turn=turn, **options)

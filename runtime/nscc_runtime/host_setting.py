@@ -69,6 +69,8 @@ def _refused(message: str, *helps: str) -> Rejected:
 
 
 def _mappings(argument: str, values: Any) -> list[Mapping[str, Any]]:
+    """Return the values of an argument as one mapping for each frame; raise Rejected for other
+    types."""
     mappings = [values] if isinstance(values, Mapping) else values
     if mappings is None:
         return []
@@ -87,6 +89,8 @@ def _unknown(kind: str, name: object, known: Sequence[str]) -> Rejected:
 
 
 def _params(container: Container, values: Mapping[str, Any]) -> dict[str, int]:
+    """Return the values of parameters in steps of IN; raise Rejected for unknown names or invalid
+    values."""
     params = {param.name: param for param in container.pictures.params}
     for name in values:
         if name not in params:
@@ -129,6 +133,8 @@ def _electrons(value: Any, target: Target) -> float | None:
 
 
 def _inputs(container: Container, values: Mapping[str, Any]) -> dict[str, NDArray[np.bool_]]:
+    """Return the bits of input planes, bool (rows, cols); raise Rejected for unknown names or
+    invalid values."""
     planes = {plane.name: plane for plane in container.pictures.inputs if plane.is_open}
     for name in values:
         if name not in planes:

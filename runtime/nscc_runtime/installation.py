@@ -21,6 +21,7 @@ def findings() -> Iterator[Finding]:
 
 
 def _loops() -> Finding:
+    """Return whether the compiled loops work on this processor, compiling them if necessary."""
     if find_spec("numba") is None:
         return Finding(ABSENT, "the emulator's loops: numba compiles them")
     from nscc_runtime.emulator.loops import expose_pixels
@@ -37,6 +38,7 @@ def _loops() -> Finding:
 
 
 def _ports() -> Finding:
+    """Return the finding that lists the serial ports."""
     if find_spec("serial") is None:
         return Finding(ABSENT, "serial ports: pyserial lists them")
     from nscc_runtime.device.port import list_ports

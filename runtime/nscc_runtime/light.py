@@ -351,6 +351,7 @@ class Light:
 
     @cached_property
     def _transposed(self) -> Any:
+        """Return the matrix of slots and frames as a sparse array with one row for each frame."""
         from scipy.sparse import csr_array
 
         entries = self.weight, self.frame_index, self.row_start

@@ -74,6 +74,7 @@ def exposing(
     assert not isinstance(paths, str)  # `lacks` says so
 
     def expose(loaded: Planes, number: int) -> Executed:
+        """Expose frame `number`, in which registers begin with the bits `loaded`."""
         begins = paths.begins(loaded, shape).reshape(-1)
         pixels = expose_pixels(block, seeds[0], number, threads, begins)
         whole = len(pixels.exposure_e), *shape

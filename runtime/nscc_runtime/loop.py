@@ -287,6 +287,7 @@ def _depend(function: FunctionType, known: dict[FunctionType, str]) -> None:
 
 
 def _codes(code: CodeType) -> Iterator[CodeType]:
+    """Yield a code object and all those nested in it."""
     yield code
     for constant in code.co_consts:
         if isinstance(constant, CodeType):

@@ -42,6 +42,7 @@ def signature(parameters: Iterable[LoopParameter | ArrayGroup]) -> Any:
 
 
 def _type(kind: np.dtype[Any], is_record: bool) -> Any:
+    """Return the numba type of a parameter: a record, an array of records, or a pointer."""
     numba_type = numba.from_dtype(kind)
     if is_record:
         return numba_type

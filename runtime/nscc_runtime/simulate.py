@@ -89,6 +89,10 @@ def simulate(
 def _simulated(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
+    """Expose frames of a scene by a plan, or with the selected effects if the program has none.
+
+    `listener` receives messages and timings. Raises Rejected for settings that the kind of program
+    does not have."""
     if request.plan is not None or request.audit:
         refuse_planless(container, "--plan" if request.plan is not None else "--audit")
     kind = KINDS.of(container)

@@ -64,6 +64,10 @@ def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
 
 
 def _read(path: Path, key: str | None) -> NDArray[Any]:
+    """Return the array in a file, or the pictures of an image file as a stack.
+
+    `key` names the array. A clip in a .mat file is turned to (frames, rows, cols). Raises Rejected
+    (NS0801) for files that cannot be read."""
     suffix = path.suffix.lower()
     try:
         if not path.is_file():
@@ -100,6 +104,9 @@ def _stored(
 
 
 def _chosen(path: Path, key: str | None, names: list[str]) -> str:
+    """Return the name of the array to read: `key`, a usual name, or the only one.
+
+    Raises Rejected (NS0801) with the names in the file if that is not decided."""
     candidates = [key] if key is not None else [name for name in KEYS if name in names]
     if key is None and not candidates and len(names) == 1:
         candidates = names
@@ -118,6 +125,10 @@ def _chosen(path: Path, key: str | None, names: list[str]) -> str:
 
 
 def _read_image(path: Path, suffix: str) -> NDArray[Any]:
+    """Return a picture as (rows, cols), or several as (pictures, rows, cols).
+
+    Linear colours become luminance. Raises Rejected (NS0801) for other colour pictures and unknown
+    endings."""
     from nscc_runtime.scenes.colour import grey
     from nscc_runtime.scenes.picture_files import PICTURES, open_pages
 

@@ -114,6 +114,8 @@ def _path(call: str, value: object) -> Path:
 
 
 def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.int64]:
+    """Return the codes of a field, int64 (rows, cols); raise Rejected (NS0805) for other types
+    or shapes."""
     integral = values.dtype.kind in "iub"
     if values.dtype.kind == "f":
         reals = values.astype(np.float64)

@@ -48,6 +48,9 @@ def values_of(settings: RunSettings) -> dict[str, Any]:
 def _settings(
     values: KeyValues, problems: Sequence[Diagnostic], changes: Sequence[str]
 ) -> RunSettings:
+    """Return the settings of a configuration with `changes` such as `train.steps=100` applied.
+
+    Raises Rejected with all problems together."""
     changed, change_problems = SCHEMA.changed(changes)
     if problems or change_problems:
         raise Rejected([*problems, *change_problems], status=2)

@@ -76,6 +76,11 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         device: torch.device | str = "cpu",
         **options: Any,
     ) -> None:
+        """Lay the shutters over an array of `size` (rows, cols), by default one tile.
+
+        `still` images one picture instead of a clip. `slot_share` (slots,) are slot lengths as
+        fractions of the frame. `options` go to DeepInverse. Raises WrongArgument for a wrong shape.
+        """
         encoder = shutters if isinstance(shutters, Encoder) else None
         tile = _tile(shutters)
         rows, cols = tile.shape[-2:] if size is None else size

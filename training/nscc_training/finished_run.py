@@ -210,6 +210,7 @@ class Run:
         return likelihoods(classes, self._decoded(frame, **options))
 
     def __repr__(self) -> str:
+        """Return path, class of shutters, decoder and score as one line."""
         spec, score = self.encoder.spec, self._score()
         return (
             f"<nscc run {str(self.path)!r}: class {spec.kind}, {spec.slots} slots, tile "
@@ -217,6 +218,7 @@ class Run:
         )
 
     def _repr_html_(self) -> str:
+        """Return the run as HTML for notebooks: curves, shutters and the program."""
         spec, setup = self.encoder.spec, self.folder.setup
         about = (
             f"class {spec.kind}, {spec.slots} slots, {setup.settings.decoder.name}{self._score()}"

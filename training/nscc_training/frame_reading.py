@@ -182,6 +182,7 @@ class Dark:
         return doubts + tuple(self._bright())
 
     def _doubts(self, frame: Mapping[str, Any]) -> Iterator[str]:
+        """Yield reasons why a dark frame may not fit a frame with this metadata."""
         own_digest, frame_digest = (meta.get("program_sha256") for meta in (self.meta, frame))
         if own_digest is not None and frame_digest is not None and own_digest != frame_digest:
             yield "it was exposed with another program"

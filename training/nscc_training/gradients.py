@@ -12,6 +12,8 @@ from torch.autograd import Function
 
 
 class _Replace(Function):
+    """Return `value`, with the gradient of x: a straight-through estimator."""
+
     @staticmethod
     def forward(x: Tensor, value: Tensor) -> Tensor:
         return value.clone()
@@ -26,6 +28,8 @@ class _Replace(Function):
 
 
 class _Step(Function):
+    """The step function of x: 1 above 0. The surrogate gradient is a box or a tent around 0."""
+
     @staticmethod
     def forward(x: Tensor, width: float, peaked: bool) -> Tensor:
         return (x > 0).to(x.dtype)
@@ -37,6 +41,8 @@ class _Step(Function):
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None]:
+        """Return the gradient of a box of half-width `width`, or of a tent of area 1 if
+        `peaked`."""
         (x,) = ctx.saved_tensors
         if ctx.peaked:
             slope = torch.clamp(1 - x.abs() / ctx.width, min=0) / ctx.width
@@ -46,6 +52,8 @@ class _Step(Function):
 
 
 class _Saturate(Function):
+    """Clip x to `low`..`high`; beyond them the gradient is multiplied by `slope` instead of 0."""
+
     @staticmethod
     def forward(x: Tensor, low: float, high: float, slope: float) -> Tensor:
         return torch.clamp(x, low, high)

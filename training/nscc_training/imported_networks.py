@@ -137,6 +137,7 @@ def _state(path: Path, graph: Any) -> dict[str, Tensor]:
     from onnx import numpy_helper
 
     def the(kind: str) -> Any:
+        """Return the only layer of this kind; raise Rejected if there are none or several."""
         nodes = [node for node in graph.node if node.op_type == kind]
         if len(nodes) != 1:
             raise refused(path, f"it has {len(nodes)} layers {kind}, but a cell has one")
@@ -145,6 +146,7 @@ def _state(path: Path, graph: Any) -> dict[str, Tensor]:
     arrays = {tensor.name: tensor for tensor in graph.initializer}
 
     def constant(node: Any, number: int) -> Tensor:
+        """Return a layer's constant input by its number; raise Rejected if it is computed."""
         name = node.input[number] if number < len(node.input) else ""
         if name not in arrays:
             raise refused(path, f"input {number} of layer `{node.name}` is not a constant")

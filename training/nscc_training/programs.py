@@ -264,6 +264,8 @@ def _rules(spec: ShutterSpec) -> list[str]:
 
 
 def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:
+    """Return the lines that declare a codebook; a large one is read from the file of codes, with
+    its digest."""
     if book.size > _MOST_DIGITS:
         return [f'shutters book from "{CODES_FILE}" sha256 "{sha256(packed).hexdigest()}"']
     rows = ("".join(map(str, row)) for row in book.tolist())
@@ -272,6 +274,8 @@ def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:
 
 
 def _pixels(spec: ShutterSpec, codes: Codes, fields: list[str], packed: bytes) -> list[str]:
+    """Return the lines that give the codes of a tile; a large one is read from the file of
+    codes, with its digest."""
     if spec.places > MOST_LISTED:
         return [f'pixels from "{CODES_FILE}" sha256 "{sha256(packed).hexdigest()}"']
     lines = []

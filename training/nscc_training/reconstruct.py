@@ -227,6 +227,8 @@ def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagno
 
 
 def _doubt(path: Path | str, reason: str, *, warning: bool) -> Diagnostic:
+    """Return the diagnostic (NS0819) that a frame does not match the run, as a warning or an
+    error."""
     return Diagnostic(
         "NS0819",
         f"'{path}' does not match this run: {reason}",

@@ -253,6 +253,7 @@ class NoiseModel:
         return cls(*numbers)
 
     def __str__(self) -> str:
+        """Return the noise of the measurement as text."""
         if not self.read_sd and not self.gain:
             return "none: the measurement is treated as exact; --noise SD[,GAIN] sets a noise model"
         photons = f", variance of photons {self.gain:g} times the measurement" if self.gain else ""

@@ -154,6 +154,7 @@ def _check_whole(path: Path, result: dict[str, Any]) -> None:
 
 
 def _no_run(path: Path, reason: str) -> Exception:
+    """Return the error (NS0818) for a folder that is not a finished run."""
     return rejected(
         "NS0818",
         f"'{path}' is not a finished run of nscc train",

@@ -95,6 +95,9 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
 
 
 def _of_arrays(path: Path, tone: str | None) -> bytes:
+    """Return the PNG of a frame file, or of an .npz file with an `image` or a `video`.
+
+    `tone` is the tone curve, None the usual one. Raises Rejected (NS0801) for other files."""
     try:
         _, array_names = npz_arrays(path, lambda _: False)
         most_bytes = MOST_BYTES if "frame" in array_names else _MOST_DRAWN_BYTES
@@ -186,6 +189,7 @@ def _is_drawn(name: str) -> bool:
 
 
 def _json(path: Path) -> dict[str, Any]:
+    """Return the object in a JSON file; raise Rejected (NS0801) if it is none."""
     try:
         document = json.loads(read_whole(path))
     except (OSError, ValueError, RecursionError) as error:
@@ -196,6 +200,7 @@ def _json(path: Path) -> dict[str, Any]:
 
 
 def _nothing_to_view(path: Path, reason: str) -> Rejected:
+    """Return the error (NS0801) for a file that cannot be drawn."""
     return rejected(
         "NS0801",
         f"cannot view '{path}': {' '.join(reason.split())[:200]}",
@@ -298,6 +303,7 @@ def sensor_sheet(path: Path) -> Figure:
 
 
 def _bars(axes: Axes, values: dict[str, float], title: str, metric: str) -> None:
+    """Draw horizontal bars of values by name; `metric` labels the axis."""
     places = range(len(values))
     axes.barh(places, list(values.values()), color=theme().bar, height=0.6)
     axes.set_yticks(places, list(values))
@@ -319,6 +325,7 @@ def _changes(result: dict[str, Any]) -> dict[str, float]:
 
 
 def _number(value: object) -> float | None:
+    """Return a finite number from a value of a table, or None."""
     try:
         number = float(str(value))
     except ValueError:

@@ -103,6 +103,8 @@ class Playground:
             return {"messages": _messages(error.diagnostics)}
 
     def _start(self) -> dict[str, Any]:
+        """Return what the page needs at first: examples, keywords by language version, the
+        opened file."""
         paths = examples()
         programs = [
             {
@@ -129,6 +131,9 @@ class Playground:
         return {"version": __version__, "examples": programs, "words": words, "file": opened}
 
     def _save(self, text: str, before: str) -> dict[str, Any]:
+        """Write the program to the opened file; `before` is the text that the page read from it.
+
+        Raises Rejected if no file was opened, or if another program has changed it since."""
         if self.file is None:
             raise _refused("no file was opened", "start `nscc play FILE`, or download the program")
         if self.file.read_text(encoding="utf-8") != before:
@@ -140,6 +145,8 @@ class Playground:
         return {"saved": self.file.name}
 
     def _check(self, settings: PageSettings) -> dict[str, Any]:
+        """Return the messages of a program and, if it compiles, its summary, shutters and their
+        map."""
         document = self._opened(settings.program)
         diagnostics, compiled = document.checked.diagnostics, document.checked.compiled
         answer: dict[str, Any] = {"messages": _messages(diagnostics)}
@@ -158,6 +165,9 @@ class Playground:
         return answer
 
     def _words(self, settings: PageSettings) -> dict[str, Any]:
+        """Return every word that runs in one pixel with the registers after it.
+
+        Raises Rejected for a pixel outside the array."""
         taken = self._captured(settings)
         rows, cols = taken.container.target.rows, taken.container.target.cols
         if settings.row >= rows or settings.col >= cols:
@@ -170,6 +180,8 @@ class Playground:
         )
 
     def _frame(self, settings: PageSettings) -> dict[str, Any]:
+        """Return pictures of light, readouts, images and planes of a captured frame, with its
+        figures."""
         taken = self._captured(settings)
         light = _open_light_e(taken)
         pictures = [_picture("the light", _tone(light)(light))]
@@ -193,6 +205,7 @@ class Playground:
         }
 
     def _merge(self, settings: PageSettings) -> dict[str, Any]:
+        """Return the pictures of the light that merging estimates."""
         taken = self._captured(settings)
         truth = _open_light_e(taken)
         frame_s = float(taken.container.slot_s.sum())
@@ -211,6 +224,7 @@ class Playground:
         return self._document
 
     def _refuse_files_elsewhere(self, source: Source) -> None:
+        """Raise Rejected if the program names a file outside of its folder."""
         folder = self.folder.resolve()
         for statement in parse(source)[0].statements:
             path = getattr(statement, "path", None)
@@ -233,6 +247,8 @@ class Playground:
         return self._taken[1]
 
     def _compiled(self, text: str) -> ShutterProgram:
+        """Return the compiled program; raise Rejected with its diagnostics if it does not
+        compile."""
         document = self._opened(text)
         diagnostics, compiled = document.checked.diagnostics, document.checked.compiled
         if compiled is None or compiled.container is None:
@@ -290,6 +306,7 @@ def _encoded(values: NDArray[Any]) -> str:
 
 
 def _decoded(text: str) -> bytes:
+    """Return the bytes of base64 text; raise Rejected for other text."""
     try:
         return b64decode(text, validate=True)
     except ValueError as invalid:

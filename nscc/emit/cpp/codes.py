@@ -128,6 +128,10 @@ def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
 
 
 def _match(cube: _Cube, bits: list[_Bit]) -> Match:
+    """Return the address pattern of a cube: the address bits that are fixed, and their values.
+
+    Bit i of a cube belongs to `bits[i]`: whether it is an address bit of the column, and which bit.
+    """
     named, ones = cube
     value, mask = [0, 0], [_OPEN, _OPEN]
     for index, (column, bit) in enumerate(bits):
@@ -306,6 +310,10 @@ def loading_lines(loading: CodeLoading) -> Iterator[str]:
 
 
 def _load_lines(loading: CodeLoading, load: PlaneLoad) -> Iterator[str]:
+    """Yield the C++ function that loads one register, with its table of patterns if it needs one.
+
+    The register is loaded from an image, from patterns drawn at once, from patterns gathered in a
+    scratch register, or from a call for each pattern."""
     register, patterns = load.register, load.patterns
     name = register.lower()
     if load.gathered:

@@ -42,6 +42,12 @@ class _NoRegister(Exception):
 
 
 def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
+    """Yield the words of a kernel with operands divided among more words, as the devkit's calls
+    need it.
+
+    A pair that adds several registers becomes a chain of pairs. WHERE with many sources first
+    gathers them in the register `scratch`; raises _NoRegister if `scratch` is None. OR, NOR, SET
+    and CLR are divided."""
     read: Op | None = None
     for word in kernel:
         if word.operation.phase is Phase.READ:
@@ -160,6 +166,8 @@ def kernel_lines(
 
 
 def _recorded(name: str, recorded: Sequence[tuple[Call, tuple[Op, ...]]]) -> Iterator[str]:
+    """Yield the C++ function `name` of a kernel: a call for each window of words, with these as
+    comments."""
     body = [
         (f"        {call_text(call)}", "; ".join(map(str, window))) for call, window in recorded
     ]

@@ -142,6 +142,8 @@ _DATA = "add `pixels FIELD = ...` for every field"
 def _no_cpp(
     program: Program, devkit: Devkit, reason: str, way_out: str, code: str = "NS0520"
 ) -> Diagnostic:
+    """Return the error that C++ cannot be written, for a `reason` and with `way_out` as its
+    help."""
     span = program.target_span
     return Diagnostic(
         code,
@@ -187,6 +189,10 @@ def _header(
     loading: CodeLoading,
     devkit: Devkit,
 ) -> Iterator[str]:
+    """Yield the comment above the C++ program: class, slots, registers, words, times, readout,
+    digests.
+
+    `schedule` holds the times of launches, `loading` how the codes are loaded."""
     program, allocation = lowered.program, lowered.schedule.allocation
     target = container.target
     stored = sum(len(kernel.words) for kernel in container.kernels)
@@ -243,6 +249,7 @@ def _name(program: Program) -> str:
 
 
 def _time_text(container: Container, schedule: LaunchSchedule) -> str:
+    """Return the sentence on when the exposure begins and ends, and how long words take (us)."""
     target = container.target
     return (
         f"the exposure begins {schedule.begin_us} us after the frame's first word and ends "
@@ -255,6 +262,7 @@ def _time_text(container: Container, schedule: LaunchSchedule) -> str:
 
 
 def _readout_text(container: Container) -> str:
+    """Return how converter codes map to electrons: spread over all codes, or as they are."""
     target = container.target
     if not container.buckets_read:
         return "images and planes"
@@ -295,6 +303,11 @@ def _statement(program: Program, span: Span, prefix: str = "") -> str:
 def _kernels(
     tree: File, program: Program, container: Container, exposure: Container, devkit: Devkit
 ) -> Iterator[str]:
+    """Yield the C++ functions of all kernels, with comments on their times and rules.
+
+    `exposure` is the container without images and planes. Kernels whose words have no call are
+    narrowed to fewer operands and proved again, or become tables if the devkit allows tables.
+    Raises Rejected (NS0521) if neither is possible."""
     kernels = [ops_of(kernel) for kernel in container.kernels]
     narrow: list[list[Op]] | None = kernels
     if any(calls(ops) is None for ops in kernels):
@@ -343,6 +356,8 @@ def _kernels(
 
 
 def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
+    """Yield the function `main`: displays, loading of codes, frames, readout and reports of
+    planes."""
     shown = [(readout.register, readout.bucket) for readout in container.readouts]
     pictures = container.pictures
     names = {register: name for name, register in pictures.registers.items()}

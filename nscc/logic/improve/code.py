@@ -176,6 +176,10 @@ def flatten(
     items: list[Item] = []
 
     def add(segments: Sequence[Segment], place: int) -> None:
+        """Append the gates of segments to `items` as operations on numbered registers.
+
+        `place` is the number of the demand that they belong to. A write of the masked register is
+        preceded by a check that its mask, the first scratch register, is free."""
         for index, segment in enumerate(segments):
             for gate in segment:
                 inverted = gate.name in ("NOR", "NOT", "SET")

@@ -80,6 +80,7 @@ class _Painter:
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], values: list[_Value], written: list[int]
     ) -> None:
+        """Begin with each initial value in its own register; later values have no register yet."""
         self.frame, self.items = frame, items
         self.values, self.written = values, written
         self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
@@ -116,11 +117,18 @@ class _Painter:
         return self._bring_home(out)
 
     def _choose(self, k: int, item: GateOp, value: _Value, sources: Sequence[int]) -> int | None:
+        """Return the cheapest free register for the result of operation `k`, or None if there is
+        none.
+
+        `value` is the result with its lifetime and its banned registers; `sources` are registers it
+        is made of. A value of the masked register stays there."""
         masked = self.frame.masked
         if item.destination == masked:
             return masked
 
         def price(register: int) -> tuple[int, bool, bool, int]:
+            """Return the sort key of a register: extra words first, then conflicts with homes of
+            planes."""
             in_place = int(register in sources)
             if in_place and _copies(item):
                 in_place = -1  # no operation

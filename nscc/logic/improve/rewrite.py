@@ -192,6 +192,11 @@ class Rewriter:
         deepen: bool = False,
         order: Sequence[int] | None = None,
     ) -> None:
+        """Begin a rewrite of the code of `run` at index `start`.
+
+        `least` is the number of words that the rewrite must gain; `deepen` also allows repairs that
+        need new gates; `order` is the order in which registers are tried as sources (by default
+        ascending)."""
         self.run, self.frame, self.start = run, run.frame, start
         self.least, self.deepen = least, deepen
         self.order = order if order is not None else range(run.frame.flag + 1)
@@ -247,6 +252,7 @@ class Rewriter:
             self.changed |= 1 << register
 
     def _insert(self, item: GateOp) -> bool:
+        """Append a new operation and update the contents; return False if its result is unknown."""
         value = self.frame.value(item, self.state)
         if value is None:
             return False
@@ -291,6 +297,7 @@ class Rewriter:
         return self._insert(new) if new else self.deepen and self._double(k, item, ones, zeros)
 
     def _readable(self, target: int) -> list[int]:
+        """Return the registers with known contents that an operation writing `target` may read."""
         frame = self.frame
         banned = -1
         if target == frame.flag and not frame.machine.where_reads_flag:
@@ -298,6 +305,10 @@ class Rewriter:
         return [r for r in self.order if self.state[r] is not None and r != banned]
 
     def _single(self, item: GateOp, ones: int, zeros: int, *, in_place: bool) -> GateOp | None:
+        """Return one gate that replaces `item` and is 1 on `ones` and 0 on `zeros`, or None.
+
+        `ones` and `zeros` are truth vectors; other shutters do not matter. With `in_place`, the
+        gate may read its own destination."""
         frame, target = self.frame, item.destination
         readable = self._readable(target)
         if target == frame.flag:

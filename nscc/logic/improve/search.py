@@ -50,6 +50,11 @@ def wander(run: TrackedRun, seed: int, steps: int) -> int:
 
 
 def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
+    """Choose one random change of the code and repair it; return None unless the repaired code
+    costs no more words.
+
+    `choose` is the random generator. The caller applies the change. Spends one step of the budget.
+    """
     k = choose.randrange(len(run.items))
     item = run.items[k]
     run.budget.spend(1)
@@ -182,6 +187,7 @@ def _exhausted(run: TrackedRun) -> list[Item]:
 
 
 def _sweep(run: TrackedRun) -> None:
+    """Repeat removal of operations and register allocation until a round saves no word."""
     words = run.words() + 1
     while run.words() < words:
         words = run.words()
@@ -190,6 +196,7 @@ def _sweep(run: TrackedRun) -> None:
 
 
 def _recolour(run: TrackedRun) -> None:
+    """Allocate the registers again, and keep the result if it has fewer words and is legal."""
     items = recoloured(run.frame, run.items)
     if items is not None and run.frame.total(items) < run.words():
         with suppress(Illegal):
@@ -241,6 +248,8 @@ class _Loads:
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], other_words: Sequence[int]
     ) -> None:
+        """Count the words at each boundary: of these operations, and other words
+        (`other_words`)."""
         self._frame = frame
         self._boundaries = [demand.boundary for demand in frame.problem.demands]
         self._other_words = other_words
@@ -261,6 +270,9 @@ class _Loads:
 
 
 def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
+    """Move one operation from `boundary` to an earlier one; return whether this was possible.
+
+    No boundary may then have more than `most` words."""
     for k, item in enumerate(run.items):
         if isinstance(item, Check) or loads.boundary(item.place) != boundary:
             continue

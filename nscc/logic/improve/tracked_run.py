@@ -27,6 +27,8 @@ class TrackedRun:
     that point is read later or required at the end."""
 
     def __init__(self, frame: FrameContext, items: Sequence[Item], budget: Budget) -> None:
+        """Compute the state at every operation of `items`; raise Illegal if they are not a
+        solution."""
         self.frame = frame
         self.budget = budget
         self.step = 1 + frame.everything.bit_length() // STEP_SHUTTERS

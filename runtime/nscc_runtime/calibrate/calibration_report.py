@@ -48,6 +48,7 @@ def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> 
     reasons = {id(level): reason for level, reason in curve.left_out}
 
     def points(levels: tuple[LevelMoments, ...]) -> list[dict[str, Any]]:
+        """Return moments of each level as JSON values, whether it was used, and if not why."""
         return [
             {
                 "exposure_s": level.exposure_s,
@@ -64,6 +65,7 @@ def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> 
         ]
 
     def plain(value: Quantity | ParameterChoice) -> dict[str, Any]:
+        """Return a record as JSON values, with its standard error under its full name."""
         return {
             "standard_error" if k == "se" else k: field_value
             for k, field_value in asdict(value).items()

@@ -171,6 +171,11 @@ def calibrated(
 
 
 def _gain(curve: Transfer, known_crosstalk: float | None) -> dict[str, Quantity]:
+    """Return system gain (codes per electron), conversion gain (its inverse) and crosstalk, with
+    errors.
+
+    `known_crosstalk` is used as given; if it is None, crosstalk is measured from the covariance of
+    neighbours."""
     remark = f"slope of variance over mean through {len(curve.used)} levels, " + (
         "neighbours' covariance included"
         if known_crosstalk is None
@@ -190,6 +195,11 @@ def _gain(curve: Transfer, known_crosstalk: float | None) -> dict[str, Quantity]
 def _noise(
     curve: Transfer, darks: Sequence[LevelMoments], dark: DarkFit | None
 ) -> dict[str, Quantity]:
+    """Return the noise without light, in codes and in electrons, with rounding to codes subtracted.
+
+    If rounding hides it, the result is an upper limit. It is unknown if darks are cut off at code 0
+    (`dark` is None)."""
+
     def at_most(most: float, why: str) -> dict[str, Quantity]:
         in_electrons = (most / curve.gain, None)
         return _quantities(why, "at most", dark_noise_lsb=(most, None), dark_noise_e=in_electrons)

@@ -126,6 +126,7 @@ def _is_time(us: float) -> bool:
 
 
 def _wrong_time(name: str, text: str) -> Rejected:
+    """Return the error for an exposure time `text` that cannot be read, in the argument `name`."""
     return _no_frames(
         f"invalid exposure time of '{name[:200]}': {text}",
         helps=("write PATH@TIME with TIME such as 2ms, 500us or 0.1s",),
@@ -190,6 +191,9 @@ def _check_size(
 
 
 def _chosen(name: str, arrays: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[Any]]:
+    """Return the array of frames in a file and its name: one of `KEYS`, or the only array.
+
+    Raises Rejected if there are several arrays without such a name."""
     for key in KEYS:
         if key in arrays:
             return key, arrays[key]

@@ -101,6 +101,11 @@ def refuse_uneven(
 
 
 def _outliers(level: Level, good_mask: Mask, flat: bool) -> Mask:
+    """Return the good pixels whose mean differs from the median by more than `OUTLIER` standard
+    deviations.
+
+    The standard deviation is estimated robustly. With `flat`, a smooth surface is subtracted first.
+    """
     values = level.mean_map
     if flat:
         values = values - surface(values, good_mask)

@@ -41,6 +41,11 @@ def _response(
     good_mask: Mask,
     half: int,
 ) -> Map:
+    """Return each pixel's response to light relative to the mean, from one half of the frames (0 or
+    1).
+
+    The response is the slope of a weighted least-squares line of the pixel's signal over the mean
+    signal. Without a fit of darks, the line has an intercept."""
     weight = np.array([moments.frames / moments.variance for moments in level_moments])
     signal = [
         level.halves[half] - (0.0 if dark is None else dark.at(level.exposure_s)[half])

@@ -84,6 +84,8 @@ def sensor_of(chosen: Mapping[str, ParameterChoice]) -> Sensor:
 
 
 def _take(chosen: dict[str, ParameterChoice], name: str, quantity: Quantity) -> None:
+    """Store a quantity in `chosen` as the parameter `name` if it was measured, given or bounded
+    above."""
     kinds: dict[str, Status] = {"measured": "measured", "at most": "bound", "given": "given"}
     if quantity.value is not None and quantity.known in kinds:
         prefix = "" if quantity.known == "measured" else f"{quantity.known}: "
@@ -170,6 +172,7 @@ def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -
 
 
 def _unknown(name: str, quantities: Mapping[str, Quantity]) -> str:
+    """Return why a parameter has no measured value."""
     quantity = quantities.get(_SOURCES.get(name, ""))
     if quantity is None:
         return "photon transfer does not tell"

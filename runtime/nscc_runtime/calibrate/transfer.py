@@ -110,6 +110,12 @@ def _unfit(level: LevelMoments, limit: float) -> str:
 def _fitted(
     used: Sequence[LevelMoments], offset: tuple[float, float] | None, known: float | None
 ) -> Transfer:
+    """Fit the photon transfer line of variance over mean to the used levels, with the covariance of
+    neighbours.
+
+    `offset` is the code without charge and its standard error, and `known` a known crosstalk.
+    Raises Rejected (NS0759) if the variance does not increase with the mean. Errors are propagated
+    with a numerical Jacobian."""
     zero, zero_se = offset or (0.0, 0.0)
     x = np.array([level.mean - zero for level in used])
     variance = np.array([level.variance for level in used])
@@ -183,6 +189,8 @@ def _crosstalk(variance: float, covariance: float) -> float:
 
 
 def _too_few(judged: Sequence[tuple[LevelMoments, str]], limit: float) -> Rejected:
+    """Return the error (NS0758) that too few levels can be used, with the reason for each unused
+    one."""
     used = [level for level, reason in judged if not reason]
     count = len({round(level.mean) for level in used})
     notes = [f"'{level.name}' (mean {level.mean:.4g}): {why}" for level, why in judged if why]
@@ -204,6 +212,7 @@ def _too_few(judged: Sequence[tuple[LevelMoments, str]], limit: float) -> Reject
 
 
 def _no_transfer(why: str) -> Rejected:
+    """Return the error (NS0759) that noise does not increase with light."""
     return rejected(
         "NS0759",
         f"the noise of the flats does not increase with their mean: {why}",

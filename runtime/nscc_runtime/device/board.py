@@ -110,6 +110,7 @@ def in_background(work: Callable[[], ExecutedFrame]) -> Future[ExecutedFrame]:
     future: Future[ExecutedFrame] = Future()
 
     def run() -> None:
+        """Run the work and store its result or its exception in the future."""
         try:
             future.set_result(work())
         except Exception as error:

@@ -67,6 +67,8 @@ class DeviceChip:
     def __init__(
         self, link: SerialLink, sensor: Sensor | None = None, progress: Progress = unseen
     ) -> None:
+        """Use an open link. `sensor` describes the chip's converter; by default it is that of the
+        program."""
         self.link, self.sensor, self.progress = link, sensor, progress
         self._number = SystemRandom().randrange(1 << 63)
         self._made: tuple[Container, Upload] | None = None
@@ -104,6 +106,7 @@ class DeviceChip:
         return program
 
     def _program(self, container: Container) -> Upload:
+        """Return the container as a program for the loader; the last one is cached."""
         if self._made is None or self._made[0] is not container:
             label = sha256(to_bytes(container)).digest()
             info = self.link.host.info or self.info()
@@ -113,6 +116,8 @@ class DeviceChip:
         return self._made[1]
 
     def _upload(self, program: Upload, *, anew: bool) -> None:
+        """Upload a program and show the progress. With `anew`, the loader first forgets the
+        program."""
         sent, host = 0, self.link.host
 
         def watch(sent_bytes: int) -> None:
@@ -120,6 +125,8 @@ class DeviceChip:
             sent = max(sent, sent_bytes // _STEP)
 
         def work() -> Task[None]:
+            """Return the steps of the upload; a repetition after a lost link does not forget
+            again."""
             nonlocal anew
             if anew:
                 yield from tasks.forget(host, program)
@@ -148,6 +155,9 @@ class DeviceChip:
         return self._shot(target, None, None)
 
     def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
+        """Expose a frame and fetch it. Without `program`, the device runs the program it has.
+
+        Raises Rejected if the device has lost the program, and with it the kept states."""
         host = self.link.host
         self._number += 1
         if container is not None and container.pictures.states:
@@ -156,6 +166,7 @@ class DeviceChip:
         program_lost = False
 
         def work() -> Task[tasks.FetchedFrame]:
+            """Return the steps of a capture; they run again after a lost link."""
             nonlocal program_lost
             assert host.info is not None
             request.channels = channels_of(host.info, program)

@@ -112,6 +112,7 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
 
 
 def _refused(port: str, refused: RequestRefused) -> Rejected:
+    """Return the error for a request that the device at `port` rejected, with what to do."""
     failure = refused.failure
     at = f"the device at '{port[:200]}'"
     match failure.fault:

@@ -109,6 +109,10 @@ def compiled(
 
 
 def _compile(command: list[str], header: str) -> bytes:
+    """Return the program that a compiler makes of the firmware with this target header.
+
+    `command` is the compiler with its options and sources. Raises NotBuilt with the first error
+    line."""
     with tempfile.TemporaryDirectory(prefix="nscc-firmware-") as name:
         folder = Path(name)
         (folder / "target.hpp").write_text(header)
@@ -170,6 +174,7 @@ class Firmware:
     """The process of the loader. Its jobs arrive as records and run on `chip`."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
+        """Start the firmware as a process. `chip` executes the words that it sends to its board."""
         self.chip, self.target = chip, target
         self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         assert self._process.stdin is not None
@@ -253,6 +258,7 @@ class RunningFirmware(Firmware):
     """A loader in real time behind a non-blocking file descriptor."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
+        """Start the firmware; the port is not open yet, and no frame is being exposed."""
         super().__init__(command, target, chip)
         self._line = -1
         self._unsent = b""
@@ -304,6 +310,7 @@ class Process(RunningFirmware):
     """The loader compiled for this machine, behind its own pseudo-terminal."""
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
+        """Start the firmware and open its pseudo-terminal; raise NotStarted if this fails."""
         try:
             super().__init__([str(loader.path), "--pty"], loader.target, chip)
             self.port = self._named()

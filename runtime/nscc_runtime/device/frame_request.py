@@ -55,6 +55,7 @@ class FrameBytes:
     is lost, because a loader discards bytes that the host has confirmed."""
 
     def __init__(self, length: int, origin: tuple[int, int]) -> None:
+        """Begin with all chunks of `length` bytes missing."""
         self.origin = origin
         self.data = bytearray(length)
         self.missing = bytearray(b"\1" * -(-length // CHUNK))

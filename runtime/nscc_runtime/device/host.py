@@ -88,6 +88,10 @@ class Host:
     def __init__(
         self, new_session: Callable[[], int], *, patience_s: float = 10.0, line_s: float = 0.06
     ) -> None:
+        """Begin without a session, a task or an estimate of the round trip.
+
+        `new_session` returns a random session number. `patience_s` is the longest wait without an
+        answer, `line_s` the time that a full window of bytes takes on the line."""
         self.patience_s = patience_s
         self.info: Info | None = None
         self.now = 0.0
@@ -155,6 +159,10 @@ class Host:
             self._step(None, SessionLost())
 
     def _step(self, packet: Packet | None, thrown: Exception | None = None) -> None:
+        """Resume the task with a packet, None or an exception, up to its next wait.
+
+        Stores the task's result or its next deadline; an exception of the task ends it and is
+        raised."""
         assert self._task is not None
         try:
             self.deadline = self._task.throw(thrown) if thrown else self._task.send(packet)

@@ -73,6 +73,9 @@ def _imported(name: str) -> Any:
 
 
 def _open(module: Any, address: str) -> None:
+    """Open the chip by the vendor's module: USB without an address, else TCP at ADDRESS[:PORT].
+
+    Raises ValueError for an invalid port."""
     if not address:
         module.open_usb("0")
         return
@@ -156,6 +159,7 @@ def _call(name: str, function: Callable[[], Any]) -> Any:
 
 
 def _failed(message: str, *notes: str) -> Rejected:
+    """Return the error (NS0795) for a host module that cannot be used."""
     return rejected(
         "NS0795",
         message,

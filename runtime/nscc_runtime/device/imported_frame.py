@@ -216,6 +216,7 @@ def _picture(path: Path, data: bytes) -> NDArray[np.uint8]:
 
 
 def _values(path: Path, data: bytes) -> NDArray[Any]:
+    """Return the array of a .npy, .csv or picture file; raise Rejected if it cannot be read."""
     suffix = path.suffix.lower()
     if suffix == ".npy":
         try:

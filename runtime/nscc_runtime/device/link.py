@@ -34,6 +34,9 @@ class SerialLink:
         baud: int = LinkSettings.baud,
         patience_s: float = LinkSettings.patience_s,
     ) -> None:
+        """Open the port at `path` with `baud` bits per second; raise Rejected if this fails.
+
+        `patience_s` is the longest wait for an answer, and for a lost port to return."""
         self.path, self.baud, self.patience_s = path, baud, patience_s
         source = SystemRandom()
         self.host = Host(
@@ -89,6 +92,8 @@ class SerialLink:
             self._waiting = b""
 
     def _exchange(self) -> None:
+        """Write what the host sends and pass on what arrives, waiting at most until its
+        deadline."""
         port = self._port
         assert port is not None
         self._waiting += self.host.poll(monotonic())
@@ -101,6 +106,7 @@ class SerialLink:
             self.host.receive(port.read(), monotonic())
 
     def _reopen(self) -> None:
+        """Open the port again, at growing intervals; raise Rejected after `patience_s`."""
         until, pause = monotonic() + self.patience_s, _FIRST_REOPEN_S
         while True:
             select.select([], [], [], pause)

@@ -103,6 +103,8 @@ class _Body:
 
 
 def _fields(layout: Struct, body: bytes) -> tuple[Any, ...]:
+    """Return the values that a body contains; raise ValueError if its length does not fit the
+    layout."""
     try:
         return layout.unpack(body)
     except error as wrong:
@@ -152,6 +154,10 @@ class Info(_Body):
 
     @classmethod
     def unpack(cls, body: bytes) -> Self:
+        """Read the description of a device: fixed fields, then two texts with their lengths.
+
+        Characters that a terminal could interpret are replaced. Raises ValueError if the body is
+        cut short."""
         fixed = _fields(cls.layout, body[: cls.layout.size])
         texts, at = [], cls.layout.size
         for _ in range(2):

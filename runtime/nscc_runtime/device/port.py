@@ -81,6 +81,7 @@ def open_port(path: str, baud: int) -> Port:
 
 
 def _trouble(error: OSError) -> PortTrouble:
+    """Return the kind of an operating-system error and what it means for the port."""
     number = error.errno
     if number in (errno.ENOENT, errno.ENXIO, errno.ENODEV, errno.ENOTDIR):
         return PortTrouble("missing", "the port does not exist")

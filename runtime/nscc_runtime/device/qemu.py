@@ -91,6 +91,9 @@ class Emulated(RunningFirmware):
     """A loader on an emulated board."""
 
     def __init__(self, loader: Built, chip: EmulatedChip, core: Core = "m4") -> None:
+        """Start the firmware on an emulated Cortex-M, with a socket as its serial line.
+
+        Raises NotBuilt if the emulator does not connect within `_START_S`."""
         self._frame: tuple[int, bytes] = 0, b""
         with tempfile.TemporaryDirectory(prefix="nscc-qemu-") as name:
             path = f"{name}/line"

@@ -54,6 +54,7 @@ class Recording:
         self._forget()
 
     def _forget(self) -> None:
+        """Forget all recorded commands: planes, words, jobs and events."""
         self._planes: dict[int, bytes] = {}
         self._latest: BoardJob | None = None
         self._words = self._runs = b""
@@ -95,6 +96,10 @@ class Recording:
     def _program(
         self, readouts: Sequence[tuple[int, float]], states: Sequence[int]
     ) -> BoardProgram:
+        """Return the commands since the frame began as a program of the board.
+
+        Events become launches of kernels at boundaries, with the value of IN set before them.
+        `readouts` are registers with their gains."""
         numbers: dict[tuple[int, int], int] = {}
         launches: list[Launch] = []
         boundary, level = 0, None

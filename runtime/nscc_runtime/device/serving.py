@@ -44,6 +44,7 @@ class LineFaults:
     seed: int = 0
 
     def __str__(self) -> str:
+        """Return the faults as `--fault` takes them."""
         terms = [f"corrupt={self.corrupt:g}", f"drop={self.drop:g}", f"delay={self.delay_s:g}s"]
         for name, after in (("disconnect", self.disconnect_after), ("reboot", self.reboot_after)):
             if after is not None:
@@ -76,6 +77,8 @@ def parse_faults(text: str) -> LineFaults:
 
 
 def _value(name: str, text: str) -> float | int:
+    """Return the value of one fault: a rate per byte, a time (s), or a number of bytes; raise
+    Rejected otherwise."""
     shown = f"{name}={text[:40]}"
     if name in ("corrupt", "drop"):
         with suppress(ValueError):
@@ -98,6 +101,7 @@ def _value(name: str, text: str) -> float | int:
 
 
 def _invalid_faults(problem: str, *helps: str) -> Rejected:
+    """Return the error (NS0769) for an invalid `--fault`."""
     return rejected(
         "NS0769",
         f"--fault: {problem}",
@@ -110,6 +114,7 @@ class Spoiler:
     """Corrupts and drops bytes at the rates of `faults`; the seed determines the sequence."""
 
     def __init__(self, faults: LineFaults, seed: int) -> None:
+        """Draw when the first faults occur; `seed` distinguishes the two directions of the line."""
         self._random = Random(f"{faults.seed} {seed}")
         self._faults = faults
         self._to_corrupt = self._gap(faults.corrupt)
@@ -180,6 +185,8 @@ class Terminal:
     """A pseudo-terminal whose name stays the same after a lost connection, if the system allows."""
 
     def __init__(self, name: str | None = None) -> None:
+        """Open a pseudo-terminal, if possible with this `name`, so that a device seems to return to
+        its port."""
         self.name = ""
         spare_masters = []
         try:
@@ -242,6 +249,7 @@ class StandInServer:
         faults: LineFaults,
         moved: Callable[[str], None] = lambda _: None,
     ) -> None:
+        """Open a terminal in front of the loader. `moved` is called with a new port name."""
         self.loader, self.faults, self.moved = loader, faults, moved
         self.terminal = Terminal()
         self._accidents = Accidents(faults)
@@ -275,6 +283,9 @@ class StandInServer:
         return int(monotonic() * 1e6)
 
     def _turn(self, data: bytes | None) -> None:
+        """Pass on the bytes that are due in both directions; `data` are bytes from the host.
+
+        Bytes are delayed and damaged as `faults` says. A rebooting loader receives nothing."""
         now = monotonic()
         if data:
             self._arriving.append((now + self.faults.delay_s, self._up.spoiled(data)))
@@ -298,6 +309,7 @@ class StandInServer:
                 break
 
     def _accident(self, count: int) -> None:
+        """Count bytes on the line; disconnect or reboot where the faults say so."""
         for accident in self._accidents.passed(count):
             self._arriving.clear()
             if accident == "disconnect":

@@ -72,6 +72,8 @@ def loaded(
 
 
 def _not_built(machine: Machine, reason: firmware.NotBuilt) -> Rejected:
+    """Return the error (NS0772) for firmware that cannot be compiled or started, with what to
+    install."""
     problem = "cannot be compiled for this machine"
     helps = (
         "install a C++17 compiler, on Debian and Ubuntu with `apt-get install g++`, on "

@@ -68,6 +68,7 @@ def target_header(target: Target) -> str:
 
 
 def _numbers(target: Target) -> Iterator[str]:
+    """Yield the C++ constants of a target: sizes, times (us) and limits."""
     names = target.digital_registers
 
     def number(register: str | None) -> int:
@@ -118,6 +119,8 @@ def _word(word: Word) -> str:
 
 
 def _operations(target: Target) -> Iterator[str]:
+    """Yield the C++ table of operations that the target has, with their fixed bits and operand
+    counts."""
     word_masks = masks()
     yield f"constexpr Word kind_analog = {_word(word_masks.kind_analog)};"
     yield f"constexpr Word kind_digital = {_word(word_masks.kind_digital)};\n"
@@ -141,6 +144,7 @@ def _operations(target: Target) -> Iterator[str]:
 
 
 def _registers(target: Target) -> Iterator[str]:
+    """Yield the C++ table of registers: their bits as source and destination, and their kind."""
     word_masks = masks()
     known = {*target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT"}
     known |= NEIGHBOURS.keys() if target.sees_neighbours else set()

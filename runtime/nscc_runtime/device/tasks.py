@@ -120,6 +120,8 @@ class _Sender:
     """Sends a stream with many packets in flight; goes back after a loss, to keep the order."""
 
     def __init__(self, host: Host, stream: bytes, progress: UploadProgress, watch: Watch) -> None:
+        """Begin to send `stream` at the position that the loader reports. `watch` receives the
+        progress."""
         assert host.info is not None
         self.host, self.stream, self.watch = host, stream, watch
         self.most = max(host.info.window, _SMALLEST_WINDOW)
@@ -133,6 +135,10 @@ class _Sender:
         self.wait = host.wait_s
 
     def run(self) -> Task[None]:
+        """Send the stream until the loader has acknowledged all of it.
+
+        After a timeout everything not acknowledged is sent again. Raises RequestRefused for an
+        error of the loader."""
         host = self.host
         while self.acknowledged < len(self.stream):
             self._fill()
@@ -152,6 +158,7 @@ class _Sender:
         return any(number == sequence for number, *_ in self.sent)
 
     def _fill(self) -> None:
+        """Send packets as long as the bytes in flight fit into the window."""
         while self.next < len(self.stream):
             data = self.stream[self.next : self.next + self.chunk.size]
             cost = len(data) + OVERHEAD + DATA.size + 2 + len(data) // 128 + 2
@@ -163,6 +170,10 @@ class _Sender:
             self.next += len(data)
 
     def _back_to(self, position: int) -> None:
+        """Send again from `position`: halve the window and the packets, and forget what is in
+        flight.
+
+        Raises Silent or Stalled after too long a wait."""
         self.host.check_patience()
         self.host.resent += len(self.sent)
         self.chunk.record_loss()
@@ -173,6 +184,10 @@ class _Sender:
         self.acknowledged = self.next = position
 
     def _acknowledge(self, sequence: int, progress: UploadProgress) -> None:
+        """Use the answer to a packet: advance, or send again from where the loader is.
+
+        An answer measures the round trip and enlarges the window. A late answer shows that the line
+        is slower than estimated. Raises RequestRefused if the program's digest fails too often."""
         if not self._ours(sequence):
             late_since = self.given_up.pop(sequence, None)
             if late_since is not None:  # the line is slower than estimated
@@ -204,6 +219,7 @@ class _Sender:
             self._advance(progress.position)
 
     def _advance(self, position: int) -> None:
+        """Record that the loader has everything before `position`, and report the progress."""
         self.acknowledged = max(self.acknowledged, position)
         # The loader may be ahead of retransmissions, but never behind its acknowledgement.
         behind = self.next < self.acknowledged or not self.sent
@@ -277,6 +293,7 @@ class _Fetcher:
     complete. It keeps only a limited number of bytes behind those confirmed by the host."""
 
     def __init__(self, host: Host, number: int, frame_bytes: FrameBytes) -> None:
+        """Begin to fetch frame `number` into `frame_bytes`, with no request sent."""
         assert host.info is not None
         self.host, self.number, self.frame_bytes = host, number, frame_bytes
         self.hold = max(host.info.hold, CHUNK)
@@ -287,6 +304,10 @@ class _Fetcher:
         self.wait = host.wait_s
 
     def run(self) -> Task[None]:
+        """Request the missing chunks of the frame until none is missing.
+
+        Requests without an answer are sent again. Raises RequestRefused for errors other than
+        "busy"."""
         host = self.host
         while self.frame_bytes.missing_count:
             self._ask()
@@ -311,6 +332,8 @@ class _Fetcher:
         host.moved()
 
     def _ask(self) -> None:
+        """Request the next missing chunks, several requests ahead, as far as the loader holds the
+        frame."""
         if len(self.asked) > _READ_AHEAD // 2:
             return
         frame_bytes, confirmed = self.frame_bytes, self.frame_bytes.confirmed
@@ -336,6 +359,7 @@ class _Fetcher:
             self.asked[self.host.send(PacketKind.READ, read.pack())] = request
 
     def _lose(self, sequences: list[int]) -> None:
+        """Give these requests up, so that their chunks are requested again in smaller packets."""
         for sequence in sequences:
             self.given_up[sequence] = self.asked.pop(sequence)
             self.host.resent += 1
@@ -343,6 +367,10 @@ class _Fetcher:
             self.chunk.record_loss()
 
     def _take(self, sequence: int, offset: int, data: bytes) -> None:
+        """Store a received piece of the frame, and use it to measure the line.
+
+        Pieces that do not match chunks are ignored. Requests sent before the answered one count as
+        lost."""
         end = offset + len(data)
         length = len(self.frame_bytes.data)
         chunk_aligned = end % CHUNK == 0 or end == length

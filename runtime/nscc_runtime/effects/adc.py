@@ -46,6 +46,8 @@ OFFSET = parameter(
 
 
 def _codes(sensor: Sensor, exposure: Values, noise: Values | float, top: int) -> Values:
+    """Return converter codes, whole numbers 0..`top`, of exposures in electrons and noise in
+    codes."""
     # In place, because new arrays take most of the time.
     codes = np.asarray(exposure / ELECTRONS_PER_LSB(sensor))
     codes += noise

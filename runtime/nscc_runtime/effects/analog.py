@@ -97,6 +97,10 @@ def pattern_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
 
 
 def _written(pixels: Pixels, value: Values, word: Word, destination: int, sign: float) -> Values:
+    """Return the value (e) that an analog word writes: with gain, fixed pattern and random error.
+
+    An addition has the full errors. A move has its own gain, less noise and no fixed pattern.
+    `sign` is that of the value in its register."""
     sensor, sigma = pixels.sensor, _noise(pixels.sensor)
     sigma = sigma if word.adds else MOVE_NOISE(sensor) * sigma
     random = sigma * pixels.error("analog", word, destination) if sigma else 0.0

@@ -141,6 +141,10 @@ def selected(text: str) -> Selection:
 
 @lru_cache(64)
 def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
+    """Return the selection that a text such as `auto,-shot` describes; the second argument keys the
+    cache.
+
+    Raises Rejected (NS0756) for unknown effects, or for removing an effect that is always on."""
     items = [item.strip() for item in text.split(",") if item.strip()]
     if not items:
         raise _invalid_selection(
@@ -182,6 +186,7 @@ def named(name: str) -> Effect:
 
 
 def _invalid_selection(message: str, help_text: str) -> Rejected:
+    """Return the error (NS0756) for an invalid `--effects`."""
     return rejected(
         "NS0756",
         message,

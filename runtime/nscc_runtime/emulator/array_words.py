@@ -34,6 +34,7 @@ class ArrayWords:
     `reaches_neighbours`: whether a word does."""
 
     def __init__(self, target: Target) -> None:
+        """Number the registers of a target, and begin an empty table of words."""
         self.target = target
         analog = (*target.analog_registers, "PIX", "level")
         self.analog = {name: number for number, name in enumerate(analog)}

@@ -152,6 +152,8 @@ class ChipProgram:
         }
 
         def fill(begin: int, end: int) -> None:
+            """Run the program on pixels `begin` to `end` and write their results into the shared
+            arrays."""
             chosen = PixelRange(
                 slots=self.slots,
                 pixels=pixels,

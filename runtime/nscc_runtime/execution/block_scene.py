@@ -234,6 +234,7 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     order = np.arange(count) if scene.light.even else np.argsort(sites.place)
 
     def add_light(begin: int, end: int) -> None:
+        """Add up the light of pixels `begin` to `end` for each stretch of slots."""
         light_means(
             sizes=Laying(begin=begin, end=end, **sizes),
             light=scene.light.matrix,
@@ -352,6 +353,8 @@ def _charge_of_frame(
     missing = base(seed, exchange[0][0].stream) if exchange else np.uint64(0)
 
     def run(begin: int, end: int) -> None:
+        """Exchange the counts of pixels `begin` to `end` with their neighbours, and write their
+        charge."""
         exchange_counts(
             exchanging=Exchanging(
                 begin=begin,
@@ -399,6 +402,7 @@ def _run_words(
     segments = len(program.segments.following)
 
     def run(begin: int, end: int) -> None:
+        """Run the words in pixels `begin` to `end`, block by block, and write their exposures."""
         run_blocks(
             sizes=BlockSizes(
                 first=begin,

@@ -88,6 +88,7 @@ def draw_deviations(
     ]
 
     def run(begin: int, end: int) -> None:
+        """Draw the counts of pixels `begin` to `end` from all sources, and write the deviations."""
         values, scratch, pending_rates = np.empty(BLOCK), np.empty(ROOM), np.empty(BLOCK)
         for number, (of_rows, (_, _, means)) in enumerate(zip(keys, sources, strict=True)):
             draw_counts(

@@ -130,6 +130,7 @@ def frame_source(
         block = lay_out(container, sensor, light, effects, near, device_seed, count)
 
     def expose(seed: int, number: int) -> Exposure:
+        """Expose frame `number`: all pixels by sums, then those near saturation by their words."""
         exposure_e = draw_exposures(moments, program.lane, seed, number, count)
         saturated_by = np.zeros(exposure_e.shape, np.uint8)
         if block is not None:

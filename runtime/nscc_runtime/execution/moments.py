@@ -168,6 +168,8 @@ def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> 
     """Return the shared moments of a chip; cached."""
 
     def make() -> _ChipMoments:
+        """Compute everything about the moments that depends on the chip and the effects but not on
+        the light."""
         device, model = program.device(device_seed), program.model(effects)
         rates = leak_rates(effects, program.sensor)
         rate_weights = _rate_weights(effects, device, rates)
@@ -373,6 +375,10 @@ def _neighbour_weights(
     its light were steady."""
 
     def make() -> tuple[NDArray[np.float32], Values]:
+        """Compute how much a pixel's counts tell about the charge that it gives to its neighbours.
+
+        Returns the weights of each draw, and for four directions and each bucket the variance (per
+        second) that the draws do not determine."""
         weights = program.weights(model).slots
         seconds = weights * program.slot_s[:, None, None]
         # The covariance of a lane's own exposures in steady light gives its draws.
@@ -397,6 +403,10 @@ def _word_errors(program: AnalysedProgram, effects: Selection) -> Values:
     """Return the errors (draws, buckets, lanes) of words for one normal number, cached."""
 
     def make() -> Values:
+        """Return the standard deviations (e) of all word errors by draw, bucket and lane.
+
+        A lane is a code among the codes in use. The errors of buckets are correlated, so a bucket
+        may use several draws."""
         weights = program.weights(program.model(effects))
         lanes, buckets = weights.slots.shape[1:]
         covariance_e2 = np.zeros((buckets, buckets, lanes))

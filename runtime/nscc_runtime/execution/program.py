@@ -127,6 +127,8 @@ class AnalysedProgram:
         at each leakage rate, after the `products` of the weights of two buckets (a <= b)."""
 
         def make() -> SlotWeights:
+            """Return the weights of each slot by lane: products of buckets, then each bucket for
+            each leak rate."""
             weights = self.weights(model).slots
             buckets = range(weights.shape[2])
             pairs = [(a, b) for b in buckets for a in range(b + 1)] if products else []

@@ -46,6 +46,9 @@ def reach_of(program: AnalysedProgram) -> RegisterReach:
 
 
 def _reach_of(program: AnalysedProgram) -> RegisterReach:
+    """Return the charge with which registers leave their linear range, for each lane and slot.
+
+    With many lanes or stretches, only a sample is followed, and the worst of it counts for all."""
     lanes, slots = len(program.container.encoding), program.container.slots
     sampled_lanes = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
     ends = np.unique([word.boundary for word in program.decayed])
@@ -95,6 +98,7 @@ class _RegisterState:
     column, of the fixed error. `covariance` (lanes, rows, rows): covariance of their noise."""
 
     def __init__(self, program: AnalysedProgram, lanes: int, stretches: int) -> None:
+        """Begin with all registers at 0, and with the variance of each kind of word error."""
         self._container, sensor, effects = program.container, program.sensor, everything()
         self.names = (*self._container.target.analog_registers, "IN", "PIX", "level")
         self.pix, self._level = len(self.names) - 2, len(self.names) - 1
@@ -109,6 +113,7 @@ class _RegisterState:
             self._variance[errors.at] += errors.sigma_e(sensor) ** 2
 
     def reset(self, in_lane: NDArray[np.bool_]) -> None:
+        """Reset PIX in these lanes: its charge is 0 and its level has the noise of a reset."""
         self._write(
             np.flatnonzero(in_lane), [self.pix, self._level], np.zeros(len(self.names)), 0.0
         )

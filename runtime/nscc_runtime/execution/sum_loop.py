@@ -354,6 +354,7 @@ def light_sums(
         def run(
             begin: int, end: int, arrays: dict[str, Any] = arrays, sizes: dict[str, Any] = sizes
         ) -> None:
+            """Add up the light of pixels `begin` to `end` with the weights of their codes."""
             lit = np.empty(TOGETHER * BLOCK, np.float32)
             gathered = np.empty(BLOCK)
             scene_sums(

@@ -49,6 +49,7 @@ def draw_exposures(
     exposure = np.empty((buckets, pixels))
 
     def run(begin: int, end: int) -> None:
+        """Draw the exposures of pixels `begin` to `end` from their moments."""
         add_up(
             adding=Adding(begin=begin, end=end, **sizes),
             noise_keys=np.array(noise_keys, np.uint64),

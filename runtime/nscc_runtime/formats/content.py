@@ -245,6 +245,7 @@ def _opened(arrays: Arrays) -> NDArray[np.uint8]:
 
 
 def _one_bucket() -> Rejected:
+    """Return the error (NS0786) that a .mat file holds only one bucket of one colour."""
     return rejected(
         "NS0786",
         "a .mat of snapshot compressive imaging contains one bucket of one colour",

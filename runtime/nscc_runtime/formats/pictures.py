@@ -81,6 +81,7 @@ def _to_opencv(light: NDArray[Any]) -> NDArray[Any]:
 
 
 def _encoded(ending: str, light: NDArray[np.float32]) -> bytes:
+    """Return a picture in the format of a file ending; raise OSError if OpenCV cannot write it."""
     import cv2
 
     success, data = cv2.imencode(ending, np.ascontiguousarray(_to_opencv(light)))

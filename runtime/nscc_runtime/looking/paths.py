@@ -128,6 +128,7 @@ class _PathReplay:
     def __init__(
         self, container: Container, starts: Mapping[str, Bits], retention_us: float
     ) -> None:
+        """Begin with one path segment for each combination of bits at the start of a frame."""
         self.container, self.target = container, container.target
         self.starts = self.segments = len(next(iter(starts.values()))) if starts else 1
         unknown = np.full(self.starts, UNKNOWN)
@@ -143,6 +144,7 @@ class _PathReplay:
         self.size = 0
 
     def run(self) -> tuple[RunningWord, ...]:
+        """Replay all words and return the analog ones, which the compiled loop executes."""
         start_us = np.concatenate(([0.0], np.cumsum(self.container.slot_us)))
         words: list[RunningWord] = []
         for word in running_words(self.container):
@@ -166,6 +168,9 @@ class _PathReplay:
         return dict(zip(names, endings, strict=True)), ending.reshape(-1)
 
     def _met(self, word: RunningWord) -> None:
+        """Record in which segments an analog word acts; a comparison divides the segments.
+
+        Raises Pathless if there are too many."""
         flag = self.registers.read("FLAG")
         everywhere = (word.resets and self.target.reset_honours_flag == "no") or (
             word.compares and not self.target.where_obeys_flag

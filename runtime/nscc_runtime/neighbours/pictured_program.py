@@ -57,6 +57,8 @@ class PictureWords:
     """Words in their order, each with its steps of IN or None, prepared for arrays of a target."""
 
     def __init__(self, target: Target, words: Iterable[tuple[Op, int | None]]) -> None:
+        """Translate words to tables for the compiled loop; each word has the value of IN set before
+        it."""
         self._target, self._table = target, ArrayWords(target)
         in_e, words_with_in = 0.0, list[tuple[Op, float]]()
         for op, level in words:

@@ -39,6 +39,7 @@ class ArrayPixels(WordPixels):
     cut_by: dict[str, NDArray[np.uint8]] = field(init=False)
 
     def __post_init__(self) -> None:
+        """Set the registers as the exposure leaves them; all others hold arbitrary values."""
         # Registers without an exposure have arbitrary contents: here equal in all registers.
         arbitrary = self.arbitrary(0)
         self.begin()
@@ -69,6 +70,7 @@ class ArrayPixels(WordPixels):
     # --- words
 
     def _run(self, word: RunningWord) -> None:
+        """Run one word on all pixels."""
         op, digital = word.op, self.digital
         match op.operation.effect:
             case WordEffect.BUS:
@@ -84,6 +86,8 @@ class ArrayPixels(WordPixels):
                 digital.run(op)
 
     def total(self, word: RunningWord) -> Values:
+        """Return the sum (e) of a word's sources in each pixel; a bus from beyond the array gives
+        0."""
         total = np.zeros(len(self.places))
         for name in word.op.sources:
             if name in NEIGHBOURS:
@@ -93,6 +97,8 @@ class ArrayPixels(WordPixels):
         return total
 
     def _bus_on_array(self, word: RunningWord) -> None:
+        """Run an analog word: add the sources, invert, add errors, limit, and write the
+        destinations."""
         result = self.total(word) / -word.op.operation.divisor
         cut = self._cut(word.op)
         for index, name in enumerate(word.op.destinations):

@@ -120,6 +120,7 @@ class DataFlow:
     """A layered drawing of `flow_graph`, with the kernels below it; lengths in inches."""
 
     def __init__(self, container: Container, width: float) -> None:
+        """Arrange the nodes in layers and the convolution kernels in rows, `width` inches wide."""
         self.graph, self.width = flow_graph(container), width
         self.layers, weights = _layers(self.graph), container.pictures.weights
         side = max((len(kernel.rows) for kernel in weights), default=0) * _CELL
@@ -177,6 +178,7 @@ class DataFlow:
             )
 
     def _draw_box(self, axes: Axes, node: str, at: tuple[float, float], width: float) -> None:
+        """Draw the box of a node around `at` (inches), with its name and its text."""
         from matplotlib.patches import FancyBboxPatch
 
         kind, text = (self.graph.nodes[node][key] for key in ("kind", "text"))

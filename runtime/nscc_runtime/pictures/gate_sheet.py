@@ -63,6 +63,10 @@ def gate_sheet(network: DiGraph, title: str) -> Figure:
 
 
 def _score(network: DiGraph) -> _Score:
+    """Return the column of each gate and the line of each register.
+
+    A boundary begins a new row of the picture if it would be divided otherwise. Only the first
+    `_MOST` columns are drawn."""
     nodes = network.nodes
     events = [node for node in nodes if nodes[node]["kind"] in (*_WRITING, "demand")]
     column: dict[str, int] = {}
@@ -92,6 +96,8 @@ def _score(network: DiGraph) -> _Score:
 
 
 def _note(network: DiGraph, score: _Score) -> str:
+    """Return the text below the picture: encoding, number and depth of gates, and what is left
+    out."""
     nodes, facts = network.nodes, network.graph
     gates = [node for node in nodes if nodes[node]["kind"] == "gate"]
     drawn = sum(node in score.column for node in gates)
@@ -156,6 +162,9 @@ def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None
 
 
 def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None:
+    """Draw gates: a box on the line that it writes, and a dot on each line that it reads.
+
+    `first` is the number of the row's first column."""
     nodes = score.network.nodes
     for node in gates:
         x = score.column[node] - first + 0.5
@@ -187,6 +196,8 @@ def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None
 
 
 def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> None:
+    """Draw an arrow on the FLAG line for each demand: FLAG then decides which pixels add or
+    reset."""
     row = len(score.row) - 1
     for node in demands:
         x = score.column[node] - first + 0.5

@@ -230,6 +230,7 @@ def _draw(
 
 
 def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> None:
+    """Set the scale of the error axis, linear or logarithmic, with margins around the `heights`."""
     if linear:
         least, most = min(heights), max(heights)
         margin = max(0.14 * (most - least), 0.02 * abs(most), 1e-6)

@@ -105,6 +105,7 @@ def contrast(colour: str, other_colour: str) -> float:
 
 
 def _luminance(colour: str) -> float:
+    """Return the relative luminance of an sRGB colour, 0..1 (WCAG 2)."""
     linear = [
         value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
         for value in (level / 255 for level in _rgb_levels(colour))
@@ -140,6 +141,7 @@ _MARGIN = 0.15
 
 
 def _settings(chosen: Theme) -> dict[Any, Any]:  # matplotlib lists every key as a type
+    """Return the settings of matplotlib for a theme."""
     return {
         "figure.dpi": DPI,
         "savefig.dpi": "figure",

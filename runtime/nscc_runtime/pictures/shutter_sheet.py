@@ -158,6 +158,7 @@ def open_share(opened: NDArray[np.bool_], edges: Field, columns: Field) -> Field
 
 
 def _number_slots(axes: Axes, edges: Field) -> None:
+    """Write slot numbers above the axes, only as many as there is room for."""
     slots = len(edges) - 1
     step = 1 << max(0, (slots - 1) // _MOST_NUMBERS).bit_length()
     middles = (edges[:-1] + edges[1:]) / 2

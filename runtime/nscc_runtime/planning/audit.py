@@ -62,6 +62,7 @@ class Audit:
     holds: bool = True
 
     def __str__(self) -> str:
+        """Return the measured errors and the verdict as one line."""
         verdict = "the promise holds" if self.holds else "THE PROMISE IS BROKEN"
         text = (
             f"audit: measured {self.measured_rms_e:.3g} +- {self.mc_error_e:.2g} e, bias "

@@ -192,6 +192,8 @@ class _Measuring:
     not force off: the planner's own choice has to keep the tolerance relative to these."""
 
     def __init__(self, scene: PlannedScene, request: PlanRequest) -> None:
+        """Expose a sample of the scene with all requested effects, and convert the tolerance to
+        electrons."""
         self.requested = request.requested
         self.trial = trial_of(scene, SAMPLED if request.figures else _QUICK)
         self.base = self.trial.truth

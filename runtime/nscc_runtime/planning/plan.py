@@ -224,6 +224,8 @@ def _table(plan: Plan) -> str:
 
 
 def _errors(plan: Plan) -> list[str]:
+    """Return the lines of a plan on its errors: predicted, allowed, and in which pixels
+    measured."""
     if plan.predicted_e is None:
         return [f"no error was measured; tolerance {plan.allowed or plan.tolerance}"]
     lines = [

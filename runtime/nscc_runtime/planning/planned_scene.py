@@ -233,6 +233,7 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
     reference, light = Reference.of(container, sensor, effects), scene_of(container, scene.light)
 
     def expose(number: int, _begins: States | None) -> PixelExposures:
+        """Expose frame `number` by the reference and return the sampled pixels."""
         seeds = SEED, scene.device_seed
         executed = reference.execute(light, container.planes(), seeds, number, threads=threads)
         endings = _packed(container, executed.planes, scene.pixels)
@@ -255,6 +256,9 @@ def _looking(scene: PlannedScene, sample: Sample, laid: BlockScene) -> Expose:
     loaded = {n: bits.reshape(-1)[sample.places] for n, bits in container.planes().items()}
 
     def expose(number: int, begins: States | None) -> PixelExposures:
+        """Expose frame `number` of the sampled pixels, which look, by the compiled loop.
+
+        `begins` are the kept states of each pixel as bits; None starts as the program says."""
         first = None
         if begins is not None:
             registers = _state_registers(container)

@@ -57,6 +57,7 @@ class Tolerance:
         return f"{self.electrons:g}e" if self.in_electrons else self.text
 
     def __str__(self) -> str:
+        """Return the tolerance in electrons, with the text that the user wrote."""
         electrons = f"{self.electrons:.4g} e"
         if self.noise_e is not None:
             return f"{self.text.removesuffix('noise')} of the frame's own noise = {electrons}"
@@ -158,6 +159,7 @@ def _within(tolerance: Tolerance, shown: str) -> Tolerance:
 
 
 def _malformed(shown: str) -> Rejected:
+    """Return the error (NS0746) for a tolerance that is not a number with a unit."""
     return rejected(
         "NS0746",
         f"a tolerance must be a number above 0 with its unit, not {shown}",

@@ -129,6 +129,7 @@ class Reference:
             )
 
         def run(part_rows: range, fallen: Fallen) -> Marked:
+            """Run the program in some rows, and store the final bits of their registers."""
             array_rows = slice(part_rows.start, part_rows.stop)
             pixels = ProgramPixels(
                 sensor=self.sensor,
@@ -214,6 +215,8 @@ class ProgramPixels(WordPixels):
     code: Planes
 
     def __post_init__(self) -> None:
+        """Set the digital registers: loaded ones as given, others to arbitrary bits of the device
+        seed."""
         super().__post_init__()
         bits = {
             name: uniforms(key(self.device_seed, START, group=_FIRST_BIT + i), self.places) < 0.5

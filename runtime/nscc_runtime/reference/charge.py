@@ -94,6 +94,7 @@ class _Slots(Slots):
 
     @remembered
     def electrons(self, light: Light) -> Charge:
+        """Return the electrons of each interval of slots, (intervals, rows, cols)."""
         shape = len(self.starts), len(self.places) // light.shape[1], light.shape[1]
         out = np.zeros(shape)
         for interval, (start, stop) in enumerate(pairwise([*self.starts, light.slots])):

@@ -26,6 +26,8 @@ class Digital:
     def __init__(
         self, target: Target, bits: Mapping[str, NDArray[Any]], retention_us: float
     ) -> None:
+        """Begin with the `bits` of all registers; bits not refreshed within `retention_us` become
+        unknown."""
         self.bits: dict[str, Bits] = {name: plane.astype(np.int8) for name, plane in bits.items()}
         nothing = np.zeros_like(self.bits["FLAG"])
         self.bits |= {"SELECT": nothing, "bus": nothing}
@@ -60,6 +62,8 @@ class Digital:
                 self._digital(op)
 
     def _digital(self, op: Op) -> None:
+        """Run a digital word: read the OR of its sources, inverted if the word says so, and write
+        it."""
         row = op.operation
         if row.phase is not Phase.WRITE:
             any_source = self._or_sources(op)
@@ -76,6 +80,8 @@ class Digital:
                 self.write(name, self.bits["bus"])
 
     def _write_where(self, name: str, guard: Bits) -> None:
+        """Write the masked register where `guard` is 1; where `guard` is unknown, differing bits
+        become unknown."""
         old, new, before_us = self.read(name), self.bits["bus"], self.written_us[name]
         unsure = np.where(old == new, old, UNKNOWN)
         self.write(name, np.where(guard == 1, new, np.where(guard == 0, old, unsure)))
@@ -83,6 +89,7 @@ class Digital:
             self.written_us[name] = np.where(guard == 0, before_us, self.now_us)
 
     def _or_sources(self, op: Op) -> Bits:
+        """Return the OR of a word's sources: 1 if any is 1, else unknown if any is unknown."""
         any_bit = np.zeros_like(self.bits["FLAG"])
         for name in op.sources:
             value = self.read(name)

@@ -65,6 +65,7 @@ def expose_stream(
         )
 
     def run(part_rows: range, fallen: Fallen) -> Marked:
+        """Expose some rows and return the charge of the taps, with saturation marks."""
         pixels = _Taps(
             sensor=sensor,
             seed=seeds[0],
@@ -139,6 +140,7 @@ class _Taps(Pixels):
         return charge, marked
 
     def _read_out(self, tap_charge: Values) -> Values:
+        """Apply reset level, gain and read errors to the charge of each tap, in place."""
         for tap, readout in enumerate(self.container.readouts):
             level = np.zeros(len(self.places))
             for change in self.effects.at("resets"):

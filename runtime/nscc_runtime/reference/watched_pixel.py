@@ -69,6 +69,7 @@ class _WatchedPixel(ProgramPixels):
     steps: list[dict[str, Any]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
+        """List the registers that the program uses; their values are recorded after each word."""
         super().__post_init__()
         ops = [word.op for word in self.program.words]
         used = {name for op in ops for name in (*op.sources, *op.destinations)}
@@ -79,6 +80,8 @@ class _WatchedPixel(ProgramPixels):
         self._start_us = np.concatenate(([0.0], np.cumsum(self.container.slot_us)))
 
     def run_word(self, word: RunningWord) -> None:
+        """Run a word, and record boundary, time (us), PIX and registers after it (at most
+        `_MOST_STEPS`)."""
         super().run_word(word)
         if len(self.steps) >= _MOST_STEPS:
             return

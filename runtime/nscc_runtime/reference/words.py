@@ -40,6 +40,7 @@ class Marks:
     def __init__(
         self, effects: Selection, sensor: Sensor, registers: Iterable[str], pixels: int
     ) -> None:
+        """Begin without saturation: no mark and no lost electrons in any register."""
         self.effects, self.sensor = effects, sensor
         self.mark = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
         self.full = {name: np.zeros(pixels, np.uint8) for name in registers}
@@ -191,6 +192,8 @@ def in_rows(
     valid = np.empty((len(rows), cols), np.bool_)
 
     def fill(strip: range) -> None:
+        """Expose one strip of rows, and write exposures, marks and validity into the whole
+        arrays."""
         fallen = fall(strip)
         strip_exposure, marked = run(strip, fallen)
         chunk = slice(strip.start - rows.start, strip.stop - rows.start)
@@ -212,6 +215,7 @@ class WordPixels(Pixels):
     effects: Selection
 
     def __post_init__(self) -> None:
+        """Set PIX and the analog registers to arbitrary values of the device seed."""
         self.begin()
         names = ("PIX", *self.target.analog_registers)
         start = {name: self.arbitrary(i) for i, name in enumerate(names)}
@@ -239,6 +243,8 @@ class WordPixels(Pixels):
         return normals(key(self.seed, stream, self.word_draws, self.frame, number), self.places)
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
+        """Return the random numbers of an effect for a word, different for each `destination` if
+        the effect acts on words."""
         number = word.number
         if self.errors_at.get(name) == "words":
             number = number * self.most + destination

@@ -39,6 +39,7 @@ def exposing(
 
 
 def _exact(container: Container, light: Light, sensor: Sensor, request: Request) -> Frame:
+    """Return a frame without effects; without noise, repetitions of it are copies."""
     from nscc_runtime.emulator import expose
 
     exact = expose(container, light, device_seed=request.device_seed, threads=request.threads)

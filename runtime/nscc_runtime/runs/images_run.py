@@ -26,6 +26,8 @@ class ImagesRun(RunKind):
     def exposing(
         self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
     ) -> Exposing:
+        """Return how to expose frames with images: of one light, or of a film with a light for each
+        frame."""
         from nscc_runtime.emulator.capture import check
 
         lights, seeds = (light, *request.next_lights), (request.seed, request.device_seed)

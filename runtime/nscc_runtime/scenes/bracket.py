@@ -174,6 +174,7 @@ def _exif_factors(path: Path) -> tuple[float, float | None, float | None]:
 
 
 def _refused(message: str, help_text: str) -> Rejected:
+    """Return the error (NS0777) for photos that `--bracket` cannot merge."""
     return rejected(
         "NS0777",
         message,

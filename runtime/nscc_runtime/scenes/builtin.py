@@ -46,6 +46,8 @@ def landscape(rows: int, cols: int) -> NDArray[np.float32]:
 
 
 def _sky(x: Field, y: Field) -> Field:
+    """Return the luminance of the sky with a sun and clouds, (rows, cols); `x` and `y` are
+    coordinates 0..1."""
     distance2 = ((x - _SUN[0]) ** 2)[None, :] + ((y - _SUN[1]) ** 2)[:, None]
     clouds = smooth(0.42, 0.75, fractal(x * 3.0, y * 11.0, 3, 4))
     glow = 420.0 / (1.0 + distance2 / 0.0016) + 34.0 / (1.0 + distance2 / 0.04)
@@ -58,6 +60,10 @@ def _sky(x: Field, y: Field) -> Field:
 def _ridge(
     picture: Field, x: Field, y: Field, shape: tuple[float, float, float], seed: int, pixel: float
 ) -> None:
+    """Draw a mountain ridge into `picture`, in place.
+
+    `shape` is height, roughness and luminance; `pixel` the size of a pixel, over which its edge is
+    smoothed."""
     height, roughness, level = shape
     outline = height + roughness * (0.55 - fractal(x * 3.2 + seed, np.array([seed + 0.5]), seed, 6))
     land = smooth(-0.5 * pixel, 0.5 * pixel, y[:, None] - outline)
@@ -98,6 +104,8 @@ def _bank(picture: Field, x: Field, y: Field, pixel: float) -> None:
 
 
 def _pine(x: Field, y: Field, stem: float, tip: float, pixel: float) -> Field:
+    """Return how much of each pixel a pine tree covers, 0..1; `stem` is its column and `tip` its
+    highest row."""
     height = 0.97 - tip
     along = (y - tip) / height
     boughs = along * 9.0
@@ -107,6 +115,7 @@ def _pine(x: Field, y: Field, stem: float, tip: float, pixel: float) -> Field:
 
 
 def _hut(x: Field, y: Field, pixel: float) -> Field:
+    """Return how much of each pixel a hut with a roof covers, 0..1."""
     roof = np.abs(x - 0.81)[None, :] * 0.7 + 0.755 - y[:, None]
     walls = _box(x, y, (0.765, 0.855, 0.78, 0.9), pixel)
     eaves = _box(x, y, (0.745, 0.875, 0.74, 0.80), pixel)
@@ -114,6 +123,8 @@ def _hut(x: Field, y: Field, pixel: float) -> Field:
 
 
 def _box(x: Field, y: Field, sides: tuple[float, float, float, float], pixel: float) -> Field:
+    """Return how much of each pixel a rectangle covers, 0..1; `sides` are left, right, top,
+    bottom."""
     x0, x1, y0, y1 = sides
     across = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(x - x0, x1 - x))
     down = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(y - y0, y1 - y))
@@ -176,6 +187,8 @@ def _number(text: str, within: Callable[[float], bool], message: str, *help_text
 
 
 def _clip_share(spec: str, text: str) -> float:
+    """Return the fraction of the clip that `builtin:motion:PART` shows; raise Rejected outside
+    0..1."""
     return _number(
         text,
         lambda share: 0.0 <= share <= 1.0,
@@ -186,6 +199,7 @@ def _clip_share(spec: str, text: str) -> float:
 
 
 def _electrons(spec: str, text: str) -> float:
+    """Return the electrons of `builtin:flat:E`; raise Rejected for an invalid number."""
     return _number(
         text,
         lambda electrons: 0.0 <= electrons < 1e38,
@@ -196,6 +210,7 @@ def _electrons(spec: str, text: str) -> float:
 
 
 def _unknown(spec: str, name: str) -> Exception:
+    """Return the error (NS0731) for an unknown built-in scene, with the most similar name."""
     suggestion = name if name in NAMES else closest(name, NAMES)
     written = f"builtin:{suggestion}" + (":10000" if suggestion == "flat" else "")
     help_text = did_you_mean(written) if suggestion else "choose one of these, or name a file"

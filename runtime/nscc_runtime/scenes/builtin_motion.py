@@ -102,6 +102,8 @@ class _Wheel:
     """A wheel of five spokes that makes one and a half turns; its static parts are cached."""
 
     def __init__(self, x: Field, y: Field, pixel: float) -> None:
+        """Prepare the wheel on the rows and columns that it covers; `pixel` is the size of a
+        pixel."""
         centre, radius = (-0.2, -0.05), 0.21
         self.rows = _span(y, centre[1] - radius - pixel, centre[1] + radius + pixel)
         self.cols = _span(x, centre[0] - radius - pixel, centre[0] + radius + pixel)
@@ -113,6 +115,7 @@ class _Wheel:
         self.radius, self.pixel = radius, pixel
 
     def draw(self, picture: Picture, phase: float) -> None:
+        """Draw the wheel, turned by `phase` x 1.5 turns, into `picture`, in place."""
         shape = self.still
         for spoke in range(5):
             c, s = turn(phase * 1.5 + spoke / 5)

@@ -85,6 +85,8 @@ def linear(
 
 
 def _on_curve(values: NDArray[Any], curve: Curve, white: float | None) -> NDArray[np.float64]:
+    """Return stored values as linear light 0..1; `white` is the stored white, by default the
+    largest value."""
     scale = white or white_of(values.dtype)
     if values.dtype == np.uint8:
         table = curve(np.arange(256, dtype=np.float64) / scale)

@@ -67,6 +67,7 @@ def exr_pages(path: Path) -> Pages:
         notes.append((f"{text}: {_listed(names)}", "--still --first K selects one of them"))
 
     def read() -> Iterator[NDArray[Any]]:
+        """Yield the layers as pictures; raise ValueError if parts of the file are missing."""
         with OpenEXR.File(str(path), separate_channels=True) as file:
             if len(file.parts) < len(headers):  # the library leaves out parts that it cannot read
                 missing = len(headers) - len(file.parts)

@@ -116,6 +116,8 @@ def _unpacked_sizes(file: IO[bytes]) -> Iterator[int]:
 
 
 def _of_hdf5(path: Path, names: Sequence[str] | None, most_bytes: int) -> dict[str, NDArray[Any]]:
+    """Return the named arrays of a MATLAB 7.3 file (None: all), checked against `most_bytes`
+    first."""
     import h5py
 
     with h5py.File(path, "r") as file:
@@ -268,6 +270,8 @@ def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
 
 
 def _read_npy(file: IO[bytes], path: Path, check: Check) -> NDArray[np.float32]:
+    """Return the light in an .npy file; `check` may refuse its shape before data is read. Raises
+    ValueError."""
     _, shape, fortran, dtype = npy_header(file)
     check_type(path, KEY, dtype)
     check(shape)

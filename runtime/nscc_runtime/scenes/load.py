@@ -209,6 +209,7 @@ def laid_scene(
         notes: list[tuple[str, ...]] = []
 
         def merged() -> Stored:
+            """Return the light merged from the photos of a bracket."""
             return merged_bracket(
                 files,
                 times,
@@ -236,6 +237,8 @@ def light_of_array(
 
 
 def _existing(spec: str) -> Path:
+    """Return the path of a scene; raise Rejected (NS0730), with a similar name, if there is no such
+    file."""
     path = Path(spec)
     try:
         if path.is_dir() or path.is_file():
@@ -257,6 +260,9 @@ def _existing(spec: str) -> Path:
 
 
 def _load_path(request: _Request, path: Path) -> PlacedLight:
+    """Return the light of a file or folder on the array; its ending decides how it is read.
+
+    Raises Rejected (NS0731) for an unknown ending."""
     from nscc_runtime.scenes.picture_files import CLIPS, PICTURES, open_pages
 
     reads(path)
@@ -294,6 +300,7 @@ def _folder(request: _Request, path: Path) -> PlacedLight:
     notes: list[tuple[str, ...]] = []
 
     def frames() -> Iterator[Stored]:
+        """Yield each picture of the folder with its colours; note remarks on the first one."""
         for picture, pages in read_folder(files, request.scene.skip, request.warn):
             if not notes:
                 notes.append(_say_notes(request, pages))
@@ -346,6 +353,11 @@ def _array(request: _Request, path: Path) -> PlacedLight:
 
 
 def _electrons(request: _Request, values: NDArray[np.float32]) -> Light:
+    """Return the light of an array in electrons: a clip (slots, rows, cols), or a still in
+    electrons per second.
+
+    With an exposure, the light is scaled to it. Raises Rejected (NS0736) above 3.4e38 electrons in
+    one slot."""
     exposure_level = request.exposure
     if values.ndim == 3:
         clip = Light.of_clip(values)
@@ -370,6 +382,7 @@ def _electrons(request: _Request, values: NDArray[np.float32]) -> Light:
 
 
 def _still(request: _Request, read: Callable[[], Stored]) -> PlacedLight:
+    """Return the light of a still picture on the array, scaled to the exposure."""
     _refuse(request, "a still has no frame rate", "fps")
     request.check_exposure()
     stored, colours = read()

@@ -32,6 +32,7 @@ def png_pages(path: Path) -> Pages:
 
 
 def pfm_pages(path: Path) -> Pages:
+    """Return the one picture of a PFM file; raise ValueError if its size is not stated."""
     match = _PFM.match(_head(path))
     if match is None:
         raise ValueError("its head does not state its size")

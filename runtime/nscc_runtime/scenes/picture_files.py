@@ -113,6 +113,7 @@ def open_pages(path: Path, large: bool = False) -> Pages:
         check_sizes(path, pages, large)
 
     def read() -> Iterator[tuple[str, NDArray[Any]]]:
+        """Yield each picture with its name for messages; a damaged file raises Rejected."""
         pictures, number = pages.read(), 0
         while True:
             with _readable(path):

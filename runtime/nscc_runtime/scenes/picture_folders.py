@@ -84,6 +84,7 @@ def read_folder(
     opened: list[Pages] = []
 
     def read() -> Iterator[tuple[Path, NDArray[Any]]]:
+        """Yield each picture; with `skip`, warn of unreadable ones and leave them out."""
         for path in pictures:
             try:
                 pages = open_pages(path)

@@ -46,6 +46,7 @@ def pillow_pages(path: Path) -> Pages:
     numbers = range(first, count) if moving else range(1)
 
     def read() -> Iterator[NDArray[Any]]:
+        """Yield the pictures of a file that Pillow reads, without its limit on sizes."""
         with without_pillow_limit(), Image.open(path) as image:
             for number in numbers:
                 if moving:

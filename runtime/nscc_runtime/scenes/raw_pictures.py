@@ -29,6 +29,8 @@ def raw_pages(path: Path) -> Pages:
         stored = (int(raw.sizes.raw_height), int(raw.sizes.raw_width))
 
     def read() -> Iterator[NDArray[Any]]:
+        """Yield the one picture of a camera raw file: linear, in the camera's colours, without
+        corrections."""
         with rawpy.imread(str(path)) as raw:
             _scale(raw)
             picture = raw.postprocess(

@@ -204,6 +204,7 @@ def _check_samples(page: _Page) -> None:
 
 
 def _picture(path: Path, byte_order: bytes, page: _Page) -> NDArray[Any]:
+    """Return one page of a TIFF file; raise ValueError if its size differs from its tags."""
     kind, bits = page.samples
     picture = _by_pillow(path, page) if bits <= 8 else None
     if picture is None:

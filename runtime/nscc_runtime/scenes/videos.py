@@ -38,6 +38,8 @@ class _Timing:
     declared: int
 
     def durations_s(self) -> NDArray[np.float64]:
+        """Return how long each frame is shown (s); an implausible last duration is replaced by the
+        median."""
         steps = np.diff(self.times)
         usual = int(np.median(steps)) if len(steps) else 1
         # Many files state a last duration that ends with the sound.
@@ -106,6 +108,8 @@ def _bound() -> dict[str, str]:
 
 
 def _timing_of(path: Path) -> _Timing:
+    """Return the times of all frames of a video from its packets, without decoding; stop at
+    damage."""
     import av
 
     packets: dict[int, int] = {}
@@ -128,6 +132,8 @@ def _square_cols(cols: int, pixel: Fraction) -> int:
 
 
 def _notes(timing: _Timing, interlaced: bool, pixel: Fraction) -> tuple[Note, ...]:
+    """Return what is unusual about a video: missing frames, interlacing, pixels that are not
+    square."""
     notes: list[Note] = []
     have = len(timing.times)
     if have < timing.declared:
@@ -233,6 +239,10 @@ def _as_fractions(
 def _red_green_blue(
     luma: NDArray[np.float32], chroma: Sequence[NDArray[np.float32]], matrix: int
 ) -> NDArray[np.float32]:
+    """Return linear combinations of luma and chroma as RGB, (rows, cols, 3).
+
+    `matrix` is the number of the colour matrix (ITU-T H.273). Chroma planes of lower resolution are
+    enlarged first."""
     import cv2
 
     size = luma.shape[1], luma.shape[0]

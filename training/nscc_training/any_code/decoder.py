@@ -42,6 +42,10 @@ class AnyCode(nn.Module):
     cols). Clips start from GAP-TV, which passes no gradient."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
+        """Begin with the shipped weights if the widths are those of the shipped network.
+
+        `channels` are its widths, `size` chooses the number of stages for clips. The noise
+        parameters are learned."""
         super().__init__()
         self.still = task.kind == "still"
         self.stages = STILL_STAGES if self.still else _STAGES[size]
@@ -55,6 +59,11 @@ class AnyCode(nn.Module):
         self.denoiser = ClipDenoiser(self.denoiser.widths)
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        """Return the light of a frame, (batch, rows, cols) for stills and (batch, N, rows, cols)
+        for clips.
+
+        `frame` (batch, [buckets,] rows, cols) is a fraction of a full well, and `shutters` are
+        those of a tile. The light of a slot is in units of a full well / N."""
         opened = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
         slots = 1 if self.still else opened.shape[-3]
         mask = opened.mean(dim=-3, keepdim=True) if self.still else opened

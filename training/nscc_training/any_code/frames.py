@@ -62,6 +62,7 @@ class CodedFrame:
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
     def crop(self, rows: slice, cols: slice) -> CodedFrame:
+        """Return the frame cut to these rows and columns; the codebook of shutters stays whole."""
         place = (slice(None), rows, cols)
         return CodedFrame(
             self.value_e[place],

@@ -65,6 +65,11 @@ class LessonSet(Dataset[Lesson]):
         self.pictures, self.settings = pictures, settings
 
     def __getitem__(self, step: int) -> Lesson:
+        """Return the examples of one training step; the same step always gives the same light and
+        codes.
+
+        The settings decide the kind: stills, noisy clips to denoise, or coded clips with random or
+        searched codes."""
         settings = self.settings
         generator = np.random.default_rng([settings.train.seed, DrawStream.LESSONS, step])
         kind, size, batch = settings.decoder.lessons, settings.data.patch, settings.train.batch

@@ -26,6 +26,7 @@ class ClipDenoiser(nn.Module):
     motion, and the weights do not depend on the number of frames."""
 
     def __init__(self, widths: tuple[int, ...] = WIDTHS) -> None:
+        """Build the network of three scales with these widths. It begins as the identity."""
         super().__init__()
         self.widths = widths
         fine, middle, coarse = widths
@@ -51,6 +52,11 @@ class ClipDenoiser(nn.Module):
             self.first.weight[:, planes:-1] = 0
 
     def forward(self, clip: Tensor, measured_planes: Tensor, sigma: Tensor) -> Tensor:
+        """Return the clip (batch, frames, rows, cols) without its noise of standard deviation
+        `sigma` (batch,).
+
+        `measured_planes` (batch, SEEN, frames, rows, cols) are features of the measurement. Sides
+        that do not fit the scales are padded and cut again."""
         batch, frames, rows, cols = clip.shape
         x = torch.cat([clip.unsqueeze(1), measured_planes], dim=1)
         multiple = _FOLD * 2 ** len(self.down)
@@ -68,6 +74,8 @@ class ClipDenoiser(nn.Module):
         return clip + residual.reshape(clip.shape) * sigma.reshape(-1, 1, 1, 1)
 
     def _through(self, x: Tensor, frames: int) -> Tensor:
+        """Return the output of the U-Net for frames as a batch (batch x frames, channels, rows,
+        cols)."""
         skips = []
         for blocks, shrink in zip(self.down, self.shrink, strict=True):
             for block in blocks:  # type: ignore[attr-defined]
@@ -112,6 +120,10 @@ class _Exchanged(torch.autograd.Function):
 
     @staticmethod
     def forward(ctx: Any, x: Tensor, frames: int) -> Tensor:
+        """Return x with a quarter of its channels taken from the frame before and a quarter from
+        the frame after.
+
+        The first and the last frame keep their own channels."""
         ctx.frames = frames
         output = x.clone(memory_format=torch.channels_last)
         old, new = (values.view(-1, frames, *x.shape[1:]) for values in (x, output))
@@ -122,6 +134,8 @@ class _Exchanged(torch.autograd.Function):
 
     @staticmethod
     def backward(ctx: Any, slope: Tensor) -> tuple[Tensor, None]:
+        """Return the gradient of x: each exchanged channel goes back to the frame that it came
+        from."""
         x_slope = slope.clone(memory_format=torch.channels_last)
         old, new = (values.view(-1, ctx.frames, *slope.shape[1:]) for values in (slope, x_slope))
         count = slope.shape[1] // 4

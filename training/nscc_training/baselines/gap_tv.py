@@ -51,6 +51,8 @@ def gap_step(
 
 
 def _denoised(clip: Array, weight: float) -> Array:
+    """Denoise a clip by `INNER` iterations of total variation with this weight; differences in
+    time count `TIME`."""
     if isinstance(clip, np.ndarray):
         return tv_denoised_arrays(clip, weight, INNER, TIME)
     from nscc_training.baselines.tensor_tv import tv_denoised

@@ -89,6 +89,10 @@ def _energy(mask: Clip) -> NDArray[np.float32]:
 def _inpainted(
     values: NDArray[np.float32], sample_mask: NDArray[np.float32]
 ) -> NDArray[np.float32]:
+    """Return a picture whose missing pixels are means of the known ones around them.
+
+    `values` are sums of samples, and `sample_mask` their weights, 0 where a pixel is missing. The
+    neighbourhood doubles until every pixel has a known one."""
     picture = np.zeros_like(values)
     missing = np.ones(values.shape, bool)
     reach = 2

@@ -99,6 +99,11 @@ def _denoise_clip(
     right: Floats32,
     out: Floats32,
 ) -> None:
+    """Denoise one clip of `image` by dual projections (Chambolle 2004), into `out`, in place.
+
+    Clip number `clip` holds its frames one after the other. `later`, `down` and `right` are the
+    dual field in time and space, which also begins from earlier iterations. Several frames are not
+    computed twice because a frame's field changes only after its neighbours in time."""
     frames, rows, cols, iterations = volume.frames, volume.rows, volume.cols, volume.iterations
     plane = rows * cols
     begin = clip * frames * plane

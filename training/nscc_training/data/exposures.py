@@ -114,6 +114,9 @@ class ExposureSet(Dataset[Exposures]):
         seed: int,
         classes: Sequence[str] = (),
     ) -> None:
+        """Prepare to draw `batch` patches a step from the training scenes.
+
+        `classes` are the classes of scenes, if the decoder classifies."""
         self.lights = [_without_poles(scene, settings) for scene in scenes.train]
         self.names = [scene.name for scene in scenes.train]
         self.settings, self.slots, self.batch, self.seed = settings, slots, batch, seed
@@ -126,6 +129,10 @@ class ExposureSet(Dataset[Exposures]):
         )
 
     def __getitem__(self, step: int) -> Exposures:
+        """Return the light of one training step and how it is cut, turned and exposed.
+
+        `together` patches come from the same region of a scene, with the same exposure. The same
+        step gives the same draws."""
         lights: list[Tensor] = []
         draws: list[tuple[float, float, int, bool, bool, float]] = []
         source: list[int] = []
@@ -279,6 +286,8 @@ def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
 
 
 def _without_poles(scene: SourceScene, settings: DataSettings) -> NDArray[np.float32]:
+    """Return a scene's light; a panorama twice as wide as high loses its distorted top and
+    bottom."""
     light = scene.light
     side = max(settings.patch, EXPOSED)
     if light.ndim == 2 and light.shape[1] == 2 * light.shape[0] >= 4 * side:

@@ -86,6 +86,10 @@ class _Layer:
     def drawn(
         cls, pictures: Sequence[Picture], generator: Generator, size: int, *, background: bool
     ) -> _Layer:
+        """Return a random layer: a picture with its motion, rotation, zoom, waves and outline.
+
+        `size` is the side of the clip in pixels. A background fills the frame and has no outline.
+        Of several random places in the picture, the layer shows the one with most detail."""
         picture = pictures[int(generator.integers(len(pictures)))]
         speed = np.exp(generator.uniform(*np.log(_SPEEDS))) * (generator.random() > _STILL)
         heading = generator.uniform(0, 2 * np.pi)
@@ -126,6 +130,8 @@ class _Layer:
         )
 
     def picture_at(self, moment: float, size: int) -> NDArray[np.float32]:
+        """Return the layer's picture, (size, size), at a time in frames from the middle of the
+        clip."""
         import cv2
 
         rows, cols = np.mgrid[:size, :size].astype(np.float32)

@@ -156,6 +156,11 @@ class _Kind:
 
 
 def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
+    """Return the scenes of a source: procedural, a Python function (module:name), or files in a
+    folder.
+
+    `split_name` is "train" or "validation". Raises Rejected for functions that return unusable
+    scenes."""
     if source == "procedural":
         return _procedural_scenes(kind, split_name)
     if is_import_path(source):
@@ -192,6 +197,7 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
 
 
 def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
+    """Return synthetic scenes, a quarter as many for validation, determined by the seed."""
     count, stream = kind.settings.scenes, DrawStream.TRAINING_SCENES
     if split_name != "train":
         count, stream = -(-count // 4), DrawStream.VALIDATION_SCENES
@@ -281,6 +287,8 @@ def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
 def _clip_light(
     path: Path, stored: Iterable[NDArray[Any]], colours: Transfer | Colours, kind: _Kind
 ) -> NDArray[np.float32]:
+    """Return the light of at most `frames` frames, (frames, rows, cols), cut to the middle;
+    `path` names them."""
     frames = [
         kind.light(centre_of(np.asarray(frame), _MOST_SIDE), colours, f"{path}, frame {number}")
         for number, frame in enumerate(islice(stored, kind.settings.frames))

@@ -42,6 +42,8 @@ def fold_blocks(blocks: Tensor, size: tuple[int, int, int], block: Size, step: S
 
 
 class _Taken(Function):
+    """Cut pictures into overlapping blocks. The gradient adds blocks up again (`_Put`)."""
+
     @staticmethod
     def forward(ctx: Any, pictures: Tensor, block: Size, step: Size) -> Tensor:
         ctx.how = tuple(pictures.shape[1:]), block, step
@@ -53,6 +55,8 @@ class _Taken(Function):
 
 
 class _Put(Function):
+    """Add overlapping blocks up to pictures. The gradient cuts blocks out again (`_Taken`)."""
+
     @staticmethod
     def forward(
         ctx: Any, blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size
@@ -73,6 +77,8 @@ class BlockNet(nn.Module):
     tile. `overlapping` (down, across) may be switched off after training to use fewer blocks."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, _size: str) -> None:
+        """Build fully connected layers from a block of 2 x 2 tiles to the same block of all
+        slots."""
         super().__init__()
         self.slots, self.tile = task.slots, task.tile
         self.block = (2 * task.tile[0], 2 * task.tile[1])
@@ -89,6 +95,10 @@ class BlockNet(nn.Module):
         )
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        """Return the clip (batch, N, rows, cols): the mean of the outputs of all blocks that
+        contain a pixel.
+
+        `frame` is (batch, rows, cols). The shutters are not used: the network learns one code."""
         rows, cols = frame.shape[-2:]
         step = self.step
         down, across = (self.grown(size, k) for k, size in enumerate((rows, cols)))

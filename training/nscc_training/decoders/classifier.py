@@ -21,6 +21,7 @@ class Classifier(nn.Module):
     logarithms of likelihoods, up to a constant that all classes share. Frames may have any size."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, _size: str) -> None:
+        """Build a convolutional network; `channels` are the widths of its levels."""
         super().__init__()
         self.slots, self.sees_code = task.slots, task.sees_code
         layers: list[nn.Module] = []
@@ -31,6 +32,10 @@ class Classifier(nn.Module):
         self.last = nn.Linear(channels[-1], len(task.classes))
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        """Return the score of each class, (batch, classes), before softmax.
+
+        If the network sees the code, the frame copied to the open slots of each pixel is also an
+        input."""
         frames = frame if frame.ndim == 4 else frame.unsqueeze(1)
         inputs = [relative(frames, torch.ones_like(frames))]
         if self.sees_code:
@@ -52,6 +57,7 @@ def relative(values: Tensor, weight: Tensor) -> Tensor:
 
 
 def _convolution(inputs: int, outputs: int, stride: int) -> list[nn.Module]:
+    """Return a 3 x 3 convolution with batch normalisation and ReLU."""
     return [
         nn.Conv2d(inputs, outputs, 3, padding=1, stride=stride, bias=False),
         nn.BatchNorm2d(outputs),

@@ -31,12 +31,16 @@ class UNet(nn.Module):
     cut to the size of the input."""
 
     def __init__(self, inputs: int, outputs: int, widths: Sequence[int], dimensions: int) -> None:
+        """Build a U-Net with `inputs` and `outputs` channels in two or three `dimensions`.
+
+        `widths` are the channels of its levels; each level halves the sides."""
         super().__init__()
         self.dimensions = dimensions
         convolution = nn.Conv2d if dimensions == 2 else _Convolution3d
         self.pool = nn.AvgPool2d(2) if dimensions == 2 else nn.AvgPool3d(2)
 
         def double(channels: int, width: int) -> nn.Module:
+            """Return two 3-wide convolutions, each followed by ReLU."""
             return nn.Sequential(
                 convolution(channels, width, 3, padding=1),
                 nn.ReLU(inplace=True),
@@ -89,6 +93,7 @@ class _Convolution3d(nn.Conv3d):
     processors with AVX512-BF16."""
 
     def forward(self, x: Tensor) -> Tensor:
+        """Convolve in float32 where bfloat16 is slow: volumes of two frames on a CPU."""
         if x.device.type != "cpu" or x.shape[2] != 2:
             return super().forward(x)
         with torch.autocast("cpu", enabled=False):
@@ -107,6 +112,7 @@ class StillUNet(nn.Module):
     for clips also a gain (`gated`); this needs `sees_code`."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
+        """Build a two-dimensional U-Net for stills, or for clips with slots as channels."""
         super().__init__()
         slots = None if task.kind == "still" else task.slots
         self.slots, self.sees_code = slots, task.sees_code
@@ -121,6 +127,10 @@ class StillUNet(nn.Module):
         return self._clip(frame, shutters) if self.slots else self._still(frame, shutters)
 
     def _still(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        """Return the light of stills, (batch, rows, cols), from frames of the same shape.
+
+        The network works on the logarithm of the light and, if it guesses, adds to a first guess.
+        """
         inputs, guess = [frame], None
         if self.sees_code:
             share = laid(shutters.mean(dim=-3), *frame.shape[-2:]).expand_as(frame)
@@ -134,6 +144,7 @@ class StillUNet(nn.Module):
         return log_curve_inverse(output if guess is None else output + guess, LOG_FLOOR)
 
     def _clip(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        """Return the light of clips, (batch, N, rows, cols)."""
         assert self.slots is not None
         inputs, guess = [frame if frame.ndim == 4 else frame.unsqueeze(1)], None
         if self.sees_code:
@@ -153,12 +164,15 @@ class ClipUNet(nn.Module):
     its gain (`gated`)."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
+        """Build a three-dimensional U-Net for clips."""
         super().__init__()
         self.slots, self.guesses = task.slots, _guesses(task, size)
         network = UNet(task.buckets + self.guesses, 2 if self.guesses else 1, channels, 3)
         self.network = begin_with_nothing(network) if self.guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        """Return the light of clips, (batch, N, rows, cols), from frames lifted to their open
+        slots."""
         volumes, opened = _lifted(frame, shutters, self.slots)
         guess = clip_guess(_added(volumes), *opened) if self.guesses else None
         inputs = volumes if guess is None else [*volumes, guess]

@@ -30,6 +30,7 @@ class Unrolled(nn.Module):
     tv_iterations = 0
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
+        """Build a denoiser and a step size for each stage; `size` chooses the number of stages."""
         super().__init__()
         self.slots = task.slots
         self.steps = nn.Parameter(torch.ones(_STAGES[size]))
@@ -39,6 +40,10 @@ class Unrolled(nn.Module):
         )
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        """Return the light of clips, (batch, N, rows, cols), in units of a full well / N for each
+        slot.
+
+        Each stage first corrects the clip so that it fits the measurement, then denoises it."""
         opened = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
         energy = opened.square().sum(dim=0).clamp(min=1)
         # 1 is a full well for a frame, a full well / N for a slot.

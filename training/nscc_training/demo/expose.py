@@ -283,6 +283,7 @@ def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Li
 
 
 def _frame_file(capture: Taken, keep: Sequence[str] = ()) -> FrameFile:
+    """Return the frame file of a capture, with the arrays in `keep` and the decode table."""
     simulated, light = capture.simulated, capture.light
     about = meta(capture.container, light, simulated.frame, simulated.origin) | capture.laid
     file = FrameFile.of(capture.container, light, simulated.frame, about, keep)

@@ -265,6 +265,7 @@ def _time(seconds: float) -> str:
 
 
 def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Image]:
+    """Return the pictures of one row of the sheet; `note` is written below the first."""
     return [
         Image(_fit(frame), title, note if k == 0 else "")
         for k, (frame, title) in enumerate(zip(frames, titles, strict=True))
@@ -305,6 +306,7 @@ def _shutters(shown: Shown) -> Image:
 
 
 def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """Return values 0..1 as colours (viridis), uint8 RGB."""
     from matplotlib import colormaps
 
     colours = np.asarray(colormaps["viridis"](np.clip(scale, 0, 1)))[..., :3]

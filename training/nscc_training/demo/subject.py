@@ -79,6 +79,10 @@ def _transfer(scene: Scene, pages: Pages) -> Transfer:
 def _of_clip(
     scene: Scene, frames: Iterator[NDArray[Any]], transfer: Transfer, slots: int, frame_s: float
 ) -> Subject:
+    """Return how to use a scene with these frames: as a still, spread over the slots, or where most
+    moves.
+
+    `frame_s` is the time of a frame of the sensor."""
     small = np.stack([_reduced(frame) for frame in islice(frames, _MOST_FRAMES)])
     have = len(small)
     if have == 1:
@@ -105,6 +109,7 @@ def liveliest(frames: NDArray[np.float32], count: int) -> int:
 
 
 def _reduced(frame: NDArray[Any]) -> NDArray[np.float32]:
+    """Return a frame as grey values, `_SIDE` x `_SIDE` pixels, to measure motion."""
     import cv2
 
     grey = frame.mean(axis=-1) if frame.ndim == 3 else frame

@@ -51,6 +51,7 @@ class LookModel:
     """A model of a chip and a frame that computes the expected error of schedules."""
 
     def __init__(self, chip: DesignChip, scene: Histogram, slot_us: Sequence[float]) -> None:
+        """Prepare the model for a chip, a histogram of the scene's light and slot lengths (us)."""
         self.chip, self.scene, self._slot_us = chip, scene, slot_us
         ends = np.cumsum([0.0, *slot_us])
         self.share = ends / ends[-1]

@@ -87,6 +87,7 @@ class Encoder(nn.Module, ABC):
     """
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        """Begin without parameters; raise ValueError for an unknown relaxation."""
         super().__init__()
         if relaxation not in RELAXATIONS:
             raise ValueError(f"{relaxation!r} is not one of {RELAXATIONS}")

@@ -63,6 +63,8 @@ class Bump(Encoder):
     def __init__(
         self, spec: ShutterSpec, relaxation: str, limits: dict[str, tuple[int, int]]
     ) -> None:
+        """Begin with every field at its lowest value; `limits` are the lowest and highest value
+        of each."""
         super().__init__(spec, relaxation)
         self.limits = limits
         self.legal: Tensor | None = None
@@ -106,6 +108,9 @@ class Bump(Encoder):
         return (opened(after, self.width) * opened(before, self.width)).float()
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
+        """Return two versions of the codes, moved by the same random steps in opposite directions.
+
+        `over` lays the tile over a patch, so that each pixel of the patch moves on its own."""
         fields = over(self.fields(None))
         with torch.no_grad():
             spread = self.trial_spread(fields)
@@ -154,12 +159,16 @@ class Bump(Encoder):
         return [(self.get_parameter(name), limits) for name, limits in self.limits.items()]
 
     def codes(self) -> Codes:
+        """Return the fields as integers, rounded to legal codes; raise ValueError if a parameter
+        is not finite."""
         self.check_finite()
         with torch.no_grad():
             values = self.snapped(self.fields(None)).to("cpu", torch.int64).numpy()
         return dict(zip(self.limits, values, strict=True))
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        """Set the parameters to these codes; raise ValueError if they are out of range or not
+        legal."""
         self.fill(*(values.numpy() for values in self.checked(codes, self.limits)))
         # Round to the nearest legal codes.
         if any((values != codes[name]).any() for name, values in self.codes().items()):
@@ -199,6 +208,7 @@ class Start(Bump):
     """Class c: one bump of a fixed length, opening at 0..N - length."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        """Begin with all bumps at slot 0; raise ValueError if the length does not fit the frame."""
         if spec.length is None or not 1 <= spec.length <= spec.slots:
             raise ValueError(
                 f"class c needs the length of its bumps, 1 to {spec.slots} slots, not {spec.length}"
@@ -234,6 +244,8 @@ class StartStop(Bump):
         return codes
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        """Set the parameters to these codes; raise ValueError unless every start is before its
+        stop."""
         start, stop = self.checked(codes, self.limits)
         if not bool((start < stop).all()):
             raise ValueError("a bump stops before it starts")

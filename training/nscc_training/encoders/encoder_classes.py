@@ -93,6 +93,9 @@ def _bits(spec: ShutterSpec, first: Places, length: int) -> Codes:
 
 
 def _shapes(spec: ShutterSpec, first: Places, length: int) -> Codes:
+    """Return a codebook of bumps with the starts `first`, one for each place of the tile.
+
+    Raises ValueError if the codebook has too few rows."""
     begins, row_of_place = np.unique(first, return_inverse=True)
     if spec.rows is None or len(begins) > spec.rows:
         raise ValueError(

@@ -23,6 +23,9 @@ class LooksEncoder(Encoder):
     steps of IN."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        """Begin with the parameters of one look (comparison of light) for each column of the tile.
+
+        Raises ValueError if there are not enough boundaries."""
         super().__init__(spec, relaxation)
         looks = spec.tile[1]
         if spec.tile[0] != 1 or looks >= spec.slots:
@@ -60,6 +63,8 @@ class LooksEncoder(Encoder):
         )
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
+        """Return two versions of times and levels, moved by the same random steps in opposite
+        directions."""
         fields = over(self.fields())
         with torch.no_grad():
             spread = torch.full_like(fields, _OCTAVES)
@@ -69,6 +74,7 @@ class LooksEncoder(Encoder):
         return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
     def codes(self) -> Codes:
+        """Return boundaries `at` and levels `level` as integers, (1, looks)."""
         self.check_finite()
         with torch.no_grad():
             at, level = self.hardened(self.fields()).chunk(2)
@@ -79,6 +85,7 @@ class LooksEncoder(Encoder):
         }
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        """Set times and levels; raise ValueError if they are out of range or not in order."""
         limits = {"at": (1, self.spec.slots - 1), "level": (1, self.most)}
         at, level = self.checked(codes, limits)
         if not bool((at[0, 1:] > at[0, :-1]).all()):

@@ -46,6 +46,8 @@ class Bits(_Digits):
     """Class e: N independent bits for every pixel of the tile."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        """Begin with a logit of 0.5, open, for every slot and place; raise ValueError for too
+        many slots."""
         super().__init__(spec, relaxation)
         if spec.slots > MOST_BITS:
             raise ValueError(
@@ -58,6 +60,8 @@ class Bits(_Digits):
         return self.digits(self.logits, generator, soft)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
+        """Return two versions of the bits, decided by the same random numbers in opposite
+        directions."""
         fields = over(self.logits)
         with torch.no_grad():
             spread = self.trial_spread(fields)
@@ -69,6 +73,7 @@ class Bits(_Digits):
         return [(self.logits, (-1.0, 1.0))]
 
     def codes(self) -> Codes:
+        """Return each place's open slots as one integer: bit n is slot n."""
         self.check_finite()
         opened = (self.logits.detach() > 0).cpu().numpy().astype(np.int64)
         weights = np.int64(1) << np.arange(self.spec.slots, dtype=np.int64)
@@ -96,6 +101,7 @@ class Codebook(_Digits):
     largest of K scores of the pixel."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        """Begin with open shutters in all rows, and choices spread over the rows."""
         super().__init__(spec, relaxation)
         if spec.rows is None or spec.rows < 1:
             raise ValueError(f"a codebook of {spec.rows} rows")
@@ -169,6 +175,8 @@ class Codebook(_Digits):
         return {"id": np.asarray(self.choice.detach().argmax(dim=-1).cpu().numpy(), np.int64)}
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        """Set the row of each place (`id`), and the digits if `book` is given; raise ValueError
+        if invalid."""
         self.checked(codes, {"id": (0, self.rows - 1)})
         book = codes.get("book")
         if book is not None:
@@ -186,6 +194,7 @@ class Codebook(_Digits):
         self.choose(self.spread())
 
     def start_quad(self) -> None:
+        """Begin with the four quarters of the frame, repeated over the rows, in 2 x 2 tiles."""
         self.set_digits(self.shapes, quarters(self.spec.slots)[:, np.arange(self.rows) % 4].T)
         rank = self.quad_ranks()
         again = self.spread() // 4 * 4 + rank

@@ -154,6 +154,8 @@ def evaluate_baseline(
     scenes, left_out = usable_scenes(scenes_in(files, protocol), protocol)
 
     def decoded(tile: Tensor, shown: Sequence[ProtocolScene | None]) -> list[Scored]:
+        """Return the scores of scenes that are captured with this tile of codes and decoded."""
+
         def decode(scene: ProtocolScene, index: int) -> tuple[Light, float]:
             frames = captured(scene, tile, model, 1000 * seed + index)
             begin = perf_counter()

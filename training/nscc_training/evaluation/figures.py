@@ -77,6 +77,8 @@ class _Shot:
         return Image(tone(light[k]), f"{name}, frame {k + 1}", note)
 
     def _score(self, light: Field) -> str:
+        """Return the PSNR of reconstructed light as text: mu-law for a still, mean over frames
+        for a clip."""
         truth = self.light["truth"]
         if truth.ndim == 2:
             peak = float(np.percentile(truth, 99.9)) or 1.0

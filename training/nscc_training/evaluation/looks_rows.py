@@ -95,6 +95,8 @@ def evaluate_looks(
     chosen = selected(effects or _EFFECTS)
 
     def decoded(shown: Sequence[ProtocolScene | None]) -> list[Scored]:
+        """Return the scores of scenes whose pixels look at their light, exposed on the emulator."""
+
         def decode(crop: ProtocolScene, index: int) -> tuple[NDArray[np.float64], float]:
             seeds = 1000 * seed + index, 0
             return looked_light(program(crop), crop.light_e, sensor, chosen, seeds), 0.0
@@ -151,6 +153,7 @@ def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolSc
 
 
 def _compiled(schedule: LookSchedule, target: Target) -> Container:
+    """Return the compiled program of a schedule of looks, with slots of 125 us."""
     text = looking_text(schedule, SLOTS, 125.0, target, None, "")
     container = compile_source(Source("looks.nsl", text), Path(), Options(target=target)).container
     assert container is not None

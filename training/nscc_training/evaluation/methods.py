@@ -142,6 +142,7 @@ def _of_truth(loop: Callable[..., NDArray[np.float32]], captured: CapturedScene)
 
 
 def _merged(captured: CapturedScene) -> Light:
+    """Return the light that merging estimates from a frame of stills."""
     model = captured.model
     assert model is not None
     noise_e = model.adc_noise_lsb * model.electrons_per_lsb
@@ -151,6 +152,8 @@ def _merged(captured: CapturedScene) -> Light:
 
 
 def _sparse(captured: CapturedScene, **options: Any) -> Light:
+    """Return the light that sparse coding estimates, beginning from merging; `options` go to the
+    method."""
     from nscc_training.baselines.sparse_coding import coded_still
 
     model = captured.model
@@ -167,6 +170,7 @@ def _sparse(captured: CapturedScene, **options: Any) -> Light:
 
 
 def _any(captured: CapturedScene, **options: Any) -> Light:
+    """Return the light that the decoder for any code estimates."""
     from nscc_training.any_code.decode import decoded_clip, decoded_still
 
     decode = decoded_still if captured.is_still else decoded_clip

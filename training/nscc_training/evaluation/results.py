@@ -120,6 +120,7 @@ class Scorer:
         reconstructions: dict[str, Array] = {}
 
         def execute(tasks: Iterable[_SceneTask]) -> Iterator[Done]:
+            """Decode and score each scene; the reconstructions are stored by the scene's key."""
             for task in tasks:
                 result_e, seconds = decode(task.scene, task.index)
                 _refuse_non_finite(result_e, task.scene.file.name)
@@ -147,6 +148,8 @@ class Scorer:
 
 @dataclass(frozen=True, eq=False)
 class _SceneTask:
+    """One scene to decode and score; its key in the store names file, crop and frame."""
+
     number: int
     index: int
     scene: ProtocolScene
@@ -160,6 +163,8 @@ class _SceneTask:
 
 
 def _refuse_non_finite(result_e: Array, name: str) -> None:
+    """Raise Rejected (NS0804) if a reconstruction contains NaN or infinity; `name` names the
+    scene."""
     bad_count = int(np.count_nonzero(~np.isfinite(result_e)))
     if bad_count:
         raise rejected(
@@ -369,6 +374,7 @@ def _about(results: Sequence[dict[str, Any]]) -> dict[str, Any]:
 
 
 def _check_alike(*results: dict[str, Any]) -> None:
+    """Raise Rejected (NS0808) if results are of different protocols or versions of one."""
     for key, plural_name in (
         ("protocol", "protocols"),
         ("protocol_sha256", "versions of a protocol"),

@@ -148,6 +148,8 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
 
     @torch.no_grad()
     def decode(scene: ProtocolScene, _index: int) -> tuple[NDArray[Any], float]:
+        """Return the light of a benchmark clip, decoded with the benchmark's own mask, and the
+        time (s)."""
         assert isinstance(scene, SciClip)
         share = scene.mask.mean(axis=0)
         gathered = scene.measurement[share > 0] / share[share > 0]
@@ -205,6 +207,7 @@ def _run_result(
 
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
+    """Raise Rejected (NS0821) if the run was trained for other scenes than the protocol has."""
     setup = folder.setup
     if protocol.name == "staggered-v1":
         raise rejected(

@@ -86,6 +86,7 @@ def results(
         def claimed(
             claimed_tasks: list[SomeTask] = claimed_tasks, waiting: Sequence[SomeTask] = waiting
         ) -> Iterator[SomeTask]:
+            """Yield the tasks that no other process computes and whose result is not stored yet."""
             for task in waiting:
                 if store.claim(task.key):
                     claimed_tasks.append(task)

@@ -130,6 +130,7 @@ def measure(
     turns = [0]
 
     def measured() -> Iterator[Done]:
+        """Yield the rows of all points, once for each repeat, until the time is used up."""
         begin = perf_counter()
         for turn in range(study.repeats):
             before, rows = perf_counter(), rows_in(rows_store)
@@ -149,6 +150,8 @@ def measure(
 
 @dataclass(frozen=True)
 class _Turn:
+    """One measurement of a point: its number of the repeat distinguishes it in the store."""
+
     point: StudyPoint
     turn: int
 
@@ -160,6 +163,8 @@ class _Turn:
 
 
 def _executed(tasks: Iterable[_Turn], study: Study, watch: Stopwatch) -> Iterator[Done]:
+    """Measure each task and yield its row; errors that the study expects become rows without
+    figures."""
     for task in tasks:
         point, key = task.point, task.key
         try:

@@ -172,6 +172,10 @@ def _decoded_block(
     saturated: NDArray[np.bool_],
     shutters: Tensor,
 ) -> NDArray[np.float32]:
+    """Return the decoded light (e) of one block of a frame.
+
+    `frame` holds converter codes, `saturated` marks the pixels that count as full, and `shutters`
+    belong to this block."""
     shutters = shutters.to(setup.device)
     codes = torch.from_numpy(frame.astype(np.float32)).to(setup.device)
     relative = setup.model.relative(codes - setup.model.adc_offset_lsb)

@@ -18,6 +18,8 @@ class Ranks:
     """The processes of a run: `rank` of `count`; without `torchrun`, 0 of 1."""
 
     def __init__(self) -> None:
+        """Join the other processes if `torchrun` has started several; `RANK` and `WORLD_SIZE`
+        tell."""
         self.count = int(os.environ.get("WORLD_SIZE", "1"))
         self.rank = int(os.environ.get("RANK", "0"))
         self._ours = self.count > 1 and not distributed.is_initialized()

@@ -106,6 +106,7 @@ class TrainingSetup:
             return
 
         def measure() -> EmulatedSensor:
+            """Compile the current codes and measure the emulated sensor with them."""
             build = programs.compiled(programs.program_of(self.encoder, self.chip), self.chip)
             assert build.container is not None
             effects = self.settings.sensor.effects
@@ -279,6 +280,7 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
 
 
 def _loss(names: str) -> Loss:
+    """Return the sum of the losses named, separated by "+"; raise Rejected for an unknown name."""
     losses: list[Loss] = []
     for name in map(str.strip, names.split("+")):
         if not is_import_path(name) and name not in LOSSES:
@@ -292,9 +294,13 @@ def _loss(names: str) -> Loss:
 
 
 def _own_loss(name: str) -> Loss:
+    """Return the loss of a Python function (module:name), which checks what the function
+    returns."""
     call = imported(name, "loss")
 
     def loss(prediction: Tensor, truth: Tensor) -> Tensor:
+        """Return the loss, a single number; raise Rejected if it has another shape or no
+        gradient."""
         with own_code(name, "loss"):
             value = call(prediction, truth)
         if not isinstance(value, Tensor) or value.numel() != 1:

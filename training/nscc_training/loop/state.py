@@ -188,6 +188,8 @@ def _file_digests(setup: TrainingSetup) -> dict[str, str]:
 
 
 def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor]) -> None:
+    """Load the state of an optimiser from tensors named `index.key`; raise ValueError if keys
+    differ."""
     state: dict[int, dict[str, Any]] = {}
     for name, value in tensors.items():
         index, _, key = name.partition(".")
@@ -205,6 +207,7 @@ def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor])
 
 
 def _refused(path: Path, reason: str) -> Exception:
+    """Return the error (NS0816) that training cannot resume from a checkpoint."""
     return rejected(
         "NS0816",
         f"training cannot resume from '{path}'",

@@ -36,6 +36,10 @@ class StepLoss(nn.Module):
         self._setup, self._ranks = setup, ranks
 
     def forward(self, batch: Batch, step: int) -> Tensor:
+        """Return the loss of one step, weighted by this process's share of the batch.
+
+        The codes are fixed, relaxed, or tried: with a trial, two versions of the codes are decoded,
+        and their difference pulls the codes."""
         setup, settings, rank = self._setup, self._setup.settings, self._ranks.rank
         seed, device = settings.train.seed, setup.device
         rows, cols = batch.light.shape[-2:]
@@ -144,6 +148,8 @@ def lesson_losses(
 
 
 def _of_noise(decoder: AnyCode, lesson: Lesson, generator: torch.Generator) -> Tensor:
+    """Return the loss of denoising a noisy clip, relative to the standard deviation of its
+    noise."""
     clip = lesson.light
     noise, sigma = noisy(clip, generator)
     no_features = clip.new_zeros(len(clip), SEEN, *clip.shape[1:])
@@ -155,6 +161,8 @@ def _of_noise(decoder: AnyCode, lesson: Lesson, generator: torch.Generator) -> T
 def _of_codes(
     decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int, through: int
 ) -> Iterator[Tensor]:
+    """Yield the losses of decoding coded clips, one for each `through` stages, so that gradients
+    fit in memory."""
     with torch.no_grad():
         truth, measured, shown = measured_lesson(lesson, generator)
         clip, target = gap_tv_of(measured)
@@ -171,6 +179,7 @@ def _of_codes(
 
 
 def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int) -> Tensor:
+    """Return the mean loss of all stages that decode coded stills."""
     with torch.no_grad():
         truth, measured, _ = measured_lesson(lesson, generator)
         start = started_still(measured)

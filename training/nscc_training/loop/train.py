@@ -62,6 +62,8 @@ class Log:
     def __init__(
         self, out: Path, metrics: Sequence[str], rows: Sequence[str] | None = None
     ) -> None:
+        """Continue the log of a run with `rows`, or begin one with a header; `metrics` name its
+        columns."""
         self.out = out
         self._columns = ("loss", *metrics, "words_per_slot", "dead_share")
         self.rows = list(rows or [",".join(["step", "split", *self._columns])])
@@ -255,6 +257,8 @@ def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
 
 
 def _checkpoint(out: Path, resume: str) -> Path | None:
+    """Return the checkpoint to resume from, or None to begin; raise Rejected if the named one is
+    missing."""
     if resume == "never":
         return None
     if resume == "auto":
@@ -287,6 +291,8 @@ def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
 def _steps(
     run: TrainingRun, track: Track, report: Callable[[str], None], stop_after: int | None
 ) -> None:
+    """Train from the current step to the last, or to `stop_after`; validate and save at
+    intervals."""
     total, validate_every = run.setup.settings.train.steps, run.setup.settings.train.validate_every
     losses: list[Tensor] = []
     first = run.progress.step

@@ -31,6 +31,8 @@ class ClassWindow(ClipWindow):
         return np.array([float(name == self.label) for name in self.classes])
 
     def scores(self, result_e: NDArray[Any]) -> dict[str, Any]:
+        """Return whether the class with the highest score is right, and the cross entropy
+        (nats)."""
         decoded = self.classes[int(np.argmax(result_e))]
         scores = np.asarray(result_e, np.float64)
         surprise = np.logaddexp.reduce(scores) - scores[self.classes.index(self.label)]
@@ -55,6 +57,7 @@ def class_windows(
     labels = [class_of(path, classes) for path in files]
 
     def of_class(path: Path, index: int) -> Iterator[ProtocolScene | Unusable]:
+        """Yield the windows of a clip, with the class of its folder."""
         for window in windows(path, protocol):
             if isinstance(window, ClipWindow):
                 window = with_class(window, labels[index], classes)
@@ -101,6 +104,7 @@ def moving_texture(
 def _moving_textures(
     classes: Sequence[str], protocol: Protocol, seed: int
 ) -> Iterator[ClassWindow | Unusable]:
+    """Yield synthetic windows of moving textures, determined by the seed."""
     for index in range(int(protocol["procedural"])):
         generator = np.random.default_rng([seed, DrawStream.EVALUATION_SCENES, index])
         sides = int(protocol["frames"]), int(protocol["size"])

@@ -36,6 +36,7 @@ class DeblurMoment(ProtocolScene):
         return np.asarray(clip_e[int(self.protocol["moment"])] * len(clip_e))
 
     def scores(self, result_e: Picture) -> dict[str, Any]:
+        """Return PSNR, SSIM and mu-law PSNR of one slot's light; a clip is cut to this slot."""
         result = self.moment_e(result_e) if result_e.ndim == 3 else result_e
         pair = on_unit_range(self.truth_e, result, self.peak_e)
         mu_db = metrics.mu_psnr(*pair, 1.0, self.protocol["mu"])

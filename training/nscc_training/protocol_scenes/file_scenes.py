@@ -63,6 +63,7 @@ def scenes_in(
     A file that cannot be read is `Unusable`, with its error."""
 
     def scenes_of(path: Path, index: int) -> Iterable[ProtocolScene | Unusable]:
+        """Return the scenes of one file, as the protocol defines them."""
         if protocol.name == "hdr-v1":
             return crops(path, protocol, fraction)
         if protocol.name == "deblur-v1":

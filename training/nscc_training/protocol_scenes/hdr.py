@@ -21,11 +21,14 @@ ENDINGS = (".hdr", ".exr", ".pfm")
 
 
 class Crop(ProtocolScene):
+    """A crop of a panorama. Errors are relative to its peak, a percentile of its light."""
+
     @property
     def peak_e(self) -> float:
         return float(np.percentile(self.light_e, self.protocol["normalise_percentile"]))
 
     def scores(self, result_e: Picture) -> dict[str, Any]:
+        """Return PSNR, SSIM, mu-law and PU21 PSNR, also of saturated and of dark pixels alone."""
         truth_e, protocol = self.light_e, self.protocol
         truth, result = on_unit_range(truth_e, result_e, self.peak_e)
         well_e = float(protocol["full_well_e"])

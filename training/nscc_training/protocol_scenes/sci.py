@@ -45,6 +45,7 @@ class SciClip(ProtocolScene):
         raise NotImplementedError("frames of this protocol are scored one by one")
 
     def items(self, result_e: NDArray[Any]) -> list[Item]:
+        """Return the scores of each frame of the clip."""
         top = float(self.protocol["data_range"])
         pairs = enumerate(zip(self.truth_e, self.result(result_e), strict=True))
         return [
@@ -94,6 +95,7 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
 
 
 def _unusable(path: Path, reason: str) -> Exception:
+    """Return the error (NS0809) for a file that is not a clip of the benchmark."""
     return rejected(
         "NS0809",
         f"'{path}' is not a clip of the sci8 benchmark",

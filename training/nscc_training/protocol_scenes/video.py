@@ -34,6 +34,7 @@ class ClipWindow(ProtocolScene):
         return self.scale_e
 
     def scores(self, result_e: Clip) -> dict[str, Any]:
+        """Return PSNR, SSIM and the error of differences between frames."""
         truth, result = (encoded(x / self.scale_e, self.srgb) for x in (self.light_e, result_e))
         errors = [mean_square_error(a, b) for a, b in zip(truth, result, strict=True)]
         frame_summary = metrics.frame_scores(errors, 1.0)

@@ -152,6 +152,7 @@ def encoders_by_name(slots: int) -> dict[str, Encoder]:
 def _lines(
     name: str, expected: dict[str, float], motions: Sequence[Motion], passed: Sequence[str]
 ) -> tuple[tuple[str, str], ...]:
+    """Return what was chosen and why, as pairs of a label and a text."""
     speeds = [speed for motion in motions for speed in motion.speeds]
     lines = [
         ("code", name),

@@ -157,6 +157,7 @@ def _speed(cv2: Any, block: NDArray[np.float64], window: NDArray[Any]) -> float:
     For slow motion, frames further apart are compared."""
 
     def median(gap: int) -> float:
+        """Return the median shift, in pixels a frame, between frames that are `gap` apart."""
         shifts = [
             np.hypot(*cv2.phaseCorrelate(earlier, later, window)[0])
             for earlier, later in zip(block[:-gap], block[gap:], strict=True)

@@ -109,6 +109,8 @@ def _starts(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator
 
 
 def _edges(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
+    """Return codes of bumps whose start, stop or both are shifted at some places by a random
+    number of slots."""
     start, stop = codes["start"], codes["stop"]
     by = places * _by(spec.slots, generator)
     kind = generator.integers(3)
@@ -123,6 +125,7 @@ def _edges(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator)
 
 
 def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
+    """Return codes of free bits that are replaced at some places by changed patterns."""
     n = np.arange(spec.slots, dtype=np.int64).reshape(-1, 1, 1)
     opened = _reshaped((codes["bits"][None] >> n) & 1 == 1, generator)
     bits = np.einsum("n,nrc->rc", np.int64(1) << n[:, 0, 0], opened.astype(np.int64))

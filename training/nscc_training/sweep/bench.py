@@ -74,6 +74,7 @@ def looks_figures(values: Values) -> Figures:
     named = chip.target if chip.file is None else None
 
     def compiled(slot_us: float) -> Compiled:
+        """Compile the schedule of looks with slots of this length (us)."""
         text = looking_text(looks, SLOTS, slot_us, scenes.target, named, "")
         options = Options(
             level=values["level"], codes="open", lowering="edges", target=chip.file, cache=False
@@ -136,6 +137,8 @@ class BenchScenes:
     def _decoded_db(
         self, encoder: Encoder, container: Container, scene: ProtocolScene, index: int
     ) -> float:
+        """Return the PSNR (dB) of a scene exposed with a program and decoded; equal frames are
+        decoded once."""
         light = _light(scene, encoder.spec.slots, self.target)
         shot = simulate(container, light, self.sensor, self.request(index)).frame
         codes = (shot.frame[:1] - self.model.adc_offset_lsb).astype(np.float32)
@@ -157,6 +160,8 @@ def scenes_of(values: Values) -> BenchScenes:
 
 @lru_cache(maxsize=2)  # clips and stills
 def _scenes(items: tuple[tuple[str, Any], ...]) -> BenchScenes:
+    """Return the scenes that the values of a point describe, cut to the array, with target and
+    sensor."""
     values: Mapping[str, Any] = dict(items)
     target = load_target(values["target"], Path())
     sensor = sensor_of(values, target)

@@ -88,6 +88,7 @@ def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
     running: dict[Future, PointTask] = {}
 
     def start(task: PointTask) -> Future:
+        """Submit a task under a new name, and count how often it was tried."""
         tries[task.key] += 1
         name = f"point-{task.key}-{tries[task.key]}"
         future = client.submit(work, task, key=name, pure=False)

@@ -29,6 +29,7 @@ from nscc_training.sweep.point_programs import (
 
 
 def _compile(values: Values, _task: PointTask) -> Figures:
+    """Return the costs of a program: words, registers, shortest slot."""
     compiled_program = compiled_of(values)
     build_report = KINDS.of(compiled_program.program).report(compiled_program)
     figures = _common(compiled_program, build_report)
@@ -79,6 +80,7 @@ COMPILE = PointKind(
 
 
 def _limit_keys() -> tuple[Key, ...]:
+    """Return the keys of points of kind limits."""
     names = tuple(family.name for family in families())
     return (
         axis("family", TextKind(names), "a class at every size"),
@@ -94,6 +96,7 @@ def _limit_keys() -> tuple[Key, ...]:
 
 
 def _limit_fault(values: Values, _named: Collection[str]) -> PointFault | None:
+    """Return what is wrong with the values of a limit, or None."""
     if "family" not in values:
         return PointFault(
             "", "the key family is missing: a class at every size", 'add family = "d"'
@@ -106,6 +109,8 @@ def _limit_fault(values: Values, _named: Collection[str]) -> PointFault | None:
 
 
 def _limit(values: Values, _task: PointTask) -> Figures:
+    """Return the largest size of a family of programs that fits the chip, and the smallest
+    impossible one."""
     family = next(family for family in families() if family.name == values["family"])
     target = target_of(values)
     assert target is not None

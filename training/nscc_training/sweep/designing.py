@@ -28,6 +28,7 @@ _CRITERIA = ("mu", "linear", "log", _TILE)
 
 
 def _keys() -> tuple[Key, ...]:
+    """Return the keys of points of kind design."""
     return (
         *scene_keys(),
         axis("looks", Integer(2, 32), "exposures of pixels that look, the last the whole frame"),
@@ -47,6 +48,7 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
+    """Return what is wrong with the values of a design, or None."""
     if "scene" not in values:
         return PointFault("", "a point needs a scene to design for", 'add scene = "builtin:hdr"')
     if (values["criterion"] == _TILE) == ("looks" in values):
@@ -65,6 +67,8 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _design(values: Values, task: PointTask) -> Figures:
+    """Design a program for a scene, write it to the point's file, and return its expected PSNR
+    and costs."""
     from nscc_runtime.scenes import laid_lights
     from nscc_training.design import Design, Frame, design_looks, design_tile
     from nscc_training.metrics import psnr_of_mse

@@ -44,6 +44,7 @@ _SILENT = {
 
 
 def _keys() -> tuple[Key, ...]:
+    """Return the keys of points of kind emulate."""
     return (
         *program_keys(),
         *scene_keys(),
@@ -76,6 +77,8 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _fault(values: Values, named: Collection[str]) -> PointFault | None:
+    """Return what is wrong with the values of a capture, or None; `named` are the keys that the
+    grid names."""
     if ("scene" in values) == ("bench" in values):
         return PointFault(
             "bench" if "bench" in values else "",
@@ -107,6 +110,8 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _capture(values: Values, threads: int) -> Figures:
+    """Expose a scene with a program and return mean, saturation, and predicted and measured
+    errors."""
     from nscc.containers import with_pixels
     from nscc.words.readout import converter_of
     from nscc_runtime import capture
@@ -140,6 +145,8 @@ def _capture(values: Values, threads: int) -> Figures:
 
 
 def _bench(values: Values) -> Figures:
+    """Return PSNR (dB) and shortest slot (us) of a class of shutters on the scenes of a
+    protocol."""
     from nscc_training.sweep.bench import bench_figures
 
     figures = bench_figures(values)

@@ -22,6 +22,7 @@ RUN = "run"
 
 
 def _keys() -> tuple[Key, ...]:
+    """Return the keys of points of kind evaluate."""
     return (
         axis(RUN, TextKind(), "parts of this grid, of kind train, whose runs are evaluated"),
         axis(
@@ -44,6 +45,7 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
+    """Return what is wrong with the values of an evaluation, or None."""
     if (RUN in values) == ("subject" in values):
         message = "a point needs a run of this grid or a subject"
         return PointFault(
@@ -63,6 +65,9 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _evaluate(values: Values, task: PointTask) -> Figures:
+    """Evaluate a run or a method, write the result to the point's file, and return its mean scores.
+
+    Raises Rejected if files are damaged, because a mean of fewer files could not be compared."""
     import torch
 
     from nscc_training.evaluation.results import damaged_files, result_json
@@ -99,6 +104,7 @@ def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
 
 
 def _result(values: Values) -> dict[str, Any]:
+    """Return the result of an evaluation, as `nscc evaluate` writes it."""
     from nscc_training.evaluation.baselines import evaluate_sci8
     from nscc_training.evaluation.methods import CLIPS
     from nscc_training.evaluation.runs import evaluate

@@ -280,6 +280,10 @@ def _linked(points: Sequence[GridPoint], source: Source) -> tuple[GridPoint, ...
         return Rejected(_problem(message, point.grid_part, key, source, help_text), status=2)
 
     def link(point: GridPoint, above: tuple[str, ...] = ()) -> GridPoint:
+        """Return the point with the points of the runs that it names; raise Rejected for unknown
+        names or cycles.
+
+        `above` are the names of runs that depend on this point."""
         if id(point) in linked:
             return linked[id(point)]
         after = list(point.after)
@@ -318,6 +322,7 @@ def _called(called: str, values: Values) -> str:
     """Return a point's name; "/" in values separates folders."""
 
     def spelled(value: Any) -> str:
+        """Return a value as a part of a file name; folders of a path stay."""
         if not isinstance(value, str):
             return _spelled(value)
         folder_names = (

@@ -169,6 +169,8 @@ def compiled_of(values: Values) -> Compiled:
 
 
 def _source(values: Values) -> tuple[Source, Path]:
+    """Return the text of a point's program and the folder of its files: a file, a rule, or
+    random codes."""
     if "program" in values:
         path = Path(values["program"])
         return read_source(path), path.parent
@@ -205,6 +207,7 @@ _SENSOR, _FILE = "sensor.", "sensor.file"
 
 
 def scene_keys() -> tuple[Key, ...]:
+    """Return the keys that name a scene and its exposure."""
     return (
         axis("scene", TextKind(), "a scene, as nscc run takes it"),
         axis(
@@ -237,6 +240,7 @@ def light_files(values: Values) -> Sequence[Path]:
 
 
 def scene_of(values: Values) -> Scene:
+    """Return the scene that the values of a point name."""
     from nscc_runtime.scenes import Scene
 
     return Scene(

@@ -82,6 +82,7 @@ def parquet_bytes(table: Table) -> bytes:
 
 
 def _of_one_type(values: Sequence[Any]) -> list[Any]:
+    """Return a column with values of one type: all floats if any is, all text if types differ."""
     types = {type(value) for value in values if value is not None}
     if types <= {int, float}:
         return [float(v) if v is not None and float in types else v for v in values]

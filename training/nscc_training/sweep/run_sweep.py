@@ -172,6 +172,8 @@ def _is_known(row: PointRow | None, how: How, output_path: Path | None) -> bool:
 def _task(
     point: GridPoint, keys: Mapping[GridPoint, str], grid: Grid, out: Path, how: How
 ) -> PointTask:
+    """Return the task of a point: where its files go, and where those of the runs that it names
+    are."""
     key = keys[point]
     runs = {f"{OF_RUN}{run.name}": _output_path(out, run, keys[run]) for run in point.after}
     files = _output_path(out, point, key) or out.resolve() / POINTS / key
@@ -198,12 +200,15 @@ def _compute(
     with _executor(how, len(tasks)) as execute:
 
         def checked(tasks: Iterable[PointTask]) -> Iterator[Done]:
+            """Yield results; raise Rejected if a worker runs other code than this process."""
             for done in execute(tasks):
                 if done.other_key:
                     raise _other_code(done)
                 yield done
 
         def all_results() -> Iterator[Done]:
+            """Yield the results of all points; a point whose run failed gets an error without
+            being computed."""
             pending = {task.key: task for task in tasks}
             while pending:
                 # Runs that a point names come first: one round per level of dependency.
@@ -254,6 +259,8 @@ def _without_run(
 
 
 def _executor(how: How, count: int) -> AbstractContextManager[Executor[PointTask]]:
+    """Return the executor of points: Dask workers of a scheduler, of this machine, or this
+    process."""
     if how.scheduler is not None:
         from nscc_training.sweep.cluster import scheduler_workers
 

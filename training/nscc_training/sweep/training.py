@@ -25,6 +25,7 @@ _STAGES = ("soft", "hard", "compiled", "emulated")
 
 @cache
 def _keys() -> tuple[Key, ...]:
+    """Return the keys of points of kind train: all settings of a training configuration."""
     settings = (Key("", key.path, Axis(key.kind), key.meaning, MISSING) for key in SCHEMA.keys)
     return (
         axis(_CONFIG, TextKind(), "a configuration of nscc train, else its defaults"),

@@ -50,6 +50,10 @@ def failure(task: PointTask, why: str) -> PointRow:
 
 
 def _row(task: PointTask) -> tuple[PointRow, bool]:
+    """Compute a point and return its row, and whether it failed unexpectedly.
+
+    An error of the compiler becomes a row with its code; any other exception becomes a row, too, so
+    that the sweep goes on."""
     kind = KINDS[task.point.kind]
     values = {
         name: str(task.runs[value]) if isinstance(value, str) and value in task.runs else value

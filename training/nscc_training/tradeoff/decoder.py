@@ -71,6 +71,7 @@ def decoder_study(
     """Return the study of all decoders; raises Rejected as `decoder_points` does."""
 
     def text(measured: StudyResult) -> str:
+        """Return a table for each unit of error, and the runs that could not be measured."""
         tables = (
             table_text(
                 [p for p in measured.points if p.error_unit == unit], ("decoder", "setting", title)
@@ -179,10 +180,13 @@ def networks(folder: RunFolder, name: str) -> list[Decoder]:
 def _network(
     folder: RunFolder, net: torch.nn.Module, dtype: str
 ) -> Callable[[CapturedScene], Light]:
+    """Return a function that decodes captured frames with a run's network, in bfloat16 or
+    float32."""
     setup = folder.setup
 
     @torch.no_grad()
     def run(frames: CapturedScene) -> Light:
+        """Return the light (e) that the network decodes from the first bucket of a capture."""
         frame = setup.model.relative(torch.from_numpy(frames.codes))
         shutters = torch.from_numpy(np.ascontiguousarray(frames.masks[0]))
         with torch.autocast(setup.device.type, torch.bfloat16, enabled=dtype == "bf16"):
@@ -193,6 +197,8 @@ def _network(
 
 
 def _fixed(kind: Kind, settings: DecoderStudySettings) -> list[StudyPoint]:
+    """Return the points of untrained decoders on a fixed code: random bits for clips, 2 x 2
+    stops for stills."""
     protocol = protocol_of(kind, settings.size, _FRAMES)
     if kind == "clips":
         name, spec, start = "clips, random bits", ShutterSpec("e", _FRAMES, (8, 8)), "random"
@@ -206,6 +212,10 @@ def _fixed(kind: Kind, settings: DecoderStudySettings) -> list[StudyPoint]:
 def _learned(
     runs: Sequence[RunFolder], name: str, settings: DecoderStudySettings
 ) -> list[StudyPoint]:
+    """Return the points of untrained decoders and of these runs, all on the code that the runs
+    learned.
+
+    Raises Rejected (NS0820) if a run has seen a file of the data."""
     setup = runs[0].setup
     kind: Kind = "stills" if setup.still else "clips"
     protocol = protocol_of(kind, settings.size, setup.slots)

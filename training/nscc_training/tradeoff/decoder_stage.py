@@ -44,6 +44,8 @@ def _point(
     """Return the point of a decoder; `run` returns an estimate of `truth` (T, rows, cols)."""
 
     def figures(light: Values) -> Figures:
+        """Return the RMS error of decoded light as a percentage of the mean light, over known
+        pixels."""
         light_e, truth_e = np.asarray(light, np.float64), np.asarray(truth, np.float64)
         known = np.isfinite(light_e)
         signal_e = float(truth_e.mean())
@@ -53,6 +55,8 @@ def _point(
 
 
 def _of_looks(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
+    """Yield the points of decoders for pixels that look: exposure over open time, and a matching
+    run."""
     frame_s = sum(bench.container.slot_us) * 1e-6
     arrays = capture.frame.told
     truth = np.asarray(bench.light.total_e())[None]
@@ -65,6 +69,10 @@ def _of_looks(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
 
 
 def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
+    """Yield the points of decoders for fixed shutters: merging or GAP-TV, `any`, and a matching
+    run.
+
+    Clips are decoded on the middle of the array only; a note of `bench` says so."""
     from nscc_training.any_code.decode import decoded_clip, decoded_still
     from nscc_training.any_code.frames import coded_capture
     from nscc_training.any_code.stages import STILL_STAGES
@@ -138,6 +146,7 @@ def _of_run(
     chosen = folder.setup.settings.decoder
 
     def run(dtype: str) -> Values:
+        """Return the light that the run's network decodes, in bfloat16 or float32."""
         with torch.autocast(folder.setup.device.type, torch.bfloat16, enabled=dtype == "bf16"):
             decoded = decoded_frame(
                 folder.setup, codes, full, share, (rows.start or 0, cols.start or 0)

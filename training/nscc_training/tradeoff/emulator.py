@@ -88,6 +88,7 @@ class Naive:
 
     @cached_property
     def _ready(self) -> tuple[NDArray[np.float32], NDArray[np.bool_]] | None:
+        """Return light and open slots as dense arrays, or None if they take too much memory."""
         buckets, slots = len(self.program.container.buckets), self.light.slots
         if slots * (4 + buckets) * self.light.frames[0].size > _MOST_BYTES:
             return None

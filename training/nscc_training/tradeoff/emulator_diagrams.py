@@ -171,6 +171,11 @@ def _decisions(plan: Plan) -> list[Decision]:
 
 
 def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
+    """Draw the error of each effect as a bar, filled if it is kept, with tolerance and prediction
+    as lines.
+
+    `span` is the range of the axis in electrons. Effects that change nothing are marked as absent.
+    """
     decisions = _decisions(plan)
     kept_colour, dropped_colour, *_ = theme().series
     colours = {"kept": kept_colour, "dropped": dropped_colour, "absent": theme().faint}

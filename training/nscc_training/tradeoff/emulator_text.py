@@ -39,6 +39,8 @@ def studies_text(studies: Sequence[EmulatorStudy], gb_per_s: float) -> str:
 
 
 def _methods_text(study: EmulatorStudy) -> str:
+    """Return the table of methods with their errors (e, LSB) and times (ms), and what was not
+    measured."""
     plans_by_setting = {
         measured_plan.setting: measured_plan for measured_plan in study.measured_plans
     }
@@ -80,6 +82,8 @@ def _setting(measured_plan: MeasuredPlan) -> str:
 
 
 def _remark(point: Point, measured_plan: MeasuredPlan | None, beaten: bool) -> str:
+    """Return the remark on a point: a broken promise, or that another point is better in error
+    and time."""
     if measured_plan is not None and not keeps_promise(measured_plan):
         return f"PROMISE BROKEN: {SLACK:g} x {measured_plan.tolerance_e:g} e"
     # Planning time is expected, so it is not marked.
@@ -87,6 +91,7 @@ def _remark(point: Point, measured_plan: MeasuredPlan | None, beaten: bool) -> s
 
 
 def _budget_text(plan: Plan) -> str:
+    """Return the table of effects with the decision on each and its reason."""
     rows = [_BUDGET_HEAD, *(_decision(decision) for decision in plan.decisions)]
     head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
     words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
@@ -94,6 +99,8 @@ def _budget_text(plan: Plan) -> str:
 
 
 def _decision(decision: Decision) -> tuple[str, ...]:
+    """Return the row of one effect in the error budget."""
+
     def number(value: float | None) -> str:
         return "" if value is None or decision.decision == "absent" else f"{value:.3g}"
 

@@ -80,6 +80,7 @@ def joint_study(
 
 
 def _points(stage: str, bench: Bench) -> list[StudyPoint]:
+    """Return the points of one stage; if it cannot be measured, one point with the reason."""
     try:
         return list(_STAGES[stage][2](bench))
     except (Rejected, NotMeasured, ModuleNotFoundError) as why:

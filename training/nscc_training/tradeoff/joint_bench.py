@@ -214,6 +214,10 @@ class Bench:
         return self.known_errors[digest]
 
     def _error(self, container: Container, original: Container | None) -> float:
+        """Return the RMS error of a frame as a percentage of the mean signal.
+
+        `original` is the program that defines the ideal exposure, if `container` uses other slots.
+        """
         light = self._light_in(container)
         ideal_e = self._ideal_e(container, light)
         if original is not None:
@@ -256,6 +260,8 @@ class Bench:
         return simulate(container, light, self.sensor, request)
 
     def _ideal_e(self, container: Container, light: Light) -> Values:
+        """Return the exposures without effects (e); for pixels that look, all light of the
+        frame."""
         if not KINDS.of(container).open_times_known:
             return np.asarray(light.total_e(), np.float64)[None]
         none = selected("none")

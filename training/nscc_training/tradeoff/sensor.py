@@ -53,6 +53,7 @@ def sensor_study(options: Mapping[str, Any]) -> Study:
         points += readout_points(options)
 
     def text(measured: StudyResult) -> str:
+        """Return the tables of shutters and readouts, and the programs that do not fit."""
         readouts = [point for point in measured.points if point.case == "readouts"]
         names = ("shutters", "slots", "PSNR, dB"), ("readouts", "count", "PSNR, dB")
         tables = [table_text(shutters_of(measured.points), names[0], ("slot, us", 1e3))]
@@ -124,9 +125,12 @@ def bench_values(options: Mapping[str, Any], kind: str) -> Values:
 
 
 def _point(kind: str, method: str, slots: int, measure: Callable[[], Figures]) -> StudyPoint:
+    """Return a point that measures PSNR and the shortest slot of a method with this number of
+    slots."""
     setting = f"{slots} slots"
 
     def figures() -> Figures:
+        """Measure, and return PSNR (dB), shortest slot (ms) and setting of the point."""
         found = measure()
         return {
             "psnr_db": found["psnr_db"],
@@ -151,6 +155,8 @@ def readout_points(options: Mapping[str, Any]) -> list[StudyPoint]:
 
 
 def _readouts(method: str, count: int, values: Values) -> Figures:
+    """Return PSNR (dB) and readout time (ms) of a clip from `count` readouts: a burst, or coded
+    frames."""
     scenes = scenes_of(values)
     if method == "burst":
         container = camera(SLOTS, SLOT_US, values["target"], count)
