@@ -58,7 +58,8 @@ def _line() -> _Line:
 
 
 def _read(kind: Kind, text: str) -> Any:
-    """Return the value of an option."""
+    """Return the value of an option of this kind; raise ArgumentTypeError with what is allowed
+    for other texts."""
     try:
         return kind.read(spelled_value(text))
     except ValueError:

@@ -22,7 +22,8 @@ class Inconsistent(Exception):
 
 
 def check_tree(source: Source, tree: File) -> None:
-    """Check that statements lie inside the text and do not overlap."""
+    """Raise Inconsistent unless all statements lie inside the text, in order and without
+    overlap."""
     end = 0
     for statement in tree.statements:
         require(end <= statement.span.start <= statement.span.end, "statements overlap")
@@ -31,8 +32,8 @@ def check_tree(source: Source, tree: File) -> None:
 
 
 def check_program(program: Program) -> None:
-    """Check that the decode table has a shutter for each code, with the frame's slots and
-    buckets."""
+    """Raise Inconsistent unless the decode table has a shutter for each code, with the frame's
+    slots and buckets, and every pixel has a code of the table."""
     table = program.table
     _, buckets, slots = table.shutters.shape
     require(len(table.codes) == len(table.shutter_of_code), "a code without a shutter")
@@ -43,7 +44,8 @@ def check_program(program: Program) -> None:
 
 
 def check_plans(planned: Planned) -> None:
-    """Check that the predicates of every plan reproduce the shutters."""
+    """Raise Inconsistent unless each plan collects in every bucket the light of exactly the open
+    slots."""
     for plan in planned.plans:
         for bucket, opens in enumerate(planned.opens):
             gathered = _gathered(plan, bucket, opens[0])
@@ -80,7 +82,8 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
 
 
 def check_gates(gated: Gated) -> None:
-    """Replay every solution on truth vectors and check that it meets its demands."""
+    """Replay every solution on truth vectors; raise Inconsistent if it does not meet its
+    demands."""
     machine = Machine.of(gated.program.target)
     for decoding in gated.decodings:
         fault_text = fault(decoding.problem, machine, decoding.solution)
@@ -88,7 +91,8 @@ def check_gates(gated: Gated) -> None:
 
 
 def check_schedule(choice: Choice) -> None:
-    """Check that kernels are launched at increasing boundaries and name registers of the chip."""
+    """Raise Inconsistent unless kernels are launched in the order of boundaries, each at least
+    once, and name only registers of the chip."""
     for lowered in choice.lowerings:
         schedule, target, slots = lowered.schedule, lowered.program.target, lowered.plan.slots
         places = schedule.allocation.places

@@ -143,7 +143,8 @@ def to_json(record: Any, schema: str = "") -> str:
 
 
 def from_json(kind: type[Kind], text: str | bytes, schema: str = "") -> Kind:
-    """Return the record in a text of `to_json`; raise InvalidRecord for any other text."""
+    """Return the record in a text of `to_json`; raise InvalidRecord for any other text. `schema`
+    is the text that the key `schema` must have; "" expects no such key."""
     import json
 
     try:
@@ -323,7 +324,7 @@ def _read_hex(text: Any) -> int:
 
 
 def _checked(limits: Within, convert: Convert) -> Convert:
-    """Return the conversion of values within limits."""
+    """Return the conversion `convert` followed by a check of the result against `limits`."""
 
     def converted(value: Any) -> Any:
         """Convert `value`; raise InvalidRecord if the result (or its length) is outside the
@@ -341,7 +342,8 @@ def _checked(limits: Within, convert: Convert) -> Convert:
 
 
 def _union(kinds: tuple[Any, ...]) -> _Codec:
-    """Return the codec of an optional value, or of a union of records."""
+    """Return the codec of an optional value (None stays None), or of a union of records, which
+    stores the name of the class first."""
     if NoneType in kinds:
         optional = _codec(Union[tuple(kind for kind in kinds if kind is not NoneType)])  # noqa: UP007
         return _Codec(
@@ -394,7 +396,10 @@ def _convert_values(convert: Convert, values: Mapping[str, Any]) -> dict[str, An
 
 
 def _joined(row: Sequence[_Field], values: Sequence[Any]) -> list[Any]:
-    """Return the items of several values in one list."""
+    """Return the items of a record's fields in one list, without a list for each field.
+
+    `row` declares the fields. A field of width 2 adds two items, a field of any width its own list,
+    and every other field one item. Raises InvalidRecord."""
     items: list[Any] = []
     for field, value in zip(row, values, strict=True):
         try:
@@ -409,7 +414,9 @@ def _joined(row: Sequence[_Field], values: Sequence[Any]) -> list[Any]:
 
 
 def _split(row: Sequence[_Field], items: list[Any]) -> Iterator[Any]:
-    """Yield the values whose items are in one list."""
+    """Yield the values of a record's fields from the list that `_joined` makes.
+
+    Raises InvalidRecord if the number of items does not fit."""
     if len(row) == 1 and row[0].codec.width == 0:
         yield row[0].codec.read(items)
         return

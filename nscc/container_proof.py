@@ -17,7 +17,8 @@ from nscc.words.legality import decoded
 
 
 def require_known_shutters(container: Container, name: str = "this program") -> None:
-    """Raise Rejected (NS0444, status 1) if the shutters depend on the light."""
+    """Raise Rejected (NS0444, status 1) if the shutters depend on the light. `name` names the
+    program in the message."""
     if not KINDS.of(container).shutters_known:
         raise rejected(
             "NS0444",

@@ -117,7 +117,8 @@ class ExperimentStore:
             reported = True
 
     def _rejected(self, error: Exception) -> Rejected:
-        """Return the message for an error of the file."""
+        """Return the error for a file that is not a store (NS0834) or that cannot be used, with
+        what to do."""
         primary = getattr(error, "sqlite_errorcode", sqlite3.SQLITE_OK) & 0xFF
         if primary in (sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_ERROR):
             return rejected(
@@ -157,7 +158,8 @@ class ExperimentStore:
         return {name: json.loads(value) for name, value in rows}
 
     def timings(self) -> list[Timing]:
-        """Return the timings, in the order in which its measurements ended."""
+        """Return label, duration (s), end and worker of all measurements, in the order in which
+        they ended."""
         rows = self._execute(
             "SELECT name, label, seconds, ended, worker FROM measurement WHERE experiment = ? "
             "ORDER BY rowid",
@@ -183,7 +185,7 @@ class ExperimentStore:
         worker: str = "",
     ) -> None:
         """Store a measurement; raise ValueError for None, NaN and infinity, which JSON cannot
-        represent."""
+        represent. A measurement that is stored already stays as it is."""
         if value is None:
             raise ValueError(f"the measurement '{name}' has no value")
         self._execute(
@@ -205,7 +207,8 @@ class ExperimentStore:
             self._execute(f"DELETE FROM measurement WHERE {where}", self._of, name)
 
     def claim(self, name: str) -> bool:
-        """Claim a measurement; return False if another process has the claim, else True."""
+        """Claim a measurement; return False if another process has the claim, else True. Claims
+        are locks on bytes of a file, so a process that dies releases them."""
         if self._claims is not None:
             place = _place(self._of, name)
             try:

@@ -118,7 +118,8 @@ def store_files(products: Mapping[Path, Product]) -> None:
 
 
 def write_back(path: Path, data: Product) -> None:
-    """Write an input file that the user asked to change, as `write_whole` does."""
+    """Write an input file that the user asked to change, as `write_whole` does. The file then no
+    longer counts as an input, which may not be overwritten."""
     known = _inputs.get()
     if known:
         for identity in [key for key, name in known.items() if name == path]:

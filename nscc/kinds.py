@@ -55,7 +55,10 @@ class KindTable(Generic[Base]):
         return self._combined(*(self._classes[kind] for kind in kinds if kind in self._classes))
 
     def _combine(self, *places: str) -> Base:
-        """Return an instance of a class with the methods of the first class that has them."""
+        """Return an instance of a class that inherits from the named classes and the base class, in
+        this order.
+
+        `places` are "module:class"."""
         split = (place.split(":") for place in places)
         classes = [getattr(import_module(module), name) for module, name in split]
         combined: type[Base] = type("Combined", (*classes, self._base), {})

@@ -47,7 +47,8 @@ def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], boo
 def npy_values(
     stream: IO[bytes], shape: tuple[int, ...], fortran: bool, dtype: np.dtype[Any]
 ) -> NDArray[Any] | None:
-    """Return the values after the header; None if the stream is too short or too long."""
+    """Return the array of this shape and type that follows the header of an .npy stream; None if
+    the stream is too short or too long."""
     data = memoryview(bytearray(prod(shape) * dtype.itemsize))
     filled = 0
     while block := stream.read(_BLOCK_BYTES):
@@ -93,7 +94,8 @@ def npz_arrays(
 
 
 def npy_array(file: Path | IO[bytes], most_bytes: int = MOST_BYTES) -> NDArray[Any]:
-    """Read the array of an .npy file. Raises as `npz_arrays`."""
+    """Read the array of an .npy file. Raises as `npz_arrays`. `most_bytes` limits the unpacked
+    size."""
     if isinstance(file, Path):
         with open(file, "rb") as stream:
             return _array(stream, file.name, most_bytes)

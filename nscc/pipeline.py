@@ -402,7 +402,10 @@ def with_all_lowerings(compiled: Compiled, options: Options) -> Compiled:
 
 
 def _run(source: Source, job: Job, see: Observer) -> Compiled:
-    """Run all passes in order; each value is observed and verified before the next pass."""
+    """Run all passes in order; `see` receives each pass and its value, which is then verified.
+
+    Raises Rejected at the first pass with errors: as Unfit, if the program is valid but does not
+    fit."""
     values: dict[str, Any] = {}
     messages: list[Diagnostic] = []
     value: Any = source

@@ -334,7 +334,10 @@ def compile(
 
 
 def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
-    """Compile a text whose name is used in messages; raises and warns as `compile` does."""
+    """Return the compiled program of a text, whose name is used in messages; `folder` is that of
+    its files.
+
+    Raises Rejected and warns as `compile` does."""
     compiled = compile_source(text, folder, options)
     assert compiled.container is not None  # programs that do not fit are rejected
     warn(compiled.diagnostics, stacklevel=4)

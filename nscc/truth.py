@@ -20,7 +20,12 @@ def columns(bits: NDArray[np.bool_]) -> list[int]:
 
 
 def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
-    """Return the inverse of `columns`: bool (count, len(vectors))."""
+    """Return the bits of truth vectors as an array, bool (count, vectors); the inverse of
+    `columns`.
+
+    >>> rows([0b0011, 0b0101], 4).astype(int).tolist()
+    [[1, 1], [1, 0], [0, 1], [0, 0]]
+    """
     size = max(1, (count + 7) // 8)
     if not vectors:
         return np.zeros((count, 0), dtype=np.bool_)
@@ -39,7 +44,11 @@ def members(vector: int, count: int) -> NDArray[np.intp]:
 
 
 def vector(shutters: NDArray[np.intp]) -> int:
-    """Return the truth vector of a set of shutters, given by their indices."""
+    """Return the truth vector of a set of shutters, given by their indices.
+
+    >>> bin(vector(np.array([0, 2])))
+    '0b101'
+    """
     if not len(shutters):
         return 0
     bits = np.zeros(int(shutters.max()) + 1, dtype=np.uint8)
@@ -53,7 +62,11 @@ def union(vectors: Iterable[int]) -> int:
 
 
 def set_bits(mask: int) -> tuple[int, ...]:
-    """Return the positions of the 1 bits, ascending."""
+    """Return the positions of the 1 bits, ascending.
+
+    >>> set_bits(0b1010)
+    (1, 3)
+    """
     places = []
     while mask:
         low = mask & -mask

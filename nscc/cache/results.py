@@ -67,8 +67,8 @@ def results_of_user() -> Results | None:
 
 
 def _solution(data: bytes | None, problem: Problem, machine: Machine) -> Solution | None:
-    """Return the solution in a stored entry; None if the entry is invalid or does not solve the
-    problem."""
+    """Return the solution stored in `data`; None if the entry is missing, damaged, or does not
+    solve the problem on this machine."""
     if data is None:
         return None
     try:

@@ -105,7 +105,8 @@ class Store(Record):
             used -= status.st_size
 
     def _files(self, pattern: re.Pattern[str]) -> Iterator[tuple[Path, os.stat_result]]:
-        """Yield the regular files whose names match `pattern`."""
+        """Yield the regular files whose names match `pattern`. Files that disappear meanwhile
+        and unreadable folders yield nothing."""
         try:
             with os.scandir(self.folder) as entries:
                 names = [entry for entry in entries if pattern.fullmatch(entry.name)]

@@ -99,7 +99,8 @@ def builtin_names() -> tuple[str, ...]:
 
 @cache
 def builtin_target(name: str) -> Target:
-    """Return the built-in target `name`, which must exist."""
+    """Return the built-in target `name`, which must exist. Raises ValueError if its table is
+    wrong, which is a fault of nscc."""
     values = tomllib.loads((_TABLES / f"{name}.toml").read_text(encoding="utf-8"))
     key_values, problems = schema_of(values.get("kind")).read(values, complete=name == DEFAULT_NAME)
     if problems:
@@ -194,7 +195,10 @@ def target_toml(target: Target) -> str:
 def read_target(
     name: str, base: Path, source: Source | None = None, span: Span | None = None
 ) -> bytes:
-    """Read the bytes of a user's target file; raise NS0231 as `load_target` does."""
+    """Return the bytes of a target file, which is looked up in the folder `base`.
+
+    Raises Rejected (NS0231) if it cannot be read. The error marks `span` of `source`, where a
+    program names the file."""
     try:
         return file_bytes(SCHEMA, base / name, name)
     except Rejected as error:
@@ -220,7 +224,8 @@ def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
 
 
 def _target(key_values: KeyValues) -> Target:
-    """Return the target with these values; missing keys have their default or scamp5's value."""
+    """Return the target with these values; missing keys have their default or scamp5's value.
+    Chips without words have empty registers."""
     values: dict[str, Any] = {}
     streamed = schema_of(key_values.get("kind")) is not SCHEMA
     for key in keys_of(Target):
@@ -240,7 +245,8 @@ def _values(target: Target) -> dict[str, Any]:
 
 
 def _contradictions(key_values: KeyValues, source: Source | None = None) -> list[Diagnostic]:
-    """Return an error (NS0236) for each pair of valid keys that contradict each other."""
+    """Return an error (NS0236) for each pair of valid keys that contradict each other. `source`
+    is the target file, for the places in messages."""
     streamed = key_values.get("kind") == "stream"
     section, find_contradictions = (
         ("stream", tap_contradictions) if streamed else ("registers", contradictions)
@@ -256,7 +262,8 @@ def _contradictions(key_values: KeyValues, source: Source | None = None) -> list
 
 
 def _added(name: str, value: object) -> Target:
-    """Return the target `name` that a package adds as `value`."""
+    """Return the target `name` that a package adds as `value`. `value` is a Target, TOML text or
+    the path of a TOML file. Raises Rejected if it is none of them or has another name."""
     reason = "its table is wrong"
     diagnostics: tuple[Diagnostic, ...] = ()
     try:

@@ -105,8 +105,8 @@ def _plain(row: Operation) -> dict[str, Any]:
 
 
 def _row(values: Any, who: str) -> Operation:
-    """Return the operation that one `[[words]]` table defines; raise `ValueError` with the reason
-    if it is invalid."""
+    """Return the operation that one `[[words]]` table defines; raise `ValueError` with the
+    reason if it is invalid. `who` names the table in the reason."""
     if not isinstance(values, Mapping):
         raise ValueError(f"{who} is not a table of keys")
     if isinstance(values.get("name"), str):
@@ -175,7 +175,10 @@ def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int
 
 
 def _lines(who: str, effect: WordEffect, names: Any) -> tuple[int, ...]:
-    """Return the numbers of the control lines `names`, in the chip's order."""
+    """Return the numbers of the control lines `names` that a word raises, in ascending order.
+
+    Raises ValueError, with `who` as the name of the word, for unknown lines and lines that belong
+    to operands."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise ValueError(f"{who} has invalid lines: a list of names is required")
     for name in names:

@@ -131,7 +131,9 @@ def _labelled(
     margin: int,
     paint: Callable[[str, str], str],
 ) -> list[str]:
-    """Return the source lines of the labels, with marks below them; labels on one line share it."""
+    """Return the source lines of the labels, with marks below them; labels on one line share it.
+    `rows` are the line numbers of the labels, `margin` is the width of the column of line
+    numbers, and `paint` colours a text."""
     bar = paint(_BLUE, " " * (margin + 1) + "|")
     lines = [bar]
     above = (0, "")

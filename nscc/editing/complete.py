@@ -201,7 +201,7 @@ class Listing(Record):
 
     @cached_property
     def checked(self) -> CheckResult:
-        """The result of `nscc asm`."""
+        """The errors of the assembly text, as `nscc asm` finds them; the container is not kept."""
         try:
             assemble(Source(self.name, self.text), self.folder)
         except Rejected as rejected:

@@ -215,7 +215,8 @@ def _state(document: Document, name: str) -> str:
 
 
 def _frame(document: Document, offset: int) -> Hover | None:
-    """Return the cost of the frame, or of the listed slot at `offset`."""
+    """Return the cost of the frame, or of the listed slot at `offset`. None if `offset` is not
+    in a `frame` statement."""
     for statement in document.parsed[0].statements:
         if not isinstance(statement, tree.EqualSlots | tree.ListedSlots):
             continue

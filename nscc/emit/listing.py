@@ -204,7 +204,7 @@ def plans_text(planned: Planned) -> str:
 
 
 def all_gates_text(gated: Gated) -> str:
-    """Return the gates of all lowerings, and why others have none."""
+    """Return the gates of every lowering, and the reason for each lowering that has none."""
     texts = [
         f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program)}"
         for decoding in gated.decodings

@@ -84,14 +84,16 @@ class NetworkMaker:
             self.plane(f"p{i}", self.places[f"p{i}"], holder, vector)
 
     def plane(self, name: str, register: str, holder: str, vector: int) -> None:
-        """Add the initial value of a register."""
+        """Add the node of a register's initial value; `vector` has bit k set if shutter k has a
+        1 there."""
         self.network.add_node(
             name, kind="plane", register=register, name=name, holder=holder, bits=f"{vector:#x}"
         )
         self.holds[name] = name
 
     def gate(self, gate: Gate, boundary: int) -> None:
-        """Add a gate with edges from its inputs."""
+        """Add a gate that runs at a boundary, with edges from the values that it reads; its
+        register then holds the gate's result."""
         written = words((gate,), self.lowered.schedule.allocation)
         node = self.value("gate", gate.name, gate.destination, written, boundary)
         for source in gate.sources:
@@ -163,7 +165,11 @@ class KernelFinder:
         self._next = dict.fromkeys(self._run, 0)
 
     def kernel_of(self, gate: tuple[Op, ...], boundary: int) -> int:
-        """Return the kernel that contains the boundary's next gate."""
+        """Return the number of the kernel that contains the boundary's next gate, given by its
+        words.
+
+        Must be called in the order of gates. Raises ValueError if the boundary does not launch
+        these words."""
         run, at = self._run[boundary], self._next[boundary]
         while tuple(word for word, _ in run[at : at + len(gate)]) != gate:
             if at >= len(run):

@@ -61,7 +61,10 @@ def shutter_chart(
 def _bars(
     places: NDArray[np.float64], share: NDArray[np.float64], top: float, height: float, bucket: int
 ) -> list[str]:
-    """Return SVG paths for runs of columns with equal open share, one path for each shade."""
+    """Return SVG paths of bars whose shade shows which share of shutters is open over time.
+
+    `places` are the column edges and `share` the open share of each column, both 0..1; `top` and
+    `height` are in pixels."""
     shade = np.ceil(share * _SHADES - 1e-9).astype(int)
     starts = np.concatenate(([0], np.flatnonzero(np.diff(shade)) + 1))
     ends = np.concatenate((starts[1:], [len(shade)]))

@@ -23,7 +23,7 @@ def summary(name: str, compiled: Compiled) -> str:
 
 
 def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
-    """Return the summary as rows (label, text)."""
+    """Return class, codes and costs of a program as rows (label, text)."""
     program = compiled.program
     table = program.table
     return [
@@ -78,7 +78,7 @@ def _codes_text(program: Program) -> str:
 
 
 def word_cost_text(compiled: Compiled) -> str:
-    """Return the cost of words in two lines."""
+    """Return words a frame, words stored and the shortest possible slot, in two lines."""
     lowered = compiled.lowered
     assert lowered is not None
     target, (stored, executed) = lowered.program.target, _words(compiled)

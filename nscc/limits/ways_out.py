@@ -115,7 +115,9 @@ def _book(program: Program, shutters: NDArray[np.bool_]) -> Source:
 
 
 def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
-    """Yield the program with the most codebook rows, of those in use, that fits the same frame."""
+    """Yield the program with the largest codebook, of the rows in use, that fits the same frame.
+
+    Nothing for programs without a codebook. `attempt` compiles a source at `level`."""
     if program.class_name != "codebook" or len(program.fields) != 1:
         return
     table, slots = program.table, len(program.frame.slot_us)
@@ -152,7 +154,8 @@ def _largest(
     budget: int,
 ) -> tuple[int, Lowered | None, str]:
     """Return the largest size that fits (`nscc.limits.survey.largest`), its lowered program or
-    None, and a remark if the time ended before all sizes were tried."""
+    None, and a remark if the time ended before all sizes were tried. `source` returns the
+    program text of a size, and `budget` limits the number of compilations."""
     built: dict[int, Lowered | None] = {}
     begin, remark = process_time(), ""
 

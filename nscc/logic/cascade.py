@@ -154,7 +154,8 @@ class _Finder:
                 yield plan
 
     def solution(self, plan: _Plan) -> Solution:
-        """Return the gates of a plan."""
+        """Return the solution that stores a plan's predicates and computes the others by its
+        cascades."""
         points = self._points
         answers: list[tuple[Segment, ...]] = []
         for task in self._tasks:
@@ -206,8 +207,10 @@ class _Finder:
         return tasks
 
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
-        """Return a plan of at most `most` words, found with a narrow beam; None if none was
-        found."""
+        """Return a plan of at most `most` words for a choice of stored predicates, found with a
+        beam of `width`; None if none was found.
+
+        `scratch` is the number of registers for intermediate results."""
         planes = _separating(self._points.bits, choice)
         times = self._times
         repeats = times.total() - len(times)
@@ -246,8 +249,10 @@ class _Finder:
         return self._sets[predicates], known
 
     def _chosen(self, best: _Plan, until: int, width: int) -> Iterator[_Plan]:
-        """Improve the choice of planes by local search, until `until` steps are left; yield better
-        plans."""
+        """Improve the choice of stored predicates by exchanging or inverting one at random; yield
+        plans with fewer words.
+
+        Ends when only `until` steps of the budget are left."""
         choose = random.Random(0)
         everyone = range(len(self._points.bits))
         current = best

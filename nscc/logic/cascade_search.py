@@ -369,7 +369,10 @@ class Search:
     def _read(
         self, on: Points, off: Points, cubes: tuple[int, ...], room: int
     ) -> tuple[tuple[int, ...], Points]:
-        """Return the planes that a link needs besides its cubes, and the points left undecided."""
+        """Return the planes that a link reads besides its cubes, and the points left undecided.
+
+        A link is one gate of the cascade. `on` and `off` are the points at which it must be 1 and
+        0; at most `room` planes may be read."""
         target = on
         table = self._table.planes
         pure = disjoint(table, off[None])

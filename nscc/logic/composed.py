@@ -35,7 +35,9 @@ _SUBMASK_BITS = (13, 4)
 
 
 def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Yield the solutions of a composed rule; raise GaveUp for a rule that is not composed."""
+    """Yield the solutions of a composed rule; raise GaveUp for a rule that is not composed.
+    `steps` limits the search for gates. A rule is composed if it joins conditions on different
+    fields by `and`, `or` or `xor`."""
     rule = composition(problem)
     if rule is None:
         raise GaveUp("the rule is not composed from parts with different fields")
@@ -80,7 +82,10 @@ class _Writer:
     states: int = 0
 
     def script(self, rule: Rule) -> Script:
-        """Return the script that computes a rule at each demand."""
+        """Return the script that computes a rule at each demand: planes, state updates and the
+        gates of the rule.
+
+        Raises GaveUp if no register is left for intermediate results."""
         planned = self._planned(rule)
         scratch = self.machine.registers - len(self.planes) - self.states
         if scratch < 1:
@@ -104,7 +109,11 @@ class _Writer:
         return Script(name, self.planes, self.states, opening, before, closing)
 
     def _planned(self, rule: Rule) -> _Planned:
-        """Choose the planes and states of all parts."""
+        """Choose planes and states for all parts of a rule, add them to the writer, and return the
+        rule with its parts replaced.
+
+        A part that only opens or only closes becomes a state that counts to its time of change; any
+        other part is covered by cubes."""
         if isinstance(rule, Composition):
             return rule.operator, self._planned(rule.first), self._planned(rule.second)
         is_open, base = rule.open, len(self.planes)
@@ -164,7 +173,8 @@ class _Writer:
         return self.free.pop(0)
 
     def _advance(self, leaf: _Counted | _Covered, index: int) -> None:
-        """Invert the planes that a part reads at a demand first, and update its state."""
+        """Append the gates that a part needs before demand `index`: invert the planes that it
+        reads, and update its state."""
         if isinstance(leaf, _Covered):
             for cube in leaf.cubes[index][:1]:
                 self.segments += self.standing.turn(cube if len(cube) > 1 else ())
@@ -184,7 +194,7 @@ class _Writer:
             self._end_segment()
 
     def _terms(self, planned: _Planned, index: int) -> list[str]:
-        """Add gates for a rule; return registers whose OR is its value."""
+        """Append gates for a rule at demand `index`; return registers whose OR is its value."""
         if isinstance(planned, tuple) and planned[0] == "or":
             return [*self._terms(planned[1], index), *self._terms(planned[2], index)]
         if isinstance(planned, tuple) and planned[0] == "xor":

@@ -100,7 +100,8 @@ def _expand(
 
 
 def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
-    """Return the gates of an encoding; raise GaveUp if there is no free register."""
+    """Return the gates of an encoding; raise GaveUp if there is no free register. Raises GaveUp
+    if there are more planes than registers."""
     planes = len(encoding.planes)
     free_registers = machine.registers - planes
     if free_registers < 0:
@@ -213,7 +214,10 @@ class _Emitter:
         raise GaveUp("no register is left to compute with")
 
     def _make_room(self, terms: list[str]) -> list[str]:
-        """Combine the terms so far if every scratch register holds a term."""
+        """Return terms whose OR is unchanged and which leave a scratch register free.
+
+        The terms in scratch registers are combined by an OR, or in FLAG if there is only one.
+        Raises GaveUp if no scratch register exists."""
         scratch_terms = [name for name in terms if name in self._scratch]
         if len(scratch_terms) < len(self._scratch):
             return terms
@@ -248,7 +252,8 @@ class _Emitter:
         return [*terms, target]
 
     def _load_flag(self, terms: list[str]) -> None:
-        """Add gates for FLAG := OR(terms), which may include FLAG."""
+        """Append the gates that load FLAG with the OR of `terms`, one of which may be FLAG
+        itself."""
         spare = next((name for name in self._scratch if name in terms), None)
         limit = self._machine.where_sources
         if spare is None and limit is not None and len(terms) > limit:

@@ -17,8 +17,11 @@ from nscc.truth import members, union
 
 
 def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Return one plane for each distinct predicate (raw bits, thermometer codes): one word per
-    demand."""
+    """Return the encoding with one plane for each distinct predicate, so that every demand takes
+    one word.
+
+    Free bits and thermometer codes of a stop are examples. Raises GaveUp for more predicates than
+    registers."""
     distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
     if len(distinct) > machine.registers:
         raise GaveUp(f"{len(distinct)} different predicates, {machine.registers} registers")
@@ -37,7 +40,10 @@ def describe_demand(demand: Demand) -> str:
 
 
 def one_hot(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Return one plane for each shutter; every predicate is an OR of planes."""
+    """Return the encoding with one plane for each shutter: a predicate is the OR of its shutters'
+    planes.
+
+    Raises GaveUp for more shutters than registers."""
     if problem.shutters > machine.registers:
         raise GaveUp(f"{problem.shutters} shutters, {machine.registers} registers")
     used = union(demand.predicate for demand in problem.demands)
@@ -115,7 +121,8 @@ def event_fields(problem: Problem, most: int) -> Events:
 
 
 def _index_planes(problem: Problem, machine: Machine) -> Planes:
-    """Return planes with the Gray code of every shutter's number, as few as possible."""
+    """Return planes with the Gray code of every shutter's number, as few as possible. Raises
+    GaveUp if no register is left for intermediate results."""
     numbers = np.arange(problem.shutters, dtype=np.int64)
     width = max(1, (problem.shutters - 1).bit_length())
     if width > machine.registers - 1:
@@ -152,7 +159,7 @@ def covered_gray_index(problem: Problem, machine: Machine, budget: Budget) -> En
 
 def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return the encoding of `covered_gray_index` with both polarities of every bit, without
-    inversions."""
+    inversions. Raises GaveUp if there are too few registers."""
     half = _index_planes(problem, machine)
     if 2 * len(half) > machine.registers - 2:
         raise GaveUp("no room for both polarities and two scratch registers")
@@ -192,8 +199,10 @@ def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encodi
 
 
 def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Return the open shutters of every slot as planes; an edge is one cube of two neighbouring
-    slots."""
+    """Return the encoding whose planes are the shutters open in each slot; an opening or closing
+    edge is one cube of two neighbouring slots.
+
+    Raises GaveUp if there are too few registers."""
     distinct = dict.fromkeys(level for bucket in problem.opens for level in bucket)
     levels = [level for level in distinct if level not in (0, problem.everything)]
     if len(levels) > machine.registers - 1:

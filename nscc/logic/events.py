@@ -77,7 +77,7 @@ _MOST_KINDS = 24
 
 def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """Yield solutions with groups and places for every field; spare registers store the last
-    demands directly."""
+    demands directly. Raises GaveUp if the demands are not the opening and closing of shutters."""
     if all(d.edge == "open" for d in problem.demands):
         raise GaveUp("the demands are levels")
     room = machine.registers - 1
@@ -124,8 +124,11 @@ def _events(problem: Problem) -> list[tuple[str, _Events]]:
 
 
 def _field(name: str, events: _Events, shutters: int) -> _Field:
-    """Return the field that numbers these events; raise GaveUp if numbers cannot
-    distinguish them."""
+    """Return the field that numbers the shutters by their event, so that a demand is an equality
+    with one number.
+
+    `events` are pairs of a demand and its predicate. Raises GaveUp if numbers cannot distinguish
+    them."""
     atoms = _atoms([v for _, v in events])
     if atoms is None:
         raise GaveUp("the remaining events are not unions of each other")
@@ -155,7 +158,8 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
 
 
 def _forms(field: _Field, room: int) -> list[_Form]:
-    """Return the layouts of a field, fewest planes first."""
+    """Return ways to store a field's number in at most `room` planes, as a group and a place in
+    it, fewest planes first."""
     forms: list[_Form] = []
     for bits in range(min((field.count - 1).bit_length() + 1, room), -1, -1):
         form = _Form(bits, 0, 0)
@@ -169,7 +173,7 @@ def _forms(field: _Field, room: int) -> list[_Form]:
 
 def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ...]]:
     """Return segments that invert group bits before each demand and, at key -1, after the last
-    demand."""
+    demand. `base` is the number of the first plane of the group."""
     codes = _groups(field, form)
     standing = 0
     turned: dict[int, tuple[Segment, ...]] = {}

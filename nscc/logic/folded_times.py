@@ -80,7 +80,10 @@ def _order(start: int, stop: int, moved: int, side: int) -> tuple[bool, bool, bo
 
 
 def _choices(start: int, stop: int, moved: int, side: int) -> Iterator[Cell]:
-    """Yield the cells for a pair of points, best first, of which the first `moved` are moved."""
+    """Yield cells of the square for a bump from `start` to `stop`, best first.
+
+    The square has `side` rows. The first `moved` points in time have no row of their own, so their
+    pairs go to cells below the diagonal that are otherwise empty."""
     row, column = side - 1 - start, stop - moved
     if start >= moved:
         yield start - moved, column  # above the diagonal

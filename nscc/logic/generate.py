@@ -144,7 +144,8 @@ class GeneratorFault(Record):
     traceback: str
 
     def diagnostic(self) -> Diagnostic:
-        """Return the warning (NS0504), with the traceback in its data."""
+        """Return the warning (NS0504) that an added generator raised an exception, with the
+        traceback in its data."""
         return Diagnostic(
             "NS0504",
             f"the gate generator {self.generator[:60]!a} failed at -O{self.level} and was "
@@ -182,7 +183,8 @@ def solutions(
     steps = SEARCH_STEPS[level]
 
     def solve_kinds(*kinds: Kind, allowed: int = steps) -> Iterator[Solution]:
-        """Yield solutions of generators of these kinds."""
+        """Yield the solutions of all generators of these kinds, each with at most `allowed`
+        steps; faults are noted."""
         for kind in kinds:
             for name, generator in known.items():
                 if generator.kind == kind and level >= generator.least_level:
@@ -228,8 +230,10 @@ def solutions(
 def _checked_solutions(
     name: str, generator: Generator, problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
-    """Yield the solutions of a generator until it gives up; raise Rejected (NS0905) if an added
-    generator is wrong."""
+    """Yield the solutions of one generator until it gives up.
+
+    Solutions of added generators are checked: raises Rejected (NS0905) for one that does not meet
+    its demands."""
     built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):

@@ -105,7 +105,8 @@ class Machine(Record):
 
     @staticmethod
     def of(target: Target) -> Machine:
-        """Return the gate machine of a target."""
+        """Return what gates may do on a target: registers, the masked register, limits on
+        sources."""
         return Machine(
             len(target.digital_registers),
             target.masked_register is not None,

@@ -93,7 +93,8 @@ class _Frame:
         self.contents["FLAG"] = None
 
     def replay(self) -> None:
-        """Run the frame; raise _Wrong at the first unmet demand."""
+        """Run the frame; raise _Wrong at the first unmet demand. At the end, every plane must
+        hold its code again."""
         solution, demands = self.solution, self.problem.demands
         self._run(solution.opening)
         for index, (demand, answer) in enumerate(zip(demands, solution.answers, strict=True)):
@@ -108,7 +109,8 @@ class _Frame:
                 raise _Wrong(f"{name} does not hold its code when the frame ends")
 
     def _wait(self, flag_kept: bool, scratch_kept: bool) -> None:
-        """Mark contents as unknown that other words and boundaries overwrite."""
+        """Make FLAG unknown unless it is kept until the next demand, and likewise the scratch
+        registers."""
         if not flag_kept:
             self._forget(("FLAG",))
         if not scratch_kept:

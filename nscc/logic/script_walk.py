@@ -57,7 +57,7 @@ def walk(problem: Problem, machine: Machine, script: Script, steps: int) -> Iter
 
 
 def _within_fan_in(script: Script, machine: Machine) -> Script:
-    """Return the script with gates split that exceed the machine's fan-in."""
+    """Return the script with every gate of too many sources divided into several."""
     limit = machine.or_sources
     if limit is None or all(len(g.sources) <= limit for g in _all_gates(script)):
         return script
@@ -104,7 +104,8 @@ class _Walker:
     used: int = 0
 
     def solution(self) -> Solution:
-        """Run the script and return the gates for every demand."""
+        """Run the script and return the gates for every demand. Raises GaveUp if the scratch
+        registers do not suffice."""
         script, problem = self.script, self.problem
         self.gates = Gates(self.machine)
         writes = Counter(gate.destination for gate in _all_gates(script))
@@ -144,7 +145,9 @@ class _Walker:
         )
 
     def _run(self, segments: Sequence[Segment]) -> None:
-        """Update the truth vectors by scripted gates."""
+        """Update the truth vectors of registers by the script's own gates.
+
+        Raises GaveUp if a gate reads an unknown value or needs another scratch register."""
         for gate in chain.from_iterable(segments):
             for name in gate.sources:
                 if name not in self.values:
@@ -215,7 +218,11 @@ class _Walker:
                 )
 
     def _emit(self, choice: _Choice, ahead: Sequence[int]) -> None:
-        """Add the gates of a cover; new cubes overwrite the values that are needed last."""
+        """Append the gates of a cover for one demand; its cubes overwrite the values that are
+        needed last.
+
+        `ahead` are the predicates of this and the next demands (inverted, if the cover is), which
+        decide what is needed."""
         names = list(choice.names)
         # Cubes that read scratch come first, because later ones may overwrite it; then those with
         # most sources, whose registers are most likely overwritten.

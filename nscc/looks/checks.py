@@ -16,8 +16,8 @@ from nscc.truth import members
 
 
 def check_looking_plan(plan: LookingPlan) -> None:
-    """Check that every change of a node's open buckets is a moment that opens or closes these
-    buckets."""
+    """Raise Inconsistent unless every change of a node's open buckets is a moment of the plan
+    that opens or closes these buckets."""
     machine = plan.machine
     boundaries = [moment.boundary for moment in plan.moments]
     require(boundaries == sorted(set(boundaries)), "times are not in order")
@@ -50,7 +50,8 @@ def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
 
 
 def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
-    """Check that encodings are injective, and that every comparison is made at its boundary."""
+    """Raise Inconsistent unless encodings are injective and every comparison is made at its
+    boundary."""
     for lowered in lowerings:
         solution, machine = lowered.looking, lowered.program.machine
         for value_bits in (solution.encoding.code, *solution.encoding.states):

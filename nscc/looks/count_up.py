@@ -50,7 +50,8 @@ def count_up(board: Board, names: Sequence[str], lanes: int) -> None:
 
 
 def _rippled(board: Board, names: Sequence[str], count: int) -> int:
-    """Return the lanes in which the `count` lowest bits of a counter are 1."""
+    """Return the lanes in which the `count` lowest bits of a counter are 1. `names` are its
+    registers, lowest bit first."""
     lanes = board.everything
     for name in names[:count]:
         lanes &= board.values[name]

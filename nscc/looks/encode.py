@@ -112,7 +112,8 @@ def _of_code(behaviours: int) -> Iterator[tuple[str, Rows]]:
 
 
 def _of_state(count: int) -> Iterator[tuple[str, Rows]]:
-    """Yield encodings of `count` values, with the first value as all zeros."""
+    """Yield encodings of a state with `count` values, in which the first value is all zeros:
+    their kind and bits, bool (count, registers)."""
     if count == 1:
         yield "constant", np.zeros((1, 0), np.bool_)
         return
@@ -131,7 +132,8 @@ def _binary(numbers: Sequence[int], width: int) -> Rows:
 
 
 def _few_ones(count: int) -> Rows:
-    """Return codes with the fewest ones in the fewest registers, because a one costs a write."""
+    """Return `count` different codes with as few ones as possible, because each one costs a
+    write; bool (count, registers)."""
     width = (count - 1).bit_length()
     codes = [ones for size in range(width + 1) for ones in combinations(range(width), size)]
     rows = np.zeros((count, width), np.bool_)

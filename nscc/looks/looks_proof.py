@@ -63,7 +63,8 @@ class LookingReplay(ReplayPixels):
         self.bits |= self._state_bits(kept_only=True)
 
     def _start(self, nodes: NDArray[np.int64]) -> None:
-        """Create the lanes at boundary 0."""
+        """Begin a frame with one lane for each of these nodes of the state machine, with no
+        exposure yet."""
         self.node, self.outcome = nodes, np.zeros_like(nodes)
         self.due = np.zeros((len(nodes), len(self.container.buckets)))
         self.since = np.zeros(len(nodes))
@@ -93,7 +94,8 @@ class LookingReplay(ReplayPixels):
         return known_registers
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light` (N,); raise ReplayError at the first error."""
+        """Run one frame in `light` (N,); raise ReplayError at the first error. All outcomes of
+        all comparisons are followed."""
         machine, slots = self.machine, self.container.slots
         light_e = light * (self.full_e / light.sum())
         self.start_frame()
@@ -123,7 +125,8 @@ class LookingReplay(ReplayPixels):
         return {r.register: buckets.index(r.bucket) for r in self.container.readouts}
 
     def _fall(self, slot: int, light_e: float) -> None:
-        """Apply the program's resets and the light of a slot."""
+        """Let the light of a slot fall, `light_e` electrons on each pixel, after the resets of
+        the program at its start."""
         self.since = np.where(self.machine.resets[self.node, slot], 0.0, self.since) + light_e
         # The content of a register stays constant, so its rest shrinks as exposures grow.
         self.due += self.machine.opens[self.node, :, slot] * light_e
@@ -161,7 +164,11 @@ class LookingReplay(ReplayPixels):
         self._start(np.array([starts[tuple(keys[node])] for node in self.node], np.int64))
 
     def compare(self, word: Op) -> Bits:
-        """Check a comparison of the program and split all lanes by its answer."""
+        """Check that a comparison is one of the program's, and divide every lane by its answer;
+        return FLAG.
+
+        Raises ReplayError if the sum is not a level minus a signal, or if the comparison is masked.
+        """
         if self.target.where_obeys_flag and self.read("FLAG") != (self.everything, 0):
             raise ReplayError(f"`{word}` is masked in some pixels, at boundary {self._boundary}")
         total = self.total(word)

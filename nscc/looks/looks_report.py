@@ -73,7 +73,8 @@ def looks_report(program: Program) -> dict[str, Any]:
 
 
 def looks_lines(program: Program) -> list[str]:
-    """Return the comparisons, one line for each signal and level, and the states."""
+    """Return the lines that describe looks: the boundaries of each signal and level, then the
+    states."""
     machine, target = program.machine, program.target
     at: dict[tuple[int, int], list[int]] = {}
     for comparison in machine.comparisons:

@@ -54,7 +54,9 @@ class LookingNetwork(NetworkMaker):
         return measured(self.network)
 
     def _word(self, word: Op, boundary: int, looks: Iterator[Comparison]) -> None:
-        """Add an analog word that writes FLAG or depends on FLAG."""
+        """Add the node of an analog word that writes FLAG or acts where FLAG is 1.
+
+        `looks` yields the boundary's comparisons in the order in which they are made."""
         effect = word.operation.effect
         if effect is WordEffect.FLAG_ALL:
             self.holds["FLAG"] = self.value("gate", "SET", "FLAG", (word,), boundary)

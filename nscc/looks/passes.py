@@ -169,7 +169,9 @@ def _setup(plan: LookingPlan) -> Words:
 def _kernels(
     items: Sequence[Gate | Op | SetIn], allocation: Allocation, *, apart: bool
 ) -> list[tuple[int | None, Words]]:
-    """Return the kernels of a boundary, each with its value of IN."""
+    """Return the kernels of a boundary, each with the value of IN that is set before it.
+
+    `apart` puts the gates after the last analog word into a kernel of their own."""
     last = max((i for i, item in enumerate(items) if isinstance(item, Op)), default=-1)
     if apart and 0 <= last < len(items) - 1:
         head, tail = items[: last + 1], items[last + 1 :]
@@ -203,7 +205,7 @@ def _kernels(
 
 
 def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
-    """Return the analog part of a plan, for reports."""
+    """Return the analog words of a plan in the form that reports of other programs have."""
     steps = [PlanStep(0, "setup", -1, None, _setup(plan))]
     steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
     return ExposurePlan(
@@ -218,7 +220,7 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
 
 
 def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
-    """Return the steps of a moment, each with its lanes."""
+    """Return the analog steps of a moment: comparisons, buckets that close or open, resets."""
     steps: list[PlanStep] = []
     sample = plan.sampled()
     compare = op("where", (), (*plan.scratched, "IN"))
@@ -305,7 +307,8 @@ def lowered_of(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found
 
 
 def container_of(lowered: Lowered, level: int) -> Container:
-    """Return the container, with its state machine and the encodings of states."""
+    """Return the container of a lowered program, with its state machine and the bits of each
+    state that is read or kept."""
     assert isinstance(lowered, LookingLowered)
     looking, machine = lowered.looking, lowered.program.machine
     places = lowered.schedule.allocation.places

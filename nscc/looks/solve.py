@@ -113,7 +113,7 @@ class Solver:
         )
 
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
-        """Return the content of every register in lanes at these nodes."""
+        """Return the content of every register, as a truth vector over lanes at these nodes."""
         contents = dict(
             zip(
                 self.code,
@@ -151,7 +151,8 @@ class _Moment:
         """Whether the scratch register holds -PIX in every pixel."""
 
     def items(self) -> list[Item]:
-        """Return the words and gates of this boundary."""
+        """Return the words and gates of this boundary, in order: comparisons, buckets, resets,
+        new values of registers."""
         # The answer of each comparison goes to a register, the last answer to FLAG.
         moment = self.moment
         order = self.plan.machine.order(moment.boundary)

@@ -37,7 +37,10 @@ class Decoding(Record):
 def problem_of(
     program: Program, plan: ExposurePlan, time: Timeline, opens: Opens
 ) -> tuple[Problem, tuple[Before, ...]]:
-    """Return the problem that gates must solve for a plan, and how every step obtains FLAG."""
+    """Return the demands that gates must meet for a plan, and how every step obtains FLAG.
+
+    A demand says that FLAG must equal a predicate at a boundary. `opens` are the open shutters by
+    bucket and slot."""
     actions = flag_actions(plan, time, program.target)
     demands: list[Demand] = []
     for step, action in zip(plan.steps, actions, strict=True):
@@ -79,7 +82,10 @@ def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
 
 
 def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:
-    """Return how each step of a plan obtains FLAG."""
+    """Return for each step of a plan whether FLAG is loaded, set in all pixels, or kept from the
+    step before.
+
+    FLAG is lost at refreshes, and with time (`time.keep_us`)."""
     actions: list[Before] = []
     flag_state: Literal["unknown", "all", "predicate"] = "unknown"
     loaded: int | None = None

@@ -52,7 +52,8 @@ class Timeline(Record):
 
 
 def timeline(slot_us: tuple[float, ...], buckets: int, target: Target) -> Timeline:
-    """Return the timeline of a frame with `buckets` readouts."""
+    """Return when the boundaries of a frame are, how long its `buckets` readouts take, and where
+    registers are refreshed."""
     boundary_us = (0.0, *accumulate(slot_us))
     between_us = target.readout_us * buckets
     keep_us = RETENTION_SHARE * target.digital_retention_us
@@ -235,7 +236,8 @@ def analog_registers(
 
 
 def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, int]:
-    """Return the fewest and most analog words, as in ExposurePlan."""
+    """Return the fewest and the most analog words that a shutter executes, of those that ever
+    open."""
     shutters = len(program.table.shutters)
     counts = np.zeros(shutters, dtype=np.int64)
     for step in steps:

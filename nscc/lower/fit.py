@@ -23,7 +23,8 @@ _LAST_NUMBER = re.compile(r"^(.*?)(\d+)(\D*)$", re.DOTALL)
 
 
 def ledger(holders: Mapping[str, str]) -> str:
-    """Format {register: content} as `R1-R4 fall at boundary 4, 16, 64, 256; R0 scratch`."""
+    """Return the contents of registers as text, with equal ones joined: `R1-R4 fall at boundary
+    4, 16, 64, 256; R0 scratch`."""
     groups: dict[tuple[str, str], list[tuple[str, str | None]]] = {}
     for register, holder in holders.items():
         match = _LAST_NUMBER.match(holder)
@@ -38,7 +39,8 @@ def ledger(holders: Mapping[str, str]) -> str:
 
 
 def _with_runs(names: Sequence[str]) -> str:
-    """Join registers or numbers, with runs of three and more as `R0-R3, R7`."""
+    """Join registers or numbers by commas, with three or more in sequence as a range: `R0-R3,
+    R7`."""
     runs: list[list[str]] = []
     following = ""
     for name in names:

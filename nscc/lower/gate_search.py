@@ -66,7 +66,8 @@ class GateSearch:
         return min(known, key=_PRICE, default=None)
 
     def _of_level(self, level: int) -> list[Lowered]:
-        """Return the best improved solution, and the best solutions of the generators."""
+        """Return the best solutions of the generators at a level of optimisation, with the
+        improved best one first."""
         by_encoding: dict[str, Lowered] = {}
         for solution in solutions(self.problem, self.machine, level, self.faults):
             candidate = self.priced(solution)

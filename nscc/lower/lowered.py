@@ -45,7 +45,7 @@ class Lowered(Record):
 
     @cached_property
     def words_per_boundary(self) -> list[int]:
-        """The number of words at each boundary 0..N."""
+        """The number of words that run at each boundary 0..N."""
         counts = [0] * (self.plan.slots + 1)
         for boundary, kernel in self.schedule.launches:
             counts[boundary] += len(self.schedule.kernels[kernel])
@@ -216,7 +216,8 @@ def _reads_pix(step: PlanStep) -> bool:
 
 
 def assemble(lowered: Lowered, level: int) -> Container:
-    """Return the complete container of a lowered program."""
+    """Return the container of a lowered program, with the words and the register contents of
+    each shutter."""
     program, plan, schedule = lowered.program, lowered.plan, lowered.schedule
     target, planes = program.target, lowered.solution.planes
     shutters = len(program.table.shutters)

@@ -32,7 +32,7 @@ def at_least(us: float) -> str:
 
 
 def time_text(us: float) -> str:
-    """Format a time with a suitable unit."""
+    """Return a time in microseconds as text in s, ms, us or ns."""
     for unit, size in (("s", 1e6), ("ms", 1e3), ("us", 1.0)):
         if us >= size:
             return f"{us / size:.4g} {unit}"

@@ -74,7 +74,11 @@ def allocate(solution: Solution, target: Target, spared: Collection[str] = ()) -
 
 
 def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
-    """Return the places of the virtual registers in the masked register and in its mask."""
+    """Return which virtual register is in the masked register, and which in its mask, as virtual to
+    chip register.
+
+    The mask holds the first scratch register. The masked register holds the plane with the fewest
+    writes if all registers are used."""
     masked, mask = target.masked_register, target.mask_register
     if masked is None or mask is None:
         return {}
@@ -86,7 +90,7 @@ def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
 
 
 def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
-    """Return the words of a segment."""
+    """Return the words of a segment of gates, on the registers of `allocation`."""
     out: list[Op] = []
     for gate in segment:
         if allocation.mask and allocation.places.get(gate.destination) == allocation.masked:
@@ -206,7 +210,8 @@ def _scheduled(
     allocation: Allocation,
     size: KernelSize,
 ) -> FrameSchedule:
-    """Lay out a solution in kernels of one size."""
+    """Return the schedule of a frame with kernels of one size: a boundary, a segment or a single
+    gate."""
     boundaries = _segments(decoding, allocation, size)
     refreshed = refreshed_registers(boundaries, allocation, time)
     exposed = max(

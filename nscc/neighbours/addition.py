@@ -68,7 +68,11 @@ are read, and the number of words that follow."""
 def _orders(
     weights: dict[Offset, int], halvings: int, forms: WordForms, width: int
 ) -> list[list[Added]]:
-    """Return orders in which to add neighbours, searched from the last word to the first."""
+    """Return orders in which words add the neighbours of a kernel, searched from the last word to
+    the first.
+
+    `halvings` counts the halvings of the input; at most `width` partial orders are kept after each
+    word."""
     ready = frozenset(((-2) ** number, (0, 0)) for number in range(halvings + 1))
     beam: dict[_Node, list[Added]] = {(0, frozenset(weights), None, ready, 0): []}
     finished: dict[frozenset[tuple[int, Offset]], tuple[int, list[Added]]] = {}
@@ -96,7 +100,9 @@ def _rank(node: _Node) -> tuple[object, ...]:
 def _predecessors(
     node: _Node, weights: dict[Offset, int], forms: WordForms
 ) -> list[tuple[_Node, Added]]:
-    """Return the nodes that put one more word before the words of `node`, with that word."""
+    """Return the nodes that put one more word before the words of `node`, with that word. A node
+    is a cost, the neighbours left, the content of NEWS, the multiples used, and the number of
+    words."""
     cost, left, content, used, follow = node
     sign = -1 if follow % 2 else 1
     found = []

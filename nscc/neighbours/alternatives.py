@@ -17,7 +17,8 @@ _MOST_MOVED = 5
 
 
 def alternatives(pictures: p.Pictures) -> Iterator[p.Pictures]:
-    """Yield images and planes with equal results, whose words may be fewer."""
+    """Yield other programs of images with equal results: with shared halvings, or with one image
+    computed first."""
     shared = with_shared_halvings(pictures)
     if shared is not None:
         yield shared

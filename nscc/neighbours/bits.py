@@ -68,7 +68,8 @@ class BitWords:
             self.kept_for_steering = []
 
     def declare(self, name: str, node: p.Condition) -> None:
-        """Compute a plane and keep its register until the plane has been read for the last time."""
+        """Emit the words that compute a plane, and keep its register until the plane has been
+        read for the last time."""
         register, owner = self.bit(node)
         if owner is not None:
             register = self._emit_word("MOV", [register], [(register, owner)])
@@ -101,7 +102,10 @@ class BitWords:
             self.lowering.word(word)
 
     def step(self, nexts: dict[str, Kept]) -> None:
-        """Give all states their next values at once."""
+        """Emit the words that give all states their next values at once; `nexts` are the registers
+        of these values.
+
+        A state is written only when no other new value is still to be copied from its register."""
         waiting = dict(nexts)
         while waiting:
             read = {owner for _, owner in waiting.values()}
@@ -173,7 +177,8 @@ class BitWords:
         self.give(bit)
 
     def bit(self, node: p.Condition) -> Kept:
-        """Emit the words that compute a condition, and return the register of its bit."""
+        """Emit the words that compute a condition; return its register, and the name of the
+        plane that owns the register or None."""
         match node:
             case p.Bit():
                 return self.planes[node.name], node.name
@@ -246,7 +251,10 @@ class BitWords:
         return register
 
     def _joined(self, node: p.Joined) -> str:
-        """Emit `or` as one OR word, and `and` as the NOR of both inverses."""
+        """Emit `and`, `or` or `xor` of two conditions, and return the register of the result.
+
+        `or` takes one OR word; `and` is the NOR of both inverses, and `xor` the NOR of `and` and of
+        neither."""
         first, second = self.bit(node.first), self.bit(node.second)
         a, b = first[0], second[0]
         if a == b:
@@ -266,7 +274,10 @@ class BitWords:
     # --- neighbours
 
     def _look(self, register: str, outside: int, steps: frozenset[Offset]) -> str:
-        """Emit the OR of these neighbours' bits, and return its register."""
+        """Emit a word that gives each pixel the OR of a register's bits in its nearest neighbours,
+        and return its register.
+
+        `steps` are the neighbours, and `outside` is the bit of pixels beyond the array."""
         directions = frozenset(_OF_STEP[step] for step in steps)
         if directions != self.steered:
             self.steer(directions)
@@ -329,7 +340,10 @@ class BitWords:
         return neighbour
 
     def _near_bit(self, node: p.Near) -> str:
-        """Emit `any` as an OR of neighbours, and `all` as the inverse of `any` of inverses."""
+        """Emit `any` or `all` of the bits in the neighbourhood of a kernel, and return its
+        register.
+
+        `any` is an OR of neighbours, and `all` the inverse of `any` of the inverses."""
         offsets = set(self.lowering.weights[node.kernel].taps)
         outside = self.lowering.pictures.outside or 0
         bit = self.bit(node.condition)
@@ -343,7 +357,8 @@ class BitWords:
         return register
 
     def _any(self, register: str, outside: int, offsets: set[Offset]) -> str:
-        """Emit the OR of the bits at offsets; for a rectangle along rows, then along columns."""
+        """Emit the OR of a register's bits in the pixels at these offsets; for a rectangle along
+        rows, then along columns."""
         rows, cols = {y for _, y in offsets}, {x for x, _ in offsets}
         if len(rows) > 1 and len(cols) > 1 and len(offsets) == len(rows) * len(cols):
             line = self._line(register, outside, {(x, 0) for x in cols})

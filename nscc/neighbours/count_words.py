@@ -38,7 +38,8 @@ class CountSum(Record):
     terms: tuple[tuple[Fraction, p.Agreement], ...]
 
     def weights(self, kernels: dict[str, p.Weights]) -> dict[Place, Fraction]:
-        """Return the nonzero factors of bits (+1 or -1), keyed by plane and place."""
+        """Return how often each bit is added or subtracted, keyed by plane and offset, without
+        zeros."""
         total: dict[Place, Fraction] = {}
         for factor, agreement in self.terms:
             for at, weight in kernels[agreement.kernel].taps.items():
@@ -137,7 +138,8 @@ class CountEmitter(Emitter):
         return agreements if counts and names <= known else None
 
     def counted(self, agreements: CountSum) -> Held:
-        """Return a sum of agreements: from `ready`, or from a walk of its own."""
+        """Emit the words of a sum of counts, unless an earlier walk has counted it already, and
+        return its register."""
         terms = self.ready.pop(self.now, None)
         if terms is None:
             self._count([("", agreements)], _separate)
@@ -158,7 +160,11 @@ class CountEmitter(Emitter):
         sums: Sequence[tuple[str, CountSum]],
         directions_of: Callable[[Sequence[Direction], int], list[Direction]],
     ) -> None:
-        """Count images in one walk for each plane, and note their accumulators in `ready`."""
+        """Emit the walk that counts several images at once, and record their accumulators in
+        `ready`.
+
+        A walk shifts the bits of a plane through all offsets. `sums` are names with their sums.
+        `directions_of` chooses the combinations of weights that get an accumulator each."""
         weights = [total.weights(self.weights) for _, total in sums]
         places = list(dict.fromkeys(place for image in weights for place in image))
         vectors = {at: tuple(image.get(at, Fraction(0)) for image in weights) for at in places}

@@ -52,7 +52,8 @@ def _common_unit(taps: Taps) -> int:
 
 
 def _digit_planes(weights: Taps) -> list[dict[Offset, int]]:
-    """Return the nonzero digits of each place value by offset, lowest place value first."""
+    """Return for each place value the nonzero digits (1 or -1) of all weights by offset, lowest
+    place value first."""
     planes: list[dict[Offset, int]] = []
     for at, weight in sorted(weights.items()):
         place, rest = 0, weight
@@ -179,7 +180,11 @@ class _Writer:
     def _moved(
         self, place: Offset, target: Offset, moving: str, plane: Taps, sign: int
     ) -> tuple[Offset, str]:
-        """Add the two words of a move towards `target`; return the place reached, and the sum."""
+        """Add the two words that move the sum by at most two pixels towards `target`; return the
+        offset reached, and the new sum's register.
+
+        `moving` is the register of the sum so far, `plane` the digits still to be added, and `sign`
+        that of the sum."""
         steps = [
             (step_x, step_y)
             for step_x, step_y, count in (

@@ -26,7 +26,8 @@ Key = frozenset[tuple[Offset, int]]
 
 @cache
 def rows(forms: WordForms) -> dict[Key, Program]:
-    """Return the programs of the table, rotated and mirrored, by the kernel they compute."""
+    """Return the programs of the table, rotated and mirrored, by the kernel that they compute;
+    the shortest for each."""
     shortest: dict[Key, Program] = {}
     for line in ROWS.split("\n"):
         if line:
@@ -79,7 +80,8 @@ def factors_within(forms: WordForms, size: Offset) -> tuple[Factor, ...]:
 
 
 def _values_at_signs(taps: Taps) -> tuple[int, ...]:
-    """Return the kernel's polynomial where x and y are 1 or -1: products have their product."""
+    """Return the kernel's polynomial at x = 1, -1 and y = 1, -1: four numbers that multiply when
+    kernels are convolved."""
     sums = [0, 0, 0, 0]
     for (x, y), weight in taps.items():
         sums[x & 1 | (y & 1) << 1] += weight
@@ -88,7 +90,8 @@ def _values_at_signs(taps: Taps) -> tuple[int, ...]:
 
 
 def quotients(taps: Taps, forms: WordForms) -> Iterator[tuple[Factor, Polynomial]]:
-    """Yield the factors that divide a kernel, with the quotients."""
+    """Yield each kernel of the table that divides `taps`, with the quotient; the quotient is not
+    the identity."""
     box, values = box_of(taps), [value * UNIT for value in _values_at_signs(taps)]
     for factor in factors_within(forms, box[1]):
         for value, divisor in zip(values, factor.values, strict=True):
@@ -101,7 +104,8 @@ def quotients(taps: Taps, forms: WordForms) -> Iterator[tuple[Factor, Polynomial
 
 
 def _quotient_of(taps: Taps, factor: Factor, corner: Offset, size: Offset) -> Polynomial | None:
-    """Return the kernel whose product with `factor` is `taps`, or None."""
+    """Return the kernel whose product with `factor` is `taps`, or None if there is none within
+    the box of `taps` (`corner`, `size`)."""
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]
     first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
     lead_weight = factor.taps[factor.lead]

@@ -20,7 +20,8 @@ because the next step reads it again."""
 
 
 def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
-    """Emit the words of images and planes that step together: their starts, and one step."""
+    """Emit the words of images and planes that are repeated together: their initial values, then
+    one step, which is stored once."""
     steps: dict[str, p.Node] = {}
     for item in items:
         assert isinstance(item.node, p.Repeated)
@@ -52,7 +53,7 @@ def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
 
 
 def _start(lowering: RegisterEmitter, name: str, node: p.Node) -> None:
-    """Emit the start of a repeated name into a register of its own."""
+    """Emit the initial value of a repeated image or plane into a register of its own."""
     bits = lowering.bits
     if isinstance(node, p.Condition):
         register, owner = bits.bit(node)
@@ -180,7 +181,8 @@ def store_at_once(lowering: RegisterEmitter, nodes: Mapping[str, p.Node]) -> dic
 
 
 def _in_order(nodes: Mapping[str, p.Node]) -> Iterator[tuple[str, bool]]:
-    """Yield names with whether a later name reads them; as few as possible are read later."""
+    """Yield the repeated names in the order in which their new values replace the old ones, and
+    whether a later name still reads the old value."""
     reads = {
         name: {getattr(node, "name", name) for node in p.subexpressions(expression)} - {name}
         for name, expression in nodes.items()

@@ -45,7 +45,7 @@ class Lowering(RegisterEmitter):
         self.costs: list[p.PictureCost] = []
 
     def run(self) -> None:
-        """Emit the words of every item, then those of the states."""
+        """Emit the words of all images and planes in order, then those that update the states."""
         for position, item in enumerate(self.pictures.items):
             self.now, before = item.name, len(self.words)
             if isinstance(item.node, p.Repeated):
@@ -123,7 +123,7 @@ class Lowering(RegisterEmitter):
             words = 0
 
     def value(self, node: p.Value) -> Held:
-        """Emit the words that compute a value, and return its register."""
+        """Emit the words that compute an image, and return the register that holds it."""
         match node:
             case p.Source():
                 return self.held[node.name]
@@ -210,7 +210,8 @@ class Lowering(RegisterEmitter):
         return [(program, sign) for *_, program, sign in ranked]
 
     def sum(self, node: p.Sum) -> Held:
-        """Emit a sum: agreements are counted together, terms of one value become one kernel."""
+        """Emit a sum of images and return its register: counts are counted together, and terms
+        of one image become one convolution."""
         agreements, others = split(node)
         if agreements.terms:
             count = self.counted(agreements)
@@ -227,7 +228,7 @@ class Lowering(RegisterEmitter):
         return self._term_by_term(node)
 
     def _term_by_term(self, node: p.Sum) -> Held:
-        """Emit a sum whose terms are computed one after the other."""
+        """Emit a sum whose terms are computed one after the other, and return its register."""
         if not node.terms:
             return self._nothing()
         common = abs(node.terms[0][0])
@@ -241,7 +242,7 @@ class Lowering(RegisterEmitter):
         return self.added(signed_terms)
 
     def _nothing(self) -> Held:
-        """Emit a value of 0."""
+        """Emit an image of zeros and return its register."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register]))
@@ -314,7 +315,8 @@ class Lowering(RegisterEmitter):
         return Held(register, -1, value.low, value.high, variance=variance)
 
     def chosen(self, node: p.Chosen) -> Held:
-        """Emit a choice: one value where a condition is 1, another value where it is 0."""
+        """Emit a choice between two images by a condition, and return its register; FLAG is 1 in
+        all pixels afterwards."""
         then, otherwise = self.value(node.then), self.value(node.otherwise)
         if then.sign != otherwise.sign:
             then = self.negated(then)

@@ -241,7 +241,8 @@ _MORE_HALVINGS = 3
 
 
 def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
-    """Return the same images and planes, with one image divided by `divisor`."""
+    """Return the images and planes with the image `name` divided by `divisor`, all others
+    unchanged."""
     items = []
     for item in pictures.items:
         node = item.node
@@ -274,7 +275,8 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
 
 
 def _fading(pictures: Pictures, program: Program) -> Diagnostic | None:
-    """Return NS0602 if a frame lasts longer than registers keep the bits of states, else None."""
+    """Return the error (NS0602) if a frame lasts longer than digital registers keep the bits of
+    states, else None."""
     target = program.target
     keep_us = RETENTION_SHARE * target.digital_retention_us
     values_read = sum(name not in pictures.planes for name in pictures.reads)
@@ -332,7 +334,10 @@ def _refusal(
 def _beyond_range(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
-    """Return NS0540, with changes that compile if they are found."""
+    """Return the error (NS0540) for values that leave the range of registers, with divisors or
+    other changes that were compiled and fit.
+
+    `level` is the user's level of optimisation; the search for changes uses a lower one."""
     pictures, over = program.pictures, refused.needed
     target = container.target
     helps = []

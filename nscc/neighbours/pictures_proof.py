@@ -113,7 +113,10 @@ def _end_steps(
     meaning: PictureMeaning,
     middle: Place,
 ) -> None:
-    """Check one step of names that are repeated, and make their values unknown again."""
+    """Check one step of a loop: each repeated value must be its step's expression in the values
+    before. Then make the values unknown again.
+
+    Raises PictureReplayError otherwise. `middle` is the pixel in which everything must be known."""
     for value in loop.values:
         node = meaning.pictures.repeated[value.name]
         _compare(value.name, node.step, value, replay, meaning, middle)
@@ -128,7 +131,11 @@ def _compare(
     meaning: PictureMeaning,
     middle: Place,
 ) -> None:
-    """Raise PictureReplayError unless a register holds an expression where it is known."""
+    """Raise PictureReplayError unless `value` holds the expression `node` in every pixel that does
+    not depend on pixels beyond the array.
+
+    `middle` is a pixel that must not depend on them. Raises AlwaysEqual if the expression compares
+    equal values."""
     if meaning.forms.compares_equal(meaning.of(node, middle)):
         raise AlwaysEqual(name)
     contents = replay.contents(value.register, isinstance(node, Condition))
@@ -145,7 +152,11 @@ def _differs(
     replay: PictureReplay,
     middle: Place,
 ) -> str | None:
-    """Return how register contents differ from `sign` times an expression; None if they do not."""
+    """Return as text how register contents differ from `sign` times the expected values; None if
+    they are equal.
+
+    `expected` returns the exact value at a pixel. Pixels that depend on pixels beyond the array are
+    skipped, except `middle`."""
     forms = replay.forms
     if contents is None:
         return f"no register holds `{name}`"
@@ -284,7 +295,8 @@ class PictureReplay:
         return held
 
     def run(self, op: Op, level: int | LevelOf | None) -> None:
-        """Run one word in all pixels, with IN at `level` steps."""
+        """Replay one word in all pixels; `level` is the value of IN in steps, or how it follows
+        from a parameter."""
         forms, true_bit = self.forms, self.forms.diagrams.one
         row = op.operation
         match row.effect:
@@ -373,7 +385,8 @@ class PictureReplay:
         return bits
 
     def _or_neighbours(self, op: Op) -> Bits:
-        """Return the OR of a source in those neighbours that a pixel chooses."""
+        """Return in each pixel the OR of a register's bits in the neighbours that R1 to R4
+        choose."""
         diagrams = self.forms.diagrams
         source = self.digital[op.sources[0]]
         beyond = diagrams.one if op.operation.inverted else diagrams.zero

@@ -157,7 +157,8 @@ class RegisterEmitter(CountEmitter):
             self.uses[image.name] += 1  # never freed
 
     def hand_over(self, name: str) -> bool:
-        """Return whether nothing else reads a value; its register then belongs to the caller."""
+        """Return whether the caller is the last reader of a value; the value's register then
+        belongs to the caller."""
         if self.uses[name] != 1:
             return False
         self.uses[name] = 0
@@ -221,7 +222,11 @@ class RegisterEmitter(CountEmitter):
         return reuse(program, base, self.contents, self.free, self.target.news_read_keeps)
 
     def run_program(self, program: Program, value: Held) -> str:
-        """Emit the words of a program, and return the register of its result."""
+        """Emit the words of a program of `nscc.neighbours.synthesis` on a value, and return the
+        register of its result.
+
+        Words whose result is still in a register are left out. Raises PictureRefused if registers
+        run out."""
         self.everywhere()
         left = self.reuse_of(program, value)
         last: dict[str, int] = {}
@@ -277,7 +282,7 @@ class RegisterEmitter(CountEmitter):
         return ways[best[1]]()
 
     def state(self) -> tuple[Any, ...]:
-        """Return the state of the emitter, for `restore`."""
+        """Return everything that emitting words changes, so that `restore` can undo an attempt."""
         bits = self.bits
         return (
             len(self.words),
@@ -295,7 +300,7 @@ class RegisterEmitter(CountEmitter):
         )
 
     def restore(self, state: tuple[Any, ...]) -> None:
-        """Remove the words since `state`, and set everything back."""
+        """Remove the words emitted since `state` was taken, and restore registers and counts."""
         bits = self.bits
         words, self.free, self.held, self.uses, self.masked, self.contents, *of_bits = state
         del self.words[words:]

@@ -91,7 +91,8 @@ class Synthesis:
         self._variants: dict[Key, list[Ranged]] = {}
 
     def variants(self, taps: Taps) -> list[Ranged]:
-        """Return programs for a kernel, the shortest first; each is proved to compute it."""
+        """Return programs for a kernel, the shortest first; each is proved to compute it. Raises
+        PictureRefused ("steps") if the budget of all searches is used up."""
         self.budget -= 1
         if self.budget < 0:
             raise PictureRefused("steps", "", 1, 0)
@@ -249,7 +250,8 @@ def _addition(key: Key, forms: WordForms) -> Program:
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
-    """Yield rows and columns whose product is a kernel: halvings in either, or split evenly."""
+    """Yield pairs of a row and a column kernel whose product is `taps`; halvings are in either,
+    or divided between both."""
     (left, top), size = box_of(taps)
     if 0 in size:
         return

@@ -184,7 +184,8 @@ def largest_part(
 
 
 def most_looks(declared: Declarations, looking: Looking) -> Excess:
-    """Return the sense with the most looks, as the largest factor of the number of open times."""
+    """Return the sense with the most looks, which multiplies the possible open times most, as
+    the place of an error and its help."""
     sense = max(looking.senses, key=lambda candidate: len(candidate.at))
     text = f"looks at {counted(len(sense.at), 'boundary', 'boundaries')}"
     helps = ["use fewer looks, or a state that keeps a shutter closed"]
@@ -223,8 +224,10 @@ def _state_combinations(looking: Looking, answers: int) -> int:
 
 
 def _busiest(looking: Looking, values: Mapping[str, int]) -> tuple[int, dict[str, int]]:
-    """Return the boundary with most levels to compare, and the number of levels of each of its
-    senses."""
+    """Return the boundary with most comparisons, and the number of levels that each of its senses
+    compares with.
+
+    `values` is the number of values in use of each field that gives levels."""
     levels = {s.name: 1 if s.field is None else values[s.field] for s in looking.senses}
     level_counts = Counter[int]()
     for sense in looking.senses:
@@ -296,7 +299,8 @@ def judge_names(
 
 
 def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:
-    """Warn about bumps of fixed length that the end of the frame cuts (NS0354)."""
+    """Warn about bumps of fixed length that the end of the frame cuts (NS0354). `shape` is the
+    class of the shutters that were recognised."""
     if shape.name == "c" and shape.cut:
         problems.warning(
             "NS0354",

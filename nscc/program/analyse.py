@@ -131,7 +131,8 @@ def target_of(declared: Declarations, base: Path, problems: Problems) -> Target 
 
 
 def _refuse_looking(declared: Declarations, target: Target, problems: Problems) -> None:
-    """Report NS0510 if pixels look at their light on a chip without logic."""
+    """Report the error (NS0510) that this chip has no logic, at the first statement that needs
+    it."""
     looking = (*declared.senses.values(), *declared.states.values(), *declared.nexts.values())
     statements = [*looking, *([declared.reset] if declared.reset else [])]
     spans = (

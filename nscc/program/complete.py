@@ -117,7 +117,11 @@ class Completion:
         return {"n": (0, len(self.frame.slot_us) - 1), **numbers}
 
     def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> Program:
-        """Return the program whose shutters depend on the light."""
+        """Return the program whose pixels look at their light: with a state machine instead of
+        fixed shutters.
+
+        `in_use` are the codes of pixels and `at_pixel` their rows, (rows, cols). Raises Rejected
+        for faults of rules or a machine that is too large."""
         from nscc.program.machine import MachineBuilder
         from nscc.program.open_time import with_open_times
 
@@ -189,7 +193,8 @@ class Completion:
         )
 
     def _require(self, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> None:
-        """Raise Rejected (NS0312) for pixels whose code violates a `require`."""
+        """Raise Rejected (NS0312) if the code of a pixel violates a `require`; `in_use` are the
+        codes and `at_pixel` each pixel's row."""
         try:
             legal = allowed(self.rules, in_use)
         except (NoValue, TooMuch) as problem:
@@ -230,7 +235,9 @@ class Completion:
     def _legal(
         self, in_use: CodeArray, at_pixel: NDArray[np.int32]
     ) -> tuple[CodeArray, NDArray[np.int32]]:
-        """Return all legal codes, and the pixels' rows among them."""
+        """Return all codes that `require` allows, and each pixel's row among them, (rows, cols).
+
+        Raises Rejected (NS0317) if there is none."""
         try:
             legal = legal_codes(self.rules)
         except (NoValue, TooMuch) as problem:
@@ -290,8 +297,8 @@ class Completion:
         return Rejected(self.problems.sorted())
 
     def _too_much_looked(self, problem: TooMuch, excess: Excess) -> Rejected:
-        """Return the error (NS0450) for a state machine that is too large, at the place that makes
-        it large."""
+        """Return the error (NS0450) for a state machine that is too large, at the statement that
+        multiplies it most (`excess`)."""
         self.problems.error(
             "NS0450",
             f"too many codes, states and answers: {problem.message}",

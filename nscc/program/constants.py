@@ -107,7 +107,8 @@ _MOST_CYCLES = 20
 
 
 def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | None:
-    """Return the value of a compile-time integer, or None after reporting an error."""
+    """Return the value of an integer expression of constants; None after reporting an error, in
+    which `role` names the expression."""
     checked = check(expr, "integer", scope, problems, role)
     if checked is None:
         return None

@@ -53,7 +53,8 @@ class Value(NamedTuple):
 
 
 def either(a: Faults, b: Faults) -> Faults:
-    """Return the union of the faults of two operands."""
+    """Return the places at which either operand has a fault; a fault of all places wins, the
+    first operand's before the second's."""
     if a is None or isinstance(b, Fault):
         return b if a is None or not isinstance(a, Fault) else a
     if b is None or isinstance(a, Fault):

@@ -243,8 +243,8 @@ class _Checker:
         assert_never(meaning.kind)
 
     def _base(self, base: tree.Name) -> None:
-        """Return whether a name before brackets is a codebook or a field with bits; report an error
-        otherwise."""
+        """Check that a name before brackets is a codebook or a field with bits, and record what
+        it reads; report an error otherwise."""
         meaning = self.scope.get(base.text)
         if meaning is None:
             indexable = [k for k, m in self.scope.items() if m.kind == "book" or m.bits]

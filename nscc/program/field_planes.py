@@ -249,7 +249,8 @@ class PlaneMaker:
 
 
 def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: int) -> Span:
-    """Return the place that defines the value of pixel (x, y)."""
+    """Return the span of the text that gives pixel (x, y) its value: an expression, a value of a
+    tile, or a file."""
     match statement:
         case PixelsExpr():
             return statement.value.span
@@ -337,7 +338,8 @@ def _single_bits(
 
 
 def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
-    """Return integers as int64, and where they do not fit."""
+    """Return integers as int64, and bool of the same shape that marks those that do not fit into
+    int64."""
     beyond = np.zeros(stored.shape, dtype=bool)
     if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:
         beyond = np.asarray(stored > np.uint64(2**63 - 1), dtype=bool)

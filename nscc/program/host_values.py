@@ -67,7 +67,8 @@ class HostValues:
             self.inputs[name] = InputPlane(name, 0 if bits is None else packed_bits(bits), True)
 
     def _param(self, name: str, statement: tree.Param) -> HostParam | None:
-        """Return a parameter; None after reporting an invalid range or start (NS0545)."""
+        """Return a checked parameter `name`; None after reporting different units, or an invalid
+        range or start (NS0545)."""
         parts = (statement.low, statement.high, statement.start)
         kinds = {isinstance(signed_level(part)[1], tree.Amount) for part in parts}
         text = ""

@@ -58,7 +58,7 @@ class Looking(Record, eq=False):
 
     @property
     def expressions(self) -> list[Checked]:
-        """The expressions of `next` and `reset when`."""
+        """All checked expressions of `next` and `reset when`."""
         expressions = [] if self.reset is None else [self.reset]
         for step in self.nexts.values():
             expressions += [step.value] if step.condition is None else [step.value, step.condition]
@@ -201,8 +201,8 @@ class _Maker:
         return tuple(at.tolist())
 
     def _levels(self, sense: tree.Sense, looks: int, target: Target) -> tuple[int, ...] | None:
-        """Return the level of a sense in steps of IN, or the field that holds it; None after an
-        error."""
+        """Return the level of a sense at each of its `looks` looks, in steps of IN; None after
+        reporting an error."""
         items: tuple[tree.Amount | tree.Levels | tree.Expr, ...] = (sense.level,) * looks
         if isinstance(sense.level, tree.Levels):
             items = sense.level.items
@@ -220,7 +220,8 @@ class _Maker:
         return None if None in steps else tuple(step for step in steps if step is not None)
 
     def _step(self, level: tree.Amount | tree.Levels | tree.Expr, target: Target) -> int | None:
-        """Return a level in steps of IN, or None after reporting an error."""
+        """Return one level in steps of IN; None after reporting that it has no unit or is out of
+        the chip's range."""
         if isinstance(level, tree.Levels):
             self.problems.error("NS0320", "a level cannot be a list of lists", level.span, "")
             return None

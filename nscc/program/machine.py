@@ -127,7 +127,10 @@ class MachineBuilder:
     def _rules(
         self, nodes: Nodes, begin: int, end: int, looks: int
     ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Return the open shutters (nodes, buckets, N) and the resets of PIX (nodes, N)."""
+        """Return the open shutters (nodes, buckets, N) and the resets of PIX (nodes, N) of a stage.
+
+        The stage has slots `begin` to `end` - 1 and follows `looks` looks; other slots are closed.
+        Raises TooMuch for too large a machine, and NoValue for faults of rules."""
         slots = self.rules.slots
         self._limit(len(nodes))
         # Every stage stores opens and resets for all slots of the frame.
@@ -159,7 +162,9 @@ class MachineBuilder:
         begin: int,
         needed: NDArray[np.bool_] | bool = True,
     ) -> NDArray[np.int64]:
-        """Return the values of an expression; raise NoValue if a `needed` value does not exist."""
+        """Return the values of an expression, int64 of `shape` (nodes, slots from `begin` on).
+
+        `bindings` are the values of names. Raises NoValue if a `needed` value does not exist."""
         data, gap = values_of(expr, bindings, self.rules.books, shape, needed)
         if gap is None:
             return data
@@ -223,7 +228,11 @@ class MachineBuilder:
         comparison_count: int,
         of_sense: Mapping[str, NDArray[np.int64]],
     ) -> tuple[NDArray[np.int64], Nodes]:
-        """Return the next node of each outcome (nodes, outcomes), as rows of the returned nodes."""
+        """Return the next node of each outcome of a look, (nodes, outcomes), as rows of the
+        returned nodes.
+
+        Bit k of an outcome is the answer of comparison k of `comparison_count`; `of_sense` gives
+        each code's comparison. `looks` counts the looks so far."""
         outcomes = 1 << comparison_count
         self._limit(len(nodes) * outcomes)
         rows = np.repeat(nodes, outcomes, axis=0)
@@ -299,7 +308,10 @@ class MachineBuilder:
         return machine, behaviour_of_code
 
     def _behaviours(self, stages: list[Stage]) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
-        """Return the behaviour of every code, and the first code of each behaviour."""
+        """Return the behaviour of every code, and the first code of each behaviour.
+
+        Two codes have one behaviour if their shutters, resets and states are equal for all answers.
+        """
         behaviour_of_key: dict[bytes, int] = {}
         behaviour_of_code = np.empty(len(self.codes), np.int32)
         chosen: list[int] = []

@@ -49,7 +49,8 @@ def with_open_times(
 
 
 def _times(machine: StateMachine, slot_us: NDArray[np.float64]) -> dict[int, set[Times]]:
-    """Return for each node the possible open times at the end of its stage."""
+    """Return for each node the possible open times at the end of its stage, each as slots and
+    microseconds of all buckets."""
     buckets = machine.opens.shape[1]
     none: Times = ((0, 0.0),) * buckets
     times: dict[int, set[Times]] = {node: {none} for node in range(int(machine.first[1]))}
@@ -76,8 +77,10 @@ def _times(machine: StateMachine, slot_us: NDArray[np.float64]) -> dict[int, set
 def _differing(
     machine: StateMachine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> int | None:
-    """Return the first bucket whose time is not determined by code and these states; None if all
-    are."""
+    """Return the first bucket whose open time is not determined by the code and the states `read`;
+    None if all are.
+
+    `last` are the nodes at the end of a frame, with the open times `times`."""
     by_readout: dict[tuple[int, ...], set[Times]] = {}
     for node in last:
         values = machine.values[node, list(read)].tolist()

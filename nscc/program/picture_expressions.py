@@ -49,7 +49,8 @@ class Reader(LoopReader):
         self._outside_asked = False
 
     def declare(self, name: str, node: p.Node | None) -> None:
-        """Declare an image or plane for the following expressions; None if it is invalid."""
+        """Make an image or plane known to the following expressions; with `node` None, it failed
+        and later uses report nothing."""
         if node is None:
             self.failed.add(name)
         elif isinstance(node, p.Condition):
@@ -301,7 +302,11 @@ class Reader(LoopReader):
         raise self._unknown("a plane", name, "plane")
 
     def _kernel_of(self, call: tree.Call, first: str) -> str:
-        """Return the name of the kernel that is the second argument of a call."""
+        """Return the name of the convolution kernel that is the second argument of a call, such as
+        `any(PLANE, k)`.
+
+        `first` is the form of the first argument, for the message. Raises WrongPicture after
+        reporting an error."""
         name, arguments = call.function.text, call.arguments
         if len(arguments) != 2 or not isinstance(arguments[1], tree.Name):
             what = "a plane" if first == "PLANE" else "an image"

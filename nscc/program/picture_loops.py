@@ -59,7 +59,8 @@ class LoopReader(PictureComparer):
     def _needs_outside(self, span: Span) -> None: ...
 
     def declare_places(self, name: str, condition: tree.Expr) -> bool:
-        """Return whether a plane depends on x and y only; it is then an input plane."""
+        """Declare a plane that depends on x and y only, which becomes an input plane; return
+        whether it does."""
         if self.declared.version < 4:
             return False
         plane = self.host.plane_of_places(condition, name)
@@ -68,7 +69,8 @@ class LoopReader(PictureComparer):
         return plane is not None
 
     def repeat(self, statement: tree.Repeat, name: str) -> None:
-        """Declare all names of a `repeat` when its first name is reached."""
+        """Declare all names of a `repeat` when its first name is reached. Initial values, steps
+        and their number are checked, and errors reported."""
         names = [item.name.text for item in statement.items]
         if name != names[0]:
             return
@@ -109,7 +111,10 @@ class LoopReader(PictureComparer):
         return self.image(expr) if kind == "image" else self.condition(expr)
 
     def _shifted(self, expr: tree.Place, base: p.Node) -> p.Node:
-        """Return the values of the pixels at an offset. Long ways become loops of steps."""
+        """Return the node of an image or plane shifted by the offset of `expr`; long distances
+        become loops of steps.
+
+        Raises WrongPicture after reporting NS0541 for a shift beyond the array."""
         for size, axis, what in (
             (self.target.cols, expr.right, "columns to the right"),
             (self.target.rows, expr.down, "rows down"),
@@ -132,7 +137,10 @@ class LoopReader(PictureComparer):
         return base
 
     def _along(self, base: p.Node, distance: p.Times, step: tuple[int, int], name: str) -> p.Node:
-        """Return an image or a plane that is shifted along one axis."""
+        """Return an image or a plane that is shifted along one axis, by a constant distance or by a
+        parameter of the host.
+
+        `step` is the axis, and `name` names the loop that a long or variable distance needs."""
         if distance.param:
             for sign in (1, -1):
                 part = p.Times(sign * distance.offset, 0, distance.param, sign * distance.factor)
@@ -161,7 +169,10 @@ class LoopReader(PictureComparer):
         step: tuple[int, int],
         pixels: int,
     ) -> p.Node:
-        """Declare the name of a far shift, once, and return its value."""
+        """Declare the loop of a far shift under this name, unless it exists, and return its result.
+
+        Each of the `times` steps shifts by `pixels` along `step`, beginning with `start`. Raises
+        WrongPicture inside `repeat`."""
         if self._in_step:
             raise self._report(
                 "NS0539",
@@ -181,8 +192,10 @@ class LoopReader(PictureComparer):
         return " ".join(self.problems.source.text[node.span.start : node.span.end].split())
 
     def _flood(self, call: tree.Call) -> p.Condition:
-        """Return the parts of a mask that are connected with a seed, and declare what tells whether
-        all parts were reached."""
+        """Return the plane of those parts of a mask that are connected with a seed, and declare a
+        plane that tells whether it still grows.
+
+        Raises WrongPicture after reporting wrong arguments (NS0531) or a second flood (NS0539)."""
         name = self.now
         if len(call.arguments) != 3 or not isinstance(call.arguments[2], tree.Name):
             raise self._report(
@@ -228,7 +241,8 @@ class LoopReader(PictureComparer):
         return flooded
 
     def _around(self, kernel: str) -> str:
-        """Return the name of a kernel without its centre."""
+        """Return the name of a convolution kernel without the weight of its centre, which is
+        declared if necessary."""
         weights, name = self.kernels[kernel], f"{kernel} around"
         if (0, 0) not in weights.taps:
             return kernel
@@ -239,7 +253,8 @@ class LoopReader(PictureComparer):
 
 
 def _one_shift(base: p.Node, step: tuple[int, int], pixels: int) -> Any:
-    """Return an image or a plane `pixels` steps away."""
+    """Return the node of an image or plane shifted by `pixels` times `step`; the node itself for
+    0 pixels."""
     if not pixels:
         return base
     make: Any = p.At if isinstance(base, p.Condition) else p.Shifted

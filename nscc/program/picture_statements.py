@@ -145,7 +145,8 @@ class PictureMaker:
         return self._with_unit(pictures)
 
     def _with_unit(self, pictures: Pictures) -> Pictures:
-        """Set the steps of IN of a count; report NS0540 if the largest count does not fit."""
+        """Choose how many steps of IN represent one count; report the error (NS0540) if the
+        largest count does not fit a register."""
         unit = count_unit(pictures, self.target)
         if unit is None or self.problems.has_errors():
             return pictures
@@ -331,7 +332,8 @@ class PictureMaker:
         return start
 
     def _next(self, name: str, reader: Reader) -> Condition | None:
-        """Return the state after a frame: unchanged without `next`, or where its condition is 0."""
+        """Return the value of a state after the frame: unchanged without a `next` statement, and
+        where its condition is 0."""
         step = self.declared.nexts.get(name)
         if step is None:
             return Bit(name)
@@ -434,7 +436,8 @@ class PictureMaker:
         self.problems.error("NS0536", message, span, "this report", helps=helps)
 
     def _limits(self) -> dict[str, float]:
-        """Return the largest assumed exposure of each bucket in electrons."""
+        """Return the largest exposure of each bucket in electrons: a full well, or less if the
+        program assumes so. Invalid assumptions are reported."""
         target = self.target
         full_e = min(target.full_well_e, target.register_max_e)
         limits = dict.fromkeys(self.buckets, full_e)
@@ -472,7 +475,8 @@ class PictureMaker:
 
 
 def _kernel_fault(rows: Sequence[Any]) -> tuple[str, tuple[str, ...]]:
-    """Return the error in a convolution kernel as half a sentence, "" if it is valid, and helps."""
+    """Return what is wrong with the rows of a convolution kernel, as half a sentence with helps;
+    "" if it is valid."""
     widths = {len(row) for row in rows}
     add_zeros = ("add zeros: `[[0, 1, 1], ..]` instead of two columns `[[1, 1], ..]`",)
     if len(widths) > 1:

@@ -61,7 +61,8 @@ class Problems:
         self.error("NS0214", message, span, "not known", helps=helps, fixes=fixes)
 
     def adopt(self, rejected: Rejected, span: Span) -> None:
-        """Add diagnostics that have no source, with the place `span`."""
+        """Add the diagnostics of an exception; those without a source get the program's text and
+        the place `span`."""
         for diagnostic in rejected.diagnostics:
             if diagnostic.source is None:
                 diagnostic = replace(diagnostic, source=self.source, label=Label(span))

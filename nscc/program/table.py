@@ -164,7 +164,8 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
 def _decoded(
     rules: Rules, rule: Checked, codes: CodeArray
 ) -> tuple[NDArray[np.bool_], MissingValue | None]:
-    """Return whether shutters are open (codes, slots), and the first missing value or None."""
+    """Return whether each shutter is open, bool (codes, slots), and the first missing value of
+    the rule or None."""
     shape = (len(codes), rules.slots)
     bindings = _bindings(rules, codes)
     bindings["n"] = Value(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))

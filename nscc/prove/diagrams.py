@@ -53,7 +53,7 @@ class Diagrams:
         self.zero, self.one = self.leaf(Fraction(0)), self.leaf(Fraction(1))
 
     def leaf(self, value: Fraction) -> int:
-        """Return the diagram of a constant number."""
+        """Return the diagram of a constant number; equal numbers give the same diagram."""
         key = value.as_integer_ratio()  # hashing a Fraction is slow
         number = self._number.get(key)
         if number is None:
@@ -92,7 +92,7 @@ class Diagrams:
         return Fraction(0)
 
     def support(self, node: int) -> frozenset[int]:
-        """Return the variables that a diagram depends on."""
+        """Return the numbers of the variables on which a diagram depends."""
         variables = self._support.get(node)
         if variables is None:
             variable, low, high = self._nodes[node]
@@ -123,7 +123,7 @@ class Diagrams:
         return self._apply("^", bit, self.one)
 
     def scaled(self, factor: Fraction, node: int) -> int:
-        """Return a number times a fraction."""
+        """Return the diagram of `factor` times the number of `node`."""
         known = self.multiples(factor)
         product = known.get(node)
         if product is None:
@@ -232,7 +232,8 @@ class Forms:
         return {(BEYOND, self._fresh, 0): self.diagrams.one}
 
     def kept_bit(self, state: str, at: tuple[int, int]) -> int:
-        """Return the unknown bit of a state at the start of the frame."""
+        """Return the unknown bit of a state at a pixel before the frame; the same variable at
+        every call."""
         key = (state, *at)
         if key not in self._kept:
             self._kept[key] = self.diagrams.new_variable(at)
@@ -251,7 +252,8 @@ class Forms:
         return {(COUNTED, bit, 0): diagrams.leaf(steps)}
 
     def sum(self, *terms: tuple[Fraction, Form]) -> Form:
-        """Return the sum of factors times forms."""
+        """Return the sum of forms, each multiplied by its factor; unknowns with a coefficient of
+        0 are left out."""
         diagrams, zero = self.diagrams, self.diagrams.zero
         total: dict[Unknown, int] = {}
         for factor, form in terms:
@@ -283,7 +285,7 @@ class Forms:
         return {unknown: number for unknown, number in numbers.items() if number != zero}
 
     def _steps_between(self, first: Form, second: Form) -> Fraction | None:
-        """Return the difference in steps of IN; None if the forms differ in other unknowns."""
+        """Return `first` - `second` if it is a constant number of steps of IN, else None."""
         if {**first, IN: 0} != {**second, IN: 0}:
             return None
         zero = self.diagrams.zero

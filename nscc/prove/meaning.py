@@ -101,7 +101,8 @@ class PictureMeaning:
         return self.bit(node, at) if isinstance(node, p.Condition) else self.image(node, at)
 
     def image(self, value: p.Value, at: Place) -> Form:
-        """Return an image at a place, which may be outside the array."""
+        """Return the exact form of an image at `at` (column, row), also for pixels outside the
+        array."""
         form = self._images.get((id(value), at))
         if form is None:
             form = self._images[id(value), at] = self._image(value, at)
@@ -163,7 +164,8 @@ class PictureMeaning:
         assert_never(value)
 
     def bit(self, condition: p.Condition, at: Place) -> int:
-        """Return a plane at a place, which may be outside the array."""
+        """Return the diagram of a plane's bit at `at` (column, row); pixels outside the array
+        have the bit that `outside` declares."""
         if not self.forms.inside(*at):
             return self.outside
         diagram = self._bits.get((id(condition), at))

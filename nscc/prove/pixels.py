@@ -128,7 +128,8 @@ class ReplayPixels:
         self._split: tuple[Bits, Lanes, Lanes | None] = (UNKNOWN, slice(0, 0), slice(None))
 
     def choose(self, lanes: NDArray[np.intp]) -> None:
-        """Select lanes by index, possibly repeated."""
+        """Replace the lanes by those with these indices, which may be repeated (to follow two
+        answers) or left out."""
         vectors = [vector for bits in self.bits.values() for vector in bits]
         chosen = iter(columns(rows(vectors, self.lanes)[lanes]))
         self.bits = {name: (next(chosen), next(chosen)) for name in self.bits}
@@ -152,7 +153,8 @@ class ReplayPixels:
         raise NotImplementedError
 
     def start_frame(self) -> None:
-        """Start a frame, with unknown analog registers."""
+        """Begin the next frame: analog registers are unknown, and digital ones that no frame
+        writes have decayed."""
         if self._frame:
             # The chip runs frame after frame: a bit that no frame writes decays.
             self._written_us.update(dict.fromkeys(self._never_written, -inf))
@@ -163,7 +165,8 @@ class ReplayPixels:
             self.analog[name] = np.full((self.lanes, self.parts), value)
 
     def run_launches(self, boundary: int) -> None:
-        """Run the kernels that are launched at a boundary."""
+        """Set the time to a boundary, and run the kernels that are launched there, with their
+        values of IN."""
         self._boundary = boundary
         self._now_us = self._start_us + float(self._boundary_us[boundary])
         for launch in self.launches.get(boundary, ()):
@@ -197,7 +200,7 @@ class ReplayPixels:
     # Words.
 
     def run(self, word: Op) -> None:
-        """Run a word in every lane."""
+        """Run a word in every lane, as FLAG and the target's rules allow it."""
         match word.operation.effect:
             case WordEffect.RESET_PIX:
                 lanes: Lanes = slice(None)
@@ -272,7 +275,8 @@ class ReplayPixels:
             self.write(name, value, mask if name == masked else None)
 
     def read(self, name: str) -> Bits:
-        """Return the content of a register, unknown if it has decayed."""
+        """Return the bits of a register; they are unknown if they were written longer ago than
+        the retention time."""
         value = self.bits[name]
         if self._now_us - self._written_us[name] <= self.target.digital_retention_us:
             return value
@@ -291,7 +295,8 @@ class ReplayPixels:
         return known_1, known_0
 
     def write(self, name: str, value: Bits, mask: str | None = None) -> None:
-        """Write a register; where the register `mask` is 0 it keeps its content."""
+        """Write the bits of a register, now; where the register `mask` is 0, it keeps its
+        content."""
         on, off = (self.everything, 0) if mask is None else self.read(mask)
         if on == self.everything:
             self.bits[name] = value

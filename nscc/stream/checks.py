@@ -24,7 +24,8 @@ def check_route(sending: Sending) -> None:
 
 
 def check_loadings(sending: Sending) -> None:
-    """Check that every plane is completely loaded before it acts and before the next one loads."""
+    """Raise Inconsistent unless every plane is completely loaded before it acts, within its
+    slot, and before the next one loads."""
     load_us, begin_us = sending.program.target.plane_load_us, 0.0
     ended_us = -inf
     for slot_us, loading in zip(sending.program.frame.slot_us, sending.loadings, strict=True):

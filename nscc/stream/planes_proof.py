@@ -36,7 +36,8 @@ def prove_planes(container: Container) -> Proof:
 
 
 def _times(container: Container) -> Failure | None:
-    """Return the failure if planes overlap or act too early, else None."""
+    """Return the failure if a plane is not loaded in time for its slot, or two planes load at
+    once, else None."""
     free_us, load_us = -np.inf, container.target.plane_load_us
     end_us = np.cumsum(container.slot_us)
     slack = 1e-6 * load_us

@@ -53,7 +53,7 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
 
 
 def cost_text(sending: Sending) -> str:
-    """Return the cost of bit planes in two lines."""
+    """Return number and size of bit planes and the shortest possible slot, in two lines."""
     return (
         f"  planes {len(sending.loadings)} a frame, {sending.bits_a_frame} bits, "
         f"{rate_text(sending.bits_per_us)} while one loads\n"

@@ -92,7 +92,8 @@ def _from_file(
 
 
 def _kernel(span: Span, name: tree.Name, *rows_and_divisor: Any) -> tree.Kernel:
-    """Make a convolution kernel from its rows and an optional divisor."""
+    """Return the node of a convolution kernel from its rows and, as the last value, an optional
+    divisor."""
     divided = not isinstance(rows_and_divisor[-1], tree.TileRow)
     rows, divisor = (
         (rows_and_divisor[:-1], rows_and_divisor[-1]) if divided else (rows_and_divisor, None)
@@ -118,7 +119,7 @@ def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
 
 
 def _state(span: Span, *children: Any) -> tree.StateRange | tree.StateBit:
-    """Make a state; `kept` is before the name or at the end of the statement."""
+    """Return the node of a state; `children` contains True where the text has the word `kept`."""
     name, *values = [child for child in children if child is not True]
     is_kept = len(values) + 1 < len(children)
     if len(values) == 1:

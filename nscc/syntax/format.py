@@ -122,7 +122,8 @@ class _Writer:
         return "".join(f"{line}\n" for line in _with_comments(self.lines))
 
     def _between(self, begin: int, end: int) -> None:
-        """Add the comments and empty lines between two statements."""
+        """Append the comments and empty lines between two statements, at `begin` and `end` of
+        the text, to the lines."""
         gap = self.source.text[begin:end]
         at = 0
         for comment in _COMMENT.finditer(gap):
@@ -147,7 +148,8 @@ def _line_ends(blank: str) -> int:
 
 
 def _tokens(tokens: Tokens, begin: int, last: int) -> Iterator[_Token]:
-    """Yield the tokens of one statement."""
+    """Yield the tokens from `begin` to `last` with their comments, and whether no blank stands
+    before each."""
     text, kinds = tokens.source.text, tokens.kinds
     line, end, sign = 0, tokens.span(begin).start, False
     for k in range(begin, last):
@@ -241,8 +243,8 @@ class _Rows:
 
     @classmethod
     def of(cls, tokens: list[_Token]) -> _Rows | None:
-        """Return the rows of a statement; None for other statements, and for comments
-        inside a row."""
+        """Return the rows of a codebook or tile with their comments; None for other statements,
+        and for comments inside a row."""
         kinds = [token.kind for token in tokens]
         is_book = kinds[0] == "shutters" and "[" in kinds
         if not is_book and not (kinds[0] == "pixels" and "tile" in kinds):
@@ -264,7 +266,7 @@ class _Rows:
         return cls(_joined(tokens[: opening + 1]), rows, above, after, is_book)
 
     def book(self) -> list[_Line] | None:
-        """Return a codebook with one row per line; None if it has a single row."""
+        """Return the lines of a codebook with one row each; None if it has a single row."""
         if len(self.rows) == 1:
             return None
         lines = [_Line(self.head, self.after[0])]
@@ -329,7 +331,8 @@ def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
 
 
 def _together(pieces: Sequence[list[_Token]], indent_length: int) -> list[list[_Token]]:
-    """Join consecutive pieces that fit into one line."""
+    """Join consecutive pieces as long as they fit into a line that is indented by
+    `indent_length`."""
     merged: list[list[_Token]] = []
     for piece in pieces:
         if merged and indent_length + len(_joined([*merged[-1], *piece])) <= WIDTH:
@@ -353,7 +356,7 @@ def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[
 
 
 def _joined(tokens: Sequence[_Token]) -> str:
-    """Return the tokens as one line."""
+    """Return the tokens as one line, with blanks between them where the style has some."""
     first, *later_tokens = tokens
     return first.text + "".join(
         f"{'' if token.close else ' '}{token.text}" for token in later_tokens

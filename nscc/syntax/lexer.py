@@ -56,7 +56,9 @@ def span_of(token: Token) -> Span:
 
 
 def lex(source: Source) -> Tokens:
-    """Return all tokens of a text, in order."""
+    """Return all tokens of a text, in order; every character belongs to one.
+
+    The kinds of some tokens depend on the statement: names of targets, and levels of senses."""
     words = spellings()
     target_name = re.compile(parser().get_terminal("TARGET_NAME").pattern.value)
     level = re.compile(parser().get_terminal("LEVEL").pattern.value)
@@ -136,7 +138,8 @@ def _is_share(tokens: Tokens, amount: re.Match[str]) -> bool:
 
 
 def _awaits_level(tokens: Tokens, statement: str) -> bool:
-    """Return whether a sense's level may come next: after its comparison, or in a list there."""
+    """Return whether the level of a `sense` statement may come next: after its comparison, or in
+    a list there."""
     if statement != "sense" or tokens.kinds[-1] not in ("COMPARISON", "[", ","):
         return False
     words = (kind for kind in reversed(tokens.kinds) if kind in ("at", *statement_words(2)))

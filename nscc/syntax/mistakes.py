@@ -226,7 +226,8 @@ def _open_brackets(tokens: Tokens, first: int, stuck: Stuck) -> list[int]:
 
 
 def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
-    """Yield hints on what such a statement usually lacks."""
+    """Yield hints for the token at which parsing stopped; `first` and `last` are the bounds of
+    the statement."""
     if stuck.token >= last:
         return
     kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
@@ -255,7 +256,8 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
 
 
 def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]:
-    """Yield safe changes that correct the token at which the parser stopped."""
+    """Yield changes that correct the token at which parsing stopped; `first` and `last` are the
+    bounds of the statement."""
     if stuck.token >= last:
         return
     kind, text, span = tokens.kinds[stuck.token], tokens.text(stuck.token), tokens.span(stuck.token)
@@ -360,7 +362,8 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
 
 
 def _choice(tokens: Tokens, at: int, last: int) -> str:
-    """Return a hint for a choice that begins with `if`, in the words of the program."""
+    """Return the hint for a choice written with `if` first, as `A if CONDITION else B` in the
+    words of the program."""
     texts = [tokens.text(k) for k in range(at, last)]
     if "then" not in texts or "else" not in texts[texts.index("then") :]:
         return _CHOICE
@@ -405,7 +408,8 @@ def _text(tokens: Tokens, at: int, last: int) -> str:
 
 
 def _quotient(tokens: Tokens, first: int, at: int) -> Iterator[str]:
-    """Yield a hint for multiplying or dividing by a decimal number in integer arithmetic."""
+    """Yield a hint for multiplying or dividing by the decimal number at token `at`: the language
+    has only integers."""
     kinds, number = tokens.kinds, tokens.text(at)
     before, after = kinds[at - 1], kinds[at + 1 : at + 2]
     fraction = Fraction(number)

@@ -199,7 +199,8 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
 
 
 def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
-    """Return the error (NS0104) at the first token, which is not `nsl`."""
+    """Return the error (NS0104) that a text does not begin with its language version; `starts`
+    are the tokens that begin statements."""
     source = tokens.source
     if not tokens.kinds:
         message = "this file is empty; a shutter program begins with `nsl 1`"

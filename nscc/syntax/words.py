@@ -54,7 +54,8 @@ def grammar_path() -> Path:
 
 @cache
 def parser() -> lark.Lark:
-    """Return the parser of one statement; its lexer accepts any text."""
+    """Return the parser of one statement; its lexer accepts any text. Its tables are read from
+    the user's cache, or made and stored there."""
     grammar = grammar_path().read_text(encoding="utf-8")
     folder = cache_folder()
     if folder is None:

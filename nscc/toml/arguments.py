@@ -41,7 +41,8 @@ def _checked(call: str, key: Key, value: Any) -> Any:
 
 
 def _read(subject: str, kind: Kind, value: Any) -> Any:
-    """Return the argument converted by its kind; raise WrongArgument with what is allowed."""
+    """Return the argument converted by its kind; raise WrongArgument, which begins with
+    `subject` and says what is allowed."""
     plain = value.item() if isinstance(value, np.generic) else value
     try:
         return kind.argument(plain)

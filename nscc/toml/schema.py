@@ -227,7 +227,8 @@ class Schema(Generic[Row]):
     def _take(
         self, key_values: KeyValues, section: str, name: str, value: Any, source: Source | None
     ) -> Diagnostic | None:
-        """Add a valid value to `key_values`; return the error of an invalid value, else None."""
+        """Add a valid value to `key_values`; return the error of an invalid value, else None. A
+        value is valid if its key exists and its kind allows the value."""
         key = self.by_path.get(f"{section}.{name}" if section else name)
         if key is None or key.section != section:
             known = self.sections.get(section, ())
@@ -277,7 +278,10 @@ class Schema(Generic[Row]):
         help_text: str = "",
         note: str = "",
     ) -> Diagnostic:
-        """Return an error at a key of a file; if `section` is "", `name` may also be a table."""
+        """Return the error `code` at the key `name` of a table `section`; with the section "",
+        `name` may also be a table.
+
+        `source` is the text of the file, for the place."""
         return Diagnostic(
             code,
             message,
@@ -330,7 +334,9 @@ def file_values(
 def file_table(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2
 ) -> tuple[dict[str, Any], Source]:
-    """Return the unchecked TOML values of a file, and its text."""
+    """Return the TOML values of a file, not yet checked, and its text.
+
+    Raises Rejected with `status` if `data` is not a TOML table."""
     try:
         text, values = parsed(data)
     except NotToml as reason:

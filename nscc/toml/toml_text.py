@@ -18,7 +18,8 @@ class NotToml(Exception):
 
 
 def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
-    """Decode and parse the bytes of a file; raise NotToml."""
+    """Return the text and the values of a TOML file; raise NotToml if it is too large, not UTF-8
+    or not TOML."""
     try:
         if len(data) > LARGEST_FILE:
             raise NotToml(f"it is larger than {LARGEST_FILE // 1024} KiB")

@@ -61,7 +61,7 @@ def assemble(source: Source, base: Path) -> Container:
 
 def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
     """Return the words of all kernels of a text in order; the text may consist of instructions
-    only."""
+    only. Raises Rejected with all errors."""
     faults = Faults(source)
     draft = _read(source, faults, _own_words(source, base))
     target = find_target(draft, base, faults)
@@ -72,7 +72,8 @@ def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
 
 
 def _own_words(source: Source, base: Path) -> tuple[Operation, ...]:
-    """Return the `[[words]]` of the text's target; errors are reported later."""
+    """Return the operations that the target of a text adds; none if the target has errors, which
+    are reported later."""
     target_lines, within = [], False
     for line in map(str.strip, source.text.split("\n")):
         if line.startswith("."):
@@ -162,7 +163,8 @@ def _parsed(line: str) -> tuple[tuple[str, int, int], ...]:
 
 
 def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
-    """Return the pieces of a line after `head`; None after reporting a syntax error."""
+    """Return the pieces of a line after its first word `head`; None after adding a syntax error
+    to `faults`."""
     begin = head.span.start
     is_instruction = head.text not in DIRECTIVES
     code = _CODE.split(text, 1)[0] if is_instruction else text
@@ -193,7 +195,8 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
 
 
 def _misplaced(piece: str, span: Span, head: Token, code: str, faults: Faults) -> None:
-    """Report a piece that the grammar does not allow; an empty one is the end of the line."""
+    """Add the fault of a piece that the grammar does not allow in this line; an empty piece is
+    the end of the line."""
     name = head.text
     if name not in DIRECTIVES:
         if piece in ("", ","):
@@ -220,8 +223,10 @@ def _instruction(
     faults: Faults,
     own_words: tuple[Operation, ...],
 ) -> None:
-    """Add one instruction or macro to the draft as words; add a fault for unknown registers or a
-    wrong number."""
+    """Add one instruction or macro to the draft as words.
+
+    Adds a fault to `faults` instead for unknown registers or wrong operands. `own_words` are
+    operations that the target adds."""
     name = head.text
     unknown = [operand for operand in operands if operand.text not in READ_LINES]
     for operand in unknown[:20]:

@@ -33,7 +33,7 @@ def number_text(value: float) -> str:
 
 
 def read_integer(text: str) -> int | None:
-    """Read an integer of 64 bits."""
+    """Return the integer of a text; None if malformed or outside 64 bits."""
     if not _INTEGER.fullmatch(text):
         return None
     value = int(text)
@@ -47,7 +47,7 @@ def read_number(text: str) -> float | None:
 
 
 def read_time_us(text: str) -> float | None:
-    """Read a finite positive time such as `125us`, in microseconds."""
+    """Return a time such as `125us` in microseconds; None unless it is finite and positive."""
     from decimal import Decimal
 
     number = text.rstrip("nums")

@@ -37,7 +37,9 @@ class FrameCost(Record):
 
 
 def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
-    """Return the cost of words without a launch."""
+    """Return number and time (us) of words, without the time of a launch.
+
+    Words that the target adds may have a time of their own."""
     analog = digital = 0
     own_us = []
     for word in words:

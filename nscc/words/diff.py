@@ -56,7 +56,8 @@ def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
 
 
 def _text_change(old: Sequence[str], new: Sequence[str]) -> Iterator[str]:
-    """Yield the lines that differ; for data in base64, yield only that they do."""
+    """Yield the lines that differ between two parts of an assembly text; of data in base64, only
+    that they differ."""
     if old == new:
         return
     if max(len(old), len(new)) > _LONGEST_SECTION:
@@ -81,7 +82,8 @@ def _split(section: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def _planes(first: Container, second: Container) -> Iterator[str]:
-    """Yield the differences of bit planes, for chips without logic."""
+    """Yield which bit planes, and which destinations of light, differ between two programs for
+    chips without logic."""
     old, new = first.stream, second.stream
     if old is None or new is None:
         return

@@ -87,7 +87,8 @@ class Faults:
     def add(
         self, code: str, message: str, span: Span, *, label: str = "", helps: tuple[str, ...] = ()
     ) -> None:
-        """Add an error at `span`; raise Rejected if the limit is reached."""
+        """Add an error at `span`; raise Rejected with all errors if there are as many as are
+        shown."""
         place = Label(span, label)
         self.found.append(Diagnostic(code, message, source=self.source, label=place, helps=helps))
         if len(self.found) >= self._MOST:

@@ -94,7 +94,8 @@ def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, 
 
 
 def _pair(first: Op, second: Op | None) -> str | None:
-    """Return the in-place instruction of two half-words; None if there is none."""
+    """Return the in-place instruction, such as `NOR d, x`, that two half-words form; None if
+    they form none."""
     kind = pair_kind(first, second) if second is not None else None
     if kind is None or second is None:
         return None
@@ -271,7 +272,7 @@ def _pixels(container: Container) -> Iterator[str]:
 
 
 def _period(plane: NDArray[Any]) -> int:
-    """Return the number of rows after which the plane repeats."""
+    """Return the smallest number of rows after which the array repeats; all rows if it does not."""
     for period in range(1, len(plane)):
         # One row excludes most periods; the whole plane is compared only for the others.
         same = np.array_equal(plane[period], plane[0])

@@ -165,7 +165,8 @@ def decode(word: Word, place: str = "") -> Op:
 
 
 def no_operation(word: Word, place: str = "") -> Diagnostic:
-    """Return the error (NS0701) for a word that matches no operation."""
+    """Return the error (NS0701) for a word that matches no operation, with the control lines
+    that it raises; `place` names it."""
     notes = []
     bits = _joined(word)
     wrong_indices = [i for i in range(5) if word[i] >> 16 & 7 != i]
@@ -214,7 +215,8 @@ class Masks(NamedTuple):
 
 
 def masks() -> Masks:
-    """Return the masks, for decoding words elsewhere."""
+    """Return the bits of all operations and operands, from which the firmware's decoder is
+    generated."""
     return Masks(
         {row.name: _split(_fixed(row)) for row in OPERATIONS},
         {name: _split(word) for name, word in _READ.items()},

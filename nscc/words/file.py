@@ -245,7 +245,9 @@ def _rejected(code: str, name: str, reason: str) -> Rejected:
 
 
 def _check_frame(data: bytes, name: str) -> int:
-    """Check magic, version, length and checksum; return the header's length."""
+    """Return the length of the header after checking magic, version, length and checksum of a file.
+
+    Raises Rejected (NS0702, NS0704, NS0705), in which `name` names the file."""
     if not data.startswith(MAGIC):
         reason = "it is empty" if not data else "it is not a container of instruction words (.icw)"
         raise _rejected("NS0702", name, reason)

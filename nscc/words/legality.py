@@ -192,7 +192,8 @@ def pair_kind(first: Op, second: Op) -> str | None:
 
 
 def split_pairs(kernel: str, ops: Sequence[Op]) -> list[Diagnostic]:
-    """Return an error (NS0703) for every half-word without its partner beside it."""
+    """Return an error (NS0703) for each half of a pair of words without the other half beside
+    it; `kernel` is the name in messages."""
     diagnostics = []
     for index, operation in enumerate(ops):
         before, phase = ops[index - 1] if index else None, operation.operation.phase

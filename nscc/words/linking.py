@@ -97,7 +97,9 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
 
 
 def _with_blocks(container: Container, draft: Draft, faults: Faults) -> Container:
-    """Return the container with the state machine and the images of the text's blocks."""
+    """Return the container with the state machine and the images that the text contains as data.
+
+    Raises Rejected if a block does not match the program."""
     for block, add in (
         (draft.machine, with_machine_data),
         (draft.pictures, lambda c, data: replace(c, pictures=from_json(Pictures, data))),
@@ -115,7 +117,8 @@ def _with_blocks(container: Container, draft: Draft, faults: Faults) -> Containe
 
 
 def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
-    """Return the target that the text names, by default scamp5; None after reporting an error."""
+    """Return the target that the text names, by default scamp5; None after reporting an error.
+    `base` is the folder of target files."""
     block = draft.target
     if block is None:
         return load_target(DEFAULT_NAME, base)
@@ -140,7 +143,8 @@ def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
 
 
 def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
-    """Report instructions that the target does not have, and kernels that exceed its store."""
+    """Add a fault for each instruction that the target does not have, and if the kernels exceed
+    its store."""
     stored = 0
     for kernel in draft.kernels:
         for line in kernel.lines:
@@ -190,7 +194,8 @@ def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
 
 
 def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
-    """Return all launches, by boundary, in the order of the text."""
+    """Return all launches, by boundary, in the order of the text; unknown kernels and boundaries
+    beyond the frame are faults."""
     kernels = {kernel.name.text: i for i, kernel in enumerate(draft.kernels)}
     at_instant: dict[int, list[int]] = {}
     slots = len(draft.slot_us)
@@ -273,7 +278,10 @@ def _table_of_planes(
 def _table(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[DecodeTable, NDArray[np.bool_]]:
-    """Return the decode table and the encoding from `.fields`, `.shutter` and `.code` lines."""
+    """Return the decode table, and the register bits of each shutter, bool (shutters, registers),
+    from the lines of the draft.
+
+    Faults are added to `faults`; raises Rejected for a table that is too large."""
     shutters, slots = len(draft.shutters), len(draft.slot_us)
     fields = tuple(_indexed(draft.fields, "field", faults))
     for lines, name in ((draft.shutters, ".shutter"), (draft.codes, ".code")):

@@ -498,7 +498,7 @@ class Pictures:
 
     @property
     def steering(self) -> tuple[str, ...]:
-        """The names of images, planes and states that read bits of neighbours."""
+        """The names of images, planes and states whose words read bits of neighbours, in order."""
         reading = Near | At | Agreement
         return tuple(
             name

@@ -107,7 +107,8 @@ class RegisterReaches:
             self.reach[name] = written
 
     def _of_neighbours(self, source: str) -> Reach:
-        """Return the reach of a bit that DNEWS reads from neighbours that R1 to R4 may choose."""
+        """Return the reach of a bit that a pixel reads from those neighbours that R1 to R4
+        choose."""
         own, reach = self.of(source), Reach().joined(*map(self.of, STEERING))
         for name, step in STEERING.items():
             if self._constant.get(name, True):

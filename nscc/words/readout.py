@@ -29,7 +29,8 @@ class Preparation(Record):
 
 
 def preparation_of(container: Container) -> Preparation:
-    """Return the words before the readout of a container's registers."""
+    """Return the words that run before the readout: FLAG is set everywhere and, if a register is
+    free, exposures are spread over all converter codes."""
     target = container.target
     copy = free_register(target, _read(container))
     # Readout would skip pixels without FLAG.

@@ -140,7 +140,7 @@ def _pixel_faults(container: Container) -> Iterator[str]:
 
 
 def _stream_faults(container: Container) -> Iterator[str]:
-    """Yield errors of bit planes: a chip without logic has planes if pixels have codes, and no
+    """Yield what is wrong with bit planes: only chips without logic have them, and these have no
     words."""
     target, sent = container.target, container.stream
     if target.has_logic:
@@ -197,7 +197,8 @@ def _picture_faults(container: Container) -> Iterator[str]:
 
 
 def _loop_faults(container: Container) -> Iterator[str]:
-    """Yield errors of loops and parameters: each names launches and parameters that exist."""
+    """Yield what is wrong with loops and parameters, such as launches or parameters that do not
+    exist."""
     pictures, target, end = container.pictures, container.target, 0
     params = {param.name: param for param in pictures.params}
     for param in pictures.params:
@@ -220,8 +221,7 @@ def _loop_faults(container: Container) -> Iterator[str]:
 
 
 def _text_faults(container: Container) -> Iterator[str]:
-    """Yield errors of free text, which may contain all characters except halves of
-    surrogate pairs."""
+    """Yield which free texts contain a lone surrogate, which cannot be stored as UTF-8."""
     for place, text in (
         ("its program's source", "".join(container.source_lines)),
         ("a note", "".join(note_text for note in container.notes.items() for note_text in note)),

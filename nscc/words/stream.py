@@ -61,7 +61,8 @@ class Loading(Record):
 
 
 def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
-    """Yield the loading times of all planes."""
+    """Yield for each slot when its plane begins to load and when it acts; on a pipelined chip it
+    loads during the slot before."""
     start, load = 0.0, target.plane_load_us
     for length in slot_us:
         yield Loading(start - load, start) if target.pipelined else Loading(start, start + load)

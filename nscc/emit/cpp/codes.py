@@ -218,7 +218,8 @@ class CodeLoading:
         return sum(map(calls_words, kernels))
 
     def refresh_calls(self) -> list[Call]:
-        """Return the calls of the kernel that refreshes every code register."""
+        """Return the calls of the kernel that refreshes every code register. The masked register
+        is written back while its mask is 1; the mask's own code is kept in FLAG meanwhile."""
         registers = [load.register for load in self.loads]
         masked, mask = self.target.masked_register, self.target.mask_register
         out: list[Call] = []
@@ -245,7 +246,8 @@ class CodeLoading:
         return [("OR", (load.register, load.scratch)), ("CLR", (load.scratch,))]
 
     def kernels_of(self, load: PlaneLoad) -> list[list[Call]]:
-        """Return the kernels of one load."""
+        """Return the kernels that load one register: clear it, add the address patterns, and
+        invert it if the patterns describe the zeros."""
         kernels = [self.clear_calls(load)]
         if load.gathered and load.scratch:
             kernels.append(self.add_calls(load))

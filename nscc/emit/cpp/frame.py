@@ -77,7 +77,10 @@ class LaunchSchedule:
 
 
 def schedule_of(container: Container) -> LaunchSchedule:
-    """Return the launch schedule of a container."""
+    """Return the times of all launches of a frame, and of rests between launches that are far
+    apart.
+
+    Launches at equal intervals with the same kernel and level are one row."""
     begin_us = ceil(_setup_us(container))
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
@@ -133,7 +136,8 @@ def _rests(before: Fraction, at: Fraction, instant: int) -> Iterator[Row]:
 
 
 def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
-    """Merge launches with the same kernel, level and interval into one row."""
+    """Yield rows in which launches with the same kernel, level and interval are merged, at most
+    `MOST_TIMES` in a row."""
     start = 0
     while start < len(rows):
         first, end = rows[start], start + 1
@@ -207,7 +211,8 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
 
 
 def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
-    """Return a row as C++, with times in microseconds; fractions are in units of 2^-32 us."""
+    """Return a row as C++, with times in microseconds; fractions are in units of 2^-32 us.
+    `rest_kernel` is the number that stands for a row without a kernel."""
     numbers: list[int] = []
     for moment in (row.at, row.interval_us):
         fixed = ceil(moment * _PART)

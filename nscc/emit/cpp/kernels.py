@@ -20,7 +20,9 @@ from nscc.words.encoding import decode, encode, word_text
 
 
 def narrowed(container: Container) -> list[list[Op]] | None:
-    """Return the kernels in words that all have calls; None if a WHERE needs a free register."""
+    """Return the kernels in words that all have a call in the devkit's library.
+
+    None if a WHERE has too many sources and no digital register is free to gather them."""
     kernels = [[decode(word) for word in kernel.words] for kernel in container.kernels]
     target = container.target
     used = {r for kernel in kernels for word in kernel for r in (*word.destinations, *word.sources)}

@@ -158,7 +158,8 @@ def _no_cpp(
 def _check_store(
     program: Program, container: Container, loading: CodeLoading, devkit: Devkit
 ) -> None:
-    """Raise Rejected (NS0520) if the kernels that load codes do not fit the store."""
+    """Raise Rejected (NS0520) if the words of the frame, of loading the codes and of the readout
+    do not fit the store together."""
     target = container.target
     frame = sum(
         len(kernel.words)
@@ -282,7 +283,8 @@ _MOST_VALUES = 64
 
 
 def _state_texts(container: Container) -> Iterator[str]:
-    """Yield descriptions of how a host reads the states from digital registers."""
+    """Yield for each state that is read out the registers that hold it and the bits of its
+    values."""
     machine = container.machine
     for state in machine.states:
         if state.read:

@@ -85,7 +85,8 @@ class FrameContext:
         return self.planes + self.states
 
     def words(self, item: Item) -> int:
-        """Return the number of words of an item."""
+        """Return how many words an operation takes: one, one more in place, and one more to set
+        the mask of the masked register."""
         if isinstance(item, Check):
             return 0
         in_place = item.destination != self.flag and item.destination in item.sources
@@ -105,7 +106,8 @@ class FrameContext:
         return GateOp(inverted, destination, sources, place, segment, reads)
 
     def value(self, item: GateOp, state: Sequence[Content]) -> Content:
-        """Return the content of the destination after an operation; None if unknown."""
+        """Return the content of the destination after an operation; None if unknown. `state`
+        holds the content of each register before it."""
         disjunction = 0
         for source in item.sources:
             content = state[source]
@@ -131,7 +133,7 @@ class FrameContext:
         return (limit is None or count <= max(limit, 1)) and (item.inverted or not alone)
 
     def apply(self, item: Item, state: list[Content]) -> None:
-        """Update `state` by an item."""
+        """Update the contents in `state`, in place, by an operation or a check."""
         if isinstance(item, Check):
             for register in set_bits(item.forgets):
                 state[register] = None
@@ -199,7 +201,11 @@ def flatten(
 
 
 def _room(solution: Solution, machine: Machine) -> tuple[int, int | None]:
-    """Return the number of possible scratch registers, and the plane in the masked register."""
+    """Return the number of possible scratch registers, and the plane that goes into the masked
+    register or None.
+
+    The masked register is written only where its mask is 1, so it suits a plane that is rarely
+    written."""
     planes, scratch = len(solution.planes), solution.scratch
     room = machine.registers - planes - solution.states
     if not machine.masked or not planes:

@@ -142,7 +142,8 @@ def _avoiding(
 
 
 def shrink(run: TrackedRun, span: int) -> None:
-    """Try to drop each operation, then each pair at most `span` apart."""
+    """Drop from `run`, in place, each operation and each pair at most `span` apart that can be
+    dropped with a repair that saves words."""
     for k in reversed(range(len(run.items))):
         if k < len(run.items):
             _drop(run, k)
@@ -157,8 +158,8 @@ def shrink(run: TrackedRun, span: int) -> None:
 
 
 def _drop(run: TrackedRun, *dropped: int) -> bool:
-    """Drop operations, starting repair at the first, if that saves words; return whether it
-    does."""
+    """Drop these operations from `run`, in place, if a repair of the code saves words; return
+    whether it was possible."""
     if not all(isinstance(run.items[k], GateOp) for k in dropped):
         return False
     rewriting = Rewriter(run, dropped[0], least=1, deepen=True).rewrite((), dropped)
@@ -326,8 +327,10 @@ class Rewriter:
         return new if frame.legal(new) else None
 
     def _double(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
-        """Insert a gate in a free register, then operation k with other sources; return whether
-        that succeeded."""
+        """Replace operation k by two gates, one of them in a free register; return whether that was
+        possible.
+
+        `item` is the operation; its result must be 1 on `ones` and 0 on `zeros`."""
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]

@@ -37,7 +37,8 @@ SPAN = 12
 
 
 def wander(run: TrackedRun, seed: int, steps: int) -> int:
-    """Walk at most `steps` steps of the budget; return the number of words saved."""
+    """Change the code of `run` at random without adding words, for at most `steps` steps of the
+    budget; return the number of words saved."""
     choose = random.Random(seed)
     until = max(run.budget.left - steps, 0)
     gained = 0
@@ -115,7 +116,8 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
 
 
 def _nearby_operations(run: TrackedRun, k: int) -> list[int]:
-    """Return operations of the same answer near k, without k."""
+    """Return the operations at most `SPAN` before or after operation k that compute the same
+    demand, without k."""
     operations: list[int] = []
     for indices in (
         range(k - 1, max(-1, k - SPAN), -1),
@@ -262,7 +264,7 @@ class _Loads:
         return len(self._other_words) - 1 if place == CLOSING else self._boundaries[place]
 
     def counted(self, items: Sequence[Item]) -> list[int]:
-        """Return the words at each boundary for these items."""
+        """Return the number of words at each boundary if the code consists of these items."""
         words = list(self._other_words)
         for item in items:
             words[self.boundary(item.place)] += self._frame.words(item)
@@ -288,7 +290,8 @@ def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
 
 
 def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
-    """Return (item, place, segment) at the ends of earlier answers with room for another word."""
+    """Return (item, place, segment) at the ends of earlier answers with room for another word.
+    `loads` are the words at each boundary, of which none may have more than `most`."""
     places = []
     own_boundary = loads.boundary(run.items[k].place)
     checks = (at for at in range(k - 1, -1, -1) if isinstance(run.items[at], Check))

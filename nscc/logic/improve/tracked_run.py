@@ -50,7 +50,8 @@ class TrackedRun:
         return self.frame.total(self.items)
 
     def care(self, k: int) -> int:
-        """Return the shutters in which the result of operation k matters."""
+        """Return the shutters in which the result of operation k matters, as a truth vector; it
+        is computed when first needed."""
         known = self._cares[k]
         if known is None:
             known = self._cares[k] = self._follow(k)
@@ -74,7 +75,8 @@ class TrackedRun:
         return [count - removed + added for count, removed, added in changes]
 
     def splice(self, start: int, end: int, new: Sequence[Item]) -> None:
-        """Replace items[start:end]; live contents after them must stay equal."""
+        """Replace items[start:end]; live contents after them must stay equal. The state is
+        computed again only where it may have changed."""
         self._writes = self._after(self.items[start:end], new)
         self.items[start:end] = new
         self.before[start:end] = [self.before[start]] * len(new)
