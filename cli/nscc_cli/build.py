@@ -82,8 +82,8 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
 
 
 def _check_container_name(out: Path) -> None:
-    """Raise Rejected: NS0785 if the container would replace an input, NS0786 for an ending that
-    does not name a container."""
+    """Raise Rejected if the container would replace an input (NS0785), or if its ending names
+    another kind of file (NS0786)."""
     if out.suffix.lower() in (SUFFIX, ""):
         return
     refuse_inputs(out)
@@ -103,7 +103,8 @@ def _check_container_name(out: Path) -> None:
 
 
 def _kinds(text: str) -> dict[str, bool]:
-    """Return the kinds in the value of `--emit`; True means that the product is printed."""
+    """Return the products that the value of `--emit` names; True if one is printed. Raises
+    Rejected (NS0505) for unknown ones."""
     places_by_kind: dict[str, bool] = {}
     for item in filter(None, (item_text.strip() for item_text in text.split(","))):
         kind, _, place = item.partition("=")

@@ -45,7 +45,10 @@ def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> 
 
 
 def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
-    """Compile all programs and print their messages; raise Rejected with all errors."""
+    """Compile all programs and print their messages and summaries; `fix` first applies safe fixes
+    to the files.
+
+    Raises Rejected with the errors of all programs."""
     diagnostics: list[Diagnostic] = []
     status = 0
     for path in files:
@@ -72,7 +75,8 @@ def _loader_notes(compiled: Compiled) -> list[Diagnostic]:
 
 
 def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
-    """Check now and after each change; return the last exit status when the user stops it."""
+    """Check now and after each change of a file; return the last exit status when the user stops
+    it with Ctrl-C."""
     if session().message_format == "sarif":
         raise click.UsageError(
             "--watch runs forever, but a SARIF log is a single document: use json"

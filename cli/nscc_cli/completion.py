@@ -46,7 +46,8 @@ class Name(click.types.StringParamType):
                 yield (entry if isinstance(entry, str) else entry.name) + self.ending
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
-        """Return the names that begin with the incomplete text."""
+        """Return the names that begin with the incomplete text, which may be a list with commas
+        and signs."""
         head, comma, typed = incomplete.rpartition(",") if self.several else ("", "", incomplete)
         sign = typed[:1] if typed[:1] and typed[:1] in self.signs else ""
         before, typed = head + comma + sign, typed.removeprefix(sign)

@@ -214,7 +214,8 @@ def _are_clips(scenes: tuple[str, ...], target: Target, options: dict[str, Any])
 def _laid(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any], warns: bool = True
 ) -> Iterator[PlacedLight]:
-    """Yield each scene, placed on the chip's array and divided into the slots of the frame."""
+    """Yield each scene, placed on the chip's array and divided into the slots of the frame.
+    `warns` False drops warnings, which an earlier pass has printed."""
     from nscc_runtime.scenes import laid_lights
 
     slot_us = [options["slot_us"]] * options["slots"]

@@ -307,7 +307,8 @@ def _of_scenes(
 def _finish(
     result: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
 ) -> None:
-    """Print and write a result."""
+    """Write a result to `out` together with other products, and print it as JSON or as the text
+    `human`."""
     from nscc_training.evaluation.results import result_json
 
     text = result_json(result)

@@ -77,7 +77,8 @@ _NEEDED = re.compile(r"allocate (?:memory: you tried to allocate )?([\d.]+ (?:[K
 
 
 def _memory_text(error_text: str, on_gpu: bool) -> str:
-    """Return which memory lacks how much, in numbers as far as they are known."""
+    """Return how much memory was needed and is free, in numbers as far as the error's text or
+    the system tells them."""
     needed = _NEEDED.search(error_text)
     asked = f"one array needs {needed[1]}" if needed else "this needs more than is free"
     if on_gpu:
@@ -153,7 +154,8 @@ def _save(data: bytes) -> str | None:
 
 
 def _inputs(arguments: Sequence[str]) -> list[Path]:
-    """Return the files that the command line names, and the files that its programs read."""
+    """Return the existing files that the command line names, and those that its programs name in
+    quotes."""
     named = [Path(argument) for argument in arguments if _is_file(Path(argument))]
     input_files = list(named)
     for program in named:

@@ -169,7 +169,8 @@ def _picture(
     content: Content,
     title: str,
 ) -> Product:
-    """Return the picture for `--png`; of several frames the first is drawn."""
+    """Return the PNG for `--png`: the light of a colour capture, else a sheet of readouts and
+    light; of several frames the first."""
     from nscc_runtime.formats.content import content_sheet
     from nscc_runtime.pictures.sheet import png_of
     from nscc_runtime.run_kinds import KINDS

@@ -48,7 +48,7 @@ class Server(LanguageServer):
         self.worker = ThreadPoolExecutor(1)
 
     def take(self, uri: str, text: str, version: int) -> None:
-        """Store a new version of a text and start checking it."""
+        """Store version `version` of a text and start checking it."""
         self.versions[uri] = version
         path = Path(uris.to_fs_path(uri) or uri.rpartition(":")[2])
         kind = Listing if path.suffix.lower() == ".asm" else Document
@@ -56,7 +56,8 @@ class Server(LanguageServer):
         self.check(uri)
 
     def check(self, uri: str) -> None:
-        """Check a text in the working thread; publish the diagnostics unless it changes."""
+        """Check a text on the worker thread, and publish its diagnostics unless the text changes
+        meanwhile."""
         document, version = self.documents[uri], self.versions[uri]
 
         def publish(finished: asyncio.Future[list[types.Diagnostic] | None]) -> None:
@@ -80,7 +81,10 @@ class Server(LanguageServer):
         ).add_done_callback(publish)
 
     async def answer(self, question: Answer, params: Any, kinds: tuple[type[Any], ...]) -> Any:
-        """Return the answer to a request on the worker, or None for a text of another kind."""
+        """Return what `question` answers about a text on the worker; None for texts of other
+        `kinds`.
+
+        Raises JsonRpcException if a name cannot be renamed."""
         text = self.documents.get(params.text_document.uri)
         if not isinstance(text, kinds):
             return None

@@ -124,7 +124,8 @@ _COMPLETED = {"target": TARGET, "effects": EFFECT_NAMES, "name": SCENE_NAME}
 
 
 def _option(key: Key, defaults: Mapping[str, Any]) -> Callable[..., Any]:
-    """Return the click option of a key."""
+    """Return the click option that a declared key describes; `defaults` replaces the defaults of
+    some keys."""
     kind, name = key.kind, key.attribute
     help_text = key.meaning
     if isinstance(kind, Flag):
@@ -164,7 +165,7 @@ build_options = section(COMPILE, declared(Options))
 
 
 def _tone(_context: Context, _option: Parameter, name: str | None) -> str | None:
-    """Check the name of a tone curve, even if nothing is drawn with it."""
+    """Return the name of a tone curve after checking it, even if nothing is drawn with it."""
     if name is not None:
         from nscc_runtime.pictures.tone import check_tone
 

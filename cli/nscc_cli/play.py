@@ -102,7 +102,7 @@ class _Handler(BaseHTTPRequestHandler):
         super().__init__(*arguments)
 
     def do_GET(self) -> None:
-        """Send a file of the page."""
+        """Send a file of the page, or an error for unknown ones."""
         name = self._path()
         if name is None:
             return
@@ -114,7 +114,7 @@ class _Handler(BaseHTTPRequestHandler):
             self._fail(HTTPStatus.NOT_FOUND, f"the page has no file {name[:60]!r}")
 
     def do_POST(self) -> None:
-        """Answer a request of the page."""
+        """Answer a request of the page, at most `_MOST_BYTES` of JSON, with JSON."""
         kind = self._path()
         if kind is None:
             return

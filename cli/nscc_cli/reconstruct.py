@@ -199,7 +199,11 @@ def _of_measurement(
     method: Method | None,
     *of_frames: object,
 ) -> Reconstruction | None:
-    """Return the clip of a measurement file without options `of_frames`, else None."""
+    """Return the clip that is reconstructed from a measurement file of another camera; None if
+    `path` is a frame file.
+
+    `of_frames` are the values of options that only apply to frame files. Raises Rejected if one of
+    them is set."""
     from nscc_training.reconstruct_any import (
         NoiseModel,
         is_measurement,

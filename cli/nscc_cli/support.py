@@ -48,7 +48,7 @@ class NumberRange(click.FloatRange):
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float:
-        """Return the number; raise BadParameter if the text is not a number."""
+        """Return the number within the range; raise BadParameter for other text, and for NaN."""
         converted = float(super().convert(value, param, ctx))
         if converted != converted:
             self.fail(f"{value!r} is not a number.", param, ctx)
@@ -59,7 +59,8 @@ class WholeNumber(click.IntRange):
     """A whole number of 64 bits within limits."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
-        """Return the number; raise BadParameter if it is too large for 64 bits."""
+        """Return the whole number within the range; raise BadParameter for other text, and above
+        64 bits."""
         converted = int(super().convert(value, param, ctx))
         if converted > LARGEST_INTEGER:
             self.fail(f"{value!r} is too large.", param, ctx)

@@ -148,7 +148,8 @@ def check_adc(target: Target) -> None:
 
 
 def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray[Any]]) -> Frame:
-    """Return a frame whose arrays are `join` of the arrays of the frames."""
+    """Return the frame each of whose arrays is `join` of the same arrays of all `frames`, such
+    as `numpy.stack`."""
     return Frame(
         join([frame.frame for frame in frames]),
         join([frame.exposure_e for frame in frames]),
@@ -273,7 +274,7 @@ def meta(
 
 
 def image_unit(container: Container) -> dict[str, float]:
-    """Return the electrons of one count, for each image of counts that is read."""
+    """Return how many electrons one count stands for, for each image of counts that is read out."""
     from nscc.words.counts import counts_by_name
 
     pictures = container.pictures
@@ -282,7 +283,8 @@ def image_unit(container: Container) -> dict[str, float]:
 
 
 def open_us(container: Container) -> list[float] | None:
-    """Return the open time of each bucket in microseconds; None if pixels differ or look."""
+    """Return the open time of each bucket in microseconds; None if it differs between pixels or
+    depends on their light."""
     if container.pixel_codes is None or not KINDS.of(container).open_times_known:
         return None
     lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])

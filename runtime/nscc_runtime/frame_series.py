@@ -44,7 +44,9 @@ _ARRAYS = ("frame", "exposure_e", "valid", "saturated_by")
 
 
 def _room(shape: tuple[int, ...], kind: np.dtype[Any], mapped: bool) -> NDArray[Any]:
-    """Allocate an array, in memory or mapped to a file."""
+    """Return an empty array of this shape and type, in memory or, if `mapped`, in a temporary file.
+
+    Raises Rejected (NS0784) if the disk has no space."""
     if not mapped:
         return np.empty(shape, kind)
     size = math.prod(shape) * kind.itemsize

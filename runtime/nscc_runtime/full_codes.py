@@ -134,7 +134,8 @@ class _SteadyPixels(WordPixels):
         return np.asarray(means[make])
 
     def run(self, program: AnalysedProgram, rate: Values, lanes: NDArray[np.integer]) -> Marked:
-        """Return exposures and saturation marks for light of `rate` electrons per second."""
+        """Return exposures and saturation marks of pixels of the given lanes in steady light of
+        `rate` electrons per second."""
         start_s = np.concatenate(([0.0], np.cumsum(program.slot_s)))
         now_s = 0.0
         for word in program.decayed:

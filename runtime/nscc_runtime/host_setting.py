@@ -120,7 +120,8 @@ def _number(param: HostParam, value: Any, target: Target) -> int:
 
 
 def _electrons(value: Any, target: Target) -> float | None:
-    """Return a level in electrons: text with a unit such as "4%", or a number of electrons."""
+    """Return a level in electrons, from text with a unit such as "4%" or from a number; None if
+    it is neither."""
     unit = "e"
     if isinstance(value, str):
         unit = next((unit for unit in _UNITS if value.endswith(unit)), "")
@@ -144,7 +145,10 @@ def _inputs(container: Container, values: Mapping[str, Any]) -> dict[str, NDArra
 
 
 def _bits(plane: InputPlane, value: Any, target: Target) -> NDArray[np.bool_]:
-    """Return the bits of an array, or of the file at a path."""
+    """Return the bits of an input plane, bool (rows, cols), from an array, a file or None (its
+    initial bits).
+
+    Raises Rejected for another shape, or values other than 0 and 1."""
     shape = target.rows, target.cols
     if value is None:
         return unpacked_bits(plane.bits, shape)

@@ -292,7 +292,8 @@ class Light:
 
     @cached_property
     def _summed(self) -> tuple[NDArray[np.float64], bool]:
-        """The value of `sum_e`, and whether some pixel exceeded the limit."""
+        """The light of all slots together (`sum_e`), and whether some pixel exceeded the largest
+        value."""
         weight = self.frame_weight
         with np.errstate(over="ignore", invalid="ignore"):
             if (weight == weight[0]).all():
@@ -337,7 +338,8 @@ class Light:
 
     @cached_property
     def in_order(self) -> bool:
-        """Whether each slot n is a multiple of frame n."""
+        """Whether the light of each slot n is a multiple of frame n, with one frame for each
+        slot."""
         count = len(self.frames)
         if not len(self.weight) == self.slots == count:
             return False

@@ -118,7 +118,8 @@ def _film(
     seeds: tuple[int, int],
     count: int,
 ) -> Iterator[Frame]:
-    """Yield frames 0 to `count` - 1; kept states continue from frame to frame."""
+    """Yield frames 0 to `count` - 1, each exposed by `expose` with the states that the frame
+    before it kept."""
     loaded: Planes = container.planes()
     for number in range(count):
         executed = expose(loaded, number)

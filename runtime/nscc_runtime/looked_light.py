@@ -229,8 +229,8 @@ def light_of(
 
 
 def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
-    """Return the charge before soft saturation in two registers in a row, from exposures
-    `read_e`."""
+    """Return the charge before soft saturation of two registers in a row; `read_e` is the charge
+    read out."""
     soft = effects.find_part(Soft)
     if soft is None:
         return read_e

@@ -200,7 +200,7 @@ class ObjectFile:
 
     @cached_property
     def linked(self) -> dict[str, Callable[..., None]]:
-        """The loops linked into this process, by name."""
+        """The compiled loops as functions of this process, by name."""
         takes = {e.name: sum(len(p.arrays) for p in e.parameters.values()) for e in self.loops}
         if machine_code.IN_WEB:
             return machine_code.load_in_web(takes)
@@ -208,7 +208,8 @@ class ObjectFile:
 
     @cached_property
     def name(self) -> str:
-        """The name of the file."""
+        """The name of the object file, which contains a digest of everything that its code
+        depends on."""
         known: dict[FunctionType, str] = {}
         for module_loop in self.loops:
             _depend(module_loop.function, known)
@@ -295,7 +296,8 @@ def _codes(code: CodeType) -> Iterator[CodeType]:
 
 
 def _unlike(names_expected: Iterable[str], names_given: Iterable[str]) -> str:
-    """Return a text with the names that are missing and the names that are unknown."""
+    """Return as text which expected names are missing and which given names are unknown; "" if
+    they agree."""
     names_by_problem = {
         "lacks": {*names_expected} - {*names_given},
         "does not take": {*names_given} - {*names_expected},

@@ -113,7 +113,11 @@ class ArrayGroup:
         return self.kind(*(parameter.widened(array) for parameter, array in arrays))
 
     def addresses(self, value: Any, axes: dict[str, int]) -> list[int]:
-        """Return the addresses of the arrays; arguments as in `LoopParameter.addresses`."""
+        """Return the addresses of all arrays of the record `value`; raise TypeError for another
+        record.
+
+        `axes` maps names of axes to their lengths, and gains those that this record declares (see
+        `LoopParameter.addresses`)."""
         if type(value) is not self.kind:
             raise TypeError(f"{self.name} is {_kind(value)}, not {self.kind.__name__}")
         return [
@@ -124,7 +128,8 @@ class ArrayGroup:
 
 
 def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
-    """Return the parameter that the annotation `hint` declares."""
+    """Return the parameter `name` that the annotation `hint` declares: one array or number, or a
+    record of arrays."""
     if not (isinstance(hint, type) and issubclass(hint, tuple)):
         return LoopParameter.of(name, hint)
     fields = get_type_hints(hint, include_extras=True).items()

@@ -44,7 +44,7 @@ def folders(module: str) -> tuple[Path, ...]:
 
 
 def can_keep(places: Sequence[Path]) -> bool:
-    """Return whether object files can be written to one of the folders."""
+    """Return whether object files can be stored in at least one of these folders."""
     return any(
         place.name != _BESIDE or os.access(place if place.exists() else place.parent, os.W_OK)
         for place in places
@@ -52,7 +52,8 @@ def can_keep(places: Sequence[Path]) -> bool:
 
 
 def object_code(name: str, places: Sequence[Path], build: Callable[[], bytes]) -> bytes:
-    """Return the object file `name`: read from the first intact copy, else built and stored."""
+    """Return the object code `name` from the first folder with an intact copy, else build it and
+    store it."""
     stored = read_object_file(name, places)
     if stored is not None:
         return stored
@@ -137,7 +138,8 @@ def link_for_web(objects: Sequence[Path], entries: Iterable[str], out: Path) -> 
 
 
 def load_in_web(parameters: Mapping[str, int]) -> dict[str, Callable[..., None]]:
-    """Return functions of the library, as `load` does for an object file."""
+    """Return the functions of the WebAssembly library by name; `parameters` gives how many
+    pointers each takes."""
     library = ctypes.CDLL(str(WEB_LIBRARY))
     functions: dict[str, Callable[..., None]] = {}
     for entry, count in parameters.items():
@@ -182,7 +184,7 @@ def name(stem: str, sources: Iterable[str]) -> str:
 
 
 def _own_root(text: str) -> str:
-    """Return LLVM code that uses the processor's square root instead of the C library's."""
+    """Return LLVM code in which the processor's square root replaces calls of the C library."""
     for name, kind, intrinsic in (("sqrt", "double", "f64"), ("sqrtf", "float", "f32")):
         text, calls = re.subn(rf"^declare {kind} @{name}\(.*\n", "", text, flags=re.MULTILINE)
         declared = f"declare {kind} @llvm.sqrt.{intrinsic}({kind}"

@@ -45,7 +45,10 @@ class BucketReadout:
 
 
 def readouts(container: Container, frame: Frame, response: Response) -> list[BucketReadout]:
-    """Return the buckets of a frame of pixels. Raises Rejected for images and planes."""
+    """Return each bucket of a frame with everything that merging needs: codes, open times, window,
+    response.
+
+    Raises Rejected for programs with images or planes."""
     refuse_pictures(
         container,
         "merging does not apply to a program with images or planes",
@@ -115,7 +118,7 @@ def light_estimate(readout: BucketReadout) -> tuple[Field, NDArray[np.bool_]]:
 
 
 def _box(values: NDArray[Any], readout: BucketReadout) -> Field:
-    """Return the sums over the window around every pixel."""
+    """Return for each pixel the sum of `values` over the window around it, (rows, cols)."""
     total = np.asarray(values, np.float64)
     for axis, width in enumerate(readout.window):
         pad = [(0, 0), (0, 0)]
@@ -128,7 +131,7 @@ def _box(values: NDArray[Any], readout: BucketReadout) -> Field:
 
 
 def _spread(inside: Field, readout: BucketReadout) -> Field:
-    """Assign values of windows to pixels; pixels at the edge use the nearest window."""
+    """Return for each pixel the value of its window; pixels at the edge use the nearest window."""
     for axis, width in enumerate(readout.window):
         first = np.arange(readout.frame.shape[axis]) - width // 2
         inside = np.take(inside, np.clip(first, 0, inside.shape[axis] - 1), axis)

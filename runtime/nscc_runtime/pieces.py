@@ -52,7 +52,8 @@ class Taken:
     pieces: int
 
     def response(self, sensor: Sensor) -> Response:
-        """Return the response to steady light at every pixel of the picture."""
+        """Return the response to steady light at every pixel of the picture, also if it was
+        exposed in pieces."""
         response = response_of(self.program, sensor, self.simulated.effects)
         open_s, gain, zero_e = map(
             self.placement.repeated, (response.open_s, response.gain, response.zero_e)
@@ -188,7 +189,8 @@ def overlapping(container: Container, placement: Placement) -> Placement:
 
 
 def with_planes_for_reports(container: Container) -> Container:
-    """Return the program with reported planes read out in place of its reports."""
+    """Return the program with its reported planes read out instead of its reports, because
+    reports of pieces cannot be joined."""
     pictures = container.pictures
     if not pictures.reports:
         return container

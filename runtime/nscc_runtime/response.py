@@ -66,7 +66,8 @@ class ShutterResponse:
     def of_weights(
         cls, weights: Backward, slot_s: Values, sensor: Sensor, effects: Selection
     ) -> ShutterResponse:
-        """Compute the response from the weights of words."""
+        """Return the response that these weights of slots and words cause: seconds seen, mean
+        error (e) and variance (e2)."""
         seen_s = np.einsum("n,nlb->lb", slot_s, weights.slots)
         dark = effects.find_part(CountedDark)
         dark_e = seen_s * (0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean()))

@@ -39,7 +39,9 @@ def eaten(frame: Frame) -> Diagnostic | None:
 
 
 def over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
-    """Return the warning that forced effects, or the given plan, exceed the tolerance."""
+    """Return the warning (NS0749) that a plan exceeds the tolerance; `breach` says by how much.
+
+    The cause is the given plan (`plan_given`), or effects that the user turned off."""
     forced = [name for name in plan.names("dropped") if name in plan.kept.forced]
     why = (
         "the plan was made for another scene" if plan_given else f"turned off: {', '.join(forced)}"
@@ -65,7 +67,8 @@ def _instead(plan_given: bool) -> str:
 
 
 def broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:
-    """Return the error (status 1) for an audit whose error exceeds the promise."""
+    """Return the error (NS0749, status 1) for an audit whose error exceeds what the plan
+    promised, with what to do."""
     if plan.breach is not None:
         advice = f"use --fidelity reference for this scene, or {_instead(plan_given)}"
     else:
@@ -142,7 +145,7 @@ def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
 
 
 def saturation_text(saturated_by: NDArray[np.uint8]) -> str:
-    """Return a text with the number of saturated pixels of an array, and the causes."""
+    """Return how many pixels of an array are saturated, and by what, as text."""
     text = f"{np.count_nonzero(saturated_by)} of {saturated_by.size} pixels saturated"
     counts = {m.name: np.count_nonzero(saturated_by & m.bit) for m in marks().values()}
     named = ", ".join(f"{name} {count}" for name, count in counts.items() if count)

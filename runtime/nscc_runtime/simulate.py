@@ -73,7 +73,10 @@ def simulate(
     request: Request,
     listener: Listener | None = None,
 ) -> Simulated:
-    """Expose the scene. Raises Rejected if the program, the scene or the plan is unsuitable."""
+    """Expose the scene as `request` says, by a plan if the program has one.
+
+    `listener` receives messages, progress and timings. Raises Rejected if the program, the scene or
+    the plan is unsuitable."""
     listener = listener or Listener()
     try:
         simulated = _simulated(container, light, sensor, request, listener)
@@ -201,7 +204,7 @@ def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: boo
 
 
 def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
-    """Return the only frame, or all `repeat` frames with a leading axis."""
+    """Return the only frame, or all `repeat` frames as one with a leading axis."""
     frames = listener.progress(frames_made, "exposing", repeat or 1)
     if repeat:
         return gathered(frames, repeat)

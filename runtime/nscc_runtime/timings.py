@@ -20,7 +20,7 @@ class Timings:
 
     @contextmanager
     def measure(self, name: str) -> Iterator[None]:
-        """Add the time of a with block to `name`."""
+        """Add the time of a with block, in seconds of work, to the entry `name`."""
         begin = working_s()
         try:
             yield

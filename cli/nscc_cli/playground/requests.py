@@ -216,7 +216,8 @@ class Playground:
         return {"pictures": pictures}
 
     def _opened(self, text: str) -> Document:
-        """Return the document of a program; raise Rejected if it names files elsewhere."""
+        """Return the document of a program text, the same object for the same text; raise
+        Rejected if it names files elsewhere."""
         if self._document is None or self._document.text != text:
             name = "program.nsl" if self.file is None else self.file.name
             self._document = Document(name, text, self.folder)
@@ -257,7 +258,9 @@ class Playground:
 
 
 def _captured(program: ShutterProgram, settings: PageSettings) -> Capture:
-    """Expose the scene of the settings with a program."""
+    """Expose a program to the scene of the settings: the page's picture, a built-in scene, or none.
+
+    Raises Rejected if the picture does not fit the array."""
     rows, cols = program.shape
     if settings.picture:
         levels = np.frombuffer(_decoded(settings.picture), np.uint8)

@@ -20,7 +20,8 @@ _BENT = 0.01
 
 
 def as_toml(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> str:
-    """Return a complete sensor file, every value with its standard error or its source."""
+    """Return a complete sensor file of the `chosen` parameters, every value with its standard
+    error or its source."""
     flats, darks = calibration.flats, calibration.darks
     linear = calibration.quantities["linearity_error"]
     heading = [
@@ -93,7 +94,8 @@ def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> 
 
 
 def as_table(calibration: Calibration) -> str:
-    """Return a table with one row per quantity."""
+    """Return a table with one row for each measured quantity: its title, its value with its
+    standard error, and a remark."""
     rows = []
     for q in calibration.quantities.values():
         error = "" if q.se is None else f" +- {q.se:.2g}"

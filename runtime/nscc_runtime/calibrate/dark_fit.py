@@ -42,7 +42,11 @@ class DarkFit:
 def dark_of(
     levels: Sequence[Level], level_moments: Sequence[LevelMoments], good_mask: Mask
 ) -> DarkFit | None:
-    """Fit codes over exposure time through the unclipped darks; None if all are clipped."""
+    """Fit the code of each pixel over exposure time through the unclipped darks; return None if all
+    are clipped.
+
+    `levels` are the darks, `level_moments` their means and variances, and `good_mask` marks the
+    pixels that are not defects."""
     usable = [
         (level, moments)
         for level, moments in zip(levels, level_moments, strict=True)

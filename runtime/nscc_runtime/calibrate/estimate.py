@@ -225,7 +225,11 @@ def _noise(
 
 
 def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Quantity]:
-    """Return offset, DSNU, dark current and its spread over the pixels."""
+    """Return offset, dark-signal non-uniformity, dark current and its spread over the pixels, with
+    errors.
+
+    All are unknown without a fit of the darks; the currents are unknown without darks of several
+    exposure times."""
     if dark is None:
         return _unknown(_CUT_OFF, "offset", "dsnu_lsb", "dsnu_e", "dark_current", "dark_spread")
     if dark.currents is None:
@@ -269,7 +273,8 @@ def _unsmeared(variance: tuple[float, float], curve: Transfer) -> tuple[float, f
 
 
 def _fits(dark: DarkFit | None, flats: Sequence[LevelMoments]) -> bool:
-    """Return whether the dark charge of every flat is known for each pixel."""
+    """Return whether the fit of the darks gives the dark charge of every flat: by its exposure
+    time, or because flats and darks last equally long."""
     if dark is None:
         return False
     if dark.currents is not None:
@@ -297,7 +302,9 @@ def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> dict[str
 
 
 def _range(curve: Transfer, flats: Sequence[LevelMoments], top_code: int) -> dict[str, Quantity]:
-    """Return the saturation in codes and in electrons."""
+    """Return the saturation in codes and in electrons; a lower limit if no flat is saturated.
+
+    `top_code` is the largest converter code."""
     if curve.offset is None:
         return _unknown("no dark measures the code without charge", "saturation_lsb", "full_well")
     zero = curve.offset

@@ -109,7 +109,8 @@ def grouped(stacks: Iterable[Stack]) -> list[Stack]:
 
 
 def _timed(source: str) -> tuple[Path, float | None]:
-    """Split PATH@TIME into path and seconds (None without TIME), unless a file has this name."""
+    """Split PATH@TIME into path and seconds (None without TIME), unless a file has this name.
+    Raises Rejected for an invalid TIME."""
     path, at, time = source.rpartition("@")
     if not at or Path(source).exists():
         return Path(source), None
@@ -134,7 +135,8 @@ def _wrong_time(name: str, text: str) -> Rejected:
 
 
 def _arrays(path: Path) -> dict[str, NDArray[Any]]:
-    """Return the needed arrays of a file by key; the array of an .npy file has the key `frame`."""
+    """Return the needed arrays of a file by key; the array of an .npy file has the key `frame`.
+    Sizes are checked before data is read. Raises Rejected (NS0757)."""
     reads(path)
     try:
         if path.suffix.lower() == ".mat":
@@ -174,8 +176,10 @@ def _check_header(path: Path, key: str, file: IO[bytes]) -> None:
 def _check_size(
     path: Path, key: str, shape: Sequence[int], frame: Sequence[int], itemsize: int
 ) -> None:
-    """Raise Rejected (NS0757) for frames that are too large or too many. `frame`: the axes of
-    `shape` that belong to one frame."""
+    """Raise Rejected (NS0757) for an array `key` of frames that are too large, or too many.
+
+    `shape` is that of the array, and `frame` those of its axes that belong to one frame. `itemsize`
+    is in bytes."""
     if prod(frame) > _MOST_PIXELS:
         raise _no_frames(
             f"'{key}' in '{path}' is {size(shape)}, but a frame has at most "
@@ -211,7 +215,10 @@ def _chosen(name: str, arrays: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray
 def _ours(
     name: str, values: NDArray[Any], meta: Mapping[str, Any]
 ) -> tuple[NDArray[Any], float | None]:
-    """Return codes (K, rows, cols) of a frame file, and the seconds its pixels are open or None."""
+    """Return the codes (K, rows, cols) of a frame file, and for how long (s) its pixels were open,
+    None if unknown.
+
+    Raises Rejected for several buckets, or pixels with different open times."""
     shaped = values[None] if values.ndim == 3 else values
     if shaped.ndim != 4 or shaped.shape[1] != 1:
         raise _no_frames(
@@ -233,7 +240,8 @@ def _ours(
 
 
 def _pictures(path: Path) -> NDArray[Any]:
-    """Return the stored values (K, rows, cols) of a grey picture or a folder of pictures."""
+    """Return the stored values (K, rows, cols) of a grey picture or a folder of pictures. Raises
+    Rejected (NS0757) for other files."""
     from nscc_runtime.scenes.picture_files import PICTURES, open_pages
     from nscc_runtime.scenes.picture_folders import files_of, read_folder
 

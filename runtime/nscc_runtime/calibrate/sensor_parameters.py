@@ -57,7 +57,11 @@ class ParameterChoice:
 def parameters(
     calibration: Calibration, target: Target, chain: Chain
 ) -> dict[str, ParameterChoice]:
-    """Return a value for every parameter of the sensor file, in the order of the schema."""
+    """Return a value for every parameter of a sensor file, in the order of the schema: measured,
+    bounded, or the default.
+
+    `chain` tells how often a frame reads, resets and runs words, so that noise of frames can be
+    attributed to them."""
     quantity = calibration.quantities
     chosen: dict[str, ParameterChoice] = {}
     _contain(chosen, "analog_gain", 1.0, "electrons_per_lsb")
@@ -104,7 +108,8 @@ def _contain(
 
 
 def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) -> None:
-    """Set the read noise from the temporal noise of dark frames."""
+    """Set the noise of one read from the temporal noise of dark frames, which contains that of
+    `chain.reads` reads."""
     if noise.value is None or chain.reads < _NO_PART:
         return
     read_factor = sqrt(chain.reads)
@@ -189,7 +194,8 @@ def _shown(quantity: Quantity) -> str:
 
 
 def _rounded(choice: ParameterChoice) -> ParameterChoice:
-    """Round to six digits, which is more precise than the errors and equal on every machine."""
+    """Return the choice rounded to six digits, which is more precise than its error and equal on
+    every machine."""
     if choice.status == "default":
         return choice
     se = None if choice.se is None else float(f"{choice.se:.3g}")

@@ -190,7 +190,8 @@ def _crosstalk(variance: float, covariance: float) -> float:
 
 def _too_few(judged: Sequence[tuple[LevelMoments, str]], limit: float) -> Rejected:
     """Return the error (NS0758) that too few levels can be used, with the reason for each unused
-    one."""
+    one. `judged` are all levels with the reason why they cannot be used or "", and `limit` is
+    the code where flats saturate."""
     used = [level for level, reason in judged if not reason]
     count = len({round(level.mean) for level in used})
     notes = [f"'{level.name}' (mean {level.mean:.4g}): {why}" for level, why in judged if why]

@@ -110,7 +110,8 @@ def in_background(work: Callable[[], ExecutedFrame]) -> Future[ExecutedFrame]:
     future: Future[ExecutedFrame] = Future()
 
     def run() -> None:
-        """Run the work and store its result or its exception in the future."""
+        """Call `work` and store its result or its exception in the future, for the thread that
+        waits."""
         try:
             future.set_result(work())
         except Exception as error:

@@ -84,7 +84,7 @@ class DeviceChip:
         return selected("none") if exact else everything()
 
     def info(self) -> Info:
-        """Ask the loader for its description."""
+        """Ask the loader for its description, in a new session."""
         host = self.link.host
         host.info = None
 
@@ -96,8 +96,10 @@ class DeviceChip:
         return self.link.run(hello_info)
 
     def upload(self, container: Container) -> Upload:
-        """Upload a program unless the device has it already. A program that keeps states is always
-        sent, which resets the states."""
+        """Upload a program unless the device has it already; return the uploaded objects.
+
+        A program that keeps states is always sent, which resets the states. Raises Rejected
+        (NS0764, NS0765) for programs that the loader would refuse."""
         info = self.info()
         program = self._program(container)
         check_fits(self.link.path, program, container.target, info, channels_of(info, program))
@@ -252,7 +254,8 @@ def frame_of_readouts(
 def _planes_at_end(
     data: bytes, names: Sequence[str], target: Target
 ) -> dict[str, NDArray[np.bool_]]:
-    """Return the planes of registers `names` at the end of bytes."""
+    """Return the bit planes of the registers `names`, which are the last bytes of a frame's
+    `data`, in this order."""
     shape = target.rows, target.cols
     size = plane_bytes(shape[0] * shape[1])
     ends = (len(data) - size * k for k in reversed(range(len(names))))

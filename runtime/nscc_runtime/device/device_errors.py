@@ -33,7 +33,8 @@ def rejected(code: str, message: str, *helps: str, **options: Any) -> Rejected:
 
 
 def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
-    """Return the error NS0760, or NS0761 for a port that is in use."""
+    """Return the error for a port that cannot be opened (NS0760) or is in use (NS0761), with
+    what to do."""
     shown = port[:200]
     if trouble.kind == "busy":
         return rejected(
@@ -170,7 +171,7 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
 
 
 def no_program(port: str) -> Rejected:
-    """Return the error NS0771: the device has no program."""
+    """Return the error (NS0771) that the device has no program, with how to upload one."""
     return rejected(
         "NS0771",
         f"the device at '{port[:200]}' holds no program",
@@ -179,7 +180,7 @@ def no_program(port: str) -> Rejected:
 
 
 def states_lost(port: str) -> Rejected:
-    """Return the error NS0774: the states of the previous frame were lost."""
+    """Return the error (NS0774) that the kept states of the previous frame were lost."""
     return rejected(
         "NS0774",
         f"the device at '{port[:200]}' lost the kept states of its pixels",
@@ -189,7 +190,8 @@ def states_lost(port: str) -> Rejected:
 
 
 def wrong_target(port: str, target: Target, info: Info) -> Rejected:
-    """Return the error NS0764: the program is for another chip."""
+    """Return the error (NS0764) that the program was compiled for another chip, or another table
+    of the same chip."""
     at = f"the device at '{port[:200]}'"
     theirs, ours = info.target_name, target.name
     if theirs != ours:
@@ -210,7 +212,9 @@ def wrong_target(port: str, target: Target, info: Info) -> Rejected:
 
 
 def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: int) -> None:
-    """Raise NS0764 or NS0765, before sending, for programs that the loader would refuse."""
+    """Raise Rejected (NS0764, NS0765), before sending, for a program that the loader would refuse.
+
+    `channels` are the parts of a frame that the host wants, which decide its size."""
     if target_digest(target) != info.target:
         raise wrong_target(port, target, info)
     pixels = info.rows * info.cols

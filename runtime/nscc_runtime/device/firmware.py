@@ -131,7 +131,7 @@ def _digest_of(place: Path) -> Path:
 
 
 def is_whole(place: Path) -> bool:
-    """Return whether a cached loader is intact, executable and this user's."""
+    """Return whether the cached loader at `place` is intact, executable and this user's."""
     try:
         digest = sha256(place.read_bytes()).hexdigest().encode()
         return (
@@ -142,7 +142,8 @@ def is_whole(place: Path) -> bool:
 
 
 def keep(place: Path, image: bytes) -> None:
-    """Store a loader with its SHA-256. Raises Rejected if the folder is not writable."""
+    """Store a compiled loader and its SHA-256 at `place`, executable. Raises Rejected if the
+    folder is not writable."""
     # A file keeps the permissions of the one that it replaces. So a process that stores the same
     # loader a little later never makes it impossible to execute.
     with suppress(OSError):
@@ -200,7 +201,8 @@ class Firmware:
             view = view[os.write(self._in.fileno(), view) :]
 
     def fill(self) -> None:
-        """Wait for bytes. Raises RuntimeError if the process has ended."""
+        """Wait for bytes of the process and store them. Raises RuntimeError if the process has
+        ended."""
         data = os.read(self.fileno(), _MOST_READ)
         if not data:
             raise RuntimeError(f"the loader's process ended: status {self._process.wait()}")
@@ -227,7 +229,8 @@ class Firmware:
         return self.chip.execute(job.program, job.channels)
 
     def answer(self, job: BoardJob, exposed: Callable[[], ExecutedFrame]) -> None:
-        """Send the loader its frame, or the failure of the job."""
+        """Send the loader the frame that `exposed` returns, or that the job failed; an exception
+        is reported to the chip's owner."""
         try:
             executed = exposed()
         except Exception as error:
@@ -321,7 +324,8 @@ class Process(RunningFirmware):
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
 
     def _named(self) -> str:
-        """Wait for the name of the terminal, and handle the records before it."""
+        """Return the name of the terminal that the process opens; records that come before it
+        are handled."""
         while True:
             record = self.next()
             if record is None:

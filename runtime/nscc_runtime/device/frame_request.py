@@ -55,7 +55,9 @@ class FrameBytes:
     is lost, because a loader discards bytes that the host has confirmed."""
 
     def __init__(self, length: int, origin: tuple[int, int]) -> None:
-        """Begin with all chunks of `length` bytes missing."""
+        """Begin with all chunks of `length` bytes missing.
+
+        `origin` names the frame: the loader's start and the time of the exposure."""
         self.origin = origin
         self.data = bytearray(length)
         self.missing = bytearray(b"\1" * -(-length // CHUNK))
@@ -68,7 +70,8 @@ class FrameBytes:
         return len(self.data) if first < 0 else first * CHUNK
 
     def store(self, offset: int, data: bytes) -> bool:
-        """Store bytes of complete chunks. Return whether any of them were missing before."""
+        """Store bytes of complete chunks at `offset`; return whether any of them were missing
+        before."""
         first, last = offset // CHUNK, -(-(offset + len(data)) // CHUNK)
         fresh = self.missing.count(1, first, last)
         if fresh:

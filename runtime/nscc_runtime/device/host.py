@@ -114,7 +114,7 @@ class Host:
         self.result: object = None
 
     def start(self, task: Generator[float, Packet | None, object], now: float) -> None:
-        """Start a task. Unsent bytes of the previous task are discarded."""
+        """Start a task at the time `now` (s); unsent bytes of the previous task are discarded."""
         self.now = self._heard = self._moved = now
         self._out.clear()
         self.result = None
@@ -127,7 +127,10 @@ class Host:
         return self._task is not None
 
     def receive(self, data: bytes, now: float) -> None:
-        """Process bytes from the line. Raises the exceptions of the task."""
+        """Process bytes that arrived from the line at the time `now` (s): valid packets of this
+        session resume the task.
+
+        Raises the exceptions of the task."""
         self.now = now
         self._first_bytes = (self._first_bytes + data)[:_SHOWN_BYTES]
         for packet in self._unpacker.feed(data):
@@ -142,7 +145,8 @@ class Host:
                 self._step(packet)
 
     def poll(self, now: float) -> bytes:
-        """Resume the task if its wait has expired, and return the bytes to send."""
+        """Resume the task if its wait has expired, and return the bytes to send. `now` is in
+        seconds."""
         self.now = now
         if self._task is not None and now >= self.deadline:
             self._step(None)
@@ -151,7 +155,8 @@ class Host:
         return out
 
     def line_restored(self, now: float) -> None:
-        """Tell the task that the line was lost and is available again."""
+        """Tell the task that the line was lost and is available again at the time `now`: it gets
+        SessionLost."""
         self.now = self._heard = now
         self._unpacker = Unpacker()
         self._out.clear()
@@ -191,7 +196,8 @@ class Host:
             raise Stalled
 
     def timed(self, seconds: float) -> None:
-        """Update the estimate of the reply time (Jacobson's algorithm)."""
+        """Update the estimate of the reply time by a reply that took `seconds` (Jacobson's
+        algorithm)."""
         if self._round_s is None:
             self._round_s, self._spread_s = seconds, seconds / 2
         else:
@@ -228,7 +234,7 @@ class Host:
             wait = min(2 * wait, max(LONGEST_WAIT_S, self.wait_s))
 
     def hello(self) -> Task[Info]:
-        """Start a session and return the loader's description."""
+        """Start a session and return the loader's description, which is also stored in `info`."""
         self._session = self._new_session()
         self.info = None
         reply = yield from self.ask(PacketKind.HELLO, Hello(VERSION, VERSION).pack())
@@ -276,7 +282,8 @@ def raise_failure(packet: Packet) -> None:
 
 
 def checked(unpack: Callable[[bytes], Result], packet: Packet) -> Result:
-    """Unpack the body of a reply. Raises RequestRefused for an invalid body."""
+    """Return the body of a reply as the value that `unpack` makes of it. Raises RequestRefused
+    for an invalid body."""
     try:
         return unpack(packet.body)
     except ValueError:

@@ -61,7 +61,8 @@ def expose_by_host(
 
 
 def _imported(name: str) -> Any:
-    """Return the module of this name; raise Rejected (NS0795)."""
+    """Return the vendor's module of this name; raise Rejected (NS0795) if it cannot be imported
+    or lacks a function."""
     try:
         module = import_module(name)
     except Exception as error:  # the module is not ours, and may fail in any way
@@ -149,7 +150,7 @@ def _picture_of(packet: Mapping[str, Any], name: str) -> NDArray[np.uint8]:
 
 
 def _call(name: str, function: Callable[[], Any]) -> Any:
-    """Call a function of the module; raise Rejected (NS0795) if it fails."""
+    """Call a function of the module `name`; raise Rejected (NS0795) if it fails in any way."""
     try:
         return function()
     except Rejected:

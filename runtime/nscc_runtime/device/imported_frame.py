@@ -183,7 +183,8 @@ def _by_name(files: Sequence[Path] | Mapping[str, Path], names: Sequence[str]) -
 
 
 def _bytes_of(path: Path) -> bytes:
-    """Return the bytes of a file; raise Rejected (NS0794) if it cannot be read."""
+    """Return the bytes of a picture file; raise Rejected (NS0794) for other endings, or if it
+    cannot be read."""
     if path.suffix.lower() not in PICTURES:
         raise _refused(path, "its ending is none of " + ", ".join(PICTURES))
     try:

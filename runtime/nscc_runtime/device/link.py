@@ -52,7 +52,7 @@ class SerialLink:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        """Close the port. If the task is unfinished, stop the device first."""
+        """Close the port; after an exception, first stop the device, for at most `_GOODBYE_S`."""
         if self._port is not None and kind is not None and self.host.info is not None:
             with suppress(Exception):
                 until = monotonic() + _GOODBYE_S
@@ -80,7 +80,8 @@ class SerialLink:
                     yield before
 
     def _turn(self) -> None:
-        """Send pending bytes, and wait for bytes or for the deadline."""
+        """Send pending bytes, and wait for bytes or for the deadline; a lost port is closed and
+        later reopened."""
         try:
             if self._port is None:
                 self._reopen()

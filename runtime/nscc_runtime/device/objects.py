@@ -223,7 +223,8 @@ def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
 
 
 def _readouts(container: Container) -> list[tuple[int, bool, float]]:
-    """Return for each register that a device converts: number, whether it is an image, gain."""
+    """Return for each register that a device converts its number, whether it holds an image, and
+    its gain."""
     registers, buckets = container.target.analog_registers, container.buckets
     return [
         (registers.index(each.register), each.bucket not in buckets, each.gain)
@@ -236,7 +237,8 @@ def _counted(layout: Struct, rows: Sequence[tuple[float, ...]]) -> bytes:
 
 
 def schedule_rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
-    """Yield schedule rows (advance, kernel, times, level or None), merging equal launches."""
+    """Yield the rows of a schedule: slots to advance, kernel, number of equal launches, and
+    value of IN or None."""
     at = 0
     steps = []
     for launch in container.launches:

@@ -58,7 +58,7 @@ class Packet:
 
 
 def unpacked(stuffed_bytes: bytes) -> Packet | None:
-    """Return the packet between two zero bytes; None if it is damaged."""
+    """Return the packet whose bytes stood between two zero bytes; None if it is damaged."""
     plain = unstuffed(stuffed_bytes)
     if plain is None or not OVERHEAD <= len(plain) <= _LARGEST:
         return None
@@ -80,7 +80,8 @@ class Unpacker:
         self._overlong = False
 
     def feed(self, data: bytes) -> list[Packet]:
-        """Return the packets that these bytes complete."""
+        """Return the packets that these bytes complete, together with bytes of earlier calls;
+        damaged ones are counted."""
         *pieces, tail = (self._waiting + data).split(b"\0")
         packets = []
         for piece in pieces:
@@ -110,7 +111,8 @@ def stuffed(data: bytes) -> bytes:
 
 
 def unstuffed(data: bytes) -> bytes | None:
-    """Decode the result of `stuffed`; None for bytes that it cannot produce."""
+    """Return the bytes that `stuffed` has encoded without zeros (COBS); None for bytes that it
+    cannot produce."""
     out = bytearray()
     at = 0
     while at < len(data):

@@ -65,7 +65,10 @@ class Port:
 
 
 def open_port(path: str, baud: int) -> Port:
-    """Open a port exclusively: 8 data bits, no parity, 1 stop bit. Raises PortTrouble."""
+    """Open the port at `path` exclusively, with `baud` bits per second, 8 data bits, no parity and
+    1 stop bit.
+
+    Raises PortTrouble."""
     import serial
 
     try:
@@ -96,7 +99,8 @@ def _trouble(error: OSError) -> PortTrouble:
 
 
 def list_ports(list_comports: Callable[[], Any] | None = None) -> list[tuple[str, str]]:
-    """Return names and descriptions of this machine's serial ports, sorted by name."""
+    """Return names and descriptions of this machine's serial ports, sorted by name. Tests
+    replace `list_comports`."""
     from serial.tools.list_ports import comports
 
     ports = (list_comports or comports)()

@@ -130,7 +130,8 @@ class Emulated(RunningFirmware):
         return b""
 
     def follow(self, kind: bytes, data: bytes) -> None:
-        """Handle a record of the loader."""
+        """Handle a record of the loader: a request for bytes of the last frame here, any other
+        in the base class."""
         if kind != b"C":
             super().follow(kind, data)
             return

@@ -77,8 +77,9 @@ def parse_faults(text: str) -> LineFaults:
 
 
 def _value(name: str, text: str) -> float | int:
-    """Return the value of one fault: a rate per byte, a time (s), or a number of bytes; raise
-    Rejected otherwise."""
+    """Return the value of the fault `name`: a rate per byte, a time (s), or a number of bytes.
+
+    Raises Rejected (NS0769) for other texts."""
     shown = f"{name}={text[:40]}"
     if name in ("corrupt", "drop"):
         with suppress(ValueError):
@@ -121,7 +122,8 @@ class Spoiler:
         self._to_drop = self._gap(faults.drop)
 
     def _gap(self, rate: float) -> int:
-        """Return the number of bytes before the next fault."""
+        """Return the random number of undamaged bytes before the next fault, if each byte is
+        damaged with this rate."""
         if rate <= 0:
             return 1 << 62
         if rate >= 1:
@@ -129,7 +131,8 @@ class Spoiler:
         return int(log(1 - self._random.random()) / log(1 - rate))
 
     def spoiled(self, data: bytes) -> bytes:
-        """Return the bytes that arrive at the other end of the line."""
+        """Return the bytes that arrive at the other end of the line, with some changed and some
+        missing."""
         if self._to_corrupt >= len(data) and self._to_drop >= len(data):
             self._to_corrupt -= len(data)
             self._to_drop -= len(data)
@@ -339,7 +342,7 @@ class StandInServer:
             self.moved(self.terminal.name)
 
     def _wait(self) -> None:
-        """Wait until a byte arrives, or other work is due."""
+        """Wait until a byte arrives or can be written, or delayed bytes or other work are due."""
         now = monotonic()
         readers = [self.terminal.fd, *self.loader.watched()]
         if self._leaving and self._leaving[0][0] <= now:

@@ -162,7 +162,8 @@ def _registers(target: Target) -> Iterator[str]:
 
 
 def _sequences(target: Target) -> Iterator[str]:
-    """Yield the words that refresh a register, or enable writing to the masked register."""
+    """Yield the C++ tables of words that refresh a register, clear it, set FLAG, or enable
+    writing to the masked register."""
     yield f"struct Refresh {{ uint32_t count; uint32_t word[{_LONGEST_REFRESH}][5]; }};\n"
     yield "// Writes a register back to itself; the masked one where the mask's code waits in FLAG."
     yield "constexpr Refresh refresh[] = {"

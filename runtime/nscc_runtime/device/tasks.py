@@ -55,7 +55,9 @@ class FetchedFrame:
 
 
 def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[bool]:
-    """Upload a program, resuming after a lost link. Return whether the loader already had it."""
+    """Upload a program, resuming after a lost link; return whether the loader already had it.
+
+    `watch` receives the number of bytes acknowledged."""
     progress = yield from _begun(host, program.begin)
     already_held = progress.state != LoaderState.RECEIVING
     while progress.declared < len(program.objects) and progress.state == LoaderState.RECEIVING:
@@ -78,7 +80,8 @@ def forget(host: Host, program: Upload) -> Task[None]:
 
 
 def _begun(host: Host, begin: messages.Begin) -> Task[UploadProgress]:
-    """Announce a program, after stopping an exposure if necessary."""
+    """Announce a program and return how much of it the loader has; an exposure that runs is
+    stopped first."""
     while True:
         try:
             reply = yield from host.ask(PacketKind.BEGIN, begin.pack())
@@ -93,7 +96,8 @@ def _begun(host: Host, begin: messages.Begin) -> Task[UploadProgress]:
 
 
 def pause(host: Host, seconds: float) -> Task[None]:
-    """Wait for a time in seconds; packets are ignored."""
+    """Wait for a time in seconds, during which packets are ignored. Raises Silent or Stalled
+    after too long a wait."""
     until = host.now + seconds
     while host.now < until:
         yield until
@@ -246,7 +250,10 @@ def capture(host: Host, request: FrameRequest) -> Task[FetchedFrame]:
 
 
 def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
-    """Expose a frame and return the loader's reply about it."""
+    """Expose the requested frame and return the loader's reply about it, asking again while it is
+    being exposed.
+
+    Raises RequestRefused for errors and for replies that do not fit the request."""
     body = messages.CaptureRequest(request.number, request.channels).pack()
     poll, extra, silent = _POLL_S, 0.0, False
     while True:

@@ -16,7 +16,7 @@ from nscc_runtime.noise.keys import base
 
 
 def switches(effects: Selection) -> dict[str, int]:
-    """Return for each switch whether its effect is on (1 or 0)."""
+    """Return for each switch of the compiled loop whether its effect is selected, 1 or 0."""
     return {
         loop.switch: int(effect in effects)
         for effect, loop in _in_loops()
@@ -25,7 +25,8 @@ def switches(effects: Selection) -> dict[str, int]:
 
 
 def figures(sensor: Sensor, effects: Selection) -> dict[str, float]:
-    """Return the values of effects by name; 0 for effects that are off."""
+    """Return the numbers of effects that the compiled loop takes, by name; 0 for effects that
+    are off."""
     return {
         name: figure(sensor) if effect in effects else 0.0
         for effect, loop in _in_loops()
@@ -44,7 +45,8 @@ def patterns(effects: Selection, device: Device, places: Places) -> dict[str, Va
 
 
 def draws_keys(seed: int, source: int) -> dict[str, np.uint64]:
-    """Return first halves of the random keys of draws at words, by name."""
+    """Return the first halves of the random keys for errors of words, by name; `source`
+    distinguishes uses of one stream."""
     keys_by_name: dict[str, np.uint64] = {
         error_part.at: base(seed, effect.stream, source)
         for effect in registered()

@@ -19,7 +19,7 @@ from nscc_runtime.noise import key, normals, uniforms
 
 
 def _of_scamp(value: float) -> Default:
-    """Return a default for chips with registers; 0 for other chips, which were not measured."""
+    """Return a default for chips with registers, and 0 for other chips, which were not measured."""
 
     def default(target: Target, _values: Mapping[str, float]) -> float:
         return value if target.has_logic else 0.0
@@ -82,7 +82,8 @@ lags 1 to 5. The noise itself has 1.18 times these: rounding adds white noise to
 
 
 def _pattern_lsb(sensor: Sensor, device_seed: int, shape: tuple[int, int]) -> Values:
-    """Return the fixed error of each code, shape (rows, cols)."""
+    """Return the fixed error of each pixel's code in converter codes, shape (rows, cols):
+    independent errors and smooth waves."""
     rows, cols = (np.arange(size) for size in shape)
     places = rows[:, None] * cols.size + cols
     pattern = PATTERN(sensor) * normals(key(device_seed, READOUT_PATTERN.stream), places)

@@ -18,8 +18,10 @@ def log_normal(fraction: float, z: Values) -> Values:
 
 @compiled
 def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
-    """Return the content of a register after `value` is written, as
-    `nscc_runtime.effects.register.soft` does."""
+    """Return the content of a register after `value` is written, with soft saturation.
+
+    Up to `knee` times the limit (`low` or `high`) it is exact; beyond, it approaches the limit.
+    `nscc_runtime.effects.register.soft` does the same for arrays."""
     limit = -low if value < 0.0 else high
     size = abs(value)
     if size <= knee * limit:

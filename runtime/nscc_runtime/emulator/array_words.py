@@ -116,7 +116,8 @@ class ArrayWords:
         )
 
     def _of_effect(self, op: Op) -> tuple[list[Operand], list[Operand]]:
-        """Return the sources and the destinations of a word."""
+        """Return the sources and the destinations of a word, each as register number and offset
+        of the pixel (right, down)."""
         effect, phase = op.operation.effect, op.operation.phase
         if effect is WordEffect.RESET_PIX:
             return [(self.analog["level"], 0, 0)], [(self.analog["PIX"], 0, 0)]

@@ -115,7 +115,8 @@ def block_program(container: Container, kept_us: float, every_slot: bool = False
 
 
 def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgram:
-    """Return a program whose codes are the segments."""
+    """Return the program in which each code is a segment, with its words and the stretches of
+    slots between them."""
     assert container.pixel_codes is not None
     lanes, slots = len(container.encoding), container.slots
     acts = np.array([word.lanes for word in words], np.bool_).reshape(-1, lanes)
@@ -182,7 +183,7 @@ def _start_s(container: Container) -> NDArray[np.float64]:
 
 
 def program_of(container: Container, words: Sequence[RunningWord]) -> LoopProgram:
-    """Return the words as arrays for loops."""
+    """Return the words as a table of numbers for the compiled loop, with their operands."""
     registers = (*container.target.analog_registers, "PIX", "IN")
     slots, slot_us, start_s = container.slots, container.slot_us, _start_s(container)
     rows: list[tuple[float, ...]] = []
@@ -210,7 +211,8 @@ def program_of(container: Container, words: Sequence[RunningWord]) -> LoopProgra
 
 
 def readouts_of(container: Container) -> Readouts:
-    """Return the register, gain and waiting time of each bucket's readout."""
+    """Return for each bucket the register, the gain and the time (s) from the last word to its
+    readout."""
     of_bucket = {readout.bucket: readout for readout in container.readouts}
     readouts = [of_bucket[bucket] for bucket in container.buckets]
     place = container.target.analog_registers.index
@@ -222,7 +224,7 @@ def readouts_of(container: Container) -> Readouts:
 
 
 def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numbers:
-    """Return the parameters of the effects; 0 for effects that are off."""
+    """Return the parameters of the effects for the compiled loop; 0 for effects that are off."""
     mark = effects.marking("registers")
     return Numbers(
         least_lost=mark.least_e(sensor) if mark else 0.0,
@@ -232,7 +234,7 @@ def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numb
 
 
 def switches_of(container: Container, effects: Selection) -> Switches:
-    """Return the switches of the effects."""
+    """Return which effects the compiled loop simulates, and the bits of their saturation marks."""
     marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
     return Switches(
         registers=len(container.target.analog_registers),

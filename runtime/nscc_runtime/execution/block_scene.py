@@ -198,7 +198,8 @@ def lay_out(
 
 
 def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) -> ChargeScene:
-    """Return the mean charge of the pixels with these numbers."""
+    """Return the mean charge of each stretch of slots for the pixels with these numbers, with
+    what exchange between neighbours needs."""
     effects, program, pixels = scene.effects, scene.program, len(number)
     exchange = effects.find_part(Exchange)
     exchanged = 0.0 if exchange is None else exchange.fraction(scene.sensor)
@@ -344,7 +345,8 @@ def expose_pixels(
 def _charge_of_frame(
     scene: BlockScene, charge: ChargeScene, seed: int, frame: int, threads: int
 ) -> Values:
-    """Return the charge (stretches, pixels) of a frame: means, counts, and exchange."""
+    """Return the charge (stretches, pixels) of one frame: the means plus random counts,
+    exchanged between neighbours."""
     if not charge.counted:
         return charge.means.charge
     away = draw_deviations(charge.counted, charge.sites.place, seed, frame, threads)
@@ -387,7 +389,10 @@ def _run_words(
     threads: int,
     result: PixelExposures,
 ) -> None:
-    """Run pixels through their words, and store their exposures in `result`."""
+    """Run pixels through their words, and store exposures, marks and endings in `result`, in place.
+
+    `charge_e` is the frame's charge (stretches, pixels). `first_segment` is the path segment in
+    which each pixel begins."""
     program, container, pixels = scene.program, scene.container, charge.pixels
     places = charge.sites.place[:pixels]
     shared: dict[str, Any] = {

@@ -165,7 +165,7 @@ class _ChipMoments:
 
 
 def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _ChipMoments:
-    """Return the shared moments of a chip; cached."""
+    """Return the moments that all scenes on a chip share, cached by effects and device seed."""
 
     def make() -> _ChipMoments:
         """Compute everything about the moments that depends on the chip and the effects but not on
@@ -251,7 +251,8 @@ def leak_rates(effects: Selection, sensor: Sensor) -> tuple[float, ...]:
 
 
 def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) -> Values:
-    """Return weights (rates, pixels) that interpolate sums at each pixel's leakage rate."""
+    """Return weights (rates, pixels) with which sums at the `rates` of leakage give those at
+    each pixel's own rate."""
     leak = effects.find_part(Leak)
     if leak is None or len(rates) == 1:
         return np.ones((1, 1))
@@ -297,7 +298,8 @@ def _fixed_e(
 
 
 def _dark_covariances(program: AnalysedProgram, effects: Selection, device: Device) -> Values:
-    """Return the covariances (pairs of buckets, pixels) of dark counts; no pairs without."""
+    """Return the covariances (pairs of buckets, pixels) that counts of dark charge cause, in
+    square electrons; no pairs without the effect."""
     if effects.find_part(CountedDark) is None:
         return np.zeros((0, program.lane.size))
     weights = program.weights(program.model(effects)).slots
@@ -356,8 +358,10 @@ def _independent_counts(
 
 
 def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Values:
-    """Return the mean weight (buckets, lanes) of an electron in the slots that a bucket sees; 1
-    for buckets that see none."""
+    """Return how much an electron counts on average, (buckets, lanes), in the slots that a bucket
+    sees; 1 for buckets that see none.
+
+    A lane is a code among the codes in use."""
     weights = program.weights(model).slots
     square, plain = (
         np.einsum("n,nlb->bl", program.slot_s, power) for power in (weights**2, np.abs(weights))
@@ -400,7 +404,7 @@ def _neighbour_weights(
 
 
 def _word_errors(program: AnalysedProgram, effects: Selection) -> Values:
-    """Return the errors (draws, buckets, lanes) of words for one normal number, cached."""
+    """Return the errors of words as factors of normal numbers, (draws, buckets, lanes); cached."""
 
     def make() -> Values:
         """Return the standard deviations (e) of all word errors by draw, bucket and lane.

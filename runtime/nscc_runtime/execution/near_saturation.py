@@ -121,7 +121,8 @@ def _search(
 
 
 def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
-    """Return the limits of a program's lanes under some effects."""
+    """Return the least charge with which a register or PIX may saturate, for each lane of a
+    program under these effects."""
     reach = reach_of(program)
     held_weights = () if reach.held_weights is None else reach.held_weights
     weights = np.stack([program.seen_slots, *held_weights]).astype(np.float64)

@@ -120,7 +120,8 @@ class _RegisterState:
         self.covariance[in_lane, self._level, self._level] = self._variance["resets"]
 
     def execute(self, word: AnalogWord, in_lane: NDArray[np.bool_]) -> None:
-        """Run a bus word in the lanes of a mask."""
+        """Run a bus word in the lanes that the mask selects: update weights and covariance of
+        its destinations."""
         source_factor = -self._gain / word.op.operation.divisor
         total = np.zeros(len(self.names))
         for name in word.op.sources:

@@ -289,7 +289,8 @@ class SlotWeights:
         return len(self.slots[0][0])
 
     def of_frames(self, light: Light) -> FrameWeights:
-        """Return these weights converted to weights of the frames of `light`."""
+        """Return these weights of slots as weights of the frames of `light`; the last result is
+        cached."""
         last = self._last  # other threads may replace it
         if last is None or last.timing != light.timing:
             last = FrameWeights.of(light, self.slots)

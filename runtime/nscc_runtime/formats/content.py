@@ -68,7 +68,8 @@ class Content:
 
     @cached_property
     def shown_by(self) -> Tone | None:
-        """The tone curve that `shown` applies; None if codes are shown."""
+        """The tone curve with which `shown` displays the light; None if converter codes are
+        shown."""
         if self.light is None or (self.codes is not None and self.tone is None):
             return None
         light = np.stack([*self.pictures]) if self.moving else self.picture(self.light)
@@ -91,7 +92,7 @@ class Content:
 
     @property
     def tone_text(self) -> str:
-        """A text with the tone curve and its white level."""
+        """The tone curve and its white level as text."""
         tone = self.shown_by
         if tone is None:
             return "codes as read out"

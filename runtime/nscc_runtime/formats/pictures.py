@@ -97,7 +97,8 @@ _CODECS = ("vp09", "mp4v")
 
 
 def gif(content: Content) -> bytes:
-    """Return a looping .gif file with 256 greys or colours."""
+    """Return a looping .gif file with at most 256 greys or colours; its comment names the tone
+    curve."""
     from PIL import Image
 
     frames = map(Image.fromarray, content.shown)

@@ -208,7 +208,8 @@ def _alive(
     walk: _PathReplay,
     starts: Mapping[str, Bits],
 ) -> Paths:
-    """Return the paths without words and comparisons that have no influence on the result."""
+    """Return the paths through a frame without words and comparisons that cannot change the
+    result."""
     registers = {n: 1 << i for i, n in enumerate((*container.target.analog_registers, "PIX"))}
     reads = [_together(registers, word.sources) for word in words]
     writes = [
@@ -256,7 +257,10 @@ def _together(registers: Mapping[str, int], names: Iterable[str]) -> int:
 def _by_segment(
     walk: _PathReplay, ending: NDArray[np.intp]
 ) -> tuple[list[list[tuple[int, int]]], NDArray[np.int64]]:
-    """Return the words of each segment and whether they act, and its next segments."""
+    """Return for each segment its words with whether they act in it, and the next segment for each
+    answer.
+
+    A negative number -1 - k stands for ending k instead of a segment."""
     passed: list[list[tuple[int, int]]] = [[] for _ in range(walk.segments)]
     for number, segments, acts in walk.passed:
         for segment, acts_here in zip(segments.tolist(), acts.tolist(), strict=True):

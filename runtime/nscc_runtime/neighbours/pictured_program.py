@@ -121,7 +121,8 @@ class KeptRegisters(Record, eq=False):
 
     @classmethod
     def at_start(cls, container: Container) -> KeptRegisters:
-        """Return what the host loads before the first frame."""
+        """Return the registers that the host loads before the first frame: kept bits, input
+        planes, kept images."""
         pictures, target = container.pictures, container.target
         shape, registers = (target.rows, target.cols), pictures.registers
         bits = {
@@ -234,7 +235,8 @@ class PicturedProgram:
         return frame, KeptRegisters(bits, values, marks)
 
     def exposing(self, light: Light, device_seed: int) -> Callable[[int, int], Exposure]:
-        """Return a function of (seed, number) that exposes frames of one light."""
+        """Return a function of (seed, frame number) that exposes frames of one light, without
+        the words of images."""
         container, effects = self.container, self.effects
         if effects.noiseless:
             from nscc_runtime.emulator import expose
@@ -256,7 +258,10 @@ class PicturedProgram:
         number: int,
         reaches: Mapping[str, Reach] | None,
     ) -> Frame:
-        """Return the frame that is read out after the last word."""
+        """Return the frame that is read out after the last word, with images, planes and reports.
+
+        `pixels` holds the registers of the array, `seeds` are those of noise and device, and
+        `reaches` tells which pixels depend on light beyond the array."""
         pictures, buckets = self.pictures, list(self.container.buckets)
         valid = np.asarray(exposure.valid.all(axis=0))
         told: Told = {}
@@ -314,7 +319,10 @@ class PicturedProgram:
         seeds: tuple[int, int],
         number: int,
     ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
-        """Return codes, symmetric around 0, and saturation marks (names, rows, cols) of images."""
+        """Return the converter codes of images, 128 for 0, and their saturation marks, each (names,
+        rows, cols).
+
+        `read` holds each image's electrons and marks; invalid pixels get code 0."""
         target = replace(self.container.target, readout="full")
         # The converter draws noise by index: images follow the buckets.
         buckets = len(self.container.buckets)
@@ -334,7 +342,10 @@ class PicturedProgram:
         kept: KeptRegisters,
         params: Mapping[str, int],
     ) -> ArrayPixels | ArrayContents:
-        """Return the registers of all pixels after the last word."""
+        """Return the registers of all pixels after the words of images and planes.
+
+        `kept` are the registers that the frame before left, and `params` the values of parameters
+        in steps of IN."""
         container, pictures = self.container, self.pictures
         shape = exposure.exposure_e.shape[1:]
         exposed, exposed_by = {}, {}
@@ -378,14 +389,16 @@ class _WordsOfParams:
         self._last: tuple[Any, list[tuple[Op, int | None]], PictureWords | None] | None = None
 
     def listed(self, params: Mapping[str, int]) -> list[tuple[Op, int | None]]:
-        """Return the words in execution order."""
+        """Return the words for these values of parameters in execution order, each with its
+        value of IN."""
         key = tuple(sorted(params.items()))
         if self._last is None or self._last[0] != key:
             self._last = key, picture_words(self._container, params), None
         return self._last[1]
 
     def compiled(self, params: Mapping[str, int]) -> PictureWords:
-        """Return the words for the compiled loop."""
+        """Return the words for these values of parameters as tables of the compiled loop; the
+        last are cached."""
         words = self.listed(params)
         assert self._last is not None
         key, _, prepared = self._last

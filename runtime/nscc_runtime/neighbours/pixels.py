@@ -58,7 +58,8 @@ class ArrayPixels(WordPixels):
         return np.asarray(self.digital.read(name) == 1)
 
     def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
-        """Run words in their order, each with its steps of IN."""
+        """Run words on all pixels in their order, each with its value of IN in steps (None:
+        unchanged)."""
         for op, level in words:
             if level is not None:
                 self.in_e = level * self.target.electrons_per_step
@@ -111,7 +112,8 @@ class ArrayPixels(WordPixels):
             self._store(name, value, by)
 
     def _cut(self, op: Op) -> NDArray[np.uint8]:
-        """Return the saturation marks of all sources of a word."""
+        """Return the saturation marks of all sources of a word together, of neighbours where the
+        word reads these."""
         found = self._uncut
         for name in op.sources:
             by = self.cut_by["NEWS" if name in NEIGHBOURS else name]
@@ -130,7 +132,8 @@ class ArrayPixels(WordPixels):
         return cut | over.astype(np.uint8) * np.uint8(RANGE_BIT)
 
     def _store(self, name: str, value: Values, by: NDArray[np.uint8]) -> None:
-        """Write a value and its marks to a register where FLAG is 1."""
+        """Write a value and its saturation marks `by` to a register where FLAG is 1; NEWS forms
+        shift both first."""
         if name in NEIGHBOURS:
             right, down = STEPS[name]
             value = self.moved(value, -right, -down, beyond=0.0)

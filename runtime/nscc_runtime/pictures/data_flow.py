@@ -64,7 +64,8 @@ def flow_graph(container: Container) -> DiGraph:
 
 
 def _sources(container: Container, node: p.Node, label: str = "") -> Iterator[tuple[str, str]]:
-    """Yield what an expression reads, with the kernels and levels that are applied to it."""
+    """Yield the names that an expression reads, each with the kernels and levels that are
+    applied to it as text."""
     step = ""
     match node:
         case p.Source() | p.Bit():
@@ -86,7 +87,8 @@ def _sources(container: Container, node: p.Node, label: str = "") -> Iterator[tu
 
 
 def _layers(graph: DiGraph) -> list[list[Node]]:
-    """Return the nodes by layer, ordered so that few edges cross; outputs are in the last layer."""
+    """Return the nodes by layer, each below all that it reads, ordered so that few edges cross;
+    outputs are in the last layer."""
     from networkx import topological_generations
 
     outputs = [node for node in graph if graph.nodes[node]["kind"] == "output"]
@@ -151,7 +153,10 @@ class DataFlow:
                 _draw_kernel(place(figure, x, y, *size), kernel)
 
     def _draw_edges(self, axes: Axes, node: str, at: dict[Node, tuple[float, float]]) -> None:
-        """Draw the edges that end at a box, side by side in the order of their beginnings."""
+        """Draw the edges that end at the box of `node`, side by side in the order of where they
+        begin.
+
+        `at` are the positions of all nodes in inches."""
         edges = [
             (self.graph.edges[source, node]["label"], _chain((source, node), self.layers))
             for source in self.graph.predecessors(node)

@@ -74,7 +74,10 @@ def _share(container: Container) -> Values:
 def _run_frame(
     container: Container, machine: StateMachine, nodes: Nodes, wells: Values
 ) -> tuple[Courses, Nodes]:
-    """Return a frame that starts in these nodes, and the nodes in which it ends."""
+    """Run one frame of pixels in steady light, and return what they did and the nodes in which they
+    end.
+
+    `nodes` are the pixels' nodes at the start, `wells` their light in full wells over the frame."""
     share = np.diff(_share(container))
     opens = np.zeros((len(wells), *machine.opens.shape[1:]), np.bool_)
     resets = np.zeros((len(wells), machine.slots), np.bool_)
@@ -105,7 +108,8 @@ def _run_frame(
 
 
 def _next_start(machine: StateMachine, ended: Nodes) -> Nodes:
-    """Return the nodes in which the next frame starts: kept states continue, others restart."""
+    """Return the nodes in which the next frame starts after it ended in these: kept states
+    continue, others restart."""
     is_kept = np.array([state.is_kept for state in machine.states], np.bool_)
     starts = np.array([state.start for state in machine.states], np.int64)
     first = slice(0, int(machine.first[1]))
@@ -173,8 +177,8 @@ def course_sheet(container: Container, title: str) -> Figure:
 
 
 def _shown(container: Container) -> list[tuple[str, Courses]]:
-    """Return titles and courses of the charts: of some codes, or with kept states of the first and
-    a later frame."""
+    """Return title and content of each chart: of some codes, or of the first and a later frame
+    if states are kept."""
     machine, table = container.machine, container.table
     threshold_wells = thresholds(container)
     low = min(float(threshold_wells.min(initial=1.0)), 1.0) / _ROUND
@@ -200,7 +204,8 @@ def _shown(container: Container) -> list[tuple[str, Courses]]:
 
 
 def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
-    """Draw the open time, coloured by its total, or by the bucket if there are several buckets."""
+    """Draw when pixels are open (across) in each light (up), coloured by total open time or by
+    bucket."""
     from matplotlib import colormaps
     from matplotlib.colors import to_rgb
 

@@ -110,7 +110,8 @@ class PointReading:
     linear: bool = False
 
     def lines(self, points: Sequence[Point]) -> dict[str, list[Point]]:
-        """Return the drawn points by line."""
+        """Return the points by the line on which they are drawn, without those that have no line
+        or no finite error."""
         points_by_line: dict[str, list[Point]] = {}
         for point in points:
             if self.line(point) and math.isfinite(point.error):
@@ -186,7 +187,11 @@ def _draw(
     reading: PointReading,
     beaten: dict[int, bool],
 ) -> list[ChartLabel]:
-    """Draw lines and reference lines. Return labels: lines, undominated points, other points."""
+    """Draw the lines of a panel with their bounds; return the labels to place: names of lines,
+    points on the front, other points.
+
+    `looks` gives each line's colour and marker, and `beaten` the points that another point
+    dominates."""
     lines = reading.lines(panel.points)
     bounds = {
         name: line_points[0].bound for name, line_points in lines.items() if line_points[0].bound

@@ -43,7 +43,7 @@ class Theme:
     series: tuple[str, ...]
 
     def of(self, number: int) -> dict[str, Any]:
-        """Return the colour and the marker of a series."""
+        """Return the colour and the marker of series `number`, as arguments for matplotlib."""
         return {
             "color": self.series[number % len(self.series)],
             "marker": MARKERS[number % len(MARKERS)],

@@ -97,7 +97,8 @@ def _time(us: float) -> str:
 
 
 def unit(us: float) -> tuple[float, str]:
-    """Return a factor and a unit for writing a time given in microseconds."""
+    """Return a factor and a unit with which a time of `us` microseconds is written in few
+    digits."""
     if us >= 1e6:
         return 1e-6, "s"
     if us >= 1e3:

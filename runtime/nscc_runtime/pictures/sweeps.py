@@ -51,7 +51,8 @@ class _Scale:
 
     @classmethod
     def of(cls, values: Sequence[Place]) -> _Scale:
-        """Return the scale for all of these values."""
+        """Return the scale that shows all of these values: names, linear, or logarithmic over a
+        decade and more."""
         numbers = [value for value in values if not isinstance(value, str)]
         if len(numbers) < len(values):
             names = tuple(dict.fromkeys(map(str, values)))
@@ -67,7 +68,7 @@ class _Scale:
         return float(self.names.index(str(value)) if self.names else value)
 
     def lay(self, axes: Axes, axis_name: str) -> None:
-        """Apply the scale to an axis of a panel, "x" or "y"."""
+        """Apply the scale, with its limits and ticks, to the axis "x" or "y" of a panel."""
         if self.logarithmic:
             axes.set(**{f"{axis_name}scale": "log"})
         axes.set(**{f"{axis_name}lim": (self.low, self.high)})
@@ -120,7 +121,9 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
 def _draw(
     axes: Axes, panel: Lines, names: Sequence[str], scales: Mapping[tuple[str, str], _Scale]
 ) -> list[ChartLabel]:
-    """Draw a panel's lines. Return labels with their names at their ends."""
+    """Draw a panel's lines; return labels with the lines' names at their ends.
+
+    `names` fixes the colour of each line, and `scales` the scale of each quantity."""
     across, upwards = scales["x", panel.across], scales["y", panel.upwards]
     axes.set_title(panel.title)
     axes.set_xlabel(panel.across)

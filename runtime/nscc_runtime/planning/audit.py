@@ -98,7 +98,8 @@ class Audit:
 
 
 def audit(scene: PlannedScene, plan: Plan) -> Audit:
-    """Measure the errors of a plan on all pixels of a scene."""
+    """Measure the errors of a plan on all pixels of a scene, and compare its frames with those
+    of the word loop in distribution."""
     repeats = min(-(-_POOLED // scene.pixels), _MOST_POOLED)
     trial = trial_of(scene, scene.pixels, repeats)
     errors = trial.between(trial.exposures(plan.kept), trial.truth)
@@ -121,8 +122,11 @@ def audit(scene: PlannedScene, plan: Plan) -> Audit:
 
 
 def in_distribution(report: Audit, own_e: Values, loop_e: Values) -> Audit:
-    """Return the audit with the difference in distribution of two series of independent frames,
-    each of shape (buckets, frames, pixels), in the worst bucket."""
+    """Return the audit with the difference in distribution of two series of independent frames, of
+    the worst bucket.
+
+    Both are exposures in electrons, (buckets, frames, pixels): the run's own simulation and the
+    loop over words."""
     own_variance, loop_variance = own_e.var(axis=1, ddof=1), loop_e.var(axis=1, ddof=1)
     difference = own_e.mean(axis=1) - loop_e.mean(axis=1)
     known = np.isfinite(difference + own_variance + loop_variance)

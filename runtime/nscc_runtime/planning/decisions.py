@@ -43,7 +43,8 @@ class EffectChoice:
 
 
 def plan_of(choice: EffectChoice) -> Plan:
-    """Return the plan of a choice."""
+    """Return the plan that a choice of effects makes: its errors, its decisions with reasons,
+    and its predicted time."""
     work, request, allowed, together = choice.work, choice.request, choice.allowed, choice.together
     effects, scene = request.requested.without(*choice.dropped), choice.work.scene
     reasons = scene.needs_reference(effects)
@@ -72,7 +73,8 @@ def plan_of(choice: EffectChoice) -> Plan:
 
 
 def _decision(effect: Effect, choice: EffectChoice) -> Decision:
-    """Return the decision on one effect."""
+    """Return whether one effect is kept, dropped or absent, with its errors, the time that it
+    costs, and the reason."""
     name, request, work = effect.name, choice.request, choice.work
     if effect.kind == "after":
         return _after_exposure(effect, choice)

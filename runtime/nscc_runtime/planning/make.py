@@ -170,7 +170,8 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
 
 
 def _too_large(scene: PlannedScene, allowed: Tolerance) -> Names:
-    """Return effects whose noise certainly exceeds a tolerance."""
+    """Return the effects whose noise alone certainly exceeds the tolerance, so that dropping
+    them need not be measured."""
     all_effects, full_e = everything(), scene.sensor.full_well_e
     least_e = {
         effect.name: part.sigma_e(scene.sensor)
@@ -224,8 +225,8 @@ class _Measuring:
         )
 
     def drop_together(self, dropped: Names) -> tuple[SampledErrors, SampledErrors]:
-        """Return the errors of dropping effects at once: relative to every effect, and relative to
-        every effect that the user did not force off."""
+        """Return the errors of dropping these effects at once: relative to all effects, and
+        relative to those that the user did not turn off."""
         effects = self.requested.without(*dropped)
         exposed = self.trial.exposures(effects) if dropped else self.base
         together = self.trial.between(exposed, self.trial.truth)

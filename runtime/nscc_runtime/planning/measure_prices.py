@@ -95,7 +95,8 @@ def measure_prices() -> list[Price]:
 
 
 def _of_sums(scene: PlannedScene) -> list[Price]:
-    """Return prices of a first frame by sums: without effects, and saved by dropping each."""
+    """Return measured times of a first frame by sums: without effects, and what dropping each
+    effect saves."""
     all_effects = everything()
     every_ns = _frame_ns(scene, all_effects)
     bare_ns = _frame_ns(scene, selected("none"))
@@ -116,8 +117,9 @@ def _of_sums(scene: PlannedScene) -> list[Price]:
 
 
 def _frame_ns(scene: PlannedScene, effects: Selection) -> float:
-    """Return the nanoseconds per pixel of a frame on one core. The light is copied, so that no
-    cached property is reused."""
+    """Return the time of a frame with these effects in nanoseconds per pixel on one core.
+
+    The light is copied, so that no cached property is reused."""
 
     def expose() -> None:
         [_] = replace(scene, light=replace(scene.light)).frames(effects, 0, 1)

@@ -66,7 +66,8 @@ def plan_of(path: Path) -> Plan:
 
 
 def _read(path: Path) -> StoredPlan:
-    """Return the plan in a plan file or a frame file."""
+    """Return the plan stored in a plan file or a frame file; raise Rejected if there is none, or
+    it names unknown effects."""
     try:
         if path.suffix.lower() == ".npz":
             meta = read_frame_arrays(path, lambda _name: False)[1]

@@ -34,7 +34,7 @@ class PlanRequest:
 
     @cached_property
     def forced(self) -> Names:
-        """Names of the effects that the user switched on or off."""
+        """Names of the effects that the user switched on or off, which a plan does not decide."""
         effects = self.effects
         return frozenset(
             e.name for e in registered() if not effects.auto or e.name in effects.forced

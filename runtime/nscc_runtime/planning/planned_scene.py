@@ -246,8 +246,11 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
 
 
 def _looking(scene: PlannedScene, sample: Sample, laid: BlockScene) -> Expose:
-    """Return a function that exposes sampled pixels that look. Segments and endings are numbered
-    differently for effects with other paths, so states are given and returned as bits."""
+    """Return a function that exposes the sampled pixels, which look, with the effects of the scene
+    `laid`.
+
+    Segments and endings are numbered differently for effects with other paths, so states are given
+    and returned as bits."""
     container, threads = scene.container, threads_of(scene.threads)
     paths = paths_of(container, retention_us(laid.effects, scene.sensor))
     assert not isinstance(paths, str)  # `lacks` says so
@@ -276,7 +279,7 @@ def _state_registers(container: Container) -> list[str]:
 
 
 def _kept_bits(container: Container) -> int:
-    """Return the bits of the kept states in `SampledExposures.endings`."""
+    """Return the mask of the kept states in the bits of `SampledExposures.endings`."""
     if not container.keeps_states:
         return 0
     names = {state.name for state in container.machine.states if state.is_kept}

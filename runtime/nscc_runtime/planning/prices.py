@@ -57,7 +57,8 @@ class Work:
 
     @classmethod
     def of(cls, scene: PlannedScene) -> Work:
-        """Return the work of a scene."""
+        """Return how much work a frame of a scene is: words and stretches a pixel, and pixels
+        near saturation."""
         effects = everything()
         near = scene.pixels if scene.looks else len(scene.near_pixels(effects).places)
         if scene.needs_reference(effects):

@@ -86,7 +86,10 @@ class SampledErrors:
     def between(
         cls, exposed_e: Values, true_e: Values, same: NDArray[np.bool_], weight: Values
     ) -> SampledErrors:
-        """Return the errors of exposures; true exposures that are not finite are not compared."""
+        """Return the errors of `exposed_e` against `true_e` (electrons) for sampled pixels.
+
+        Pixels that ended in other states (`same` False) and true exposures that are not finite are
+        not compared. `weight` is each pixel's weight in the scene."""
         compared = same & np.isfinite(true_e)
         with np.errstate(invalid="ignore"):
             size_e = np.where(np.isfinite(exposed_e), exposed_e - true_e, _NOT_FINITE_E)
@@ -236,7 +239,8 @@ def drawing_chances(light: Light, full_well_e: float) -> Values:
 
 
 def _contrast(light_e: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return each pixel's light plus the absolute differences to its four neighbours."""
+    """Return each pixel's light plus the absolute differences from its four neighbours, in
+    electrons."""
     score = light_e.copy()
     for axis in (0, 1):
         step = np.abs(np.diff(light_e, axis=axis))

@@ -123,7 +123,7 @@ def unit_of(tolerance: ToleranceInput) -> str | None:
 
 
 def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:
-    """Raise Rejected (NS0746) if the tolerance is invalid on every scene."""
+    """Raise Rejected (NS0746) if the tolerance is invalid whatever the scene."""
 
     class Bright:
         """A scene with signal and noise above 0."""
@@ -145,7 +145,8 @@ def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
 
 
 def with_readout_e(noise_e: float, sensor: Sensor) -> float:
-    """Return noise of exposures combined with that of converter and rounding, in electrons."""
+    """Return the noise of exposures combined with that of the converter and of rounding, all in
+    electrons."""
     all_effects = everything()
     code_e = all_effects.require_part(Codes).electrons(sensor)
     noise_lsb = all_effects.converter_lsb(sensor, fixed=False)

@@ -256,7 +256,8 @@ class ProgramPixels(WordPixels):
             self.fallen = now
 
     def run_word(self, word: RunningWord) -> None:
-        """Execute one word."""
+        """Execute one word in the pixels: a reset, an analog word, a comparison, or a digital
+        word."""
         flag = self.digital.read("FLAG") == 1
         match word.op.operation.effect:
             case WordEffect.RESET_PIX:

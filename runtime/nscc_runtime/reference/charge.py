@@ -103,7 +103,10 @@ class _Slots(Slots):
         return out
 
     def counted(self, stream: int, source: int, rates: Charge) -> Charge:
-        """Return Poisson counts of `rates`, clipped to 0 .. `RATE_CAP`."""
+        """Return Poisson counts with the means `rates` (intervals, rows, cols), clipped to
+        0..`RATE_CAP`.
+
+        `stream` and `source` select the random numbers. Pixels with NaN become invalid."""
         shape, rates = rates.shape, rates.reshape(len(rates), -1)
         self.valid &= ~np.isnan(rates).any(axis=0)
         counted = np.zeros(rates.shape)

@@ -41,7 +41,8 @@ class Digital:
         return len(self.bits["FLAG"])
 
     def read(self, name: str) -> Bits:
-        """Return the value of a register (pixels,); 0 where it has decayed."""
+        """Return the bits of a register (pixels,); 0 where they were written longer ago than the
+        retention time."""
         if self.retention_us == inf:
             return self.bits[name]
         is_retained = self.now_us - self.written_us[name] <= self.retention_us
@@ -99,7 +100,8 @@ class Digital:
         return any_bit
 
     def choose(self, pixels: NDArray[np.intp]) -> None:
-        """Replace the pixels by the pixels with these indices."""
+        """Replace the pixels by those with these indices, repeated or left out as the indices
+        say."""
         self.bits = {name: values[pixels] for name, values in self.bits.items()}
         for name, values in self.written_us.items():
             if isinstance(values, np.ndarray):

@@ -121,7 +121,8 @@ class _Taps(Pixels):
         return self._read_out(tap_charge), marked
 
     def _lit(self, slot: int, slot_us: float) -> float:
-        """Return the fraction of a slot in which light is collected."""
+        """Return the fraction of a slot in which light is collected; a chip that is not
+        pipelined first loads the slot's bit plane."""
         target = self.container.target
         if target.pipelined:
             return 1.0

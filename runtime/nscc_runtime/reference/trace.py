@@ -90,7 +90,10 @@ class AnalogWord(RunningWord):
 
 
 def running_words(container: Container) -> Iterator[RunningWord]:
-    """Yield every word of a frame in execution order. Raises like `nscc.words.legality.decoded`."""
+    """Yield every word of a frame in execution order with its boundary, time (us) and value of IN
+    (e).
+
+    Raises like `nscc.words.legality.decoded`."""
     kernels, target, number = decoded(container), container.target, 0
     boundary, after_us, in_e = -1, 0.0, 0.0
     for launch in sorted(container.launches, key=lambda launch: launch.instant):

@@ -36,7 +36,8 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
         self._held: dict[Name, tuple[int, NDArray[np.int32] | None, Weights]] = {}
 
     def keep(self, name: Name, weight: Weights) -> None:
-        """Store the weights of a name, unless all are 0."""
+        """Store the weights (lanes, buckets) of a name, unless all are 0; only nonzero lanes if
+        these are few."""
         lanes = np.flatnonzero(weight.any(axis=1)).astype(np.int32)
         if 2 * len(lanes) > len(weight):
             self._held[name] = len(weight), None, weight
@@ -84,7 +85,7 @@ class WeightModel:
 
     @classmethod
     def of(cls, effects: Selection, sensor: Sensor) -> WeightModel:
-        """Return the model for some effects, at the mean leakage."""
+        """Return the model of words under these effects, with the mean leakage of the pixels."""
         gain, leak = effects.find_part(WordGain), effects.find_part(Leak)
         return cls(
             gain.gain(sensor) if gain else 1.0,
@@ -114,8 +115,8 @@ class Backward:
     noise: ByName[tuple[int, int]]
 
     def covariance(self, at: Literal["reads", "resets", "words"]) -> Weights:
-        """Return the covariance (buckets, buckets, lanes) of exposures if each error of a kind has
-        variance 1."""
+        """Return the covariance (buckets, buckets, lanes) of exposures if each error of the kind
+        `at` has variance 1."""
         weights = {"reads": self.reads, "resets": self.resets, "words": self.noise}[at]
         _, lanes, buckets = self.slots.shape
         total = np.zeros((buckets, buckets, lanes))
@@ -237,7 +238,8 @@ def _through(
     model: WeightModel,
     result: Backward,
 ) -> None:
-    """Propagate the weights from after a word to before it, and store the weights of its noise."""
+    """Propagate the weights of registers from after a word to before it, in place, and store
+    those of its errors in `result`."""
     acts = word.lanes[:, None]
     if word.resets:
         result.resets.keep(word.number, weight["PIX"] * acts)

@@ -95,7 +95,8 @@ class Marks:
         self.lost[name] = np.where(acting, lost_e, self.lost[name])
 
     def read_out(self, name: str, gain: float) -> NDArray[np.uint8]:
-        """Return the bits of `saturated_by` (pixels,) of a register's readout."""
+        """Return the bits of `saturated_by` (pixels,) for the readout of a register with this
+        gain."""
         full = inverted(self.full[name]) if gain < 0 else self.full[name]
         bits = np.zeros_like(full)
         for at, is_marked in (
@@ -130,7 +131,8 @@ class Resets:
         self._level_e, self._last = np.zeros(pixels), np.full(pixels, -1.0)
 
     def reset(self, pixels: Pixels, acting: Bits, word: Word, boundary: float) -> None:
-        """Set the reset level of the pixels in `acting`."""
+        """Set the reset level of the pixels in the mask `acting`, at the boundary of the reset
+        word."""
         level = np.zeros_like(self._level_e)
         for change in self._leaving:
             level = change(pixels, level, word)
@@ -267,7 +269,8 @@ class WordPixels(Pixels):
         self.resets.reset(self, acting, word, word.boundary)
 
     def total(self, word: RunningWord) -> Values:
-        """Return the sum of a word's sources in electrons."""
+        """Return the sum of a word's sources in electrons (pixels,); reading PIX adds its reset
+        level and read errors."""
         total = np.zeros(len(self.places))
         for name in word.op.sources:
             if name == "IN":
@@ -282,7 +285,8 @@ class WordPixels(Pixels):
         return total
 
     def compared(self, word: RunningWord) -> Values:
-        """Return the electrons (pixels,) of which a comparison tests whether they are above 0."""
+        """Return the electrons (pixels,) that a comparison tests for being above 0, with the
+        comparator's errors."""
         total = self.total(word)
         for compare in self.at("compare"):
             total = compare(self, total, word)
@@ -301,7 +305,8 @@ class WordPixels(Pixels):
             self.marks.write(name, acting, full, lost_in_register_e)
 
     def read_out(self) -> Marked:
-        """Return the exposures of the frame and their saturation marks."""
+        """Return exposures in electrons and saturation marks of the frame, each (buckets,
+        pixels)."""
         exposures = np.empty((len(self.container.buckets), len(self.places)))
         marked = np.empty(exposures.shape, np.uint8)
         stays = bool(self.container.pictures.launches)  # readout follows the words of images

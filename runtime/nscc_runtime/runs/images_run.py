@@ -50,7 +50,8 @@ class ImagesRun(RunKind):
         return image_plane_sheet(frame, container.buckets_read, title)
 
     def sent_frame(self, container: Container, frame: Any, sent: Sent) -> Any:
-        """Move the images behind the buckets of a frame, and the planes, to `told`."""
+        """Return the frame that a chip sent with its images and planes moved from the readouts
+        to `told`."""
         told: dict[str, NDArray[Any]] = {}
         buckets = len(container.buckets_read)
         converter = image_sensor(sent.sensor, container.target)

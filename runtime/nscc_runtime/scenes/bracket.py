@@ -130,8 +130,9 @@ def _weights(photo: NDArray[Any]) -> NDArray[np.float32]:
 
 
 def _log_light(photo: NDArray[Any], colours: Colours) -> NDArray[np.float32]:
-    """Return the logarithm of linear light (R, C, channels), 0 for white; samples without light
-    count as half the least light of a sample."""
+    """Return the logarithm of a photo's linear light (rows, cols, channels), 0 for white.
+
+    Samples without light count as half the least light of a sample."""
     fractions = np.linspace(0, 1, np.iinfo(photo.dtype).max + 1)
     logarithms = []
     for channel in range(photo.shape[-1]):
@@ -142,8 +143,9 @@ def _log_light(photo: NDArray[Any], colours: Colours) -> NDArray[np.float32]:
 
 
 def _exif_exposures(files: Sequence[Path]) -> list[float]:
-    """Return the exposure time times ISO speed over squared f-number of each photo. A factor that
-    no photo states counts 1; one that only some photos state is refused."""
+    """Return the exposure of each photo: time x ISO speed / squared f-number.
+
+    A factor that no photo states counts 1. Raises Rejected (NS0777) if only some state it."""
     stated = [_exif_factors(path) for path in files]
     for factor, name in ((1, "f-number"), (2, "ISO speed")):
         lacking = [path for path, of in zip(files, stated, strict=True) if of[factor] is None]
@@ -160,7 +162,10 @@ def _exif_exposures(files: Sequence[Path]) -> list[float]:
 
 
 def _exif_factors(path: Path) -> tuple[float, float | None, float | None]:
-    """Return exposure time in seconds, f-number and ISO speed; None for what is not stated."""
+    """Return exposure time (s), f-number and ISO speed of a photo, None for the last two if
+    missing.
+
+    Raises Rejected (NS0777) without an exposure time."""
     try:
         tags = exif_of(path)
         f_number, iso = tags.get(_F_NUMBER), tags.get(_ISO)

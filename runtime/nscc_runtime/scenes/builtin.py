@@ -73,7 +73,8 @@ def _ridge(
 
 
 def _lake(picture: Field, x: Field, y: Field) -> None:
-    """Draw the lake, which mirrors the scene above the shore, broken by waves."""
+    """Draw the lake below the shore into `picture`, in place; it mirrors the scene above, broken
+    by waves."""
     below = np.flatnonzero(y >= _SHORE)
     if len(below) == 0 or below[0] == 0:
         return
@@ -91,7 +92,8 @@ def _lake(picture: Field, x: Field, y: Field) -> None:
 
 
 def _bank(picture: Field, x: Field, y: Field, pixel: float) -> None:
-    """Draw the near bank with its pines, and a hut with a lit window."""
+    """Draw the near bank with pines and a hut with a lit window into `picture`, in place;
+    `pixel` is the size of a pixel."""
     edge = 0.91 + 0.06 * fractal(x * 5.0, np.array([0.5]), 81, 5) - 0.1 * smooth(0.7, 1.0, x)
     bank = smooth(-0.5 * pixel, 0.5 * pixel, y[:, None] - edge)
     for stem, tip in _TREES:

@@ -84,7 +84,11 @@ def _span(axis: Field, low: float, high: float) -> slice:
 
 
 def _train(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel: float) -> None:
-    """Draw coaches with lit windows, which run along the lower edge from left to right."""
+    """Draw coaches with lit windows, which run along the lower edge from left to right, into
+    `picture`, in place.
+
+    `phase` is the time in the clip, 0..1, `half` half the picture's size, and `pixel` the size of a
+    pixel."""
     rows = _span(y, half[1] - 0.22, half[1] - 0.05)
     u = (x - (phase * 1.5 - 0.75) * (2 * half[0] + 0.6)) * 9.0
     v = ((y[rows] - (half[1] - 0.22)) / 0.17)[:, None]
@@ -131,7 +135,8 @@ class _Wheel:
 
 
 def _ball(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel: float) -> None:
-    """Draw a ball that bounces three times from right to left."""
+    """Draw a ball that bounces three times from right to left into `picture`, in place;
+    arguments as for `_train`."""
     radius = 0.075
     bounce = (phase * 3.0) % 1.0
     cx = half[0] + 0.05 - phase * (2 * half[0] + 0.1)
@@ -147,7 +152,7 @@ def _ball(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel
 
 
 def _spark(picture: Picture, x: Field, y: Field, phase: float, half: Point) -> None:
-    """Draw a point of light on a loop, twice as fast in one direction as in the other."""
+    """Draw a point of light on a loop into `picture`, in place; arguments as for `_train`."""
     cx, cy = 0.75 * half[0] * turn(phase)[0], -0.25 + 0.17 * turn(2.0 * phase)[1]
     rows, cols = _span(y, cy - 0.09, cy + 0.09), _span(x, cx - 0.09, cx + 0.09)
     r2 = (x[cols] - cx)[None, :] ** 2 + (y[rows] - cy)[:, None] ** 2

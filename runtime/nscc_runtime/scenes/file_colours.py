@@ -61,7 +61,8 @@ def of_profile(data: bytes) -> Stated:
 
 
 def _named(curves: tuple[Curve, ...], weights: Weights, text: str) -> Stated:
-    """Return colours with a note; without a note if they are sRGB."""
+    """Return colours with a note that names them; without a note if they are sRGB. Raises
+    ValueError if a curve does not rise."""
     ramp = np.linspace(0, 1, 65)
     values = [curve(ramp) for curve in curves]
     if not all(np.isfinite(value).all() and value[-1] > value[0] for value in values):
@@ -103,7 +104,8 @@ def _table(samples: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray
 
 
 def _parametric(numbers: tuple[float, ...], values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Apply the function of 1, 3, 4, 5 or 7 `numbers`: g, a, b, c, d, e, f."""
+    """Return `values` mapped by the ICC parametric curve with 1, 3, 4, 5 or 7 numbers: g, a, b,
+    c, d, e, f."""
     g, a, b, c, d, e, f = numbers[0], 1.0, 0.0, 0.0, -np.inf, 0.0, 0.0
     if len(numbers) > 1:
         a, b = numbers[1:3]

@@ -54,7 +54,7 @@ def timed(pages: Pages) -> Pages:
 
 
 def _even(durations_s: NDArray[np.float64]) -> bool:
-    """Return whether durations are equal before the clock rounded their ends."""
+    """Return whether these frame durations are equal, up to the rounding of a clock."""
     shortest, difference_s = float(durations_s.min()), float(np.ptp(durations_s))
     if difference_s > _CLOCK_S + _SLACK:
         return False

@@ -29,7 +29,7 @@ _WIDEST_NUMBER = 8
 
 
 def is_hdf5(path: Path) -> bool:
-    """Return whether a file is HDF5, with or without a user block."""
+    """Return whether a file is HDF5 (MATLAB 7.3), also behind a block of other data."""
     with open(path, "rb") as file:
         for start in _USER_BLOCKS:
             file.seek(start)

@@ -86,7 +86,11 @@ class _Request:
             exposure.needed(self.name)
 
     def scale(self, open_sum: NDArray[np.float64], placement: Placement) -> float:
-        """Return the factor from the scene's unit to electrons: given, or from the exposure."""
+        """Return the factor from the scene's unit to electrons: the given one, or the one that
+        gives the exposure asked for.
+
+        `open_sum` is the scene's light over the frame, of which `placement` says what is exposed.
+        """
         if self.factor is not None:
             return self.factor
         assert self.exposure is not None  # `check_exposure` was called
@@ -320,7 +324,7 @@ def _say_notes(request: _Request, pages: Pages) -> tuple[str, ...]:
 
 
 def _refuse(request: _Request, why: str, *names: str) -> None:
-    """Raise Rejected (NS0739) if one of these options is set."""
+    """Raise Rejected (NS0739), for the reason `why`, if one of the options `names` is set."""
     for name in names:
         if getattr(request.scene, name) != getattr(Scene, name):
             option = declared(Scene)[name].option
@@ -333,7 +337,9 @@ def _refuse(request: _Request, why: str, *names: str) -> None:
 
 
 def _array(request: _Request, path: Path) -> PlacedLight:
-    """Return the light of an array file: electrons, or a .mat clip."""
+    """Return the light of an array file on the array: electrons, or a clip of a benchmark (.mat).
+
+    Raises Rejected for options that do not apply."""
     if path.suffix.lower() == ".mat":
         key, values = light_arrays.read_mat(path, request.check_light)
         if key == light_arrays.MAT_CLIP_KEY:
@@ -442,7 +448,8 @@ def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None)
 def _say_changes(
     request: _Request, stored: NDArray[Any], colours: Colours, placement: Placement
 ) -> bool:
-    """Return whether the picture is in colour, and send notes on its changes to `warn`."""
+    """Return whether the picture is in colour, and send notes on its changes to `warn`. Notes
+    are sent for the first colour channel only."""
     colour = in_colour(stored)
     colours = Colours.of(request.scene.transfer or colours)
     if request.channel is None:

@@ -65,7 +65,8 @@ def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) 
 
 
 def _counting_part(split_names: Sequence[list[str]]) -> int | None:
-    """Return which part of the split names counts; None if not exactly one number differs."""
+    """Return the index of the part of file names that counts, given names split at their
+    numbers; None if not exactly one number differs."""
     if len(split_names) < 2 or len({len(split_name) for split_name in split_names}) != 1:
         return None
     varying = [k for k, texts in enumerate(zip(*split_names, strict=True)) if len({*texts}) > 1]
@@ -76,7 +77,8 @@ def _counting_part(split_names: Sequence[list[str]]) -> int | None:
 
 
 def _counts(name: str, like: list[str], place: int) -> bool:
-    """Return whether a file name equals the names of frames except for its number."""
+    """Return whether a file name equals the frames' names except for the number at index
+    `place`; `like` is such a name, split."""
     split_name = re.split(r"(\d+)", Path(name).stem)
     return len(split_name) == len(like) and all(
         split_name[k] == like[k] for k in range(len(like)) if k != place

@@ -65,7 +65,8 @@ def _reader(
 
 
 def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
-    """Decode a file's bytes by OpenCV. Raises ValueError if OpenCV cannot decode them."""
+    """Return the picture in a file's bytes, RGB or grey. Raises ValueError if OpenCV cannot
+    decode it."""
     import cv2
 
     # IMREAD_COLOR refuses 32 and 64 bits of one channel; with alpha they need IMREAD_UNCHANGED.

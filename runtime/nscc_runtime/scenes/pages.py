@@ -75,8 +75,9 @@ class UnsupportedPicture(Exception):
 
 
 def check_sizes(path: Path, pages: Pages, large: bool) -> None:
-    """Raise Rejected (NS0734) for a picture of more than MOST_PIXELS. With `large`, a single
-    picture of 8 bits per sample may have MOST_LARGE_PIXELS."""
+    """Raise Rejected (NS0734) if a picture of `path` has more than MOST_PIXELS.
+
+    With `large`, a single picture of 8 bits per sample may have MOST_LARGE_PIXELS."""
     rows, cols = max(pages.sizes, key=prod)
     admits_more = large and pages.has_8_bits and pages.count == 1
     if rows * cols > (MOST_LARGE_PIXELS if admits_more else MOST_PIXELS):

@@ -159,7 +159,8 @@ def only_picture(path: Path, pages: Pages) -> NDArray[Any]:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """Convert exceptions of readers to NS0732, with the reader's text or the reason."""
+    """Turn the exceptions of readers in a with block into Rejected (NS0732), with the reader's
+    text; their prints are hidden."""
     try:
         with quiet():
             yield

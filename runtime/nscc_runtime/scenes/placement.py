@@ -130,7 +130,7 @@ class Placement:
         return values[..., : self.size[0], : self.size[1]]
 
     def pieces(self, light: Light) -> list[Light]:
-        """Return the light on each array, row by row."""
+        """Return the light of the picture cut into arrays, from left to right and row by row."""
         if self.fits_one_array:
             return [light]
         rows, cols = self.array
@@ -141,7 +141,8 @@ class Placement:
         ]
 
     def joined(self, pieces: list[NDArray[Any]]) -> NDArray[Any]:
-        """Join values (.., rows, cols) of all arrays, row by row, to the picture."""
+        """Return the picture of values (.., rows, cols) of all arrays, given row by row;
+        overlaps and margins are cut off."""
         if len(pieces) == 1:
             return self.cut(pieces[0])
         parts = iter(pieces)
@@ -190,7 +191,8 @@ def placement_of(
 
 
 def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float32]:
-    """Return the light (rows, cols) of the exposed picture on all arrays."""
+    """Return the light of a picture on all arrays, (rows, cols), scaled to its placement; its
+    mirror image fills the rest."""
     exposed = light.astype(np.float32)
     if exposed.shape != placement.size:
         import cv2
@@ -210,7 +212,8 @@ def in_colour(stored: NDArray[Any]) -> bool:
 
 
 def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
-    """Return notes (NS0773) on changes of size and colours of a picture."""
+    """Return notes (NS0773) on how a picture `name` was cut, scaled or turned grey to fit the
+    array."""
     notes = []
     picture, array = size(placement.picture), size(placement.array)
     if placement.fit == "crop" and placement.picture != placement.size:
@@ -243,7 +246,8 @@ def no_colours(name: str) -> Diagnostic:
 
 
 def taken_for_srgb(name: str) -> Diagnostic:
-    """Return the note NS0773 on floating-point samples in a display format."""
+    """Return the note (NS0773) that floating-point samples in a display format were treated as
+    sRGB."""
     return picture_note(
         f"the numbers of '{name}' are treated as sRGB, with white at 1",
         "--transfer linear treats them as linear light",
@@ -257,7 +261,8 @@ def few_bits(stored: NDArray[Any]) -> bool:
 
 
 def white_used(name: str, curve: str, stored: NDArray[Any]) -> Diagnostic:
-    """Return the note NS0773 on curve and white level of a first picture with `few_bits`."""
+    """Return the note (NS0773) on the curve and the white level with which samples of few bits
+    were converted."""
     return picture_note(
         f"the samples of '{name}' are converted with {curve} and white at "
         f"{white_of(stored.dtype):g}; the largest is {stored.max():g}",

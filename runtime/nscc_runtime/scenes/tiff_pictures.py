@@ -222,7 +222,8 @@ def _picture(path: Path, byte_order: bytes, page: _Page) -> NDArray[Any]:
 
 
 def _by_pillow(path: Path, page: _Page) -> NDArray[Any] | None:
-    """Return the page in 8 bits; None if Pillow does not support its kind."""
+    """Return the page as 8-bit grey or RGB; None if Pillow does not support its kind, or cannot
+    seek to it."""
     from PIL import Image, UnidentifiedImageError
 
     if page.skipped:
@@ -236,7 +237,8 @@ def _by_pillow(path: Path, page: _Page) -> NDArray[Any] | None:
 
 
 def _files_of_planes(path: Path, byte_order: bytes, page: _Page) -> list[bytes]:
-    """Return TIFF files that contain the page alone, or each of its separate planes as grey."""
+    """Return TIFF files in memory that contain the page alone, or each of its separate colour
+    planes as grey."""
     tags = page.tags
     starts_tag, counts_tag = (
         (_TILE_STARTS, _TILE_COUNTS) if _TILE_STARTS in tags else (_STARTS, _COUNTS)

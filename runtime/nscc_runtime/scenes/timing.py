@@ -80,8 +80,9 @@ def spread(
     overlap: Overlaps,
     factor_of: Callable[[NDArray[np.float64]], float],
 ) -> Light:
-    """Return the light of a clip in electrons per second, up to a factor, integrated as piecewise
-    constant. `factor_of` returns the factor for the light of all slots (rows, cols)."""
+    """Return the light of a clip in electrons per second, up to a factor, integrated as
+    piecewise constant. `factor_of` returns the factor for the light of all slots (rows, cols).
+    `overlap` gives for each slot the frames that it sees and for how many seconds."""
     share = np.bincount(overlap.frame_index, overlap.seconds, len(frames))
     open_sum = np.zeros(frames.shape[1:], np.float64)
     for frame, time_s in zip(frames, share, strict=True):

@@ -84,7 +84,8 @@ def video_pages(path: Path) -> Pages:
 
 @contextmanager
 def _opened(path: Path) -> Iterator[tuple[Any, Any]]:
-    """Open a video, and yield its container and the stream of the film."""
+    """Open a video for a with block, and yield its container and the stream of the film; other
+    files are never opened."""
     import av
 
     # Open a file object, because FFmpeg looks for a protocol in names; files that a playlist
@@ -223,7 +224,8 @@ def _planes(frame: Any, bits: int) -> list[NDArray[Any]]:
 def _as_fractions(
     planes: Sequence[NDArray[Any]], bits: int, full: bool
 ) -> list[NDArray[np.float32]]:
-    """Return luma 0..1 and chroma -0.5..0.5, from full or limited range."""
+    """Return luma 0..1 and chroma -0.5..0.5 of planes with this number of bits, from `full` or
+    limited range."""
     step = 1 << (bits - 8)
     most = (1 << bits) - 1
     luma_black, luma_span = (0, most) if full else (16 * step, 219 * step)
