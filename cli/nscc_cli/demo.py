@@ -67,9 +67,9 @@ def command(
 
     Writes a sheet with the ground truth, an ordinary exposure, the readout, the reconstruction and
     its error, and the reconstruction as a separate file. For a photo, the sheet also shows pixels
-    that look at their light, which need no decoder. For a clip with several readouts, it also
-    shows a burst of the same number of ordinary frames. Without PHOTO, a built-in scene is
-    exposed."""
+    that look at their light, which need no decoder, and an ordinary bracket of three readouts. For
+    a clip with several readouts, it also shows a burst of the same number of ordinary frames.
+    Without PHOTO, a built-in scene is exposed."""
     if scene is not None and Path(scene).suffix.lower() in (".nsl", ".icw"):
         raise click.UsageError(
             f"'{scene}' is a program, and the demo exposes a photo or a clip with shutters of its "
@@ -104,6 +104,8 @@ def command(
             ordinary = "an ordinary camera with automatic exposure"
         if result.fair_db is not None:
             beside += f", {ordinary} {result.fair_db:.1f} dB"
+        if result.bracket_db is not None:
+            beside += f", bracket {result.bracket_db:.1f} dB"
         say_done(
             f"always open {result.open_db:.1f} dB, reconstructed {result.psnr_db:.1f} dB{beside}"
         )

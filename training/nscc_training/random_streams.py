@@ -33,3 +33,7 @@ class DrawStream(IntEnum):
     """Codes and light of lessons for a decoder, by step."""
     LESSON_NOISE = 13
     """Noise of the frames of lessons, by step."""
+    JITTER = 14
+    """Moves of the initial codes."""
+    RANDOM_CODES = 15
+    """Random codes of restarts and of decoders for random codes, by step or number."""

@@ -59,8 +59,8 @@ class ShutterSettings:
             lambda run: (
                 run.decoder.lessons
                 and run.shutter.learn
-                and "lessons use codes of every kind, and the run's own codes do not learn: "
-                "set it to false"
+                and "lessons use codes of every kind, and the run's own codes do not learn: set "
+                "it to false"
             ),
         ),
     )
@@ -92,11 +92,11 @@ class ShutterSettings:
     tried_share: float = key(
         Number(1e-4, 1), "with `tried`: the fraction of the pixels that a trial moves", 1.0
     )
-    moves: int = key(_COUNT, "with `search`: the number of candidate codes per step", 64)
+    moves: int = key(_COUNT, "with `search`: the number of candidate codes per step", 256)
     judged: int = key(
         _COUNT,
-        "with `search`: the number of best candidates that the decoder compares on the "
-        "step's batch",
+        "with `search`: the number of best candidates by the gradient, whose loss is measured on "
+        "a fixed batch",
         3,
     )
     most_words: float = key(
@@ -114,12 +114,13 @@ class ShutterSettings:
     )
     warm_up: float = key(
         Number(0, 1),
-        "the first fraction of the steps, in which only the decoder learns",
+        "the first fraction of the steps, in which only the decoder learns; with `search`, from "
+        "random codes",
         0.0,
         checks=(
             lambda run: (
                 run.shutter.learn
-                and run.shutter.warm_up + run.shutter.settle >= 1
+                and run.shutter.warm_up + run.settle_share >= 1
                 and "with `shutter.settle` it takes all steps, so codes cannot learn: reduce "
                 "it, or set `shutter.learn` to false"
             ),
@@ -127,8 +128,21 @@ class ShutterSettings:
     )
     settle: float = key(
         Number(0, 1),
-        "the last fraction of the steps, in which only the decoder learns",
-        0.0,
+        "the last fraction of the steps, in which the codes are frozen, and the decoder learns "
+        "with a new cycle of rates",
+        0.5,
+    )
+    jitter: float = key(
+        Number(0, 1e3),
+        "standard deviation of random moves of the named initial codes before gradients move "
+        "them, in slots (exposure times: quarter stops): equal places would stay equal",
+        1.0,
+    )
+    restarts: int = key(
+        Integer(0, 1000),
+        "how often codes and decoder begin again, from random codes, in equal parts of the steps "
+        "before `settle`; the best validated state settles",
+        0,
     )
     target: str = key(TextKind(), "the chip: a name or a file, as --target takes it", "scamp5")
     buckets: int = key(
@@ -417,7 +431,7 @@ class TrainSettings:
     )
     schedule: str = key(
         TextKind(("cosine", "constant")),
-        "schedule of both learning rates; they rise in the first steps, at most 20",
+        "schedule of both learning rates in a cycle; they rise in its first steps, at most 20",
         "cosine",
     )
     clip: float = key(Number(0, 1e9), "largest norm of the decoder's gradient; 0: any", 1.0)
@@ -450,6 +464,14 @@ class RunSettings:
         """The classes that the decoder distinguishes; empty if it reconstructs light."""
         classifies = load_protocol(self.data.protocol).classifies
         return self.data.classes or DIRECTIONS if classifies else ()
+
+    @property
+    def settle_share(self) -> float:
+        """The fraction of the steps in which the codes settle: 0 if the codes do not learn, or if
+        the decoder has nothing to learn."""
+        decoder = DECODERS.get(self.decoder.name)
+        can_settle = self.decoder.learn and (decoder is None or decoder.has_weights)
+        return self.shutter.settle if self.shutter.learn and can_settle else 0.0
 
     @property
     def unknown_classes(self) -> tuple[str, ...]:

@@ -70,6 +70,11 @@ class Decoder:
     guesses: bool = False
     two_buckets: bool = False
 
+    @property
+    def has_weights(self) -> bool:
+        """Whether it has weights that can learn."""
+        return self.scales or not self.fixed_channels
+
 
 _HERE = "nscc_training.decoders"
 _PROJECTS = "projects with the code, so it needs the code"

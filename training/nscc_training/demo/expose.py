@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
+from itertools import accumulate, pairwise
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +32,7 @@ from nscc_runtime.scenes import Fit, PlacedLight, Scene, laid_lights
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener
 from nscc_training.demo.subject import Subject
+from nscc_training.design.bracket import bracket_slots
 from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.scene import best_stop
 from nscc_training.design.text import frame_text
@@ -93,7 +96,9 @@ class Exposed:
     `usual_dark` are their dark frames. `seconds` is the simulation time of the coded frame.
     `looked` is a still exposed by pixels that look. `fair` is a frame and dark frames of an
     ordinary camera at its best: a still with the best single stop, or a clip in a burst of as many
-    frames as `program` has readouts, if there are several."""
+    frames as `program` has readouts, if there are several. `bracket` is a still in three readouts
+    of one exposure, one after the other, with dark frames; None if the chip has too few
+    registers."""
 
     run: Path | None
     program: Path
@@ -108,6 +113,7 @@ class Exposed:
     seconds: float
     looked: Looked | None
     fair: tuple[Taken, Taken] | None
+    bracket: tuple[Taken, Taken] | None
 
     @property
     def still(self) -> bool:
@@ -193,6 +199,15 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
             simulate_scene(ordinary, laid, sensor, request, listener),
             _dark(ordinary, sensor, settings, listener),
         )
+    bracket = None
+    if subject.still:
+        with suppress(Rejected):
+            lengths = bracket_slots(like.slots)
+            three = camera(like.slots, like.slot_us, target, lengths=lengths)
+            bracket = (
+                simulate_scene(three, laid, sensor, request, listener),
+                _dark(three, sensor, settings, listener),
+            )
     return Exposed(
         run,
         program,
@@ -207,6 +222,7 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
         seconds,
         looked,
         fair,
+        bracket,
     )
 
 
@@ -258,19 +274,29 @@ def _laid(
 
 
 def camera(
-    slots: int, slot_us: float, target: str | None = None, frames: int = 1, stop: int | None = None
+    slots: int,
+    slot_us: float,
+    target: str | None = None,
+    frames: int = 1,
+    stop: int | None = None,
+    lengths: Sequence[int] = (),
 ) -> Container:
     """Return the program of an ordinary camera, open until slot `stop`, or one of `frames` after
-    the other."""
+    the other, of equal `lengths` or of those in slots.
+
+    Raises Rejected if several frames do not fit the chip."""
     rules = f"open when n < {stop or slots}\n"
-    if frames > 1:
-        ends = [slots * k // frames for k in range(frames + 1)]
+    ends = [slots * k // frames for k in range(frames + 1)]
+    if lengths:
+        ends = [0, *accumulate(lengths)]
+    if len(ends) > 2:
         rules = "".join(
-            f"bucket frame{k + 1} open when {ends[k]} <= n < {ends[k + 1]}\n" for k in range(frames)
+            f"bucket frame{k} open when {first} <= n < {last}\n"
+            for k, (first, last) in enumerate(pairwise(ends), start=1)
         )
     text = f"nsl 1\n{frame_text(slots, slot_us)}\n{rules}"
     compiled = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
-    assert compiled.container is not None  # a single shutter fits every chip
+    assert compiled.container is not None
     return compiled.container
 
 

@@ -36,13 +36,15 @@ class Demo:
 
     `files` are the written files, the sheet first. PSNR in dB is given for always open pixels, the
     reconstruction, a still with pixels that look, and an ordinary camera at its best (one stop for
-    a still, a burst of `readouts` frames for a clip). `commands` do the same step by step."""
+    a still, a burst of `readouts` frames for a clip), and a still in an ordinary bracket.
+    `commands` do the same step by step."""
 
     files: tuple[Path, ...]
     open_db: float
     psnr_db: float
     looked_db: float | None
     fair_db: float | None
+    bracket_db: float | None
     readouts: int
     commands: tuple[str, ...]
 
@@ -95,6 +97,7 @@ def demo(
         shown.psnr_db,
         shown.looked_db,
         shown.fair_db,
+        shown.bracket_db,
         exposed_scene.readouts,
         _commands(exposed_scene, settings, files),
     )

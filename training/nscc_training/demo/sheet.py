@@ -16,6 +16,8 @@ from nscc_runtime.pictures.tone import Tone, fitted
 from nscc_runtime.pieces import Taken
 from nscc_training.code_choices import over_array
 from nscc_training.demo.expose import Exposed, Looked
+from nscc_training.design.bracket import merged_bracket
+from nscc_training.design.chip import DesignChip
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
 
 if TYPE_CHECKING:
@@ -87,15 +89,41 @@ class Shown:
         """Return the light of an ordinary camera; the frames of a clip are shown for as long as
         they were open."""
         shutters = capture.container.table.shutters[0]
-        dark_codes = dark.simulated.frame.frame.mean(axis=0)
-        frames = []
-        for k, open_slots in enumerate(shutters.sum(axis=-1)):
-            codes = self.exposed_scene.codes(capture, k)
-            offset = over_array(dark_codes[k], *codes.shape[:2])
-            offset = offset if codes.ndim == 2 else offset[..., None]
-            light = (codes - offset) / open_slots * self.exposed_scene.sensor.electrons_per_lsb
-            frames += [light] * int(open_slots)
+        frames: list[NDArray[np.float64]] = []
+        for open_slots, exposure_e in zip(
+            shutters.sum(axis=-1), self._exposures_e(capture, dark), strict=True
+        ):
+            frames += [exposure_e / open_slots] * int(open_slots)
         return frames[0] * shutters.shape[-1] if self.still else np.stack(frames)
+
+    def _exposures_e(self, capture: Taken, dark: Taken) -> list[NDArray[np.float64]]:
+        """Return the electrons of each readout above its dark frame."""
+        exposures_e = []
+        for k, dark_codes in enumerate(dark.simulated.frame.frame.mean(axis=0)):
+            codes = self.exposed_scene.codes(capture, k)
+            offset = over_array(dark_codes, *codes.shape[:2])
+            offset = offset if codes.ndim == 2 else offset[..., None]
+            exposures_e.append((codes - offset) * self.exposed_scene.sensor.electrons_per_lsb)
+        return exposures_e
+
+    @cached_property
+    def bracket_light(self) -> NDArray[np.float64] | None:
+        """The light of an ordinary bracket, merged without a network; None if there is none."""
+        if self.exposed_scene.bracket is None:
+            return None
+        capture, dark = self.exposed_scene.bracket
+        saturated = np.moveaxis(capture.simulated.frame.saturated, -3, 0)
+        if saturated.ndim == 4:  # colours become the last axis
+            saturated = np.moveaxis(saturated, 1, -1)
+        exposure_e = np.stack(self._exposures_e(capture, dark))
+        open_share = capture.container.table.shutters[0].mean(axis=-1)
+        chip = DesignChip.of(capture.container.target, self.exposed_scene.sensor)
+        return merged_bracket(exposure_e, open_share, saturated, chip)
+
+    @property
+    def bracket_db(self) -> float | None:
+        """The PSNR of an ordinary bracket, in dB; None if there is none."""
+        return None if self.bracket_light is None else self.decibels(self.bracket_light)
 
     @property
     def fair_db(self) -> float | None:
@@ -163,6 +191,8 @@ def demo_sheet(shown: Shown) -> Figure:
         f"{name if name.startswith('builtin:') else Path(name).name}: {shown.measure} "
         f"{best_db:.1f} dB by {how}{worse} an ordinary camera {shown.camera_db:.1f} dB"
     )
+    if shown.bracket_db is not None:
+        title += f", an ordinary bracket {shown.bracket_db:.1f} dB"
     rows = _still_rows(shown) if shown.still else _clip_rows(shown)
     return image_sheet(rows, title, _SIDE_INCHES)
 
@@ -196,6 +226,16 @@ def _still_rows(shown: Shown) -> list[list[Image]]:
             _readout(shown),
         ]
     ]
+    if shown.bracket_light is not None and shown.exposed_scene.bracket is not None:
+        container = shown.exposed_scene.bracket[0].container
+        lengths_ms = container.table.shutters[0] @ np.array(container.slot_us) * 1e-3
+        lengths = ", ".join(f"{length:.3g}" for length in lengths_ms)
+        note = (
+            f"readouts of {lengths} ms in one exposure time, merged: {shown.measure} "
+            f"{shown.bracket_db:.1f} dB"
+        )
+        bracket = shown.fitted(np.maximum(shown.bracket_light, 0))
+        rows[0].append(Image(_fit(bracket), "an ordinary bracket", note))
     if shown.exposed_scene.looked is not None:
         rows.insert(0, _of_looks(shown, shown.exposed_scene.looked, truth))
     first = [Image(_fit(truth), "truth", _tone(shown))]

@@ -73,6 +73,8 @@ Codes = dict[str, NDArray[np.int64]]
 class Encoder(nn.Module, ABC):
     """Learned shutters of one class on a tile.
 
+    `jitter_unit` is the unit of random moves of the start, in the unit of the parameters.
+
     Calling an encoder returns the shutters for training, (N, rows, cols) of the tile: exactly 0
     and 1 with `straight-through`, values between them with a relaxation. `hard()` returns the
     shutters that are compiled. Call `project()` after every optimiser step: it clips parameters to
@@ -85,6 +87,8 @@ class Encoder(nn.Module, ABC):
     relaxation : str
         One of `nscc_training.code_choices.RELAXATIONS`.
     """
+
+    jitter_unit = 0.0
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         """Begin without parameters; raise ValueError for an unknown relaxation."""
@@ -211,6 +215,23 @@ class Encoder(nn.Module, ABC):
         """Clip the parameters to their legal range."""
         for parameter, (low, high) in self.ranges():
             parameter.clamp_(low, high)
+
+    @torch.no_grad()
+    def jitter(self, amount: float, generator: np.random.Generator) -> None:
+        """Move all parameters by normal noise, whose standard deviation is `amount` units.
+
+        Places with equal codes have equal gradients, so they would stay equal.
+
+        Parameters
+        ----------
+        amount : float
+            In units of `jitter_unit`.
+        generator : numpy.random.Generator
+        """
+        for parameter, _ in self.ranges():
+            moves = generator.normal(0.0, amount * self.jitter_unit, tuple(parameter.shape))
+            parameter.add_(torch.as_tensor(moves).to(parameter))
+        self.project()
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
         """Return the parameters with their legal ranges.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
@@ -14,6 +15,8 @@ from nscc_training.gradients import opened, replaced, rounded
 
 _FAR = 1e6
 """Distance in slots before the frame at which a fixed edge lies."""
+_FINEST = 2.0**-20
+"""Exposure times are multiples of this, in slots, so that whole numbers stay whole."""
 _MOST_DISTANCES = 1 << 24
 _REACH = 2
 """Radius in pixels within which losses are credited to a trial."""
@@ -53,10 +56,11 @@ class Bump(Encoder):
     Edges are boundaries 0..N between slots: real parameters in float64, precise for thousands of
     slots. The gradient of an edge is the light that flows through the slots beside it.
 
-    `limits` are the legal values of each field; each field is a parameter of that name. `legal`
-    (codes, fields), if set, lists the codes that `require` of a program allows: codes snap to the
-    nearest."""
+    `limits` are the legal values of each field in slots; each field is a parameter of that name.
+    `legal` (codes, fields), if set, lists the codes that `require` of a program allows: codes snap
+    to the nearest."""
 
+    jitter_unit = 1.0
     width = 1.0
     """Width in slots of the surrogate gradient of an edge; 1 is the physical width."""
 
@@ -69,8 +73,8 @@ class Bump(Encoder):
         self.limits = limits
         self.legal: Tensor | None = None
         for name, (low, _) in limits.items():
-            start = torch.full(spec.tile, float(low), dtype=torch.float64)
-            self.register_parameter(name, nn.Parameter(start))
+            lowest = torch.full(spec.tile, float(low), dtype=torch.float64)
+            self.register_parameter(name, nn.Parameter(self.parameter_of(lowest)))
 
     def restrict(
         self, legal: NDArray[np.int64], generator: np.random.Generator | None = None
@@ -130,9 +134,20 @@ class Bump(Encoder):
 
     def fields(self, generator: torch.Generator | None) -> Tensor:
         """Return the real fields (fields, rows, cols), clipped to their limits with gradient 1."""
-        return self.within(
-            torch.stack([self.noisy(self.get_parameter(name), generator) for name in self.limits])
-        )
+        slots = (self.slots_of(self.get_parameter(name)) for name in self.limits)
+        return self.within(torch.stack([self.noisy(field, generator) for field in slots]))
+
+    def slots_of(self, parameter: Tensor) -> Tensor:
+        """Return the edge in slots for a parameter."""
+        return parameter
+
+    def parameter_of(self, slots: Tensor) -> Tensor:
+        """Return the parameter for an edge in slots: the inverse of `slots_of`."""
+        return slots
+
+    def bound_of(self, slots: int) -> float:
+        """Return the parameter for a limit in slots, without a tensor."""
+        return slots
 
     def within(self, fields: Tensor) -> Tensor:
         """Return fields (fields, rows, cols) clipped to their limits."""
@@ -156,7 +171,10 @@ class Bump(Encoder):
         return replaced(fields, legal[torch.cat(nearest)].T.reshape(fields.shape))
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
-        return [(self.get_parameter(name), limits) for name, limits in self.limits.items()]
+        return [
+            (self.get_parameter(name), (self.bound_of(low), self.bound_of(high)))
+            for name, (low, high) in self.limits.items()
+        ]
 
     def codes(self) -> Codes:
         """Return the fields as integers, rounded to legal codes; raise ValueError if a parameter
@@ -178,14 +196,29 @@ class Bump(Encoder):
         """Set the values of all fields, given in the order of `limits`."""
         with torch.no_grad():
             for name, values in zip(self.limits, fields, strict=True):
-                self.get_parameter(name).copy_(torch.as_tensor(np.asarray(values, np.float64)))
+                slots = torch.as_tensor(np.asarray(values, np.float64))
+                self.get_parameter(name).copy_(self.parameter_of(slots))
 
 
 class Stop(Bump):
-    """Class b: open from slot 0 to a stop of 1..N; a shutter opens at least once."""
+    """Class b: open from slot 0 to a stop of 1..N; a shutter opens at least once.
+
+    The parameter is the stop in octaves: a step changes all exposures by the same ratio."""
+
+    jitter_unit = 0.25
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation, {"stop": (1, spec.slots)})
+
+    def slots_of(self, parameter: Tensor) -> Tensor:
+        stop = torch.exp2(parameter)
+        return replaced(stop, torch.round(stop.detach() / _FINEST) * _FINEST)
+
+    def parameter_of(self, slots: Tensor) -> Tensor:
+        return torch.log2(slots)
+
+    def bound_of(self, slots: int) -> float:
+        return math.log2(slots)
 
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
         return torch.full_like(fields[0].detach(), -_FAR), fields[0]

@@ -27,6 +27,9 @@ slots)."""
 class _Digits(Encoder):
     """Binary digits: 1 if the parameter is above 0. Parameters lie in -1..1."""
 
+    jitter_unit = 0.1
+    """A fifth of the distance to the other digit: a start keeps its digits."""
+
     def digits(self, logits: Tensor, generator: torch.Generator | None, soft: bool) -> Tensor:
         """Return 0 or 1 for every logit, or a value between them if `soft`."""
         noisy = self.noisy(logits, generator)

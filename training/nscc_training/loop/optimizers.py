@@ -1,8 +1,7 @@
-"""The optimizers of a run: Adam, or Muon for the inner convolutions, and the learning rates."""
+"""The optimizers of a run: Adam, or Muon for the inner convolutions."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from typing import Any
 
@@ -10,12 +9,9 @@ import torch
 from torch import Tensor
 
 from nscc_training.loop.setup import TrainingSetup
-from nscc_training.settings import TrainSettings
 
 _MUON_RATE = 4.0
 """Factor on Adam's rate; steps then have 0.8 of that rate as root mean square."""
-_WARM_UP, _SHARE = 20, 50
-"""Most steps in which the rates rise; they are at most one in `_SHARE` of all steps."""
 
 
 class Muon(torch.optim.Muon):
@@ -66,19 +62,3 @@ def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
         optimizers.append(Muon(inner, rate))
         optimizers[-1].param_groups[0]["base"] = rate
     return optimizers
-
-
-def set_rates(
-    optimizers: Iterable[torch.optim.Optimizer], settings: TrainSettings, step: int
-) -> None:
-    """Set the learning rates for a step.
-
-    They rise from 0 in the first `_WARM_UP` steps: Adam's first steps have the size of the rate
-    whatever the gradient, and all weights of a wide network at once drive its output out of range.
-    """
-    factor = min(1.0, (step + 1) / (1 + min(_WARM_UP, settings.steps // _SHARE)))
-    if settings.schedule == "cosine":
-        factor *= 0.5 * (1 + math.cos(math.pi * step / settings.steps))
-    for optimizer in optimizers:
-        for group in optimizer.param_groups:
-            group["lr"] = group["base"] * factor

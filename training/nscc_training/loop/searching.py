@@ -1,7 +1,9 @@
-"""A step of a search: compare moved codes by the decoder's loss.
+"""A step of a search: propose moved codes by the gradient of the decoder's loss, and accept one by
+its measured loss.
 
 The decoder is not trained during the search, so that it does not favour codes that were tried
-earlier. The remaining steps (`settle`) train it for the result."""
+earlier. It learned random codes in `warm_up`; the remaining steps (`settle`) train it for the
+result."""
 
 from __future__ import annotations
 
@@ -11,6 +13,7 @@ from itertools import islice
 import numpy as np
 import torch
 from numpy.typing import NDArray
+from torch import Tensor
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_training.data import Batch
@@ -20,18 +23,9 @@ from nscc_training.loop.setup import TrainingSetup
 from nscc_training.loop.steps import compared, decoded, window
 from nscc_training.programs import compiled, program_of, words_per_slot
 from nscc_training.random_streams import DrawStream
-from nscc_training.search.expected import Motion, told_db
-from nscc_training.search.moves import moved
-from nscc_training.sensor_model import SensorModel
+from nscc_training.search.moves import SINGLE_SHARE, moved
 from nscc_training.settings import ShutterSettings
 
-_SPEEDS = (2.0, 8.0, 24.0, 64.0)
-"""Speeds in pixels per frame, from moving hands and heads to passing objects."""
-_MEAN_LIGHT = 0.1
-"""Mean light, in full wells, that the closed form assumes.
-
-Films have three times as much, but displays show noise mainly in dark regions. With this value the
-closed form ranks codes as the decoder for any code does."""
 _FEWER = 0.9
 """Factor on the number of words per step while codes exceed their limit.
 
@@ -42,30 +36,38 @@ per slot."""
 def search(setup: TrainingSetup, batch: Batch, step: int) -> float:
     """Move the codes to the best of some candidates if it is better; return the loss of the result.
 
-    The closed form selects `shutter.judged` of `shutter.moves` candidates (for stills the first
-    ones) among those that compile within `shutter.most_words`. The loss is that of the batch's
-    patches under the same noise, plus the weighted number of words. A candidate is better if its
-    mean gain over patches exceeds the standard error. While codes exceed the limit of words, the
-    best candidate with at least a tenth fewer words is chosen, whatever its loss."""
+    `shutter.judged` of `shutter.moves` candidates are judged: those with the largest expected gain
+    among those that compile within `shutter.most_words`. Their loss is measured on the batch, the
+    same in all steps, plus the weighted number of words. A candidate is better if its mean gain
+    over patches exceeds the standard error. While codes exceed the limit of words, the best
+    candidate with at least a tenth fewer words is chosen, whatever its loss."""
     chosen = setup.settings.shutter
     setup.decoder.eval()
     generator = np.random.default_rng([setup.settings.train.seed, DrawStream.SEARCH_MOVES, step])
     current = codes_of(setup)
-    candidates = [moved(setup.encoder.spec, current, generator) for _ in range(chosen.moves)]
     first, words = _losses(setup, current, batch, step), _words(setup, current)
+    setup.encoder.load_codes(current)
+    gain = expected_gain(setup, batch, step)
     over = words is not None and not within(chosen, words)
     allowed = chosen.most_words or np.inf
     if words is not None and over:
         allowed = max(allowed, _FEWER * words)
+    # A single place hardly changes the number of words.
+    single_share = 0.0 if over else SINGLE_SHARE
+    candidates = [
+        moved(setup.encoder.spec, current, generator, single_share) for _ in range(chosen.moves)
+    ]
     best = None if over else (current, first)
     fitting = (
-        codes for codes in _expected(setup, current, candidates) if _fits(setup, codes, allowed)
+        codes
+        for codes in _promising(setup, current, candidates, gain)
+        if _fits(setup, codes, allowed)
     )
     for codes in islice(fitting, chosen.judged):
         candidate_losses = _losses(setup, codes, batch, step)
-        gain = first - candidate_losses
-        error = gain.std(ddof=1) / len(gain) ** 0.5 if len(gain) > 1 else 0.0
-        if (over or gain.mean() > error) and (
+        gains = first - candidate_losses
+        error = gains.std(ddof=1) / len(gains) ** 0.5 if len(gains) > 1 else 0.0
+        if (over or gains.mean() > error) and (
             best is None or candidate_losses.mean() < best[1].mean()
         ):
             best = codes, candidate_losses
@@ -85,27 +87,36 @@ def codes_of(setup: TrainingSetup) -> Codes:
     return setup.encoder.codes() | ({} if book is None else {"book": book()})
 
 
-def _expected(setup: TrainingSetup, current: Codes, candidates: list[Codes]) -> list[Codes]:
-    """Return the candidates that are legal and differ from `current`, most promising first."""
+def _promising(
+    setup: TrainingSetup, current: Codes, candidates: list[Codes], gain: Tensor
+) -> list[Codes]:
+    """Return the candidates that are legal and differ from `current`, most promising first.
+
+    The expected gain of a candidate is the sum of `gain` (N, rows, cols) over the slots and places
+    that it opens, minus that over those that it closes."""
     ranked = []
-    motion = motion_seen(setup.model)
+    present = setup.encoder.hard()
     for codes in candidates:
         if all((values == current[name]).all() for name, values in codes.items()):
             continue
         with suppress(ValueError):  # codes that `require` forbids
             setup.encoder.load_codes(codes)
-            worth = 0.0 if setup.still else told_db(setup.encoder.hard().cpu().numpy(), motion)
-            ranked.append((worth, codes))
+            ranked.append((float((gain * (setup.encoder.hard() - present)).sum()), codes))
     ranked.sort(key=lambda pair: -pair[0])
     return [codes for _, codes in ranked]
 
 
-def motion_seen(model: SensorModel) -> Motion:
-    """Return the motion model of film-like scenes with a sensor's noise."""
-    read_e2 = (model.adc_noise_lsb**2 + 1 / 12) * model.electrons_per_lsb**2
-    mean_e = _MEAN_LIGHT * model.full_e
-    counts = 1 / mean_e if model.shot_noise else 0.0
-    return Motion(_SPEEDS, noise=read_e2 / mean_e**2, counts=counts)
+def expected_gain(setup: TrainingSetup, batch: Batch, step: int) -> Tensor:
+    """Return by how much the loss falls, to first order, if a place opens in a slot.
+
+    For a slot in which a place is open, the negative value is the gain of closing it. This is
+    -dL/dI times the light of the slot, plus the effect of the code on the decoder. Returns a tensor
+    (N, rows, cols) of the present codes' tile."""
+    tile = setup.encoder.hard().requires_grad_()
+    with torch.enable_grad():
+        losses = _batch_losses(setup, tile, batch, step)
+    (slope,) = torch.autograd.grad(losses.mean(), tile)
+    return -slope
 
 
 def _fits(setup: TrainingSetup, codes: Codes, allowed: float) -> bool:
@@ -126,20 +137,27 @@ def _words(setup: TrainingSetup, codes: Codes) -> float | None:
 @torch.no_grad()
 def _losses(setup: TrainingSetup, codes: Codes, batch: Batch, step: int) -> NDArray[np.float64]:
     """Return the loss of each patch (batch,) with these codes, plus the weight of their words."""
-    settings = setup.settings
-    seed, weight = settings.train.seed, settings.shutter.words_weight
     setup.encoder.load_codes(codes)
     setup.follow_codes()
-    rows, cols = batch.light.shape[-2:]
+    losses = _batch_losses(setup, setup.encoder.hard(), batch, step)
+    weight = setup.settings.shutter.words_weight
+    words = (_words(setup, codes) or 0.0) if weight else 0.0
+    return losses.double().cpu().numpy() + weight * words
+
+
+def _batch_losses(setup: TrainingSetup, tile: Tensor, batch: Batch, step: int) -> Tensor:
+    """Return the loss of each patch (batch,) that is exposed with a tile of shutters (N, r, c).
+
+    All tiles have the same noise in a step, so that losses can be compared."""
+    seed = setup.settings.train.seed
     place = (seed, DrawStream.TILE_WINDOWS, step)
-    shutters = window(setup.encoder.hard(), rows, cols, place).to(setup.device)
+    rows, cols = batch.light.shape[-2:]
+    shutters = window(tile, rows, cols, place).to(setup.device)
     noise = generator_of(setup.device, seed, DrawStream.READOUT_NOISE, step)
     prediction = decoded(setup, batch.light, shutters, setup.model, noise)
-    losses = torch.stack(
+    return torch.stack(
         [
             setup.loss(*compared(prediction[k : k + 1], batch.patches(k, k + 1)))
             for k in range(len(prediction))
         ]
     )
-    words = (_words(setup, codes) or 0.0) if weight else 0.0
-    return losses.double().cpu().numpy() + weight * words

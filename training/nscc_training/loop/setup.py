@@ -12,12 +12,13 @@ from torch import Tensor, nn
 
 from nscc.chips.load import load_target, parse_target, read_target
 from nscc.chips.target import Target
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.npy import check_size
 from nscc_runtime.effects import selected
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training import programs
 from nscc_training.any_code.decoder import AnyCode
-from nscc_training.code_choices import LOOKS, STARTS
+from nscc_training.code_choices import LOOKS, SLOPED, STARTS
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import DecoderTask
 from nscc_training.decoders.decoder_building import make_decoder
@@ -35,11 +36,16 @@ from nscc_training.losses import LOSSES, Loss
 from nscc_training.problems import invalid_setting, one_line
 from nscc_training.programs import MOST_LISTED, Chip, begun_with
 from nscc_training.protocols import Protocol, load_protocol
+from nscc_training.random_streams import DrawStream
 from nscc_training.run_files import WEIGHTS, run_path
 from nscc_training.sensor_model import SensorModel, shared_out
 from nscc_training.settings import RunSettings, ShutterSettings
 
 _STARTS = (*STARTS, "learned")
+_MEASURED_CODES = 48
+"""Number of random codes that a decoder learns under effects."""
+_MOST_DRAWS = 8
+"""Most draws of random codes until one compiles."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,6 +99,33 @@ class TrainingSetup:
         if self.settings.sensor.effects and self.tables.table is None:
             self.follow_codes()
         return self.tables.table
+
+    def start_random(self, *numbers: int) -> None:
+        """Set random codes that compile for the chip, drawn with the run's seed and `numbers`.
+
+        Raises Rejected with the compiler's errors if none of several draws compiles."""
+        for attempt in range(_MOST_DRAWS):
+            place = (self.settings.train.seed, DrawStream.RANDOM_CODES, *numbers, attempt)
+            self.encoder.start_random(np.random.default_rng(place))
+            try:
+                programs.compiled(programs.program_of(self.encoder, self.chip), self.chip)
+            except Rejected:
+                if attempt == _MOST_DRAWS - 1:
+                    raise
+            else:
+                return
+
+    def random_tile(self, number: int) -> Tensor:
+        """Return the shutters (N, rows, cols) of random codes, and use their emulated sensor.
+
+        A decoder that learns them judges codes before it is trained for one of them. With effects
+        there are few such codes, because each needs a measurement. The present codes stay."""
+        present = {key: value.clone() for key, value in self.encoder.state_dict().items()}
+        self.start_random(number % _MEASURED_CODES if self.settings.sensor.effects else number)
+        self.follow_codes()
+        tile = self.encoder.hard()
+        self.encoder.load_state_dict(present)
+        return tile
 
     def follow_codes(self) -> None:
         """Measure the emulated sensor of the present codes, if `[sensor]
@@ -232,6 +265,8 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
             raise invalid_setting("shutter.require", "it applies to the classes b, c and d")
         drawn = np.random.default_rng(seed) if start == "random" else None
         encoder.restrict(programs.legal_codes(spec, chip), drawn)
+    if named and start != "random" and chosen.learn and chosen.relaxation in SLOPED:
+        encoder.jitter(chosen.jitter, np.random.default_rng((seed, DrawStream.JITTER)))
     if not named:
         try:
             path = run_path(Path(chosen.init))

@@ -20,11 +20,11 @@ from nscc_training.data.exposures import quantiles
 from nscc_training.draws import generator_of
 from nscc_training.encoders import CodeTrial, Encoder
 from nscc_training.loop.ranks import Ranks
+from nscc_training.loop.schedule import codes_learn, settling_step
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.loop.steps import changes_of, compared, decoded, loss_of, window
 from nscc_training.random_streams import DrawStream
 from nscc_training.sensor_model import laid
-from nscc_training.settings import RunSettings
 
 
 class StepLoss(nn.Module):
@@ -56,7 +56,10 @@ class StepLoss(nn.Module):
             tile = setup.encoder(generator_of(device, seed, DrawStream.RELAXED_CODES, step))
             shutters = window(tile, rows, cols, place)
         else:
-            shutters = window(setup.encoder.hard(), rows, cols, place)
+            searched = settings.shutter.learn and setup.encoder.relaxation == "search"
+            waits = searched and step < settling_step(settings)
+            tile = setup.random_tile(step) if waits else setup.encoder.hard()
+            shutters = window(tile, rows, cols, place)
         noise = (seed, DrawStream.READOUT_NOISE, step, rank)
         prediction = decoded(
             setup, batch.light, shutters, setup.model, generator_of(device, *noise)
@@ -65,21 +68,6 @@ class StepLoss(nn.Module):
         if trial is not None:
             loss = loss + pull(setup, batch, trial, prediction, generator_of(device, *noise))
         return loss * self._ranks.weight(settings.train.batch)
-
-
-def codes_learn(settings: RunSettings, step: int) -> bool:
-    """Return whether the codes change in a step; they do not in `warm_up` and `settle`."""
-    shutter, steps = settings.shutter, settings.train.steps
-    return shutter.learn and shutter.warm_up * steps <= step < (1 - shutter.settle) * steps
-
-
-def anneal(setup: TrainingSetup, step: int) -> None:
-    """Set temperature and noise of the codes at a step."""
-    settings = setup.settings
-    progress_share = step / max(1, settings.train.steps - 1)
-    warm, cold = settings.shutter.temperature
-    setup.encoder.temperature = warm * (cold / warm) ** progress_share
-    setup.encoder.noise = settings.shutter.noise * (1 - progress_share)
 
 
 def trial_of(

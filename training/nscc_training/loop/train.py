@@ -28,8 +28,9 @@ from nscc_training.data import Batch, Exposures, ExposureSet, Scenes, cut_batch,
 from nscc_training.data.moving import shown_picture
 from nscc_training.draws import generator_of
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
-from nscc_training.loop.optimizers import optimizers_of, set_rates
+from nscc_training.loop.optimizers import optimizers_of
 from nscc_training.loop.ranks import Ranks
+from nscc_training.loop.schedule import anneal, codes_learn, cycle_of, set_rates, settling_step
 from nscc_training.loop.searching import search, within
 from nscc_training.loop.setup import TrainingSetup, make_setup
 from nscc_training.loop.state import (
@@ -42,7 +43,7 @@ from nscc_training.loop.state import (
     tensors_of,
 )
 from nscc_training.loop.state import unpack as unpacked
-from nscc_training.loop.step_loss import StepLoss, anneal, codes_learn, lesson_losses
+from nscc_training.loop.step_loss import StepLoss, lesson_losses
 from nscc_training.loop.steps import finite_norm
 from nscc_training.loop.validation import validated, validation_scenes
 from nscc_training.measures import means_text
@@ -120,7 +121,9 @@ _FOLLOW_EVERY = 50
 
 @dataclass
 class TrainingRun:
-    """A run in progress: `dataset` draws its steps, `shown` are its validation scenes."""
+    """A run in progress: `dataset` draws its steps, `shown` are its validation scenes.
+
+    `begun` are the tensors before the first step."""
 
     state: TrainingState
     dataset: Dataset[Any]
@@ -130,6 +133,7 @@ class TrainingRun:
     progress: TrainingProgress
     log: Log
     step_loss: nn.Module
+    begun: dict[str, Tensor]
 
     @property
     def setup(self) -> TrainingSetup:
@@ -229,12 +233,13 @@ def start(
         average = AveragedModel(setup.decoder, multi_avg_fn=decay, use_buffers=True)
     state = TrainingState(setup, optimizers_of(setup), average)
     progress, log = TrainingProgress(), Log(out, metrics)
+    begun = tensors_of(setup)
     if checkpoint is not None:
         progress = unpacked(checkpoint, state, scenes)
         log = Log.of_checkpoint(checkpoint.parent, progress.step, out, metrics)
     loss = ranks.parallel(StepLoss(setup, ranks))
     shown = validation_scenes(setup, scenes) if ranks.first else []
-    return TrainingRun(state, dataset, scenes, shown, ranks, progress, log, loss)
+    return TrainingRun(state, dataset, scenes, shown, ranks, progress, log, loss, begun)
 
 
 def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
@@ -246,7 +251,7 @@ def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
             notes=("every process takes a part of each batch, at least one patch",),
             helps=("raise [train] batch, or start fewer processes",),
         )
-    searched = settings.shutter.learn and settings.shutter.relaxation == "search"
+    searched = _settles_with_best(settings)
     if ranks.count > 1 and (searched or settings.decoder.lessons):
         activity = "codes are searched" if searched else "lessons are learned"
         raise rejected(
@@ -254,6 +259,12 @@ def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
             f"{activity} by one process, but {ranks.count} are running",
             helps=("start one: `nscc train` without torchrun",),
         )
+
+
+def _settles_with_best(settings: RunSettings) -> bool:
+    """Return whether the best validated state, not the last one, settles."""
+    shutter = settings.shutter
+    return shutter.learn and (shutter.relaxation == "search" or shutter.restarts > 0)
 
 
 def _checkpoint(out: Path, resume: str) -> Path | None:
@@ -300,7 +311,10 @@ def _steps(
     for step, drawn in enumerate(track(loader, "training", total - first), start=first):
         losses.append(update(run, step, drawn))
         run.progress.step = step + 1
-        due = (step + 1) % validate_every == 0 or step + 1 == total or step + 1 == stop_after
+        ends = [total, stop_after]
+        if _settles_with_best(run.setup.settings):
+            ends.append(cycle_of(run.setup.settings, step)[1])
+        due = (step + 1) % validate_every == 0 or step + 1 in ends
         if due and run.ranks.first:
             _validate(run, float(torch.stack(losses).mean()), report)
             write_together(_so_far(run))
@@ -329,23 +343,34 @@ def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
     """Take one step; return its mean loss on this process's share of the batch."""
     setup, settings = run.setup, run.setup.settings
     anneal(setup, step)
-    set_rates(run.state.optimizers, settings.train, step)
+    set_rates(run.state.optimizers, settings, step)
     setup.decoder.train()
-    searches = setup.encoder.relaxation == "search"
-    learns = codes_learn(settings, step)
-    learned = codes_learn(settings, step - 1)
-    if searches and learned and not learns:
+    first, _ = cycle_of(settings, step)
+    if 0 < step == first < settling_step(settings):
+        _begin_again(run, run.begun)
+        setup.start_random(step)
+    elif 0 < step == first and _settles_with_best(settings):
         take_best(run)
-    if step % _FOLLOW_EVERY == 0 or learned != learns:
+    learns = codes_learn(settings, step)
+    if step % _FOLLOW_EVERY == 0 or step == first or learns != codes_learn(settings, step - 1):
         setup.follow_codes()
-    if searches and learns:
-        return torch.tensor(search(setup, batch_of(run, drawn), step))
+    if learns and setup.encoder.relaxation == "search":
+        return torch.tensor(search(setup, batch_of(run, run.dataset[0]), step))
     if not isinstance(drawn, Lesson):
         return _learn(run, run.step_loss(batch_of(run, drawn), step), drawn.names, step)
     light, mask = drawn.light.to(setup.device), drawn.mask.to(setup.device)
     generator = generator_of(setup.device, settings.train.seed, DrawStream.LESSON_NOISE, step)
     updates = lesson_losses(setup, drawn._replace(light=light, mask=mask), generator)
     return torch.stack([_learn(run, loss, drawn.names, step) for loss in updates]).mean()
+
+
+def _begin_again(run: TrainingRun, tensors: dict[str, Tensor]) -> None:
+    """Set encoder and decoder to `tensors`, and forget what optimizers and the average know."""
+    set_tensors(run.setup, tensors)
+    for optimizer in run.state.optimizers:
+        optimizer.state.clear()
+    if run.state.average is not None:
+        run.state.average.n_averaged.zero_()
 
 
 def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) -> Tensor:
@@ -409,7 +434,7 @@ def take_best(run: TrainingRun) -> None:
     many words."""
     setup, most = run.setup, run.setup.settings.shutter.most_words
     if run.progress.best is not None:
-        set_tensors(setup, run.progress.best)
+        _begin_again(run, run.progress.best)
         return
     words = words_per_slot(compiled(program_of(setup.encoder, setup.chip), setup.chip))
     if not within(setup.settings.shutter, words):

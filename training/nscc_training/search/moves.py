@@ -15,18 +15,27 @@ Values = NDArray[np.int64]
 
 _PERIODS = (1, 2, 4, 8)
 _MOST_AT_ONCE = 4
+SINGLE_SHARE = 0.5
+"""Probability that only the shutter of one place changes."""
 _REPEATED = 0.25
-"""Probability that a move starts by copying one block over the whole tile."""
+"""Probability that a move of many places starts by copying one block over the whole tile."""
 
 
-def moved(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
+def moved(
+    spec: ShutterSpec, codes: Codes, generator: Generator, single_share: float = SINGLE_SHARE
+) -> Codes:
     """Return codes after one to four random moves, in the form of `Encoder.codes`.
 
-    Codes of a codebook include `book`. A move changes one place, a rectangle, all places congruent
-    modulo a period in each direction, or every other block. Their shutters shift in time, lengthen,
+    A `single_share` of the results changes the shutter of one place only. Codes of a codebook
+    include `book`. A move changes one place, a rectangle, all places congruent modulo a period in
+    each direction, or every other block. Their shutters shift in time, lengthen,
     shorten, or take or exchange the codes of neighbouring places. Before that, the tile may become
     copies of one of its blocks, each later than the one before. Codes stay legal for the class; a
     move may have no effect."""
+    if generator.random() < single_share:
+        place = np.zeros(spec.tile, bool)
+        place.flat[generator.integers(place.size)] = True
+        return MOVING[spec.kind](spec, codes, place, generator)
     changed_codes = repeated(spec, codes, generator) if generator.random() < _REPEATED else codes
     for _ in range(int(generator.integers(1, _MOST_AT_ONCE + 1))):
         places = _somewhere(spec.tile, generator)

@@ -282,8 +282,8 @@ def test_an_edge_moves_towards_the_light() -> None:
     encoder.load_codes({"stop": np.array([[3, 5]])})
     light = torch.arange(1.0, 9.0).reshape(1, 8, 1, 1).repeat(1, 1, 1, 2)
     differentiable_capture(light, encoder, IDEAL).exposure_e.sum().backward()
-    # at boundary 3 lie slots 2 and 3, with 3 and 4 electrons
-    assert encoder.stop.grad.tolist() == [[3.5, 5.5]]
+    # At boundary 3 lie slots 2 and 3, with 3 and 4 electrons; an octave has log(2) times the stop.
+    np.testing.assert_allclose(encoder.stop.grad, np.log(2) * np.array([[3 * 3.5, 5 * 5.5]]))
 
 
 def test_a_codebook_with_a_row_for_each_place_is_as_free_as_class_e() -> None:
@@ -308,3 +308,33 @@ def test_yardsticks_have_two_bumps_each_in_a_part_of_the_frame(kind: str) -> Non
         np.testing.assert_array_equal(opened, np.where(late, n >= 16 - slots, n < slots), name)
     with pytest.raises(ValueError, match="every 2 x 2 places"):
         make_encoder(ShutterSpec("d", 16, (1, 2)), "rows")
+
+
+def test_exposure_times_are_learned_in_octaves() -> None:
+    """Equal steps change all exposure times by the same ratio, up to the limits, whose gradient is
+    not lost."""
+    encoder = make_encoder(ShutterSpec("b", 100, (1, 3)), "uniform")
+    encoder.load_codes({"stop": np.array([[1, 8, 100]])})
+    [(parameter, limits)] = encoder.ranges()
+    np.testing.assert_allclose(limits, (0, np.log2(100)))
+    encoder(None).sum().backward()
+    np.testing.assert_allclose(parameter.grad[0, 1], 8 * np.log(2))
+    assert (parameter.grad > 0).all()
+    with torch.no_grad():
+        parameter.add_(1.0)
+    encoder.project()
+    assert encoder.codes()["stop"].tolist() == [[2, 16, 100]]
+
+
+@pytest.mark.parametrize("spec", SPECS[1:], ids=name_of)
+def test_jitter_makes_equal_places_unequal_and_keeps_codes_legal(spec: ShutterSpec) -> None:
+    encoder = make_encoder(spec, "uniform")
+    start = all_codes(encoder)
+    encoder.jitter(1.0, np.random.default_rng(1))
+    for parameter, (low, high) in encoder.ranges():
+        values = parameter.detach()
+        assert len(values.unique()) > 1
+        assert low <= values.min()
+        assert values.max() <= high
+    if spec.kind in ("e", "codebook"):  # digits are as they were
+        assert all((values == start[name]).all() for name, values in all_codes(encoder).items())

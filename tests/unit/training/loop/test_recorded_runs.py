@@ -33,7 +33,8 @@ def values(base: dict[str, Any], **sections: dict[str, Any]) -> dict[str, Any]:
 RUNS: Mapping[str, dict[str, Any]] = {
     "stops": values(STILL),
     "bumps of a length": values(
-        STILL, shutter={"class": "c", "length": 5, "init": "uniform", "warm_up": 0.5},
+        STILL, shutter={"class": "c", "length": 5, "init": "uniform", "warm_up": 0.5,
+                        "settle": 0.0},
         loss={"name": "log"}, data={"saturated": [0.1, 0.4]}, train={"optimizer": "muon"},
     ),
     "bumps": values(

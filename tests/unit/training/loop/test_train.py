@@ -8,6 +8,7 @@ import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -24,8 +25,14 @@ from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import config_toml, settings_of  # noqa: E402
 from nscc_training.loop import artifacts  # noqa: E402
 from nscc_training.loop import train as loop  # noqa: E402
-from nscc_training.loop.optimizers import set_rates  # noqa: E402
 from nscc_training.loop.ranks import Ranks  # noqa: E402
+from nscc_training.loop.schedule import (  # noqa: E402
+    anneal,
+    codes_learn,
+    cycle_of,
+    set_rates,
+    settling_step,
+)
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.sensor_model import read_out  # noqa: E402
 
@@ -327,7 +334,7 @@ def test_settled_codes_stay_and_the_decoder_learns(relaxation: str, tmp_path: Pa
 
 
 def test_codes_wait_for_the_decoder(tmp_path: Path) -> None:
-    values = changed(STILL, "shutter", warm_up=0.5, relaxation="tried")
+    values = changed(STILL, "shutter", warm_up=0.5, settle=0.0, relaxation="tried")
     found = []
     for step in (1, 2, 4):
         run(values, tmp_path / "r", stop_after=step)
@@ -344,7 +351,9 @@ def test_rates_rise_in_the_first_steps() -> None:
     parameter = torch.nn.Parameter(torch.zeros(1))
     optimizer = torch.optim.Adam([{"params": [parameter], "base": 0.5}])
     for schedule, steps, risen in (("constant", 1000, 20), ("cosine", 100, 2), ("cosine", 40, 0)):
-        settings = settings_of({"train": {"steps": steps, "schedule": schedule}}).train
+        settings = settings_of(
+            {"train": {"steps": steps, "schedule": schedule}, "shutter": {"learn": False}}
+        )
         rates = []
         for step in range(steps):
             set_rates([optimizer], settings, step)
@@ -354,6 +363,61 @@ def test_rates_rise_in_the_first_steps() -> None:
         rising = np.arange(1, risen + 1) / (risen + 1)
         np.testing.assert_allclose(rates[:risen], full[:risen] * rising)
         np.testing.assert_allclose(rates[risen:], full[risen:])
+
+
+def test_a_run_learns_from_each_start_and_then_settles() -> None:
+    """Three starts in the first 60 of 100 steps, each with a cycle of rates and of noise, and its
+    own steps of `warm_up`; then the decoder alone."""
+    values = {"settle": 0.4, "restarts": 2, "warm_up": 0.15, "noise": 1.0}
+    settings = settings_of({"train": {"steps": 100}, "shutter": values})
+    assert settling_step(settings) == 60
+    cycles = [(0, 20), (20, 40), (40, 60), (60, 100)]
+    assert sorted({cycle_of(settings, step) for step in range(100)}) == cycles
+    learning = [step for step in range(100) if codes_learn(settings, step)]
+    assert learning == [*range(5, 20), *range(25, 40), *range(45, 60)]
+    parameter = torch.nn.Parameter(torch.zeros(1))
+    optimizer = torch.optim.Adam([{"params": [parameter], "base": 1.0}])
+    setup = SimpleNamespace(settings=settings, encoder=SimpleNamespace())
+    for first, last in cycles:
+        rates, noise = [], []
+        for step in range(first, last):
+            set_rates([optimizer], settings, step)
+            anneal(setup, step)  # type: ignore[arg-type]
+            rates.append(optimizer.param_groups[0]["lr"])
+            noise.append(setup.encoder.noise)
+        falling = 0.5 + 0.5 * np.cos(np.pi * np.arange(last - first) / (last - first))
+        np.testing.assert_allclose(rates, falling)
+        expected = np.zeros(40) if first == 60 else np.linspace(1, 0, 20)
+        np.testing.assert_allclose(noise, expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("decoder", [{"name": "divided"}, {"name": "any", "learn": False}])
+def test_codes_learn_to_the_end_if_no_decoder_does(decoder: dict[str, Any]) -> None:
+    settings = settings_of({"train": {"steps": 100}, "decoder": decoder})
+    assert settling_step(settings) == 100
+    assert codes_learn(settings, 99)
+
+
+def test_the_best_of_several_starts_settles(tmp_path: Path) -> None:
+    """A run with restarts is, at the begin of settling, the best state that validation found; it
+    resumes bit by bit, across restarts too."""
+    values = changed(STILL, "shutter", restarts=1, settle=0.34)
+    values = changed(values, "train", validate_every=1)
+    run(values, tmp_path / "whole", stop_after=4)
+    state = dict(load_file(tmp_path / "whole" / "checkpoint.safetensors"))
+    rows = [row.split(",") for row in (tmp_path / "whole/metrics.csv").read_text().splitlines()]
+    losses = {int(row[0]): float(row[2]) for row in rows if row[1] == "val"}
+    run(values, tmp_path / "begun", stop_after=min(losses, key=lambda step: losses[step]))
+    best = dict(load_file(tmp_path / "begun" / "checkpoint.safetensors"))
+    key = "encoder.stop"
+    assert torch.equal(state[f"best.{key}"], best[key])
+    run(values, tmp_path / "whole", stop_after=5)
+    settled = dict(load_file(tmp_path / "whole" / "checkpoint.safetensors"))
+    assert torch.equal(settled[key], best[key])
+    run(values, tmp_path / "begun")
+    run(values, tmp_path / "whole")
+    for name in FILES:
+        assert (tmp_path / "whole" / name).read_bytes() == (tmp_path / "begun" / name).read_bytes()
 
 
 def test_a_wide_network_survives_its_first_steps(tmp_path: Path) -> None:

@@ -86,7 +86,8 @@ def test_trials_find_the_slope_of_the_smoothed_loss(
         # a quarter of the pixels is at each place
         return smoothed(lambda s: (s - best) ** power / SLOTS**power, values, spread) / 4
 
-    wanted = (at(fields + 0.01) - at(fields - 0.01)) / 0.02
+    # Parameters are octaves.
+    wanted = (at(fields + 0.01) - at(fields - 0.01)) / 0.02 * fields * np.log(2)
     error = found.std(axis=0, ddof=1) / np.sqrt(len(found))
     assert (np.sign(found.mean(axis=0)) == np.sign(fields - best)).all()
     assert (np.abs(wanted) > 8 * error).all()
@@ -104,7 +105,8 @@ def test_a_single_trial_is_the_difference_of_the_losses_around() -> None:
     for row, col in ((0, 0), (0, 9), (7, 12), (19, 19), (18, 3)):
         around = np.s_[max(0, row - 2) : row + 3, max(0, col - 2) : col + 3]
         moved, spread = (float(x[0, row, col]) for x in (trial.moved, trial.spread))
-        wanted = moved * (one[around].sum() - two[around].sum()) / (2 * spread**2)
+        octave = float(trial.fields.detach()[0, row, col]) * np.log(2)
+        wanted = moved * (one[around].sum() - two[around].sum()) / (2 * spread**2) * octave
         assert found[row, col] == pytest.approx(wanted, rel=1e-3, abs=1e-8)
 
 
@@ -198,7 +200,7 @@ def test_the_slope_includes_what_saturation_takes_away() -> None:
             mean = smoothed(lambda _: table, np.full((1, 1), value), spread)
             return float(mean[0, 0]) / 4
 
-        wanted = (at(stop + 0.01) - at(stop - 0.01)) / 0.02
+        wanted = (at(stop + 0.01) - at(stop - 0.01)) / 0.02 * stop * np.log(2)
         error = found.std(ddof=1) / 10
         assert np.sign(wanted) == np.sign(found.mean()) == sign
         assert abs(found.mean() - wanted) < 5 * error + 0.1 * abs(wanted)
@@ -337,7 +339,7 @@ def test_words_are_tried_too() -> None:
         words = smoothed(lambda s: (s < SLOTS) / (SLOTS - 1.0), values, np.full((2, 2), 2.0))
         return 0.7 * words / 4
 
-    wanted = (at(fields + 0.01) - at(fields - 0.01)) / 0.02
+    wanted = (at(fields + 0.01) - at(fields - 0.01)) / 0.02 * fields * np.log(2)
     assert (np.abs(found.mean(axis=0) - wanted) <= 4 * error + 1e-12).all()
     assert wanted[1, 0] < -20 * error[1, 0]
     assert not found[:, 0, 1].any()

@@ -17,6 +17,7 @@ from small_runs import SMALL  # noqa: E402
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.code_choices import ORDERED  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.data import Batch  # noqa: E402
 from nscc_training.design import Frame  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.loop import searching  # noqa: E402
@@ -155,6 +156,62 @@ def test_stills_get_a_pattern_of_exposures_by_copies() -> None:
     assert all((np.log2(one) % 1 == 0).all() for one in found)
 
 
+@pytest.fixture
+def no_gradient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Searches whose closed form expects nothing of any move."""
+    monkeypatch.setattr(searching, "expected_gain", lambda *_: torch.zeros(()))
+
+
+def test_gains_of_single_slots_are_those_that_are_measured() -> None:
+    """The closed form has the sign and the size of the change of the loss when one place opens or
+    closes in one slot, for a decoder that is linear in the frame."""
+    parts = make_setup(
+        settings_of(
+            {
+                "shutter": {
+                    "class": "e",
+                    "slots": 6,
+                    "tile": [2, 2],
+                    "init": "random",
+                    "relaxation": "search",
+                },
+                "decoder": {"name": "unet2d"},
+                "loss": {"name": "l1"},
+                "data": {"protocol": "video-v1"},
+                "sensor": {"noise": False},
+            }
+        )
+    )
+    weights = torch.linspace(0.2, 1.0, 6).reshape(1, 6, 1, 1)
+    parts.decoder.forward = lambda frame, _: weights * frame.unsqueeze(1)  # type: ignore[assignment]
+    generator = np.random.default_rng(3)
+    light = torch.from_numpy(generator.uniform(2000, 4000, (3, 6, 8, 8)).astype(np.float32))
+    # The truth is brighter than each prediction, so the loss is linear in it.
+    batch = Batch(light, torch.full_like(light, 9.0), torch.full((3,), 9.0), ())
+    expected = searching.expected_gain(parts, batch, 0)
+    codes = parts.encoder.codes()["bits"]
+    first = searching._losses(parts, {"bits": codes}, batch, 0)
+    for slot in range(6):
+        for place in np.ndindex(2, 2):
+            flipped = codes.copy()
+            flipped[place] ^= 1 << slot
+            gain = (first - searching._losses(parts, {"bits": flipped}, batch, 0)).mean()
+            opens = flipped[place] >> slot & 1
+            wanted = float(expected[(slot, *place)]) * (1 if opens else -1)
+            assert gain == pytest.approx(wanted, rel=0.02), (slot, place)
+
+
+def test_a_decoder_learns_random_codes_before_a_search() -> None:
+    """A new code in every step, under effects one of a few; the run's own codes stay."""
+    parts = parts_of(warm_up=0.5)
+    own = parts.encoder.codes()["start"]
+    tiles = [parts.random_tile(number) for number in (0, 1, 48, 0)]
+    assert torch.equal(tiles[0], tiles[3])
+    assert not torch.equal(tiles[0], tiles[1])
+    assert not torch.equal(tiles[0], tiles[2])
+    assert np.array_equal(parts.encoder.codes()["start"], own)
+
+
 def parts_of(**shutter: object) -> searching.TrainingSetup:
     search = {"class": "c", "slots": 8, "length": 2, "tile": [4, 4], "init": "random"}
     return make_setup(
@@ -169,6 +226,7 @@ def parts_of(**shutter: object) -> searching.TrainingSetup:
     )
 
 
+@pytest.mark.usefixtures("no_gradient")
 def test_a_search_goes_where_the_losses_fall(monkeypatch: pytest.MonkeyPatch) -> None:
     """With losses that count late places, against noise that must not lead astray."""
     parts = parts_of(moves=12, judged=12)
@@ -186,6 +244,7 @@ def test_a_search_goes_where_the_losses_fall(monkeypatch: pytest.MonkeyPatch) ->
     assert found[-1] < 0.01
 
 
+@pytest.mark.usefixtures("no_gradient")
 def test_a_search_keeps_within_its_words(monkeypatch: pytest.MonkeyPatch) -> None:
     """However good what takes more may be."""
     parts = parts_of(moves=12, judged=12, most_words=3.0)
@@ -207,6 +266,7 @@ def test_a_search_keeps_within_its_words(monkeypatch: pytest.MonkeyPatch) -> Non
     assert parts.encoder.codes()["start"].sum() > before.sum()
 
 
+@pytest.mark.usefixtures("no_gradient")
 def test_random_bits_come_down_to_their_words_and_then_get_better() -> None:
     """With the compiler's own count, and losses that want every place to be open for long."""
     parts = parts_of(**{"class": "e"}, moves=24, judged=4, most_words=3.0)

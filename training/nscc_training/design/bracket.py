@@ -1,0 +1,49 @@
+"""An ordinary bracket in one exposure time: readouts of all pixels one after the other, merged
+without a network."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training.design.chip import DesignChip
+
+Picture = NDArray[np.float64]
+
+_BRACKET = (4, 36, 216)
+"""Slots of the readouts of an ordinary bracket, of 256: exposure times with ratios of 9 and 6.
+
+The shortest is first: PIX collects light until the frame ends, so a readout after a long one is
+saturated where the long one is."""
+
+
+def bracket_slots(slots: int) -> tuple[int, ...]:
+    """Return the slots of each readout of an ordinary bracket that fills a frame of `slots`."""
+    shorter = [max(1, round(slots * length / sum(_BRACKET))) for length in _BRACKET[:-1]]
+    return *shorter, max(1, slots - sum(shorter))
+
+
+def merged_bracket(
+    exposure_e: NDArray[np.floating],
+    open_share: NDArray[np.floating],
+    saturated: NDArray[np.bool_],
+    chip: DesignChip,
+) -> Picture:
+    """Estimate the light over the frame in electrons, (rows, cols) or with colours last, pixel by
+    pixel.
+
+    `exposure_e` and `saturated` are (readouts, rows, cols, ..), in electrons of the registers.
+    `open_share` (readouts,) is the fraction of the frame of each readout. Readouts are weighted by
+    precision, for the light in the longest readout that is not saturated; a pixel that saturates
+    all has at least the light of the shortest one."""
+    order = np.argsort(open_share)
+    shares = open_share[order].reshape(-1, *[1] * (exposure_e.ndim - 1))
+    light, full = exposure_e[order] / (chip.gain * shares), saturated[order]
+    estimate = light[0]
+    for longer, is_full in zip(light[1:], full[1:], strict=True):
+        estimate = np.where(is_full, estimate, longer)
+    spread = chip.exposed_sd_e(np.maximum(estimate, 0) * shares) / shares
+    precision = np.where(full, 0.0, 1 / spread**2)
+    total = precision.sum(axis=0)
+    mean = (precision * light).sum(axis=0) / np.where(total > 0, total, 1)
+    return np.asarray(np.where(total > 0, mean, light[0]), np.float64)
