@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from nscc.neighbours.held import Emitter, PictureRefused
+from nscc.neighbours.held import Emitter, Held, PictureRefused
 from nscc.operations import STEERING, Phase, WordEffect, op, pair
 from nscc.words import pictures as p
 
@@ -186,12 +186,8 @@ class BitWords:
                 register = self.take()
                 self.lowering.word(op("SET" if node.bit else "CLR", [register]))
                 return register, None
-            case p.Above():
-                return self._above(node.value, node.steps), None
-            case p.AboveParam():
-                return self._above(node.value, node.factor, node.param), None
-            case p.Exceeds():
-                return self._above(node.value, int(node.level * self.count_steps)), None
+            case p.Above() | p.AboveParam() | p.Exceeds():
+                return self._above(node), None
             case p.Neither():
                 both = [self.bit(node.first), self.bit(node.second)]
                 return self._nor([register for register, _ in both], both), None
@@ -233,19 +229,31 @@ class BitWords:
         """Emit the NOR of two bits, which may be in one register."""
         return self._emit_word("NOR" if len({*registers}) > 1 else "NOT", registers, used)
 
-    def _above(self, compared: p.Value, steps: int, param: str = "") -> str:
-        """Emit a comparison: `where` tests whether the sum of the value and IN is above 0.
+    def compare(self, node: p.Comparison, value: Held) -> None:
+        """Emit `where`, which tests whether the sum of a value and IN is above 0.
 
-        IN is minus `steps`, or minus `steps` times a parameter."""
-        lowering = self.lowering
-        value = lowering.value(compared)
+        IN is minus the level. If the register holds minus the value, FLAG is the inverse of the
+        answer."""
+        lowering, param = self.lowering, ""
+        match node:
+            case p.Above():
+                steps = node.steps
+            case p.AboveParam():
+                steps, param = node.factor, node.param
+            case p.Exceeds():
+                steps = int(node.level * self.count_steps)
         lowering.everywhere()
         level = -steps * value.sign
         sources = [value.register, *(["IN"] if level else [])]
         lowering.word(op("where", [], sources), (param, level) if param else level or None)
+
+    def _above(self, node: p.Comparison) -> str:
+        """Emit a comparison, and return the register of its bit."""
+        lowering = self.lowering
+        value = lowering.value(node.value)
+        self.compare(node, value)
         lowering.give(value)
         register = self.take()
-        # The register may hold minus the value: then FLAG is the inverse of the answer.
         lowering.word(op("MOV" if value.sign > 0 else "NOT", [register], ["FLAG"]))
         lowering.everywhere()
         return register

@@ -12,7 +12,7 @@ from math import sqrt
 from types import MappingProxyType
 
 from nscc.neighbours.count_words import split
-from nscc.neighbours.held import Held, PictureRefused
+from nscc.neighbours.held import Held, Level, PictureRefused
 from nscc.neighbours.loops import emit_loop, store_at_once
 from nscc.neighbours.programs import UNIT, Program, Taps, added, exact_taps, moved, noise_gain
 from nscc.neighbours.registers import RegisterEmitter
@@ -140,6 +140,13 @@ class Lowering(RegisterEmitter):
                 return self.chosen(node)
             case p.Agreement():
                 return self.counted(split(node)[0])
+            case p.Larger():
+                first, second = node.first, node.second
+                if len([*p.subexpressions(second)]) > len([*p.subexpressions(first)]):
+                    first, second = second, first  # the one that needs more registers
+                return self.larger(self.value(first), self.value(second))
+            case p.Uniform():
+                return self._level(Fraction(1), node.param)
             case p.Largest():
                 return self.largest(self.value(node.value), list(self.weights[node.kernel].taps))
 
@@ -218,6 +225,8 @@ class Lowering(RegisterEmitter):
             if not others:
                 return count
             return self.added([(1, count), (1, self.value(p.Sum(tuple(others))))])
+        if any(isinstance(value, p.Uniform) for _, value in node.terms):
+            return self._with_level(node)
         taps, inner = merged(node, self.weights)
         if inner is not node:
             ways = (
@@ -241,6 +250,38 @@ class Lowering(RegisterEmitter):
             signed_terms.append((1 if factor > 0 else -1, term))
         return self.added(signed_terms)
 
+    def _with_level(self, node: p.Sum) -> Held:
+        """Emit a sum with levels. The word that adds the other terms also reads one of them."""
+        uniform = [(f, term) for f, term in node.terms if isinstance(term, p.Uniform)]
+        other = tuple(term for term in node.terms if not isinstance(term[1], p.Uniform))
+        terms = [(1, self.value(p.Sum(other)))] if other else []
+        uniform.sort(key=lambda term: term[0].denominator)
+        (factor, first), *further = uniform
+        terms += [(1, self._level(factor, uniform.param)) for factor, uniform in further]
+        if not terms or factor.denominator > 1:
+            terms.append((1, self._level(factor, first.param)))
+            return terms[0][1] if len(terms) == 1 else self.added(terms)
+        return self.added(terms, (int(factor), first.param))
+
+    def _level(self, factor: Fraction, param: str) -> Held:
+        """Emit a value that is equal in all pixels: `factor` steps of IN, or of a parameter."""
+        if factor.denominator > 1:
+            whole = self._level(Fraction(factor.numerator), param)
+            return self.filtered(whole, {(0, 0): Fraction(1, factor.denominator)})
+        return self.added([], (int(factor), param))
+
+    def _steps_range(self, factor: int, param: str) -> tuple[float, float]:
+        """Return the range in electrons of a multiple of IN; raise `PictureRefused` beyond IN."""
+        ends = [factor]
+        if param:
+            of_param = next(each for each in self.pictures.params if each.name == param)
+            ends = [factor * of_param.low, factor * of_param.high]
+        most = min(self.target.in_high, -self.target.in_low)
+        if max(map(abs, ends)) > most:
+            raise PictureRefused("range", self.now, max(map(abs, ends)) / most, 1.0)
+        step_e = self.target.electrons_per_step
+        return min(ends) * step_e, max(ends) * step_e
+
     def _nothing(self) -> Held:
         """Emit an image of zeros and return its register."""
         self.everywhere()
@@ -248,14 +289,20 @@ class Lowering(RegisterEmitter):
         self.word(op("bus", [register]))
         return Held(register, 1, 0.0, 0.0)
 
-    def added(self, signed_terms: list[tuple[int, Held]]) -> Held:
+    def added(
+        self, signed_terms: list[tuple[int, Held]], level: tuple[int, str] | None = None
+    ) -> Held:
         """Emit the sum of at most four values with signs, in one or two words, and return its
         register.
 
-        Frees the values' registers. Raises PictureRefused if the sum exceeds the range of
-        registers, or needs more than four sources."""
+        `level`: a multiple of IN, or of the parameter with this name, that is added, too. Frees the
+        values' registers. Raises PictureRefused if the sum exceeds the range of registers, or
+        needs more than four sources."""
         low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
         high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
+        if level is not None:
+            least, most = self._steps_range(*level)
+            low, high = low + least, high + most
         self.checked(low, high)
         plus = [v for sign, v in signed_terms if sign * v.sign > 0]
         minus = [v for sign, v in signed_terms if sign * v.sign < 0]
@@ -266,11 +313,16 @@ class Lowering(RegisterEmitter):
             self.everywhere()
             self.word(op("bus", ["NEWS"], [v.register for v in inverted[:4]]))
         sources = [*(v.register for v in direct), *(["NEWS"] if inverted else [])]
+        steps: Level = None
+        if level is not None:
+            factor, param = total * level[0], level[1]
+            sources.append("IN")
+            steps = (param, factor) if param else factor
         if len(sources) > 4 or len(inverted) > 4:
             raise PictureRefused("registers", self.now, len(signed_terms), 4)
         self.everywhere()
         register = self.take()
-        self.word(op("bus", [register], sources))
+        self.word(op("bus", [register], sources), steps)
         self.give(*(v for _, v in signed_terms))
         variance = sum(v.variance for _, v in signed_terms) + 1 + bool(inverted)
         return Held(register, -total, low, high, variance=variance)
@@ -314,16 +366,60 @@ class Lowering(RegisterEmitter):
             self.give(neighbour)
         return Held(register, -1, value.low, value.high, variance=variance)
 
+    def larger(self, first: Held, second: Held) -> Held:
+        """Emit the larger one of two values: the second, overwritten where the first is larger.
+
+        The register of the second is overwritten if it holds the negative, and nothing reads it
+        later. Of two negatives, NEWS has the first with its own sign."""
+        negative = first.sign == second.sign < 0
+        if first.sign < 0 < second.sign or (negative and self._ends(first)):
+            first, second = second, first
+        in_place = second.sign < 0 and self._ends(second)
+        self.everywhere()
+        one, start = first.register, second.register
+        if second.sign < 0 and (negative or not in_place):
+            self.word(op("bus", ["NEWS"], [one if negative else start]))
+        compared = ["NEWS" if negative else one, second.register]
+        if in_place:
+            register, one = second.register, compared[0]
+            if second.name is not None:
+                self.hand_over(second.name)
+        else:
+            register = self.take()
+            self.word(op("bus", [register], ["NEWS" if first.sign > second.sign else start]))
+            compared[1] = register if second.sign > 0 else start
+        self.word(op("where", [], compared))
+        self.word(op("bus", [register], [one]))
+        self.everywhere()
+        self.give(first, *([] if in_place else [second]))
+        low, high = max(first.low, second.low), max(first.high, second.high)
+        variance = max(first.variance, second.variance) + 1
+        sign = -1 if in_place else -first.sign
+        return Held(register, sign, low, high, variance=variance)
+
+    def _ends(self, value: Held) -> bool:
+        """Return whether this is the last read of a value."""
+        return value.name is None or self.uses[value.name] == 1
+
     def chosen(self, node: p.Chosen) -> Held:
         """Emit a choice between two images by a condition, and return its register; FLAG is 1 in
         all pixels afterwards."""
         then, otherwise = self.value(node.then), self.value(node.otherwise)
         if then.sign != otherwise.sign:
             then = self.negated(then)
+        compared: Held | None = None
+        if self.pictures.is_of_version_4 and isinstance(node.condition, p.Comparison):
+            compared = self.value(node.condition.value)
+            if compared.sign < 0:  # FLAG is the inverse of the answer
+                then, otherwise = otherwise, then
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register], [otherwise.register]))
-        self.bits.to_flag(node.condition)
+        if compared is not None and isinstance(node.condition, p.Comparison):
+            self.bits.compare(node.condition, compared)
+            self.give(compared)
+        else:
+            self.bits.to_flag(node.condition)
         self.word(op("bus", [register], [then.register]))
         self.everywhere()
         self.give(then, otherwise)

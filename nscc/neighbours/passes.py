@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
@@ -16,6 +16,7 @@ from nscc.lower.resources import time_text
 from nscc.neighbours.alternatives import alternatives
 from nscc.neighbours.count_words import MOST_IMAGES
 from nscc.neighbours.held import Level, Leveled, LoopWords, PictureRefused
+from nscc.neighbours.inlined import with_moves_where_read, without_second_names
 from nscc.neighbours.last_use import by_last_use
 from nscc.neighbours.loops import kept_ranges
 from nscc.neighbours.lower import Lowering
@@ -91,7 +92,7 @@ def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[Pi
         if cost.name in names:
             cost_of[cost.name] = replace(cost, words=cost.words + shared_words)
         shared_words = 0 if cost.name in names else shared_words + cost.words
-    return tuple(cost_of[name] for name in names)
+    return tuple(cost_of.get(name, PictureCost(name, 0, 0.0, 0.0)) for name in names)
 
 
 def lowered(
@@ -120,6 +121,8 @@ def _shortest(
         states=tuple(replace(s, next=_without_zeros(s.next)) for s in pictures.states),
         kept_images=tuple(replace(s, next=_without_zeros(s.next)) for s in pictures.kept_images),
     )
+    if pictures.is_of_version_4:
+        pictures = without_second_names(pictures)
     ways = [pictures]
     if level >= _LEVEL_OF_ALTERNATIVES and not (pictures.repeated or pictures.kept_images):
         ways += alternatives(pictures)
@@ -129,13 +132,19 @@ def _shortest(
         ways.append(replace(pictures, negated=inner))
     best: Lowering | None = None
     refused: PictureRefused | None = None
-    for synthesis, way in [*product(searches, ways), *product(searches, [None])]:
-        if way is None and (
-            best is not None or refused is None or refused.kind == "range" or pictures.repeated
-        ):
+    orders: list[Callable[[], Pictures]] = []
+    if not pictures.repeated:
+        orders.append(lambda: by_last_use(pictures))
+    if pictures.is_of_version_4:
+        moved = with_moves_where_read(pictures)
+        orders.append(lambda: moved)
+        if not pictures.repeated:
+            orders.append(lambda: by_last_use(moved))
+    for synthesis, way in [*product(searches, ways), *product(searches, orders)]:
+        if callable(way) and (best is not None or refused is None or refused.kind == "range"):
             break
         try:
-            lowering = _lowered(container, way or by_last_use(pictures), synthesis)
+            lowering = _lowered(container, way() if callable(way) else way, synthesis)
         except PictureRefused as error:
             refused = refused or error
             continue

@@ -217,9 +217,14 @@ class RegisterEmitter(CountEmitter):
         return self.negated(value) if value.sign < 0 else value
 
     def reuse_of(self, program: Program, value: Held) -> Reuse:
-        # A name for the contents of the value's register, valid until the register is freed.
-        base = f"{value.name or value.register} {value.sign}"
+        base = f"{value.name or self._written(value.register)} {value.sign}"
         return reuse(program, base, self.contents, self.free, self.target.news_read_keeps)
+
+    def _written(self, register: str) -> str:
+        """Return a name for the contents of a register, valid until a word overwrites it."""
+        numbers = range(len(self.words) - 1, -1, -1)
+        last = next((n for n in numbers if register in self.words[n][0].destinations), 0)
+        return f"{register} of word {last}"
 
     def run_program(self, program: Program, value: Held) -> str:
         """Emit the words of a program of `nscc.neighbours.synthesis` on a value, and return the

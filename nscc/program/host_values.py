@@ -94,7 +94,7 @@ class HostValues:
             "this range",
             helps=(
                 "write all levels, `param t : 1% .. 20% = 4%`, or all integers, "
-                "`param n : 0 .. 64 = 8`",
+                "`param steps : 0 .. 64 = 8`",
             ),
         )
         return None
@@ -154,7 +154,7 @@ class HostValues:
                 f"{role} is an integer parameter plus or minus an integer",
                 expr.span,
                 what,
-                helps=("declare `param n : 0 .. 64 = 8`, and write `n` or `n + 1`",),
+                helps=("declare `param steps : 0 .. 64 = 8`, and write `steps` or `steps + 1`",),
             )
             return None
         most = offset + max(sign * param.low, sign * param.high)

@@ -135,17 +135,46 @@ class PictureComparer(ABC):
         Raises WrongPicture after reporting NS0533 if the parameter is an integer."""
         param = self.host.level_param(level)
         if param is None:
-            return p.Above(value, self._steps(level))
+            return self._above_steps(value, self._steps(level), level.span)
         sign, parameter = param
-        if parameter.kind == "integer":
+        self._require_level(parameter, level.span)
+        return p.AboveParam(value, parameter.name, sign)
+
+    def _above_steps(self, value: p.Value, steps: int, span: Span) -> p.Condition:
+        """Return a comparison with a level, where a level that the value adds is part of IN."""
+        terms = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)
+        levels = {term.param: factor for factor, term in terms if isinstance(term, p.Uniform)}
+        if not levels:
+            return p.Above(value, steps)
+        other = [(factor, term) for factor, term in terms if not isinstance(term, p.Uniform)]
+        if not other:
             raise self._report(
                 "NS0533",
-                f"`{parameter.name}` is an integer, but a level has a unit",
-                level.span,
-                "without a unit",
-                (f"declare levels: `param {parameter.name} : 1% .. 20% = 4%`",),
+                "a comparison has an image on at least one side",
+                span,
+                "only levels",
+                ("compare an image with a level: `image > 6%`",),
             )
-        return p.AboveParam(value, parameter.name, sign)
+        constant_steps = steps - levels.pop("", Fraction(0))
+        if not levels and constant_steps.denominator == 1:
+            if abs(constant_steps) <= self.host.most_steps:
+                return p.Above(picture_sum(*other), int(constant_steps))
+        if not constant_steps and len(levels) == 1:
+            (param, factor), *_ = levels.items()
+            if abs(factor) == 1:
+                return p.AboveParam(picture_sum(*other), param, -int(factor))
+        return p.Above(value, steps)
+
+    def _require_level(self, param: p.HostParam, span: Span) -> None:
+        """Raise WrongPicture after reporting a parameter that is an integer."""
+        if param.kind == "integer":
+            raise self._report(
+                "NS0533",
+                f"`{param.name}` is an integer, but a level has a unit",
+                span,
+                "without a unit",
+                (f"declare levels: `param {param.name} : 1% .. 20% = 4%`",),
+            )
 
     def _is_level(self, expr: tree.Expr) -> bool:
         """Return whether a side of a comparison is a level: an amount with a unit, or a number."""

@@ -107,6 +107,10 @@ class Reader(LoopReader):
                     )
                 if text in self.buckets and text not in self.kinds:
                     return p.Source(text)
+                level = self.host.level_param(expr)
+                if level is not None:
+                    self._require_level(level[1], expr.span)
+                    return p.Uniform(text)
                 raise self._unknown("an image or a bucket", expr, "image")
             case tree.Unary(op="-", operand=operand):
                 return picture_sum((Fraction(-1), self._image(operand)))
@@ -121,9 +125,11 @@ class Reader(LoopReader):
                 condition = self._condition(expr.condition)
                 first, second = self._image(expr.then), self._image(expr.otherwise)
                 self._require_alike(first, second, expr.span)
-                return p.Chosen(condition, first, second)
+                return self._chosen(condition, first, second)
             case tree.Call():
                 return self._call(expr)
+            case tree.Amount() | tree.Int() if self.declared.version > 3:
+                return picture_sum((Fraction(self._steps(expr)), p.Uniform()))
             case tree.Place() if self.declared.version > 3:
                 return cast(p.Value, self._shifted(expr, self._image(expr.base)))
         raise self._report(
@@ -137,6 +143,16 @@ class Reader(LoopReader):
                 "and `A if PLANE else B`",
             ),
         )
+
+    def _chosen(self, condition: p.Condition, then: p.Value, otherwise: p.Value) -> p.Value:
+        """Return a choice; from version 4 on, `a if a > b else b` is the larger one of two."""
+        match condition:
+            case p.Above(value=value, steps=0) if self.declared.version > 3:
+                for sign, combine in ((Fraction(1), p.Larger), (Fraction(-1), _smaller)):
+                    zero = picture_sum((sign, value), (Fraction(-1), then), (Fraction(1), otherwise))
+                    if isinstance(zero, p.Sum) and not any(factor for factor, _ in zero.terms):
+                        return combine(then, otherwise)
+        return p.Chosen(condition, then, otherwise)
 
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
         """Raise WrongPicture, after reporting NS0531, if one value is a count and the other in
@@ -157,6 +173,8 @@ class Reader(LoopReader):
         Raises WrongPicture after reporting an error for other factors, or for two images."""
         if expr.op == "*" and self._is_number(image):
             image, factor = factor, image
+        if isinstance(factor, tree.Name) and factor.text in self.declared.params:
+            raise self._unknown("an integer", factor, "image")
         if not self._is_number(factor):
             both = [self._image(side) for side in (image, factor) if not self._is_number(side)]
             raise self._report(
@@ -176,11 +194,21 @@ class Reader(LoopReader):
             raise WrongPicture
         return picture_sum((Fraction(1, number), self._image(image)))
 
+    def _is_kernel(self, expr: tree.Expr) -> bool:
+        return isinstance(expr, tree.Name) and expr.text in self.declared.kernels
+
     def _call(self, call: tree.Call) -> p.Value:
         """Return the node of a function of images: a convolution kernel, `abs`, `max` or `agree`.
 
         Raises WrongPicture after reporting an error, for example for a function of planes."""
         name, arguments = call.function.text, call.arguments
+        is_pair = len(arguments) == 2 and not self._is_kernel(arguments[1])
+        if name in ("min", "max") and is_pair and self.declared.version > 3:
+            first, second = map(self._image, arguments)
+            self._require_alike(first, second, call.span)
+            if first == second:
+                return first
+            return p.Larger(first, second) if name == "max" else _smaller(first, second)
         if name in ("agree", "max"):
             kernel = self._kernel_of(call, "EXPR" if name == "max" else "PLANE")
             if name == "max":
@@ -358,6 +386,17 @@ class Reader(LoopReader):
             )
         if text in self.failed or text in self.declared.refused:
             return WrongPicture()
+        if text in self.declared.params:
+            return self._report(
+                "NS0531",
+                f"the parameter `{text}` cannot be used here",
+                name.span,
+                f"{category} is required here",
+                (
+                    "a parameter is a level that images add or compare, a number of steps of "
+                    "`repeat`, or an offset `IMAGE[dx, dy]`",
+                ),
+            )
         later = [picture for picture in self.declared.pictures if picture.name.text == text]
         if later:
             return self._report(
@@ -384,6 +423,11 @@ class Reader(LoopReader):
             known[:1] = self.buckets
         self.problems.unknown(category, text, name.span, known)
         return WrongPicture()
+
+
+def _smaller(first: p.Value, second: p.Value) -> p.Value:
+    negatives = (picture_sum((Fraction(-1), value)) for value in (first, second))
+    return picture_sum((Fraction(-1), p.Larger(*negatives)))
 
 
 def is_power_of_two(number: int) -> bool:

@@ -141,6 +141,7 @@ class PictureMaker:
             inputs=tuple(host.inputs.values()),
             kept_images=kept_images,
             params=tuple(host.params.values()),
+            version=max(3, self.declared.version),
         )
         return self._with_unit(pictures)
 
@@ -393,16 +394,19 @@ class PictureMaker:
 
         `reader` knows the names of images and planes. Only events have a largest number."""
         kind, plane = report.kind.text, report.plane.text
+        if kind == "sum" and plane == "exposure" and len(self.buckets) == 1:
+            plane = self.buckets[0]
         if kind not in (_REPORTS if self.declared.version > 3 else _REPORTS[:3]):
             self._bad_report(report.kind.span, f"unknown kind of report `{clipped(kind)}`")
             return None
         needed = "image" if kind == "sum" else "plane"
-        if reader.kinds.get(plane) != needed:
+        is_exposure = kind == "sum" and plane in self.buckets
+        if reader.kinds.get(plane) != needed and not is_exposure:
             if needed == "image":
                 images = [name for name, kind in reader.kinds.items() if kind == "image"]
                 self.problems.unknown("an image", plane, report.plane.span, images)
             elif reader.kinds.get(plane) == "image":
-                text = f"`{plane}` is an image, but only planes can be reported"
+                text = f"`{plane}` is an image, but `report {kind}` needs a plane"
                 self._bad_report(report.plane.span, text)
             elif plane not in reader.failed:
                 planes = [name for name, kind in reader.kinds.items() if kind == "plane"]
@@ -420,7 +424,7 @@ class PictureMaker:
             self._bad_report(report.span, message)
             return None
         alike = (each for each in self.declared.reports if each.kind.text == kind)
-        if report is not next(each for each in alike if each.plane.text == plane):
+        if report is not next(each for each in alike if each.plane.text == report.plane.text):
             self.problems.error(
                 "NS0536",
                 f"`report {kind} {plane}` is given twice",

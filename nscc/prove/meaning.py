@@ -143,6 +143,14 @@ class PictureMeaning:
                     difference = forms.sum((Fraction(1), form), (Fraction(-1), largest))
                     largest = forms.chosen(forms.positive(difference, at), form, largest)
                 return largest
+            case p.Larger():
+                if not forms.inside(x, y):
+                    return forms.beyond()
+                both = self.image(value.first, at), self.image(value.second, at)
+                difference = forms.sum((Fraction(1), both[0]), (Fraction(-1), both[1]))
+                return forms.chosen(forms.positive(difference, at), *both)
+            case p.Uniform():
+                return {in_at(value.param) if value.param else IN: forms.diagrams.one}
             case p.Shifted():
                 return self.image(value.value, (x + value.right, y + value.down))
             case p.RepeatedImage():

@@ -93,13 +93,15 @@ def lex(source: Source) -> Tokens:
     return tokens
 
 
-_PICTURES = ("image", "plane", "assume", "next", "param")
+_PICTURES = ("image", "plane", "assume", "next", "param", "report")
 """The statements of versions 3 and 4 whose operands may be levels."""
 _ENDS = ("NAME", "INTEGER", "AMOUNT", "true", "false", ")", "]")
 """The tokens that end an operand, after which `repeat` and `with` are no names."""
 _OF_TWO = re.compile(r"\[[^\[\]]*,")
 """The bracket after a plane, not that of a field."""
 _NOT_DIVIDED = re.compile(r"\s*[<>=!)]")
+_ADDED = re.compile(r"[ \t]*([-+\n#]|$|(when|if|else|and|or|xor)\b)")
+"""What follows a level that an image adds."""
 
 
 def _of_picture(
@@ -107,12 +109,15 @@ def _of_picture(
 ) -> Token | None:
     """Return the token as statements of version 3 read it, or None if it is the same."""
     start, text = span_of(token).start, tokens.source.text
-    if statement == "next" and tokens.version < 3:
+    if statement in ("next", "report") and tokens.version < 3:
         return None
     if (amount := level.match(text, start)) and (
         statement != "next" or not amount.group().endswith("%") or _is_share(tokens, amount)
     ):
         return Token("AMOUNT", amount.group(), start, end_pos=amount.end())
+    if statement == "report":
+        is_image = token == "exposure" and tokens.version > 3
+        return token.update(type="NAME") if is_image else None
     if statement == "assume":
         return None
     counts = tokens.kinds[-1] == "REPEAT"  # a name is the number of steps, not a function
@@ -132,9 +137,12 @@ def _of_picture(
 def _is_share(tokens: Tokens, amount: re.Match[str]) -> bool:
     """Return whether `5%` in a `next` is a level: compared, or at the end of brackets.
 
-    Otherwise it is a number and the sign of a remainder."""
+    From version 4 on, also if an image adds it. Otherwise it is a number and the sign of a
+    remainder."""
     before = [kind for kind in tokens.kinds[-2:] if kind != "-"][-1:]
-    return before == ["COMPARISON"] or _NOT_DIVIDED.match(amount.string, amount.end()) is not None
+    if before == ["COMPARISON"] or _NOT_DIVIDED.match(amount.string, amount.end()):
+        return True
+    return tokens.version > 3 and _ADDED.match(amount.string, amount.end()) is not None
 
 
 def _awaits_level(tokens: Tokens, statement: str) -> bool:

@@ -62,8 +62,9 @@ def counts_of(
             if inner.low <= 0 <= inner.high:
                 least = -inner.low % stride if stride else abs(inner.low)
             return CountRange(least, inner.peak, stride)
-        case p.Chosen():
-            both = [counts_of(value, known, weights) for value in (node.then, node.otherwise)]
+        case p.Chosen() | p.Larger():
+            values = [value for value in p.operands(node) if not isinstance(value, p.Condition)]
+            both = [counts_of(value, known, weights) for value in values]
             first, second = both
             if first is None or second is None:
                 return None

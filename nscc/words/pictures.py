@@ -93,6 +93,19 @@ class Largest(Record):
     kernel: str
 
 
+class Uniform(Record):
+    """A value that is equal in all pixels: one step of IN, or as many as the parameter `param`."""
+
+    param: str = ""
+
+
+class Larger(Record):
+    """The larger one of two images."""
+
+    first: Value
+    second: Value
+
+
 class Shifted(Record):
     """The value of the pixel at an offset of columns to the right and rows down."""
 
@@ -231,7 +244,19 @@ class RepeatedPlane(Record):
     leader: str
 
 
-Value = Source | Sum | Filtered | Absolute | Chosen | Largest | Agreement | Shifted | RepeatedImage
+Value = (
+    Source
+    | Sum
+    | Filtered
+    | Absolute
+    | Chosen
+    | Largest
+    | Agreement
+    | Shifted
+    | RepeatedImage
+    | Uniform
+    | Larger
+)
 Condition = (
     Bit
     | Constant
@@ -246,6 +271,7 @@ Condition = (
     | Neither
     | RepeatedPlane
 )
+Comparison = Above | AboveParam | Exceeds
 Node = Value | Condition
 
 
@@ -354,7 +380,8 @@ class PlaneReport(Record):
     @property
     def subject(self) -> str:
         """The name of the reported plane or image."""
-        return self.plane.removesuffix(GROWS) if self.kind == "flood" else self.plane
+        name = "exposure" if self.plane == "frame" else self.plane
+        return name.removesuffix(GROWS) if self.kind == "flood" else name
 
     @property
     def key(self) -> str:
@@ -399,7 +426,7 @@ class Pictures:
     Version 4 adds planes that the host loads (`inputs`), images that are kept from frame to frame,
     and parameters. `launches` contains the launches of each loop once, and those that set IN to a
     parameter (`levels_of`) without a level; `executed` returns them all. `negated` are the kept
-    images of which registers hold the negative."""
+    images of which registers hold the negative. `version` is 4 for programs of `nsl 4`."""
 
     weights: Annotated[tuple[Weights, ...], KeyName("kernels")]
     items: tuple[Picture, ...]
@@ -419,12 +446,12 @@ class Pictures:
     loops: Annotated[tuple[LaunchLoop, ...], LATER] = ()
     levels_of: Annotated[tuple[LevelOf, ...], LATER] = ()
     negated: Annotated[tuple[str, ...], LATER] = ()
+    version: Annotated[Length, LATER] = 3
 
     @property
     def is_of_version_4(self) -> bool:
-        """Whether the program has anything that version 3 of the language lacks. Words of programs
-        without it stay as they are."""
-        return bool(self.params or self.inputs or self.kept_images or self.repeated)
+        """Whether the program begins with `nsl 4`. Words of other programs stay as they are."""
+        return self.version > 3
 
     @property
     def has_host_values(self) -> bool:
