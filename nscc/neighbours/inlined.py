@@ -10,6 +10,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+from nscc.neighbours.last_use import names_read
 from nscc.neighbours.lower import merged
 from nscc.words import pictures as p
 
@@ -20,7 +21,7 @@ def without_second_names(pictures: p.Pictures) -> p.Pictures:
     inlined = _inlined(pictures, lambda node: isinstance(node, p.Source | p.Bit))
     read = {*pictures.outputs}
     for expression in inlined.expressions.values():
-        read |= {node.name for node in p.subexpressions(expression) if _is_name(node)}
+        read |= {*names_read(expression)}
     loops = {*inlined.repeated}
     items = (item for item in inlined.items if item.name in read or item.name in loops)
     return replace(inlined, items=tuple(items))
@@ -45,13 +46,13 @@ def _inlined(pictures: p.Pictures, is_inlined: Callable[[p.Node], bool]) -> p.Pi
     nodes: dict[str, p.Node] = {}
 
     def changed(node: p.Node) -> Any:
-        if _is_name(node):
+        if isinstance(node, p.Source | p.Bit):
             return nodes.get(node.name, node)
         return p.with_operands(node, changed)
 
     kept = {*pictures.outputs}
     for loop in pictures.repeated.values():
-        kept |= {node.name for node in p.subexpressions(loop.step) if _is_name(node)}
+        kept |= {*names_read(loop.step)}
     items = []
     for item in pictures.items:
         node = changed(item.node)
@@ -65,7 +66,3 @@ def _inlined(pictures: p.Pictures, is_inlined: Callable[[p.Node], bool]) -> p.Pi
         states=tuple(replace(state, next=changed(state.next)) for state in pictures.states),
         kept_images=tuple(replace(s, next=changed(s.next)) for s in pictures.kept_images),
     )
-
-
-def _is_name(node: Any) -> bool:
-    return isinstance(node, p.Source | p.Bit)

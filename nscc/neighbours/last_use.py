@@ -23,7 +23,7 @@ def by_last_use(pictures: p.Pictures) -> p.Pictures:
         for part in _taken_apart(item.name, item.node)
     }
     reads = {
-        name: [read for read in dict.fromkeys(_names(node)) if read in nodes]
+        name: [read for read in dict.fromkeys(names_read(node)) if read in nodes]
         for name, node in nodes.items()
     }
     depth: dict[str, int] = {}
@@ -41,7 +41,7 @@ def by_last_use(pictures: p.Pictures) -> p.Pictures:
     return replace(pictures, items=tuple(p.Picture(name, nodes[name]) for name in order))
 
 
-def _names(node: p.Node) -> Iterator[str]:
+def names_read(node: p.Node) -> Iterator[str]:
     """Yield the names that an expression reads."""
     for part in p.subexpressions(node):
         if isinstance(part, p.Bit | p.Source):

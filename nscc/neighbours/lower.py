@@ -255,20 +255,18 @@ class Lowering(RegisterEmitter):
         uniform = [(f, term) for f, term in node.terms if isinstance(term, p.Uniform)]
         other = tuple(term for term in node.terms if not isinstance(term[1], p.Uniform))
         terms = [(1, self.value(p.Sum(other)))] if other else []
-        uniform.sort(key=lambda term: term[0].denominator)
-        (factor, first), *further = uniform
-        terms += [(1, self._level(factor, uniform.param)) for factor, uniform in further]
-        if not terms or factor.denominator > 1:
-            terms.append((1, self._level(factor, first.param)))
-            return terms[0][1] if len(terms) == 1 else self.added(terms)
-        return self.added(terms, (int(factor), first.param))
+        levels: list[tuple[int, str]] = []
+        for factor, level in uniform:
+            if factor.denominator == 1 and len(levels) < 2:
+                levels.append((int(factor), level.param))
+            else:
+                terms.append((1, self._level(factor, level.param)))
+        return self.added(terms, levels) if levels or len(terms) > 1 else terms[0][1]
 
     def _level(self, factor: Fraction, param: str) -> Held:
         """Emit a value that is equal in all pixels: `factor` steps of IN, or of a parameter."""
-        if factor.denominator > 1:
-            whole = self._level(Fraction(factor.numerator), param)
-            return self.filtered(whole, {(0, 0): Fraction(1, factor.denominator)})
-        return self.added([], (int(factor), param))
+        whole = self.added([], [(factor.numerator, param)])
+        return self.filtered(whole, {(0, 0): Fraction(1, factor.denominator)})
 
     def _steps_range(self, factor: int, param: str) -> tuple[float, float]:
         """Return the range in electrons of a multiple of IN; raise `PictureRefused` beyond IN."""
@@ -290,17 +288,18 @@ class Lowering(RegisterEmitter):
         return Held(register, 1, 0.0, 0.0)
 
     def added(
-        self, signed_terms: list[tuple[int, Held]], level: tuple[int, str] | None = None
+        self, signed_terms: list[tuple[int, Held]], levels: Sequence[tuple[int, str]] = ()
     ) -> Held:
         """Emit the sum of at most four values with signs, in one or two words, and return its
         register.
 
-        `level`: a multiple of IN, or of the parameter with this name, that is added, too. Frees the
-        values' registers. Raises PictureRefused if the sum exceeds the range of registers, or
-        needs more than four sources."""
+        `levels`: at most two multiples of a step of IN, or of the parameter with this name, that
+        are added, too: the second by the first word. Frees the values' registers. Raises
+        PictureRefused if the sum exceeds the range of registers, or needs more than four
+        sources."""
         low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
         high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
-        if level is not None:
+        for level in levels:
             least, most = self._steps_range(*level)
             low, high = low + least, high + most
         self.checked(low, high)
@@ -309,20 +308,24 @@ class Lowering(RegisterEmitter):
         # One word inverts the smaller group of values. A word adds at most four sources.
         total, inverted = (1, minus) if len(plus) >= len(minus) else (-1, plus)
         direct = plus if total > 0 else minus
-        if inverted:
+        signs = (total, -total)  # of the levels in the last word and in the first word
+        steps: list[Level] = [
+            (param, sign * factor) if param else sign * factor
+            for sign, (factor, param) in zip(signs, levels, strict=False)
+        ]
+        steps += [None] * (2 - len(steps))
+        by_news = bool(inverted) or steps[1] is not None
+        if by_news:
             self.everywhere()
-            self.word(op("bus", ["NEWS"], [v.register for v in inverted[:4]]))
-        sources = [*(v.register for v in direct), *(["NEWS"] if inverted else [])]
-        steps: Level = None
-        if level is not None:
-            factor, param = total * level[0], level[1]
-            sources.append("IN")
-            steps = (param, factor) if param else factor
+            read = [v.register for v in inverted[:4]] + ["IN"] * (steps[1] is not None)
+            self.word(op("bus", ["NEWS"], read), steps[1])
+        sources = [*(v.register for v in direct), *(["NEWS"] if by_news else [])]
+        sources += ["IN"] * (steps[0] is not None)
         if len(sources) > 4 or len(inverted) > 4:
             raise PictureRefused("registers", self.now, len(signed_terms), 4)
         self.everywhere()
         register = self.take()
-        self.word(op("bus", [register], sources), steps)
+        self.word(op("bus", [register], sources), steps[0])
         self.give(*(v for _, v in signed_terms))
         variance = sum(v.variance for _, v in signed_terms) + 1 + bool(inverted)
         return Held(register, -total, low, high, variance=variance)
@@ -404,28 +407,81 @@ class Lowering(RegisterEmitter):
     def chosen(self, node: p.Chosen) -> Held:
         """Emit a choice between two images by a condition, and return its register; FLAG is 1 in
         all pixels afterwards."""
+        if self.pictures.is_of_version_4:
+            return self._chosen_by_flag(node)
         then, otherwise = self.value(node.then), self.value(node.otherwise)
         if then.sign != otherwise.sign:
             then = self.negated(then)
-        compared: Held | None = None
-        if self.pictures.is_of_version_4 and isinstance(node.condition, p.Comparison):
-            compared = self.value(node.condition.value)
-            if compared.sign < 0:  # FLAG is the inverse of the answer
-                then, otherwise = otherwise, then
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register], [otherwise.register]))
-        if compared is not None and isinstance(node.condition, p.Comparison):
-            self.bits.compare(node.condition, compared)
-            self.give(compared)
-        else:
-            self.bits.to_flag(node.condition)
+        self.bits.to_flag(node.condition)
         self.word(op("bus", [register], [then.register]))
         self.everywhere()
         self.give(then, otherwise)
         low, high = min(then.low, otherwise.low), max(then.high, otherwise.high)
         variance = max(then.variance, otherwise.variance) + 1
         return Held(register, -then.sign, low, high, variance=variance)
+
+    def _chosen_by_flag(self, node: p.Chosen) -> Held:
+        """Emit a choice in the register of the second value, if nothing reads that value later.
+
+        A level needs no register, and FLAG is the answer of a comparison at once."""
+        then, otherwise = self._value_or_level(node.then), self._value_or_level(node.otherwise)
+        condition, compared, bit = node.condition, None, None
+        if isinstance(condition, p.Comparison):
+            compared = self.value(condition.value)
+            if compared.sign < 0:  # FLAG is the inverse of the answer
+                then, otherwise = otherwise, then
+        else:
+            bit = self.bits.bit(condition)
+        self.everywhere()
+        in_place = otherwise.register != "IN" and self._ends(otherwise)
+        if in_place:
+            register, sign = otherwise.register, otherwise.sign
+            if otherwise.name is not None:
+                self.hand_over(otherwise.name)
+        else:
+            sign = -(then if otherwise.register == "IN" else otherwise).sign
+            register = self.take()
+            self._copy(register, sign, otherwise)
+        source = then
+        if then.register != "IN" and then.sign == sign:
+            self.word(op("bus", ["NEWS"], [then.register]))
+            source = replace(then, register="NEWS", sign=-then.sign)
+        if compared is not None and isinstance(condition, p.Comparison):
+            self.bits.compare(condition, compared)
+            self.give(compared)
+        elif bit is not None:
+            self.word(op("WHERE", [], [bit[0]]))
+            self.bits.give(bit)
+        self._copy(register, sign, source)
+        self.everywhere()
+        self.give(*(v for v in (then, *([] if in_place else [otherwise])) if v.register != "IN"))
+        low, high = min(then.low, otherwise.low), max(then.high, otherwise.high)
+        variance = max(then.variance, otherwise.variance) + 1
+        return Held(register, sign, low, high, variance=variance)
+
+    def _value_or_level(self, node: p.Value) -> Held:
+        """Return the register of a value; for a level "IN", with the level as its name."""
+        terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
+        if not terms:
+            return Held("IN", 1, 0.0, 0.0, "0 ")
+        if len(terms) > 1 or not isinstance(terms[0][1], p.Uniform) or terms[0][0].denominator > 1:
+            return self.value(node)
+        factor, param = int(terms[0][0]), terms[0][1].param
+        return Held("IN", 1, *self._steps_range(factor, param), f"{factor} {param}")
+
+    def _copy(self, register: str, sign: int, value: Held) -> None:
+        """Emit the word that writes a value, or a level, times `sign`."""
+        if value.register != "IN":
+            assert value.sign == -sign
+            self.word(op("bus", [register], [value.register]))
+            return
+        factor, param = (value.name or "").split(" ", 1)
+        steps = -sign * int(factor)
+        level: Level = (param, steps) if param else steps
+        self.word(op("bus", [register], ["IN"] if steps else []), level if steps else None)
 
 
 def merged(node: p.Value, kernels: Mapping[str, p.Weights]) -> tuple[Weights, p.Value]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
@@ -130,30 +130,42 @@ def _shortest(
     inner = tuple(image.name for image in pictures.kept_images if image.name not in readable)
     if inner:  # a register may hold the negative of a kept image
         ways.append(replace(pictures, negated=inner))
+    best, refused = _first_or_best(container, product(searches, ways), first=False)
+    if best is None and refused is not None and refused.kind != "range":
+        orders = product(searches, _with_fewer_registers(pictures))
+        best, _ = _first_or_best(container, orders, first=True)
+    if best is None:
+        assert refused is not None
+        raise refused
+    return best
+
+
+def _first_or_best(
+    container: Container, ways: Iterable[tuple[Synthesis, Pictures]], *, first: bool
+) -> tuple[Lowering | None, PictureRefused | None]:
+    """Return the first, or the shortest, lowering that fits, and why the first way does not."""
     best: Lowering | None = None
     refused: PictureRefused | None = None
-    orders: list[Callable[[], Pictures]] = []
-    if not pictures.repeated:
-        orders.append(lambda: by_last_use(pictures))
-    if pictures.is_of_version_4:
-        moved = with_moves_where_read(pictures)
-        orders.append(lambda: moved)
-        if not pictures.repeated:
-            orders.append(lambda: by_last_use(moved))
-    for synthesis, way in [*product(searches, ways), *product(searches, orders)]:
-        if callable(way) and (best is not None or refused is None or refused.kind == "range"):
-            break
+    for synthesis, way in ways:
         try:
-            lowering = _lowered(container, way() if callable(way) else way, synthesis)
+            lowering = _lowered(container, way, synthesis)
         except PictureRefused as error:
             refused = refused or error
             continue
         if best is None or len(lowering.words) < len(best.words):
             best = lowering
-    if best is None:
-        assert refused is not None
-        raise refused
-    return best
+        if first:
+            break
+    return best, refused
+
+
+def _with_fewer_registers(pictures: Pictures) -> list[Pictures]:
+    """Return the same images and planes in ways that need fewer registers."""
+    ways = [] if pictures.repeated else [by_last_use(pictures)]
+    if pictures.is_of_version_4:
+        moved = with_moves_where_read(pictures)
+        ways += [moved] if moved.repeated else [moved, by_last_use(moved)]
+    return ways
 
 
 def _without_zeros(node: Node) -> Any:

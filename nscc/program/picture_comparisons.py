@@ -156,9 +156,9 @@ class PictureComparer(ABC):
                 ("compare an image with a level: `image > 6%`",),
             )
         constant_steps = steps - levels.pop("", Fraction(0))
-        if not levels and constant_steps.denominator == 1:
-            if abs(constant_steps) <= self.host.most_steps:
-                return p.Above(picture_sum(*other), int(constant_steps))
+        whole = constant_steps.denominator == 1 and abs(constant_steps) <= self.host.most_steps
+        if not levels and whole:
+            return p.Above(picture_sum(*other), int(constant_steps))
         if not constant_steps and len(levels) == 1:
             (param, factor), *_ = levels.items()
             if abs(factor) == 1:

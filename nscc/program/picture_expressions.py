@@ -148,8 +148,9 @@ class Reader(LoopReader):
         """Return a choice; from version 4 on, `a if a > b else b` is the larger one of two."""
         match condition:
             case p.Above(value=value, steps=0) if self.declared.version > 3:
-                for sign, combine in ((Fraction(1), p.Larger), (Fraction(-1), _smaller)):
-                    zero = picture_sum((sign, value), (Fraction(-1), then), (Fraction(1), otherwise))
+                negative = picture_sum((Fraction(-1), then), (Fraction(1), otherwise))
+                for sign, combine in ((1, p.Larger), (-1, _smaller)):
+                    zero = picture_sum((Fraction(sign), value), (Fraction(1), negative))
                     if isinstance(zero, p.Sum) and not any(factor for factor, _ in zero.terms):
                         return combine(then, otherwise)
         return p.Chosen(condition, then, otherwise)

@@ -100,7 +100,7 @@ _ENDS = ("NAME", "INTEGER", "AMOUNT", "true", "false", ")", "]")
 _OF_TWO = re.compile(r"\[[^\[\]]*,")
 """The bracket after a plane, not that of a field."""
 _NOT_DIVIDED = re.compile(r"\s*[<>=!)]")
-_ADDED = re.compile(r"[ \t]*([-+\n#]|$|(when|if|else|and|or|xor)\b)")
+_ADDED = re.compile(r"[ \t]*([-+,\n#]|$|(when|if|else|and|or|xor)\b)")
 """What follows a level that an image adds."""
 
 

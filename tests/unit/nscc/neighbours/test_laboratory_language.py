@@ -69,6 +69,13 @@ def test_repeat_with_flood_count_and_sum_stay_names() -> None:
         (BRIGHT + "plane q = flood(p, p) read q", "NS0531"),
         (BRIGHT + CROSS + "plane q = flood(p, p, k, at most 0) read q", "NS0531"),
         (BRIGHT + CROSS + "plane q = p repeat 2 flood(p, q, k) read q", "NS0539"),
+        (BRIGHT + "param m : 0 .. 4 = 2 image v = exposure * m read v", "NS0531"),
+        (BRIGHT + "param m : 0 .. 4 = 2 image v = exposure + m read v", "NS0533"),
+        (BRIGHT + "image v = exposure + 4 read v", "NS0533"),
+        (BRIGHT + "image v = max(exposure, p) read v", "NS0531"),
+        (BRIGHT + "plane q = t + 4% > 3% read q", "NS0533"),
+        (BRIGHT + "image v = exposure + 90% read v", "NS0540"),
+        (BRIGHT + "report any exposure", "NS0214"),
         (BRIGHT + "image v = exposure repeat 30 v + exposure read v", "NS0540"),
         (BRIGHT + "image v = exposure repeat 2 v[1, 0] * 4 / 2 read v", "NS0540"),
         (BRIGHT + "state s : image next s = exposure read p", "NS0543"),
@@ -197,6 +204,45 @@ def test_a_loader_refuses_what_it_does_not_know(text: str) -> None:
     with pytest.raises(Rejected) as caught:
         upload_of(container_of(HEAD + text), bytes(32))
     assert [each.code for each in caught.value.diagnostics] == ["NS0765"]
+
+
+LEVELS = """
+assume exposure <= 40%
+state s : image kept = 8%
+image v = 0 if exposure - s > t + 3% else exposure - 10% + t
+image w = min(v, s) + (exposure + 5%) / 2
+next s = max(s - 2%, exposure / 2) + 1%
+report sum exposure
+read v, w, s
+"""
+
+
+def test_images_add_levels_and_take_the_larger_of_two() -> None:
+    program = nscc.compile(HEAD + "param t : 1% .. 20% = 4%" + LEVELS)
+    step = 30000 / 127
+    rng = np.random.default_rng(3)
+    lights = ((rng.integers(0, 48, (20, 1, 256, 256)) + 0.375) * step / 4).repeat(4, axis=1)
+    params = [{"t": (4 + frame % 7) * step} for frame in range(20)]
+    film = nscc_runtime.film(program, lights, params=params)
+    s = np.full((256, 256), 0.08 * 30000)
+    for frame, e in enumerate(lights.astype(np.float32).astype(np.float64).sum(axis=1)):
+        t = params[frame]["t"]
+        v = np.where(e - s > t + 4 * step, 0, e - 13 * step + t)
+        w = np.minimum(v, s) + (e + 6 * step) / 2
+        s = np.maximum(s - 3 * step, e / 2) + step
+        for name, values in (("v", v), ("w", w), ("s", s)):
+            np.testing.assert_allclose(film.images[name][frame], values, atol=1e-6)
+        assert film.reports["sum exposure"][frame] == pytest.approx(e.sum(), rel=1e-12)
+
+
+def test_a_value_in_a_register_that_is_used_again_is_another_value() -> None:
+    """Three kernels of three absolute values, which are in one register one after the other."""
+    sobel = "kernel a = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] / 8 kernel b = [[1, 2, 1], [0, 0, 0], "
+    box = "[-1, -2, -1]] / 8 kernel c = [[1, 1, 1], [1, 1, 1], [1, 1, 1]] / 16 "
+    images = "image x = c(abs(a(exposure))) image y = c(abs(b(exposure))) "
+    both = "image z = c(abs(a(exposure) + b(exposure))) plane p = x > 3% and y > 3% and z > 3% "
+    for head in (HEAD, HEAD.replace("nsl 4", "nsl 3")):
+        assert pictures_fault(container_of(head + sobel + box + images + both + "read p")) is None
 
 
 def test_a_kept_image_leaks_and_a_sum_is_exact() -> None:

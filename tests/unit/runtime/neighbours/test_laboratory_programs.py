@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from checkout import ROOT
 from numpy.typing import NDArray
-from scipy.ndimage import label
+from scipy.ndimage import label, median_filter
 
 import nscc
 import nscc_runtime
@@ -27,6 +27,7 @@ PUBLIC_WORDS = {
     "masked_memory": 7,
     "history": 23,
     "half": 774,
+    "adc": 64,
 }
 """Words of the public versions that count all their words."""
 
@@ -82,6 +83,28 @@ def test_a_program_has_no_more_words_than_the_public_one(name: str) -> None:
     """Without the words that load and refresh inputs: two for each input plane."""
     pictures = program(name).container.pictures
     assert pictures.words - 2 * len(pictures.inputs) <= PUBLIC_WORDS[name]
+
+
+@pytest.mark.parametrize(("name", "public_words"), [("median_of_5", 165), ("median_of_9", 1026)])
+def test_medians_have_at_most_60_percent_of_the_public_words(name: str, public_words: int) -> None:
+    compiled = program(name)
+    assert compiled.container.pictures.words <= 0.6 * public_words
+    light = film_light(4, 11)
+    found = nscc_runtime.film(compiled, light).images["median"]
+    near = np.ones((3, 3)) if name == "median_of_9" else [[0, 1, 0], [1, 1, 1], [0, 1, 0]]
+    for frame, e in enumerate(exposures(light)):
+        expected = median_filter(e, footprint=near)
+        np.testing.assert_allclose(found[frame][1:-1, 1:-1], expected[1:-1, 1:-1], atol=1e-6)
+
+
+def test_bits_of_an_image_and_back() -> None:
+    light = film_light(4, 12, most_steps=110)
+    capture = nscc_runtime.film(program("adc"), light)
+    for frame, e in enumerate(exposures(light)):
+        number = np.minimum(e / (8 * STEP_E), 15).astype(int)
+        for bit in range(4):
+            same(capture, f"b{bit}", frame, (number >> bit & 1).astype(np.bool_))
+        np.testing.assert_allclose(capture.images["back"][frame], number * 8 * STEP_E, atol=1e-6)
 
 
 def test_sobel_and_laplace() -> None:
