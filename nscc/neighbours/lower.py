@@ -311,7 +311,7 @@ class Lowering(RegisterEmitter):
         signs = (total, -total)  # of the levels in the last word and in the first word
         steps: list[Level] = [
             (param, sign * factor) if param else sign * factor
-            for sign, (factor, param) in zip(signs, levels, strict=False)
+            for sign, (factor, param) in zip(signs[: len(levels)], levels, strict=True)
         ]
         steps += [None] * (2 - len(steps))
         by_news = bool(inverted) or steps[1] is not None

@@ -159,10 +159,11 @@ class PictureComparer(ABC):
         whole = constant_steps.denominator == 1 and abs(constant_steps) <= self.host.most_steps
         if not levels and whole:
             return p.Above(picture_sum(*other), int(constant_steps))
-        if not constant_steps and len(levels) == 1:
-            (param, factor), *_ = levels.items()
-            if abs(factor) == 1:
-                return p.AboveParam(picture_sum(*other), param, -int(factor))
+        if not constant_steps:
+            for param, factor in levels.items():
+                if abs(factor) == 1:
+                    without = [term for term in terms if term[1] != p.Uniform(param)]
+                    return p.AboveParam(picture_sum(*without), param, -int(factor))
         return p.Above(value, steps)
 
     def _require_level(self, param: p.HostParam, span: Span) -> None:
