@@ -90,7 +90,10 @@ def _read(path: Path, key: str | None) -> NDArray[Any]:
 def _stored(
     path: Path, choose: Callable[[list[str]], str | None], most_bytes: int = MOST_BYTES
 ) -> tuple[list[str], str | None, NDArray[Any] | None]:
-    """Return the names in a .mat, .npy or .npz file, the one that `choose` selects, its array."""
+    """Return the names of the arrays in a .mat, .npy or .npz file, the name that `choose` selects,
+    and its array.
+
+    Name and array are None if `choose` returns None; a .npy file has no names."""
     suffix = path.suffix.lower()
     if suffix == ".npy":
         return [], None, npy_array(path, most_bytes)

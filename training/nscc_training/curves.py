@@ -95,7 +95,8 @@ def _pu21_slope(luminance: float) -> float:
 
 
 def _library(x: Any) -> Any:
-    """Return numpy, or torch for its tensors."""
+    """Return the module whose functions apply to `x`: torch for its tensors, numpy for
+    everything else."""
     if type(x).__module__.partition(".")[0] == "torch":
         import torch
 

@@ -140,8 +140,10 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         return x + self.A_adjoint(_times(inverse, y - self.A(x)))
 
     def _weights(self, like: Tensor) -> Tensor:
-        """Return the weights of light, (buckets, slots, rows, cols); a still has one slot, the
-        frame."""
+        """Return the fractions of light that each bucket collects, (buckets, slots, rows, cols), in
+        the type of `like`.
+
+        A still has one slot, the frame."""
         weights: Tensor = self.shutters
         if self.encoder is not None:
             weights = laid(_of_buckets(self.encoder(), self.encoder), *self.img_size[-2:])
@@ -215,7 +217,8 @@ def _of_buckets(shutters: Tensor, encoder: Encoder) -> Tensor:
 
 
 def _shares(shutters: object, slots: int) -> Tensor:
-    """Return the fraction of the frame of each slot."""
+    """Return the fraction of the frame that each slot lasts; equal fractions for shutters
+    without slot lengths."""
     if not isinstance(shutters, ShutterProgram | Container):
         return torch.full((slots,), 1.0 / slots)
     lengths = torch.tensor(shutters.slot_us, dtype=torch.float64)

@@ -130,7 +130,8 @@ class MeasuredTables:
         return {"shutters": self._shutters, **fields}
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """Use the table of `tensors`; raise KeyError for other tensors."""
+        """Use the table that the `tensors` of a checkpoint hold, or none if they are empty;
+        raise KeyError for other tensors."""
         if tensors:
             table = EmulatedSensor(
                 tensors["light_e"],

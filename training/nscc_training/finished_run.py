@@ -157,7 +157,10 @@ class Run:
     def _decoded(
         self, frame: FrameLike, *, force: bool = False, dark: DarkLike | None = None
     ) -> NDArray[np.float32]:
-        """Return the decoder's output for a frame."""
+        """Return the decoder's output for a frame file or a capture.
+
+        A frame that does not match the run is refused unless `force`; `dark` is a frame without
+        light, for the offset. Raises Rejected (NS0819) and WrongArgument."""
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
         elif isinstance(frame, Capture):
@@ -254,7 +257,7 @@ class Run:
         return shutter_chart(np.stack([rows, ~rows], axis=1), labels, slot_us, ("first", "second"))
 
     def _dark(self, dark: DarkLike) -> Dark:
-        """Return a frame without light."""
+        """Return the offset and the saturation of a dark frame, a file or a capture."""
         if not isinstance(dark, Capture):
             return read_dark(path_of("reconstruct: dark", dark), self.folder.setup.buckets)
         codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])

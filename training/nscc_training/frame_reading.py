@@ -190,7 +190,8 @@ class Dark:
             yield "it was exposed to light"
 
     def _is_lit(self) -> bool | None:
-        """Return whether the dark frame's scene has light; None if unknown."""
+        """Return whether the scene of the dark frame has light, which makes it no dark frame;
+        None if unknown."""
         scene, rows_cols = self.meta.get("scene_sha256"), self.offset.shape[-2:]
         if scene is None or self.slot_us is None:
             return None

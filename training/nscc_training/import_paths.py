@@ -68,7 +68,10 @@ def own_code(text: str, role: str) -> Iterator[None]:
 
 
 def own_failed(text: str, role: str, reason: str) -> Rejected:
-    """Return the error (NS0822) for user code that does not fulfil its contract."""
+    """Return the error (NS0822) for user code that does not do what its `role` requires: decoder,
+    data or loss.
+
+    `text` names the code."""
     return rejected(
         "NS0822",
         f"the {role} '{text[:100]}' fails",

@@ -206,7 +206,9 @@ def _slots_first(mask: Floats, axis: Axis) -> Bits:
 
 
 def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
-    """Return the distinct shutters (K, slots) of a mask, and their indices in its tile."""
+    """Return the distinct shutters (K, slots) of a mask, and their indices in its smallest tile.
+
+    Raises Rejected (NS0847) for a mask larger than the array."""
     slots, rows, cols = mask.shape
     if rows > array[0] or cols > array[1]:
         raise rejected(

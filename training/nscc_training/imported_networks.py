@@ -133,7 +133,8 @@ def cell_of_onnx(path: Path, data: bytes) -> PixelCell:
 
 
 def _state(path: Path, graph: Any) -> dict[str, Tensor]:
-    """Return the state dict that the layers of a graph describe."""
+    """Return the state dict of a cell that the layers of an ONNX graph describe. Raises Rejected
+    (NS0851) for another graph."""
     from onnx import numpy_helper
 
     def the(kind: str) -> Any:

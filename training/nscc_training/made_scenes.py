@@ -84,7 +84,7 @@ def _unit(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _shape(generator: Generator, size: int) -> NDArray[np.bool_]:
-    """Return a random rotated rectangle or ellipse."""
+    """Return a mask (size, size) of a random rotated rectangle or ellipse."""
     y, x = generator.random(2) * size
     height, width = generator.uniform(0.05, 0.3, 2) * size
     angle = generator.uniform(0, np.pi)
@@ -97,7 +97,8 @@ def _shape(generator: Generator, size: int) -> NDArray[np.bool_]:
 
 
 def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
-    """Return texture, mask, place and speed (pixels per frame) of an object."""
+    """Return texture, mask, position (pixels) and speed (pixels per frame) of a random object in
+    a picture of this size."""
     side = int(size * generator.uniform(0.2, 0.5))
     texture = _unit(_fractal(generator, side, 1.0))
     mask = _shape(generator, side) | _shape(generator, side)
@@ -121,7 +122,8 @@ def _paste(
     mask: NDArray[np.float64],
     place: NDArray[np.float64],
 ) -> None:
-    """Paste an object into the picture at whole pixels; parts outside are cut."""
+    """Paste an object into the picture, in place, rounded to whole pixels; parts outside are
+    cut."""
     side = len(texture)
     y, x = np.rint(place).astype(int)
     y0, x0 = max(y, 0), max(x, 0)

@@ -217,7 +217,7 @@ def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.flo
 
 
 def _blur(picture: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return Gaussian means of all complete windows."""
+    """Return the means of all complete windows, with Gaussian weights, (rows - 10, cols - 10)."""
     offsets = np.arange(WINDOW) - WINDOW // 2
     weights = np.exp(-0.5 * (offsets / SIGMA) ** 2)
     weights /= weights.sum()

@@ -208,7 +208,8 @@ def begun_with(
 
 
 def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[np.int64]:
-    """Return all shapes (K, N) of a program's codebook."""
+    """Return the open slots (K, N) of all rows in the codebook of a compiled program for
+    `target`."""
     source = compiled_program.program.source
     table = analyse(
         source, compiled_program.tree, base=path.parent, codes="open", target=target
@@ -274,8 +275,8 @@ def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:
 
 
 def _pixels(spec: ShutterSpec, codes: Codes, fields: list[str], packed: bytes) -> list[str]:
-    """Return the lines that give the codes of a tile; a large one is read from the file of
-    codes, with its digest."""
+    """Return the lines that give the `codes` of a tile; those of a large tile are in a file,
+    `packed`, which the program names with its digest."""
     if spec.places > MOST_LISTED:
         return [f'pixels from "{CODES_FILE}" sha256 "{sha256(packed).hexdigest()}"']
     lines = []

@@ -107,7 +107,7 @@ def likelihoods(classes: Sequence[str], scores: NDArray[np.float32]) -> dict[str
 
 
 def _decoded(folder: RunFolder, frame: Path, force: bool, dark: Path | None) -> Reconstruction:
-    """Decode a frame file, as `reconstruct`."""
+    """Decode the frame file with a run, as `reconstruct` does."""
     read, begin = read_frame(frame), working_s()
     dark_frames = None if dark is None else read_dark(dark, folder.setup.buckets)
     light, messages = reconstructed(folder, read, str(frame), dark_frames, force=force)
@@ -155,7 +155,7 @@ def reconstructed(
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
-    """Yield reasons to believe that the frame was exposed with other shutters."""
+    """Yield reasons to believe that the frame was exposed with other shutters than the run's."""
     if read.shutter is not None:
         hard = shutters_at(folder.setup, read.frame.shape[-2:]).numpy().astype(bool)
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
@@ -177,7 +177,8 @@ def _is_program(folder: RunFolder, digest: object) -> bool:
 
 
 def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
-    """Yield reasons to believe that the frame came from another sensor."""
+    """Yield reasons to believe that the frame came from another sensor than the run was trained
+    for."""
     model, own_sensor = folder.setup.model, folder.setup.sensor
     # Defaults change between versions: a frame may be as old as the run.
     if read.meta.get("sensor_sha256") in (sensor_sha256(own_sensor), _trained_sensor(folder)):
@@ -208,7 +209,8 @@ def _trained_sensor(folder: RunFolder) -> str:
 
 
 def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagnostic]:
-    """Yield a warning (NS0842) if a frame has effects that the decoder was not trained with."""
+    """Yield a warning (NS0842) if the frame `name` has effects that the decoder was not trained
+    with."""
     learned = folder.setup.settings.sensor.effects
     known = {effect.name for effect in selected(learned).effects} if learned else set(_OF_MODEL)
     plan = read.meta.get("plan") or {}

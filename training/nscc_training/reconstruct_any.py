@@ -128,8 +128,10 @@ def _relative(measured: Measured[NDArray[Any]]) -> tuple[Measured[NDArray[Any]],
 
 
 def chosen_for_clip(measured: Measured[NDArray[Any]]) -> tuple[Method, str]:
-    """Return the method that predicts pixels of a clip best that are left out, and why it is not
-    the network."""
+    """Return the method that better predicts pixels which are left out of the measurement of a
+    clip.
+
+    The second result says why it is not the network, and is empty if it is."""
     from nscc_training.any_code.decode import decoded_clip
 
     relative, _ = _relative(measured)

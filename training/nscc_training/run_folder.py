@@ -104,7 +104,8 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
 
 
 def run_codes(path: Path) -> Encoder:
-    """Return the shutters of a run without its weights; raise Rejected as `started_encoder`."""
+    """Return the shutters of the run in a folder, without loading its decoder; raise Rejected as
+    `started_encoder`."""
     settings = load_config(path / CONFIG)
     chosen = replace(settings.shutter, init=str(path / CODES_FILE))
     file = path / TARGET_FILE

@@ -49,7 +49,8 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
 
 
 def folders_of(text: str) -> list[Path]:
-    """Return the folders that `text` names, in the form of `files_in`."""
+    """Return the folders that `text` names: a folder, or patterns joined by `+`, as in
+    `files_in`."""
     if Path(text).is_dir():
         return [Path(text)]
     names = (_PICKED.sub(r"\1", pattern) for pattern in text.split("+"))

@@ -280,7 +280,8 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
 
 
 def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:
-    """Raise ValueError for shapes that would be broadcast to an unintended capture."""
+    """Raise ValueError for shapes that would be broadcast to an unintended capture, with the
+    expected shape."""
     if shutters.ndim not in (3, 4) or 0 in shutters.shape:
         raise ValueError(f"shutters are ([buckets,] N, rows, cols), not {tuple(shutters.shape)}")
     if light.ndim not in (3, 4):

@@ -141,7 +141,8 @@ def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[A
 
 
 def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
-    """Return the PNG of a sheet of tables; raise Rejected (NS0801) if they are invalid."""
+    """Return the PNG of what `sheet` draws from the tables of a file; raise Rejected (NS0801) if
+    they are invalid."""
     try:
         return png_of(sheet, *arguments)
     except (csv.Error, AttributeError, LookupError, TypeError, ValueError) as error:

@@ -100,7 +100,8 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int, progress: Pr
 
 @torch.no_grad()
 def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tensor:
-    """Reconstruct the light over the frame (batch, rows, cols), in the frames' unit."""
+    """Reconstruct the light over the frame (batch, rows, cols), in the frames' unit, by `count`
+    stages."""
     # Scale so that nearly the largest value is 1, as the stages require.
     unit = measured.value.amax(dim=(1, 2, 3)).clamp(min=1e-6)
     measured = measured.over(unit)
@@ -117,7 +118,8 @@ def _still_in_tiles(light: Tensor, planes: Tensor, level: Tensor) -> Tensor:
 
 
 def white(measured: Measured[Tensor]) -> Tensor:
-    """Return the 99.5 % quantile (batch,) of the light of opened pixels; 1 if none opens."""
+    """Return the level that counts as white (batch,): the 99.5 % quantile of the light of opened
+    pixels; 1 if none opens."""
     total = measured.mask.sum(dim=(1, 2))
     mean = measured.mean()
     opened = (total > 0).expand_as(mean).flatten(1)

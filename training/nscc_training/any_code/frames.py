@@ -84,7 +84,10 @@ class CodedFrame:
         return self._measured(share[..., None].astype(np.float32))
 
     def _measured(self, weights: NDArray[np.float32]) -> Measured[NDArray[Any]]:
-        """Return the measurement with shutter weights (shutters, B, N)."""
+        """Return the frame as a batch of one measurement, whose mask has the `weights` (shutters,
+        buckets, slots) of each pixel's shutter.
+
+        Raises ValueError for an array that would be too large."""
         if weights.shape[2] * self.row.size > _MOST_VALUES:
             raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
@@ -190,7 +193,8 @@ def exposed_frame(
 def coded_capture(
     container: Container, light: Light, sensor: Sensor, simulated: Simulated
 ) -> CodedFrame:
-    """Convert a simulated frame."""
+    """Convert the `simulated` frame of a program exposed to `light`, with the shutters, noise
+    and saturation that the program and the sensor give."""
     about = meta(container, light, simulated.frame, simulated.origin)
     table = decode_arrays(container, sensor, about["plan"])
     arrays = {"frame": simulated.frame.frame, "saturated": simulated.frame.saturated}
@@ -246,7 +250,11 @@ def coded_frame(
 
 
 def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDArray[Any]]:
-    """Return the decode table that an older frame file lacks, computed from its program."""
+    """Return the decode table that an older frame file at `path` lacks, computed from its program
+    and its `meta`.
+
+    Raises Rejected (NS0819) for a damaged meta, and NS0819 if the codes do not determine the
+    shutters."""
     container = with_pixels(load_container(program)[0], program)
     values = meta.get("sensor", default_sensor(container.target).values)
     try:

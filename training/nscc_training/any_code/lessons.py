@@ -139,7 +139,11 @@ def measured_lesson(
 
 
 def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> tuple[Light, Mask]:
-    """Return a random still in full wells, part of which would saturate if open, and its stops."""
+    """Return a random still (size, size) in full wells, and for how much of the frame each pixel is
+    open.
+
+    Part of the light would saturate an open pixel, which only pixels with a short exposure measure.
+    """
     picture = pictures[int(generator.integers(len(pictures)))]
     step = int(generator.integers(1, 3))
     row, col = (int(generator.integers(side - step * size + 1)) for side in picture.shape)
@@ -189,8 +193,8 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
 
 
 def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
-    """Return random shutters: half of them of any class, half of them bumps in a 4 x 4 tile that
-    open one after another."""
+    """Return random shutters (frames, size, size): half of them of any class, half of them bumps
+    in a 4 x 4 tile that open one after another."""
     if generator.random() < 0.5:
         return mask_drawn(generator, frames, size)
     length = max(1, frames // 4)

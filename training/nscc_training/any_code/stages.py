@@ -136,8 +136,8 @@ def light_of(coded: Tensor) -> Tensor:
 
 
 def _planes(measured: Measured[Tensor]) -> Tensor:
-    """Return the denoiser's inputs (batch, 3, 1, rows, cols): logarithms of open share, light and
-    noise of the frame with least noise."""
+    """Return the denoiser's inputs (batch, 3, 1, rows, cols) for a still: logarithms of open
+    share, light and noise of the frame with least noise."""
     mask = measured.mask[:, :, 0]
     opened = mask > 0
     alone = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0).clamp(min=0)

@@ -46,8 +46,11 @@ def denoised_in_tiles(
 
 
 def _tiles(length: int, side: int, is_mirrored: bool) -> Iterator[tuple[slice, slice]]:
-    """Yield the places of each tile along an axis, and the places that are read for it. The grid
-    of the tiles begins at the first place, or at the last if the network sees the clip mirrored."""
+    """Yield the range of each tile along an axis of `length` pixels, and the range that is read for
+    it, which has a margin.
+
+    The grid of the tiles begins at the first pixel, or at the last if the network sees the clip
+    mirrored. `side` is the length of a tile."""
     for first in range(0, length, side):
         ends = (first, min(first + side, length))
         for_tile = (max(0, first - _MARGIN), min(first + side + _MARGIN, length))

@@ -36,7 +36,11 @@ def admm_tv(
     iterations: int = ITERATIONS,
     weight: float = WEIGHT,
 ) -> Clip:
-    """Reconstruct a clip by the alternating direction method of multipliers (ADMM) with TV."""
+    """Reconstruct a clip by the alternating direction method of multipliers (ADMM) with total
+    variation (TV).
+
+    It minimises the same sum as `gap_tv`, but allows the clip to differ from the measurement.
+    `weight` is that of TV."""
     energy = _energy(mask) + np.float32(_RIDGE)
     clip = mask * (measurement / energy)
     dual = np.zeros_like(clip)

@@ -33,7 +33,8 @@ def _shape(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor
 
 
 def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Denoise clips like `tv_denoised`, but with torch's operators, on any device."""
+    """Denoise clips (batch, T, rows, cols) like `tv_denoised`, but with torch's operators, on
+    any device."""
     image = clips.detach().float()
     scales = (time, 1.0, 1.0)
     step = 1.0 / (4.0 + 2.0 * time * time)

@@ -182,7 +182,10 @@ class ExposureSet(Dataset[Exposures]):
     def _surroundings(
         self, scene: int, generator: np.random.Generator
     ) -> tuple[NDArray[np.float32], float, str]:
-        """Return the light of a random region, its saturated share, and its place."""
+        """Return a random region of a scene's light, with what the augmentation needs around a
+        patch; the share of its pixels that will saturate; and its coordinates as text.
+
+        A region that is dark everywhere is drawn again, some times."""
         light, region, share, place = self.lights[scene], None, self._lit, ""
         low, high = sorted(self.settings.saturated)
         for _ in range(_TRIES):
@@ -204,7 +207,8 @@ class ExposureSet(Dataset[Exposures]):
 def cut_batch(
     drawn: Exposures, settings: DataSettings, full_well_e: float, device: torch.device
 ) -> Batch:
-    """Return the patches of a batch, exposed, cut and augmented on a device."""
+    """Return the patches of a batch, which `drawn` describes: the regions are exposed for a chip
+    with this full well, cut and augmented on `device`."""
     light, share, contrast, turns, mirrored, backwards, source, corner, brightness = (
         tensor.to(device, non_blocking=True) for tensor in drawn[:9]
     )
@@ -246,7 +250,11 @@ def _cut(
     source: Tensor,
     corner: Tensor,
 ) -> Tensor:
-    """Return the patches (batch, [N,] patch, patch) of rotated and mirrored regions."""
+    """Return the patches (batch, [N,] patch, patch) that begin at `corner` in the regions `source`
+    of `light`.
+
+    A region is first rotated by `turns` right angles, mirrored, and, if `backwards`, reversed in
+    time."""
     last = light.shape[-1] - 1
     step = torch.arange(patch, device=light.device)
     rows = (corner[:, 0, None] + step)[:, :, None]

@@ -158,7 +158,8 @@ class _Layer:
         return np.asarray(warped, np.float32)
 
     def cover_at(self, moment: float, size: int) -> NDArray[np.float32]:
-        """Return the fraction of each pixel that the object covers; its edge is one pixel wide."""
+        """Return the fraction of each pixel of a picture (size, size) that the object covers at
+        a moment; its edge is one pixel wide."""
         assert self.outline is not None
         y, x = self.middle + self.velocity * moment
         rows, cols = np.mgrid[:size, :size].astype(np.float32)

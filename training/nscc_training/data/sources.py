@@ -197,7 +197,8 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
 
 
 def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
-    """Return synthetic scenes, a quarter as many for validation, determined by the seed."""
+    """Return the synthetic scenes of a split, determined by the seed; for validation a quarter
+    as many as for training."""
     count, stream = kind.settings.scenes, DrawStream.TRAINING_SCENES
     if split_name != "train":
         count, stream = -(-count // 4), DrawStream.VALIDATION_SCENES
@@ -287,8 +288,10 @@ def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
 def _clip_light(
     path: Path, stored: Iterable[NDArray[Any]], colours: Transfer | Colours, kind: _Kind
 ) -> NDArray[np.float32]:
-    """Return the light of at most `frames` frames, (frames, rows, cols), cut to the middle;
-    `path` names them."""
+    """Return the light of at most `frames` of the stored frames, (frames, rows, cols), cut to their
+    middle.
+
+    `path` names them in messages."""
     frames = [
         kind.light(centre_of(np.asarray(frame), _MOST_SIDE), colours, f"{path}, frame {number}")
         for number, frame in enumerate(islice(stored, kind.settings.frames))

@@ -77,8 +77,10 @@ class BlockNet(nn.Module):
     tile. `overlapping` (down, across) may be switched off after training to use fewer blocks."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, _size: str) -> None:
-        """Build fully connected layers from a block of 2 x 2 tiles to the same block of all
-        slots."""
+        """Build fully connected layers from a block of 2 x 2 tiles of a frame to the same block of
+        all slots.
+
+        `channels` is the one width of the hidden layers."""
         super().__init__()
         self.slots, self.tile = task.slots, task.tile
         self.block = (2 * task.tile[0], 2 * task.tile[1])

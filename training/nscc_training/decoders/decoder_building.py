@@ -129,7 +129,9 @@ def _called(
     frame: Tensor,
     shutters: Tensor,
 ) -> Tensor:
-    """Return the output of the user's decoder; raise Rejected (NS0822) for an unusable one."""
+    """Return the output of the user's decoder for a frame and its shutters.
+
+    Raises Rejected (NS0822) if it fails or returns another shape than the task needs."""
     with own_code(name, "decoder"):
         output = forward(frame, shutters)
     expected_shape = (len(frame), *frame.shape[-2:])
@@ -155,7 +157,8 @@ def parameter_count(module: nn.Module) -> int:
 
 
 def flops(module: nn.Module, slots: int, rows: int, cols: int, buckets: int = 1) -> int:
-    """Return the operations of one exposure; a multiplication and an addition count as two."""
+    """Return the operations of a decoder for one exposure of rows x cols pixels; a
+    multiplication and an addition count as two."""
     from torch.utils.flop_counter import FlopCounterMode
 
     device = next((p.device for p in module.parameters()), torch.device("cpu"))

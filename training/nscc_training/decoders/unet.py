@@ -112,7 +112,10 @@ class StillUNet(nn.Module):
     for clips also a gain (`gated`); this needs `sees_code`."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
-        """Build a two-dimensional U-Net for stills, or for clips with slots as channels."""
+        """Build a two-dimensional U-Net for stills, or for clips with slots as channels.
+
+        Its inputs are the frame, the shutters if the task lets it see the code, and a first guess
+        if this `size` makes one."""
         super().__init__()
         slots = None if task.kind == "still" else task.slots
         self.slots, self.sees_code = slots, task.sees_code
@@ -144,7 +147,8 @@ class StillUNet(nn.Module):
         return log_curve_inverse(output if guess is None else output + guess, LOG_FLOOR)
 
     def _clip(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        """Return the light of clips, (batch, N, rows, cols)."""
+        """Return the light of clips, (batch, N, rows, cols), from a frame (batch, [buckets,]
+        rows, cols)."""
         assert self.slots is not None
         inputs, guess = [frame if frame.ndim == 4 else frame.unsqueeze(1)], None
         if self.sees_code:
@@ -164,7 +168,8 @@ class ClipUNet(nn.Module):
     its gain (`gated`)."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
-        """Build a three-dimensional U-Net for clips."""
+        """Build a three-dimensional U-Net for clips; its input is the frame divided over the
+        open slots, and a first guess if this `size` makes one."""
         super().__init__()
         self.slots, self.guesses = task.slots, _guesses(task, size)
         network = UNet(task.buckets + self.guesses, 2 if self.guesses else 1, channels, 3)

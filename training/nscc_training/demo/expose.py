@@ -227,7 +227,8 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
 
 
 def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) -> Looked:
-    """Expose a still with the example whose pixels look."""
+    """Expose a still with the example program whose pixels look at their light, and return the
+    light that they measured."""
     container = compile_file(examples()[LOOKING], Options()).container
     assert container is not None  # example programs compile
     begin = working_s()
@@ -251,7 +252,10 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
 def _laid(
     subject: Subject, like: RunCapture, container: Container, settings: Settings, listener: Listener
 ) -> tuple[tuple[PlacedLight, ...], Scene]:
-    """Return the placed light of the scene, and the scene with the chosen exposure."""
+    """Return the light of the scene on the sensor, and the scene with the exposure that was used.
+
+    Without a chosen exposure it is that of the run `like`, or a brighter one if too little of the
+    scene is bright."""
     scene = replace(subject.scene, fit=settings.fit, color=settings.color)
     electrons, _, _ = like.exposure.partition("@")
     exposures = (

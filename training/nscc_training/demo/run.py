@@ -106,7 +106,10 @@ def demo(
 def _reconstructed(
     exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings
 ) -> tuple[NDArray[np.float32], float, str]:
-    """Return the light in the shape of the truth, its seconds, and the method's name."""
+    """Return the light in the shape of the truth, its seconds, and the method's name.
+
+    `frames` are the files of the coded frame and of its dark frame. The run decodes, unless the
+    settings ask for the decoder for any code."""
     if settings.learned and exposed_scene.run is not None:
         from nscc_training.reconstruct import reconstruct
 

@@ -277,7 +277,8 @@ def _clip_rows(shown: Shown) -> list[list[Image]]:
 
 
 def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Image]:
-    """Return panels for pixels that look: the light, its error, and the closing times."""
+    """Return panels for pixels that look at their light: what they measured, its error, and when
+    they closed."""
     light = shown.fitted(looked.light)
     note = (
         f"exposures over their times, no decoder: {shown.measure} {shown.looked_db:.1f} dB, in "
@@ -324,7 +325,8 @@ def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = Fal
 
 
 def _shutters(shown: Shown) -> Image:
-    """Return a panel of when, or how long, the pixels in the array's corner are open."""
+    """Return a panel of the pixels in the array's corner: for a clip, when they are open; for a
+    still, for how long."""
     exposed_scene, container = shown.exposed_scene, shown.exposed_scene.container
     size = exposed_scene.codes(exposed_scene.coded_capture).shape[:2]
     assert container.pixel_codes is not None  # the frame has been exposed

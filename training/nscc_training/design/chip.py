@@ -79,7 +79,8 @@ class DesignChip:
         return np.asarray(np.sqrt(fixed_e2 / self.gain**2 + photons_e2 + unequal_e2))
 
     def _words_e2(self, reads: int, additions: int, moves: int) -> float:
-        """Return the variance that words add, in square electrons."""
+        """Return the variance that a pixel's reads, additions and moves of values add, in square
+        electrons."""
         words = self.effects.find_part(WordGain)
         move_noise = 1.0 if words is None else words.move_noise(self.sensor)
         times = {"reads": reads, "words": additions + moves * move_noise**2, "resets": 0.0}

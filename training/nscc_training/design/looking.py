@@ -63,7 +63,10 @@ class LookModel:
         self._closed: dict[int, NDArray[np.float32]] = {}
 
     def exposure_errors(self, curve: Curve) -> Values:
-        """Return the error (groups, slots + 1) of exposures up to each boundary."""
+        """Return the error, on a curve, of exposures that end at each slot boundary, (groups, slots
+        + 1), for each group of pixels with equal light.
+
+        It is infinite at boundary 0. Results are stored."""
         if curve not in self._exposure_errors:
             light, peak = self.scene.light_e, self.scene.peak_e
             errors = np.full((len(light), self.slots + 1), np.inf)
@@ -84,7 +87,8 @@ class LookModel:
         return self._closed[at]
 
     def expected(self, schedule: LookSchedule) -> Expected:
-        """Return the expected errors and closing fractions of a schedule."""
+        """Return the expected errors of a schedule on each curve, and the fraction of the pixels
+        that each look closes."""
         closing = []
         errors = dict.fromkeys(CURVES, 0.0)
         for at, pixels in self._closing(schedule.at, self._rows(schedule)):
@@ -204,7 +208,8 @@ class LookModel:
 
 
 def _spread(moments: Values, slots: int) -> tuple[int, ...]:
-    """Return distinct whole times from 1 to slots - 1, close to `moments`."""
+    """Return distinct whole times from 1 to slots - 1, increasing and as close to `moments` as
+    that allows."""
     count, spread_moments = len(moments), [0]
     for k, moment in enumerate(moments.round().astype(int).tolist()):
         spread_moments.append(min(max(moment, spread_moments[-1] + 1), slots - count + k))

@@ -201,7 +201,8 @@ def design_looks(
 
 
 def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu") -> TileDesign:
-    """Design the 2 x 2 tile of stops with the least risk on a curve, as `design_looks`."""
+    """Design the 2 x 2 tile of exposure times with the least expected error on a curve, for
+    scenes given as in `design_looks`."""
     frame = frame or Frame()
     chip = frame.chip()
     tile, tile_count = best_tile(chip, scenes, frame.slots, curve)

@@ -67,7 +67,8 @@ def shapes() -> dict[str, Levels]:
 
 
 def patterns(slots: int) -> list[Pattern]:
-    """Return all patterns: each shape with each ratio of levels and each longest stop."""
+    """Return all patterns of exposure times in a frame of `slots`: each shape with each ratio of
+    levels and each longest time."""
     stops = np.array(stops_tried(slots))
     candidates = [Pattern("uniform", stops[k : k + 1, None]) for k in range(len(stops))]
     for name, levels in shapes().items():
@@ -87,8 +88,10 @@ def judged(
     compiled: Callable[[int], Container],
     progress: Progress,
 ) -> list[Pattern]:
-    """Return all patterns with their PSNR after merging under all effects, best first; `compiled`
-    gives the program of one stop."""
+    """Return all patterns with their PSNR after merging under all effects, best first.
+
+    `scenes` are stills in electrons. `compiled` gives the program whose pixels are open for a
+    number of slots."""
     candidates = patterns(slots)
     sums = np.zeros((len(candidates), 2))
     for number in progress(range(len(scenes))):
@@ -120,7 +123,10 @@ def _frames(
     compiled: Callable[[int], Container],
     number: int,
 ) -> dict[int, tuple[Values, NDArray[np.bool_]]]:
-    """Return for each stop the exposures in electrons and the saturated pixels."""
+    """Return, for each exposure time in slots, the frame of a still in electrons and its saturated
+    pixels.
+
+    `number` is that of the scene, and seeds the noise."""
     seconds = np.full(slots, slot_us * 1e-6)
     target, sensor = chip.target, chip.sensor
     rows, cols = light_e.shape

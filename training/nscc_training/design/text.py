@@ -23,7 +23,10 @@ def looking_text(
     chip: str | None,
     remark: str,
 ) -> str:
-    """Return the program whose pixels look; `chip` is the target's name or None."""
+    """Return the text of a program whose pixels look at their light by a schedule; `chip` is the
+    target's name or None.
+
+    `remark` is the comment at its head."""
     levels = [level_text(steps, target) for steps in schedule.steps]
     level = levels[0] if len(set(levels)) == 1 else f"[{', '.join(levels)}]"
     at = ", ".join(map(str, schedule.at))
@@ -44,7 +47,8 @@ def looking_text(
 def tile_text(
     stops: Sequence[Sequence[int]], slots: int, slot_us: float, chip: str | None, remark: str
 ) -> str:
-    """Return the program of a fixed tile of stops, given row by row."""
+    """Return the text of a program with a fixed tile: `stops` are the slots before which each
+    pixel closes, row by row."""
     rows = [f"[{', '.join(map(str, row))}]" for row in stops]
     return _formatted(
         [

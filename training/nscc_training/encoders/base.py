@@ -43,7 +43,8 @@ class CodeTrial:
 
 
 def drawn(fields: Tensor, generator: torch.Generator, share: float) -> Tensor:
-    """Return standard normal numbers for a random `share` of the pixels, and 0 for the others."""
+    """Return standard normal numbers for a random `share` of the pixels, and 0 for the others,
+    in the shape of `fields`."""
     numbers = normal(fields, generator)
     if share < 1:
         numbers *= uniform(fields, generator, fields.shape[-2:]) < share

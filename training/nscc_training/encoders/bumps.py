@@ -159,7 +159,10 @@ class Bump(Encoder):
         )
 
     def snapped(self, fields: Tensor) -> Tensor:
-        """Return the nearest legal codes; the gradient passes straight through."""
+        """Return the legal code nearest to each pixel's `fields`, by the sum of absolute
+        differences; the gradient passes straight through.
+
+        Without a list of legal codes, every whole number is legal."""
         if self.legal is None:
             return rounded(fields)
         legal = self.legal.to(fields)

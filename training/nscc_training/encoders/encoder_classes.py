@@ -57,7 +57,8 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
 
 
 def _first(name: str, spec: ShutterSpec, length: int) -> Places:
-    """Return the slot in which each place of the tile opens."""
+    """Return the slot in which each pixel of the tile opens, by the named order, for bumps of
+    `length` slots."""
     y, x = np.mgrid[: spec.tile[0], : spec.tile[1]]
     last = spec.slots - length
     if name in YARDSTICKS:
@@ -175,7 +176,9 @@ def make_encoder(
 
 
 def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> None:
-    """Set exposure times, equal ones far apart; raise ValueError unless for class b or c."""
+    """Set the exposure times of a tile so that equal ones are far apart.
+
+    `start` names the order. Raises ValueError unless the codes are of class b or c."""
     if not isinstance(encoder, Bump) or len(encoder.limits) != 1:
         raise ValueError(f"{start} needs codes with one field, classes b and c")
     ((name, (low, high)),) = encoder.limits.items()

@@ -49,7 +49,7 @@ class Bits(_Digits):
     """Class e: N independent bits for every pixel of the tile."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
-        """Begin with a logit of 0.5, open, for every slot and place; raise ValueError for too
+        """Begin with all slots of all pixels open (a logit of 0.5); raise ValueError for too
         many slots."""
         super().__init__(spec, relaxation)
         if spec.slots > MOST_BITS:
@@ -76,7 +76,7 @@ class Bits(_Digits):
         return [(self.logits, (-1.0, 1.0))]
 
     def codes(self) -> Codes:
-        """Return each place's open slots as one integer: bit n is slot n."""
+        """Return each pixel's open slots as one integer: bit n is slot n."""
         self.check_finite()
         opened = (self.logits.detach() > 0).cpu().numpy().astype(np.int64)
         weights = np.int64(1) << np.arange(self.spec.slots, dtype=np.int64)
@@ -130,8 +130,11 @@ class Codebook(_Digits):
         return replaced(likely, hard)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
-        """Try other digits of each pixel's shape, and one other shape, by the difference of their
-        scores in the last field."""
+        """Return two versions of the codebook: as it is, and with other digits of each pixel's
+        shape and another choice of shape.
+
+        The last field is the difference of the scores of both choices, so that its gradient decides
+        between them."""
         scores = over(self.choice.movedim(-1, 0))
         with torch.no_grad():
             current = scores.argmax(dim=0, keepdim=True)
@@ -178,7 +181,7 @@ class Codebook(_Digits):
         return {"id": np.asarray(self.choice.detach().argmax(dim=-1).cpu().numpy(), np.int64)}
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
-        """Set the row of each place (`id`), and the digits if `book` is given; raise ValueError
+        """Set the row of each pixel (`id`), and the digits if `book` is given; raise ValueError
         if invalid."""
         self.checked(codes, {"id": (0, self.rows - 1)})
         book = codes.get("book")

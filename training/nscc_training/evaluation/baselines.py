@@ -61,7 +61,8 @@ class Baseline:
     alone: bool = False
 
     def decode(self, frames: CapturedScene) -> Light:
-        """Return the light of frames."""
+        """Return the light of captured frames; a baseline whose frames stand `alone` decodes
+        each without the others."""
         if not self.alone:
             return self.method.decode(frames)
         # A frame carries no information on slots outside of it.
@@ -185,7 +186,11 @@ def evaluate_baseline(
 def _choices(
     baseline: Baseline, protocol: Protocol, name: str, seed: int, codes: str
 ) -> list[tuple[Tensor, dict[str, Any]]]:
-    """Return the candidate shutters of a baseline; several only for baselines with `best_in`."""
+    """Return the candidate shutters of a baseline under a protocol, each with what the result says
+    of it.
+
+    Only baselines with `best_in` have several. `codes` names other codes, for baselines that accept
+    any."""
     import torch
 
     from nscc_training.encoders import ShutterSpec, make_encoder

@@ -58,7 +58,8 @@ class _Shot:
     frames: Mapping[str, NDArray[np.uint8]]
 
     def image(self, shown: str) -> Image:
-        """Return the picture that a layout in `figures.toml` names."""
+        """Return the picture that a layout in `figures.toml` names `shown`: a stored frame, or
+        light with a curve, a gain and a frame number."""
         if shown in self.frames:
             return Image(self.frames[shown], shown.replace("-", " "))
         match = _SHOWN.fullmatch(shown)
@@ -164,7 +165,10 @@ def _shot_of(
 
 
 def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, ProtocolScene] | None:
-    """Return the file name and the scene that a figure shows; None without a scene."""
+    """Return the file name and the scene that a figure shows: of the scenes that the run has not
+    seen, the one that shows most.
+
+    Returns None if the folder `data` has no scene of the array's size."""
     protocol = load_protocol("hdr-v1" if still else "video-v1")
     endings, name = (ENDINGS, "hdr") if still else (CLIPS, "video")
     size = (folder.setup.target.rows, folder.setup.target.cols)

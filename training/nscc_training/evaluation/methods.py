@@ -91,7 +91,7 @@ class CapturedScene:
         return replace(self, codes=self.codes[region], saturated=self.saturated[region])
 
     def frame(self, number: int) -> CapturedScene:
-        """Return one frame, with only the slots in which it is exposed."""
+        """Return frame `number` alone, with only the slots from its first to its last open one."""
         slots = np.flatnonzero(self.tile[number].any(axis=(1, 2)))
         frame_slice = slice(number, number + 1)
         tile = self.tile[frame_slice, slots[0] : slots[-1] + 1]
@@ -142,7 +142,7 @@ def _of_truth(loop: Callable[..., NDArray[np.float32]], captured: CapturedScene)
 
 
 def _merged(captured: CapturedScene) -> Light:
-    """Return the light that merging estimates from a frame of stills."""
+    """Return the light that merging neighbours estimates from a frame of a still."""
     model = captured.model
     assert model is not None
     noise_e = model.adc_noise_lsb * model.electrons_per_lsb
@@ -170,7 +170,8 @@ def _sparse(captured: CapturedScene, **options: Any) -> Light:
 
 
 def _any(captured: CapturedScene, **options: Any) -> Light:
-    """Return the light that the decoder for any code estimates."""
+    """Return the light that the decoder for any code estimates; `options` are those of the
+    decoder."""
     from nscc_training.any_code.decode import decoded_clip, decoded_still
 
     decode = decoded_still if captured.is_still else decoded_clip

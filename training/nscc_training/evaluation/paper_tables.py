@@ -55,7 +55,10 @@ def dagger(folder: Path, name: str) -> str:
 def _row(
     folder: Path, table: str, label: str, psnr_db: str, ssim: str, name: str, remark: str = ""
 ) -> tuple[dict[str, Any], str]:
-    """Return a row as JSON values and as a line of Markdown, with - for missing values."""
+    """Return a row as JSON values and as a line of Markdown, with - for missing values; the
+    arguments are those of `{{TABLE ..}}`.
+
+    `folder` holds the results."""
     results = results_named(folder, name)
     settings = [result["settings"] for result in results]
     remarks = [NOT_RUN * (not results), remark]

@@ -188,7 +188,10 @@ def also_saturated(
     protocol: Protocol,
     decoded: Callable[[list[ProtocolScene | None]], list[Scored]],
 ) -> dict[str, Any]:
-    """Return means at other fractions of saturated pixels, if the protocol has them."""
+    """Return the mean scores at other fractions of saturated pixels, under the key of the result,
+    if the protocol has them.
+
+    `decoded` scores scenes, None for one that cannot be used."""
     rows = []
     for fraction in protocol.values.get("also_saturated", ()):
         usable, left_out = usable_scenes(scenes_in(files, protocol, fraction), protocol)
@@ -450,7 +453,7 @@ def result_text(result: dict[str, Any]) -> str:
 
 
 def _scene_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return a line for each file."""
+    """Return a line for each file with its mean PSNR, its SSIM and the number of its items."""
     lines = []
     for file in dict.fromkeys(item["file"] for item in items):
         file_items = [item for item in items if item["file"] == file]

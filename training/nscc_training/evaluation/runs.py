@@ -128,7 +128,10 @@ def evaluate_validation(
 
 
 def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) -> DecodeScene:
-    """Return a function that captures and decodes a scene, as in training or on the chip."""
+    """Return a function that captures and decodes a scene: with the sensor model of the training,
+    or with `effects` on the emulated chip.
+
+    `changes` are of the form KEY=VALUE, of the sensor."""
     file = folder.path / SENSOR_FILE
     sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
     sensor = load_sensor(folder.setup.target, sensor_file, changes) if changes else None
@@ -173,7 +176,9 @@ def _run_result(
     effects: str,
     extra_keys: dict[str, Any],
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of scored scenes with the settings of the run, and its arrays by name."""
+    """Return the result of scored scenes with the settings of the run, and its arrays by name.
+
+    `left_out` are the scenes that could not be used, and `extra_keys` are added to the result."""
     setup, settings = folder.setup, folder.setup.settings
     decoder_s = [entry.seconds for entry in scored_scenes]
     return result_of(

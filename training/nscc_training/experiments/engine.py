@@ -57,7 +57,7 @@ Executor = Callable[[Iterable[SomeTask]], Iterator[Done]]
 
 
 def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
-    """Return all rows by key."""
+    """Return all stored rows by key, with the text of infinity and NaN as numbers again."""
     return {
         key: PointRow(key, **{**row, "figures": _numbers(row["figures"])})
         for key, row in store.values().items()

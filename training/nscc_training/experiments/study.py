@@ -202,7 +202,8 @@ def _is_timed(point: StudyPoint, rows: Mapping[str, PointRow]) -> bool:
 def _gathered(
     points: Sequence[StudyPoint], rows: Mapping[str, PointRow], turns: int
 ) -> StudyResult:
-    """Return the rows of all turns as points of the table."""
+    """Return the rows of all turns as points of the table, with the times of a point together;
+    `turns` is how many were measured."""
     made: list[Point] = []
     refused = []
     for point in points:

@@ -127,7 +127,9 @@ def split_digest(scenes: Scenes) -> str:
 
 
 def capture_toml(setup: TrainingSetup) -> str:
-    """Return the text of capture.toml: the capture conditions that the decoder was trained for."""
+    """Return the text of capture.toml: the capture conditions that the decoder was trained for.
+
+    They are the sensor, the slots, the effects and the exposure."""
     model, slots = setup.model, "" if setup.still else " / slots in a slot"
     values = {
         "sensor_sha256": sensor_sha256(setup.sensor),
@@ -150,7 +152,7 @@ def capture_toml(setup: TrainingSetup) -> str:
 
 
 def _exposure(setup: TrainingSetup) -> str:
-    """Return a description of how scenes are exposed."""
+    """Return a sentence on how brightly the training exposes scenes."""
     if setup.still:
         low, high = sorted(setup.settings.data.saturated)
         share = f"{100 * low:g}" if low == high else f"{100 * low:g} to {100 * high:g}"
@@ -165,7 +167,10 @@ def _exposure(setup: TrainingSetup) -> str:
 def _stages(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], container: Container
 ) -> dict[str, Any]:
-    """Return the score with soft, hard, compiled and emulated shutters, without noise."""
+    """Return the score of the validation scenes without noise, with shutters that are soft, hard,
+    compiled and emulated.
+
+    Equal scores of the last three show that the compiled program has the learned shutters."""
     ideal, kind = setup.model.noiseless(), setup.encoder.spec.kind
     hard = setup.encoder.hard().cpu()
     if kind == LOOKS:
@@ -196,7 +201,8 @@ def _stages(
 
 
 def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[dict[str, Any]]:
-    """Return scores under other sensors and exposures that the run can express."""
+    """Return scores under changed sensors and exposures, a row for each change that the run can
+    express."""
     rows = []
     for name, factors, exposure in _CHANGES:
         values = {key: getattr(setup.model, key) * factor for key, factor in factors.items()}
@@ -213,7 +219,8 @@ def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[di
 
 
 def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[str, Any]:
-    """Return counts of shutters and places, how many differ from the start, its score."""
+    """Return how many shutters and pixels of the tile the run has, how many differ from their
+    initial code, and the score of the initial codes."""
     chosen = setup.settings.shutter
     start = started_encoder(chosen, setup.chip, setup.target, setup.settings.train.seed)
     if setup.encoder.spec.kind == LOOKS:
@@ -247,7 +254,8 @@ def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[
 
 
 def _headline_text(headline: dict[str, Any], metrics: Sequence[str]) -> str:
-    """Return the headline of a run as a sentence."""
+    """Return a sentence with the scores (`metrics`) of a run, under the effects that it was
+    trained with."""
     score = means_text({metric: headline[metric] for metric in metrics})
     if not headline["effects"]:
         return (
@@ -271,7 +279,7 @@ def _purpose(setup: TrainingSetup) -> str:
 
 
 def _card(setup: TrainingSetup, scenes: Scenes, result: dict[str, Any]) -> str:
-    """Return the text of the model card."""
+    """Return the text of the model card: scores, data, settings and limits of a run."""
     settings, metrics = setup.settings, setup.protocol.metrics
     metric, score_name = metrics[0], METRIC_NAMES[metrics[0]]
 

@@ -33,7 +33,7 @@ Arrays = NDArray[Any]
 
 
 def container_of(setup: TrainingSetup) -> Container:
-    """Compile a run's program."""
+    """Compile the program of a run's present shutters."""
     container = programs.compiled(
         programs.program_of(setup.encoder, setup.chip), setup.chip
     ).container
@@ -50,7 +50,9 @@ def scene_by_model(
     model: SensorModel | None = None,
 ) -> tuple[NDArray[np.float64], float]:
     """Capture a scene with the sensor model and decode it; return the electrons, over the frame or
-    per slot, and seconds."""
+    per slot, and the decoder's seconds.
+
+    `tile` and `model` replace the run's shutters and sensor."""
     tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
     model = setup.model if model is None else model
     if setup.encoder.spec.kind == LOOKS:
@@ -102,7 +104,8 @@ def scene_by_chip(
 def scene_by_words(
     setup: TrainingSetup, container: Container, light_e: Arrays
 ) -> tuple[NDArray[np.float64], float]:
-    """Capture a scene as its words expose it, without noise; return light and seconds."""
+    """Capture a scene as the words of a program expose it, without noise; return the electrons
+    and the decoder's seconds."""
     rows, cols = light_e.shape[-2:]
     light = light_on_array(light_e, setup.slots, container.target)
     ideal = setup.model.noiseless()
@@ -198,7 +201,8 @@ def _decoder_output(
 def shutters_at(
     setup: TrainingSetup, shape: tuple[int, ...], corner: tuple[int, int] = (0, 0)
 ) -> Tensor:
-    """Return the run's shutters (N, rows, cols) at `corner` of repeated arrays."""
+    """Return the run's shutters (N, rows, cols) for a region of `shape` at `corner`; beyond the
+    array they repeat."""
     target = setup.target
     array = laid(setup.encoder.hard(), target.rows, target.cols)
     rows, cols = (

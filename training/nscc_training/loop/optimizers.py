@@ -38,7 +38,10 @@ def _in_rows(values: Tensor, weight: Tensor) -> Tensor:
 
 
 def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
-    """Return the optimizers of a run; `base` of a parameter group is its initial rate."""
+    """Return the optimizers of a run: of the decoder, and of the codes if they learn.
+
+    The key `base` of a parameter group is its initial rate. Codes that do not learn lose their
+    gradient."""
     settings = setup.settings
     decoder = dict(setup.decoder.named_parameters())
     kernels = [name for name, weight in decoder.items() if weight.ndim >= 4]

@@ -233,7 +233,8 @@ def make_setup(settings: RunSettings) -> TrainingSetup:
 
 
 def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
-    """Return the encoder at the start of a run; raise Rejected (NS0815) if invalid."""
+    """Return the encoder with the initial codes of a run for a chip; raise Rejected (NS0815) for
+    invalid settings."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
     if chosen.kind == LOOKS:
@@ -285,7 +286,9 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
 
 
 def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
-    """Set an encoder to the shutters of a program; raise ValueError if it has others."""
+    """Set the codes of an encoder to those of the program at `path`.
+
+    Raises ValueError if its shutters are not of the encoder's class."""
     codes, opened = begun_with(path, encoder.spec, chip)
     encoder.load_codes(codes)
     if opened is None:

@@ -54,7 +54,8 @@ class TrainingState:
     average: AveragedModel | None
 
     def tensors(self) -> dict[str, Tensor]:
-        """Return copies of all tensors by name."""
+        """Return copies of all tensors of the checkpoint by name: parameters, their average, the
+        optimizers and the measured sensor."""
         tensors = tensors_of(self.setup)
         tensors |= {f"emulated.{k}": _copied(v) for k, v in self.setup.tables.tensors().items()}
         if self.average is not None:
@@ -97,7 +98,8 @@ def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
 
 
 def packed(state: TrainingState, scenes: Scenes, progress: TrainingProgress) -> bytes:
-    """Return the checkpoint as bytes."""
+    """Return the checkpoint as bytes: all tensors, with the progress and digests of settings,
+    files and split, which resuming compares."""
     from safetensors.torch import save
 
     tensors = state.tensors()

@@ -15,7 +15,8 @@ from nscc_training.sensor_model import SensorModel, exposed, filled, read_out, s
 
 
 def window(shutters: Tensor, rows: int, cols: int, seed: tuple[int, ...]) -> Tensor:
-    """Return the shutters for a patch: a whole tile, or a random part of free codes."""
+    """Return the shutters for a patch of rows x cols: the whole tile, or a random part of a
+    larger one, drawn with `seed`."""
     if shutters.shape[1] <= rows and shutters.shape[2] <= cols:
         return shutters
     draw = np.random.default_rng(list(seed))
@@ -56,7 +57,8 @@ def decoded(
 
 
 def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:
-    """Return the loss, plus a term for the number of words: how often shutters change."""
+    """Return the loss of a prediction, plus a weighted term for the number of words: how often
+    the shutters change."""
     loss = setup.loss(*compared(prediction, batch))
     weight = setup.settings.shutter.words_weight
     if weight:

@@ -72,7 +72,10 @@ class Log:
 
     @classmethod
     def of_checkpoint(cls, folder: Path, step: int, out: Path, metrics: Sequence[str]) -> Log:
-        """Return the log up to the step of a checkpoint; later lines are dropped."""
+        """Return the log in `folder`, up to the step of the checkpoint, to be continued in `out`;
+        later lines are dropped.
+
+        Raises Rejected (NS0816) for a damaged log."""
         path = folder / METRICS
         if not path.is_file():
             return cls(out, metrics)
@@ -89,7 +92,9 @@ class Log:
         return cls(out, metrics, [head, *kept_rows])
 
     def add(self, step: int, split: str, **values: float | str | None) -> None:
-        """Add a line; missing values stay empty."""
+        """Add a line for a step and a split (train or val); values that are missing stay empty.
+
+        With tensorboard installed, an event is written too."""
         cells = (values.get(name) for name in self._columns)
         texts = ("" if value is None else repr(float(value)) for value in cells)
         self.rows.append(",".join([str(step), split, *texts]))
@@ -194,7 +199,8 @@ def train(
 
 
 def _how_to_go_on(out: Path, resume: str) -> str:
-    """Return how an interrupted training continues."""
+    """Return a sentence on how an interrupted training in `out` continues, given the option
+    --resume."""
     if not (out / CHECKPOINT).is_file():
         return "there is no checkpoint yet; the same command starts again"
     how = "the same command continues" if resume == "auto" else "--resume auto continues"
@@ -208,7 +214,11 @@ def start(
     out: Path,
     report: Callable[[str], None] = lambda _text: None,
 ) -> TrainingRun:
-    """Return a run at step 0, or at the step of a checkpoint."""
+    """Return a run at step 0, or at the step of the checkpoint, with scenes, decoder, shutters and
+    log.
+
+    `ranks` are the processes that train together; the first one calls `report`. Raises Rejected for
+    invalid settings, scenes or checkpoints."""
     setup = make_setup(settings)
     lessons, data, seed = settings.decoder.lessons, settings.data, settings.train.seed
     classes, metrics = setup.classes, setup.protocol.metrics
@@ -287,7 +297,8 @@ def _checkpoint(out: Path, resume: str) -> Path | None:
 
 
 def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
-    """Return the random draws of steps `first` to `last`, in order."""
+    """Return the random draws of steps `first` to `last`, in order, which worker processes
+    compute ahead."""
     workers, device = run.setup.settings.train.workers, run.setup.device
     return DataLoader(
         run.dataset,
@@ -374,7 +385,9 @@ def _begin_again(run: TrainingRun, tensors: dict[str, Tensor]) -> None:
 
 
 def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) -> Tensor:
-    """Update the parameters by a loss, and return the loss."""
+    """Update the parameters by the gradient of a loss, its norm limited, and return the loss.
+
+    `names` are the scenes of the batch, for the message if the gradient is not finite."""
     setup, clip, state = run.setup, run.setup.settings.train.clip, run.state
     for optimizer in state.optimizers:
         optimizer.zero_grad(set_to_none=True)
@@ -394,7 +407,10 @@ def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) ->
 
 
 def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> None:
-    """Score the hard shutters and decoder (or its average), log, and keep the best state."""
+    """Score the hard shutters and the decoder (or its average) on the validation scenes; log the
+    score and keep the best state.
+
+    `loss` is the mean loss since the last validation."""
     setup, step = run.setup, run.progress.step
     settings = setup.settings
     dead = setup.encoder.dead_share() if codes_learn(settings, step - 1) else None

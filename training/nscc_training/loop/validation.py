@@ -119,7 +119,8 @@ def by_model(
 def by_chip(
     setup: TrainingSetup, effects: str, sensor: Sensor | None = None, seed: int = 0
 ) -> Decode:
-    """Return a function that captures with the emulated chip, with new noise, and decodes."""
+    """Return a function that captures a scene on the emulated chip with `effects` and decodes
+    it; each scene has its own noise."""
     container, used = container_of(setup), setup.sensor if sensor is None else sensor
     return lambda light_e, index: scene_by_chip(
         setup, container, used, light_e, effects, (1000 * seed + index, seed)

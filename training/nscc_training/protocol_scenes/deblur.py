@@ -44,8 +44,8 @@ class DeblurMoment(ProtocolScene):
 
 
 def moments(path: Path, index: int, protocol: Protocol) -> Iterator[DeblurMoment | Unusable]:
-    """Yield the views of a panorama, in order; the panorama's index and that of the view seed the
-    motion."""
+    """Yield the views of a panorama, in order; `index` is the panorama's and, with the number of
+    the view, seeds the motion."""
     slots, size = int(protocol["frames"]), int(protocol["size"])
     light = light_of(path, protocol)
     for number in range(int(protocol["views"])):

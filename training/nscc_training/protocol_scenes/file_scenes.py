@@ -161,7 +161,8 @@ def exposed_arrays(
 def _of_array(
     name: Path, light: NDArray[Any], srgb: bool, protocol: Protocol
 ) -> Iterator[ProtocolScene | Unusable]:
-    """Yield the scenes of one array, at most as large as the array."""
+    """Yield the scenes of one array of light, cut to squares of the protocol's size or of the
+    array's, if it is smaller."""
     if light.ndim == 2:
         yield from crops_of(name, light.astype(np.float64), protocol)
         return

@@ -83,7 +83,11 @@ def exposed_crop(
     protocol: Protocol,
     fraction: float | None = None,
 ) -> Crop | Unusable:
-    """Return a crop, scaled so that `fraction` of its pixels would saturate if always open."""
+    """Return a crop, scaled so that `fraction` of its pixels, or the protocol's, would saturate if
+    always open.
+
+    `corner` is that of the crop in its picture. Returns Unusable for light that is not finite or
+    too dark."""
     share = float(protocol["saturated_fraction"]) if fraction is None else fraction
     well_e, place = float(protocol["full_well_e"]), {"crop": list(corner)}
     if not np.isfinite(light).all():

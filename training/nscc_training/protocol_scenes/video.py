@@ -63,7 +63,8 @@ def windows(path: Path, protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
 def windows_of(
     path: Path, lights: Iterable[NDArray[Any]], srgb: bool, protocol: Protocol
 ) -> Iterator[ClipWindow | Unusable]:
-    """Yield the windows of one clip, given the light of its frames."""
+    """Yield the windows of one clip, given the light of its frames; each begins where the one
+    before ends."""
     size, count, start = int(protocol["size"]), int(protocol["frames"]), {"frame": 0}
     window: list[NDArray[Any]] = []
     number = -1
@@ -84,7 +85,8 @@ def windows_of(
 def exposed_window(
     path: Path, first: int, light: Clip, srgb: bool, protocol: Protocol
 ) -> ClipWindow | Unusable:
-    """Return a window, scaled so that a percentile of its light nearly fills a well."""
+    """Return a window of light from frame `first` on, scaled so that a percentile of its light
+    nearly fills a well."""
     level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
     if level <= 0:
         return Unusable(

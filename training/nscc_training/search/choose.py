@@ -117,7 +117,10 @@ def design_motion(
 
 
 def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: DesignChip) -> Motion:
-    """Return the motion model of the light, with the chip's noise."""
+    """Return the model of motion for a kind of scene, or for `scene` itself (N, rows, cols), with
+    the chip's noise.
+
+    Raises Rejected (NS0824) for a scene without light."""
     mean_e = _BRIGHT * chip.full_e if scene is None else float(scene.sum(axis=0).mean())
     if mean_e <= 0:
         raise rejected(
@@ -152,7 +155,10 @@ def encoders_by_name(slots: int) -> dict[str, Encoder]:
 def _lines(
     name: str, expected: dict[str, float], motions: Sequence[Motion], passed: Sequence[str]
 ) -> tuple[tuple[str, str], ...]:
-    """Return what was chosen and why, as pairs of a label and a text."""
+    """Return what was chosen and why, as pairs of a label and a text.
+
+    `expected` is the gain in dB of each code, and `passed` are the codes that were not chosen, with
+    the reason."""
     speeds = [speed for motion in motions for speed in motion.speeds]
     lines = [
         ("code", name),

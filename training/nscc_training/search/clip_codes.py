@@ -56,7 +56,8 @@ class ClipCode:
     mean_db: float = 0.0
 
     def text(self, frame: Frame, remark: str = "") -> str:
-        """Return the program of the code, with a book of its shutters."""
+        """Return the program of the code, with a codebook of its shutters; `remark` is the
+        comment at its head."""
         slots, *tile = self.opened.shape
         shutters = self.opened.reshape(slots, -1).T.astype(np.int64)
         book, row_of_place = np.unique(shutters, axis=0, return_inverse=True)
@@ -135,7 +136,9 @@ def design_clip(
 def _judged(
     codes: Sequence[ClipCode], scenes: Sequence[Clip], frame: Frame, progress: Progress
 ) -> list[ClipCode]:
-    """Return the codes that fit the chip with their PSNR, best first."""
+    """Return the codes that fit the chip with their PSNR over the scenes, best first.
+
+    Raises Rejected if not even the usual code fits."""
     sensor = frame.chip().sensor
     ranked: list[ClipCode] = []
     for code in (codes[number] for number in progress(range(len(codes)))):
@@ -151,7 +154,8 @@ def _judged(
 
 
 def _psnr_db(container: Container, sensor: Sensor, light_e: Clip, number: int) -> float:
-    """Return the PSNR, in sRGB, of the middle of a scene that is exposed and reconstructed."""
+    """Return the PSNR, in sRGB, of the middle of scene `number` after exposure on the emulated
+    chip and reconstruction."""
     light = light_on_array(light_e, container.slots, container.target)
     # All codes have the same noise, so that their differences are those of the codes.
     frame = exposed_frame(container, light, sensor, Request.of(effects="all", seed=number))

@@ -77,7 +77,10 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
 
 @cache
 def _alike(slots: int, speed: float, length: float) -> Values:
-    """Return the correlation (N, N, places, places) of light that moves in any direction."""
+    """Return the correlation (N, N, pixels, pixels) between pixels of a window in all pairs of
+    slots, for light that moves at `speed` in any direction.
+
+    `length` is the distance (pixels) at which the correlation falls to 1 / e."""
     lag = np.subtract.outer(np.arange(slots), np.arange(slots))[:, :, None, None] / slots
     y, x = np.divmod(np.arange(_WINDOW**2), _WINDOW)
     away_y, away_x = np.subtract.outer(y, y), np.subtract.outer(x, x)
@@ -88,7 +91,7 @@ def _alike(slots: int, speed: float, length: float) -> Values:
 
 
 def _windows(opened: Values) -> Sequence[Values]:
-    """Return windows of shutters (N, places), evenly spaced over the repeating tile."""
+    """Return small windows of the shutters (N, pixels), evenly spaced over the repeating tile."""
     _, rows, cols = opened.shape
     origins = [(y, x) for y in range(0, rows, _STEP) for x in range(0, cols, _STEP)]
     stride = -(-len(origins) // _MOST_WINDOWS)
@@ -141,7 +144,8 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
 
 
 def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
-    """Return light's correlation length in pixels, and its contrast, sd over mean."""
+    """Return the correlation length of a picture in pixels, and its contrast: the standard
+    deviation over the mean."""
     spread = float(picture.var())
     contrast = spread**0.5 / max(float(picture.mean()), 1e-30)
     steps = [np.diff(picture, axis=axis) for axis in (0, 1) if picture.shape[axis] > 1]

@@ -67,7 +67,7 @@ def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
 
 
 def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange: bool) -> Codes:
-    """Copy the codes of neighbouring places to `places`, or exchange them."""
+    """Copy the codes of pixels at a random offset to `places`, or exchange both."""
     step = tuple(int(value) for value in generator.integers(-2, 3, 2))
     back = (-step[0], -step[1])
     exchanged = np.roll(places, step, axis=(0, 1)) & ~places
@@ -83,8 +83,9 @@ def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange:
 
 
 def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
-    """Return a tile of copies of one block, each later than those above and to the left, as small
-    steps never give."""
+    """Return a tile of copies of one block, each later than those above and to the left.
+
+    Small steps do not reach such codes."""
     high, wide = (int(generator.choice([p for p in _PERIODS if p <= side])) for side in spec.tile)
     first_row, first_col = (int(generator.integers(side)) for side in spec.tile)
     down, right = (int(value) for value in generator.integers(0, spec.slots, 2))
@@ -103,7 +104,7 @@ def _by(slots: int, generator: Generator) -> int:
 
 
 def _stops(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Scale the exposure times at some places by a random ratio, by at least one slot."""
+    """Scale the exposure times of the pixels `places` by a random ratio, by at least one slot."""
     stop = codes["stop"]
     ratio = 2.0 ** (generator.choice((-1, 1)) * generator.uniform(0.1, 2))
     stops = np.rint(stop * ratio)
@@ -142,7 +143,8 @@ def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 
 def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Change the choice of rows, or a row; or set all rows to shifted copies of one."""
+    """Change which row of the codebook the pixels `places` use, or a row itself; or set all rows
+    to shifted copies of one."""
     book = codes["book"]
     row, kind = int(generator.integers(len(book))), generator.random()
     if kind < 0.45:
@@ -184,7 +186,7 @@ def _starts_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 
 
 def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Shift bumps around the frame; a bump that wraps around its end is cut."""
+    """Shift bumps by `lag` slots around the frame; a bump that wraps around its end is cut."""
     before = codes["stop"] - codes["start"] - 1
     start = (codes["start"] + before + lag) % (spec.slots + before) - before
     stop = start + before + 1

@@ -29,7 +29,8 @@ _AHEAD = 2
 
 @contextmanager
 def local_workers(workers: int, threads: int) -> Iterator[Executor[PointTask]]:
-    """Start `workers` processes on this machine, for the `with` block."""
+    """Start `workers` processes with `threads` threads each on this machine, for the `with`
+    block; yield what executes tasks on them."""
     import dask
     from distributed import Client, LocalCluster
 

@@ -48,7 +48,7 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
-    """Return what is wrong with the values of a design, or None."""
+    """Return what is wrong with the values of a point of kind design, or None."""
     if "scene" not in values:
         return PointFault("", "a point needs a scene to design for", 'add scene = "builtin:hdr"')
     if (values["criterion"] == _TILE) == ("looks" in values):

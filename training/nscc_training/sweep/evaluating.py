@@ -45,7 +45,7 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
-    """Return what is wrong with the values of an evaluation, or None."""
+    """Return what is wrong with the values of a point of kind evaluate, or None."""
     if (RUN in values) == ("subject" in values):
         message = "a point needs a run of this grid or a subject"
         return PointFault(

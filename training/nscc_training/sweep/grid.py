@@ -192,7 +192,9 @@ def _problem(message: str, grid_part: str, key: str, source: Source, help_text: 
 def _kinds(
     common: Any, grid_parts: Mapping[str, Mapping[str, Any]], source: Source
 ) -> dict[str, str]:
-    """Return the kind of each part; raise Rejected (NS0832) if a part lacks one."""
+    """Return the kind of each part: its own, or `common`, that of the grid.
+
+    Raises Rejected (NS0832) with all parts that lack a kind or have an invalid name."""
     problems: list[Diagnostic] = []
     kinds = {}
     for grid_part, keys in grid_parts.items():
@@ -231,7 +233,10 @@ def _points(
     called: Mapping[str, str],
     source: Source,
 ) -> tuple[GridPoint, ...]:
-    """Return the points of all parts, with runs before the points that need them."""
+    """Return the points of all parts, with training runs before the points that need them.
+
+    `called` are the templates for the names of points. Raises Rejected (NS0832) for too many
+    points, and for invalid ones."""
     count = sum(prod(map(len, keys.values())) for keys in axes_by_part.values())
     if count > MOST_POINTS:
         message = f"the grid has {count} points, but at most {MOST_POINTS} are allowed"
@@ -309,7 +314,10 @@ def _linked(points: Sequence[GridPoint], source: Source) -> tuple[GridPoint, ...
 def _of_part(
     grid_part: str, kind: str, axes: Mapping[str, tuple[Any, ...]], called: str
 ) -> Iterator[GridPoint]:
-    """Yield the points of a part; the first key varies slowest."""
+    """Yield the points of a part: every combination of its keys' values; the first key varies
+    slowest.
+
+    `called` is the template for their names, or ""."""
     defaults = KINDS[kind].defaults()
     several = [name for name, values in axes.items() if len(values) > 1]
     for values in product(*axes.values()):
@@ -319,7 +327,8 @@ def _of_part(
 
 
 def _called(called: str, values: Values) -> str:
-    """Return a point's name; "/" in values separates folders."""
+    """Return a point's name: the template `called` with the point's values; "/" in values
+    separates folders."""
 
     def spelled(value: Any) -> str:
         """Return a value as a part of a file name; folders of a path stay."""
@@ -336,7 +345,8 @@ def _called(called: str, values: Values) -> str:
 
 
 def _name_fault(called: str, point: GridPoint) -> PointFault | None:
-    """Return the error in the `name` of a part, or None."""
+    """Return the error in the template `called` of a part, if it names a key that the point
+    lacks, or None."""
     unknown_key = next((key for key in _VALUE.findall(called) if key not in point.values), None)
     if unknown_key is None:
         return None

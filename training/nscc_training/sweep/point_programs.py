@@ -120,7 +120,8 @@ def target_fault(values: Values) -> PointFault | None:
 
 
 def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> PointFault | None:
-    """Return the error of naming a key without effect, which gives identical points, or None."""
+    """Return the error of naming one of the `keys`, which have no effect on such points and
+    would give identical ones, or None."""
     name = next((key for key in keys if key in named), None)
     if name is None:
         return None
@@ -169,8 +170,8 @@ def compiled_of(values: Values) -> Compiled:
 
 
 def _source(values: Values) -> tuple[Source, Path]:
-    """Return the text of a point's program and the folder of its files: a file, a rule, or
-    random codes."""
+    """Return the text of a point's program, which is a file, a rule, or random codes, and the
+    folder of the files that it names."""
     if "program" in values:
         path = Path(values["program"])
         return read_source(path), path.parent

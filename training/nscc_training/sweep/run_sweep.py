@@ -172,8 +172,10 @@ def _is_known(row: PointRow | None, how: How, output_path: Path | None) -> bool:
 def _task(
     point: GridPoint, keys: Mapping[GridPoint, str], grid: Grid, out: Path, how: How
 ) -> PointTask:
-    """Return the task of a point: where its files go, and where those of the runs that it names
-    are."""
+    """Return the task of a point: its values, where its files go, and where those of the runs that
+    it names are.
+
+    `keys` are the digests by which results are stored."""
     key = keys[point]
     runs = {f"{OF_RUN}{run.name}": _output_path(out, run, keys[run]) for run in point.after}
     files = _output_path(out, point, key) or out.resolve() / POINTS / key
@@ -193,7 +195,10 @@ def _compute(
     how: How,
     track: Progress,
 ) -> None:
-    """Compute the tasks; runs are computed before the points that name them."""
+    """Compute the tasks and store their results; runs are computed before the points that name
+    them.
+
+    Raises Rejected (NS0836) if a worker runs other code than this process."""
     out = tasks[0].files.parent
     if any(KINDS[task.point.kind].leaves is not None for task in tasks):
         out.mkdir(exist_ok=True)
@@ -231,7 +236,8 @@ def _compute(
 
 
 def _other_code(done: Done) -> Rejected:
-    """Return the error (NS0836) for a worker that would compute another point."""
+    """Return the error (NS0836) for a worker whose code or data differ, so that it would compute
+    another point."""
     return rejected(
         "NS0836",
         f"the worker {done.worker} has other code or data than the process that "

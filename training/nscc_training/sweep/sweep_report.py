@@ -121,7 +121,7 @@ def _lines(
 
 
 def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any, float]]:
-    """Return one point for each x, with the mean of y."""
+    """Return one point for each x, with the mean of y; sorted by x if `ordered`."""
     places: dict[Any, list[float]] = {}
     for across, up in points:
         places.setdefault(across, []).append(up)
@@ -145,7 +145,7 @@ def _misfits(grid: Grid, table: Table) -> html.Html:
 
 
 def _take(names: list[str], fits: Any = lambda _name: True) -> str:
-    """Remove and return the first name that fits, or "" if none does."""
+    """Remove the first of the names that fits, in place, and return it; "" if none does."""
     first_fit = next((name for name in names if fits(name)), "")
     if first_fit:
         names.remove(first_fit)

@@ -120,7 +120,7 @@ def decoder_points(runs: Sequence[RunFolder], settings: DecoderStudySettings) ->
 def _points(
     case: str, captures: Sequence[CapturedScene], decoders: Sequence[Decoder]
 ) -> list[StudyPoint]:
-    """Return the points of decoders for captures with one code."""
+    """Return the points of decoders for captures with one code; `case` names the code."""
     corner = captures[0].corner(_WARM)
 
     def decode_all(decode: Callable[[CapturedScene], Light]) -> list[Light]:
@@ -160,7 +160,8 @@ def untrained(kind: Kind) -> list[Decoder]:
 
 
 def networks(folder: RunFolder, name: str) -> list[Decoder]:
-    """Return a run's decoder in both number formats, FC-net also with fewer blocks."""
+    """Return a run's decoder in both number formats, FC-net also with fewer blocks; `name`
+    follows the method's."""
     setup = folder.setup
     method = f"{setup.settings.decoder.name} {setup.settings.decoder.sized}{name}"
     device = torch.cuda.get_device_name(setup.device) if setup.device.type == "cuda" else ""

@@ -55,8 +55,8 @@ def _point(
 
 
 def _of_looks(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
-    """Yield the points of decoders for pixels that look: exposure over open time, and a matching
-    run."""
+    """Yield the points of decoders for pixels that look at their light: the exposure over the
+    open time, and a run."""
     frame_s = sum(bench.container.slot_us) * 1e-6
     arrays = capture.frame.told
     truth = np.asarray(bench.light.total_e())[None]
@@ -130,7 +130,8 @@ def _of_run(
     truth: Values,
     region: tuple[slice, slice] = (slice(None), slice(None)),
 ) -> Iterator[StudyPoint]:
-    """Yield the decoder of the program's run, if any, in both number formats."""
+    """Yield the decoder of the program's run, if any, in both number formats; the error is
+    measured in `region`."""
     if bench.request.run is None:
         return
     import torch
@@ -158,7 +159,8 @@ def _of_run(
 
 
 def _middle(shape: tuple[int, ...], slots: int) -> tuple[slice, slice]:
-    """Return the rows and columns of the largest middle part of the array that is decoded."""
+    """Return the rows and columns of the middle of an array that is decoded, as large as memory
+    for `slots` slots allows."""
     side = max(16, int((CLIP_VALUES / slots) ** 0.5) // 16 * 16)
     region = []
     for length in shape:

@@ -139,7 +139,8 @@ def si_seconds(time_ms: float) -> str:
 
 
 def joint_diagram(joint: Joint, measured: StudyResult, device: str) -> Figure:
-    """Draw the points of all stages, a line for each, and mark the recommended ones."""
+    """Draw error against time of the points of all stages, a line for each, and mark the
+    recommended points."""
     advice = {
         stage: point
         for stage, (point, _) in joint.advice(measured.points).items()

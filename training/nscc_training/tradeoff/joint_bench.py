@@ -233,7 +233,8 @@ class Bench:
         return rms_percent(seen_e, ideal_e, counted, mean_signal_e(ideal_e, self.sensor))
 
     def _light_in(self, container: Container) -> Light:
-        """Return the scene's light in other slots, as bright, so less in a shorter frame."""
+        """Return the light of the scene in the slots of `container`, equally bright, so less in
+        a shorter frame."""
         if container.slot_us == self.container.slot_us:
             return self.light
         its_light = scene_light(self.request.scene, container.slot_us, container.target)
@@ -247,7 +248,8 @@ class Bench:
         return self._captured(self.container, self.light)
 
     def _captured(self, container: Container, light: Light) -> Simulated:
-        """Simulate a frame with all effects."""
+        """Simulate a frame with all effects, more exactly than the target error if plans are
+        possible."""
         tolerance = None
         if not KINDS.of(container).without_plan:
             tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)

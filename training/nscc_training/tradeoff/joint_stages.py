@@ -52,7 +52,8 @@ def refused(stage: str, setting: str, why: Exception) -> StudyPoint:
 
 
 def compiling(bench: Bench) -> Iterator[StudyPoint]:
-    """Yield the levels of -O: seconds to compile, from text to proof and without the cache."""
+    """Yield a point for each level of -O: the seconds to compile, from text to proof and without
+    the cache."""
 
     def figures(level: int, compiled: Compiled) -> Figures:
         """Return error, lowering and number of words of a program compiled at this level."""
@@ -69,7 +70,8 @@ def compiling(bench: Bench) -> Iterator[StudyPoint]:
 
 
 def lowering(bench: Bench) -> Iterator[StudyPoint]:
-    """Yield the lowerings: the shortest frame that their words allow."""
+    """Yield a point for each lowering: the shortest frame that its words allow. Raises
+    NotMeasured if there is only one."""
     source, subject = bench.source, KINDS.of(bench.container).one_lowering_for
     if subject:
         raise NotMeasured(f"there is one way for {subject}")
@@ -191,7 +193,8 @@ def _reference(bench: Bench, rows: range) -> Figures:
 
 
 def _tolerances(bench: Bench) -> list[str]:
-    """Return PARTS of the target error within the allowed range; add notes on limits."""
+    """Return the fractions PARTS of the target error as tolerances, limited to the allowed
+    range; note every limited one."""
     target = bench.target
     tolerances = dict[str, None]()
     for share in PARTS:

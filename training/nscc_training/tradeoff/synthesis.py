@@ -86,7 +86,8 @@ def synthesis_study(
     count: Count,
     repeats: int,
 ) -> Study:
-    """Return the study of each combination of program, lowering and level."""
+    """Return the study of each combination of program, lowering and level, with the words that
+    `count` names as its error."""
     words = _WORDS[count]
     points = [
         StudyPoint(
