@@ -77,6 +77,20 @@ def cascade(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
     """Yield a solution that stores some predicates and computes the others by cascades of cubes.
 
     Raises GaveUp if the steps do not suffice for a first solution. The remaining steps improve it.
+
+    Four shutters over four slots, open in the slots 0 and 1; 1, 2 and 3; 2; 3. A pixel with four
+    registers stores which of them are open in the slots 1, 3 and 2. In slot 0, those are open that
+    p1 and p2 leave out:
+
+        >>> opens = (0b0001, 0b0011, 0b0110, 0b1010)
+        >>> from nscc.logic.problem import Demand
+        >>> demands = tuple(Demand(n, "open", 0, p, False) for n, p in enumerate(opens, 1))
+        >>> problem = Problem(demands, 4, (opens,), flag_lasts=False, values={})
+        >>> (solution,) = cascade(problem, Machine(4, False, None, None, False), steps=10_000)
+        >>> solution.holders
+        ('open in slot 1', 'open in slot 3', 'open in slot 2')
+        >>> [[str(gate) for gate in segment] for (segment,) in solution.answers[:2]]
+        [['t0 = NOR(p1, p2)', 'FLAG = WHERE(t0)'], ['FLAG = WHERE(p0)']]
     """
     finder = _Finder(problem, machine, Budget(steps))
     best: _Plan | None = None

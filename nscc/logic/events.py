@@ -173,7 +173,17 @@ def _forms(field: _Field, room: int) -> list[_Form]:
 
 def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ...]]:
     """Return segments that invert group bits before each demand and, at key -1, after the last
-    demand. `base` is the number of the first plane of the group."""
+    demand. `base` is the number of the first plane of the group.
+
+    Four shutters that rise at the boundaries 0 to 3 have the groups 00, 01, 11 and 10 (bits 1 and
+    0). One inversion before each demand makes the code of the present group 00:
+
+        >>> numbers = np.array([0, 1, 2, 3])
+        >>> field = _Field("rise time", numbers, ((0, 0), (1, 1), (2, 2), (3, 3)), count=4)
+        >>> turned = _turns(field, _Form(bits=2, width=0, turns=4), base=0)
+        >>> {demand: str(segment[0]) for demand, (segment,) in turned.items()}
+        {1: 'p0 = NOT(p0)', 2: 'p1 = NOT(p1)', 3: 'p0 = NOT(p0)', -1: 'p1 = NOT(p1)'}
+    """
     codes = _groups(field, form)
     standing = 0
     turned: dict[int, tuple[Segment, ...]] = {}

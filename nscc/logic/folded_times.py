@@ -60,7 +60,15 @@ def folded_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding
 
 
 def _cells(pairs: Sequence[tuple[int, int]], side: int) -> list[Cell]:
-    """Return a cell for each pair of points; (-1, -1) is a shutter without events."""
+    """Return a cell for each pair of points; (-1, -1) is a shutter without events.
+
+    A frame of four slots has five points in time, one more than the rows of a square with two
+    planes a side. The bump from 0 to 1 begins at the point without a row, so its cell is below the
+    diagonal:
+
+        >>> _cells([(0, 1), (1, 3), (2, 4), (0, 4)], side=4)
+        [(3, 0), (0, 2), (1, 3), (3, 3)]
+    """
     moved = max(0, max(stop for _, stop in pairs) + 1 - side)
     taken: dict[Cell, int] = {}
     # The first choice of a pair may be free because it is placed before pairs with several choices.

@@ -71,7 +71,26 @@ class StateMachine(Record, eq=False):
     * `open_us` float64 and `open_slots` int32 (nodes, buckets), the open time of a pixel that ends
       the frame in a node; -1 in earlier stages
 
-    `comparisons` are in the order of their boundaries."""
+    `comparisons` are in the order of their boundaries.
+
+    A program of four slots, whose pixels close before slot 2 if their light is above a quarter of a
+    full well, has one behaviour and three nodes: node 0 until the look, then node 1 for the pixels
+    that stay open and node 2 for those that close:
+
+        >>> import nscc
+        >>> program = nscc.compile('''nsl 2
+        ... frame 4 slots of 1ms
+        ... sense bright when light > 25% at n in [2]
+        ... state closed : 0..1 = 0
+        ... next closed = 1 when bright
+        ... open when closed == 0
+        ... read closed''')
+        >>> machine = program.container.machine
+        >>> machine.opens[:, 0].astype(int).tolist()
+        [[1, 1, 0, 0], [0, 0, 1, 1], [0, 0, 0, 0]]
+        >>> machine.behaviour.tolist(), machine.steps[0].tolist(), machine.open_slots[:, 0].tolist()
+        ([0, 0, 0], [1, 2], [-1, 4, 2])
+    """
 
     states: tuple[State, ...]
     comparisons: tuple[Comparison, ...]

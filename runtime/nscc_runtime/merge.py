@@ -96,7 +96,20 @@ def light_estimate(readout: BucketReadout) -> tuple[Field, NDArray[np.bool_]]:
 
     The estimate is the sum of electrons divided by the sum of open times, which is optimal for pure
     shot noise. If all open neighbours are saturated, it is the largest light that one of them can
-    represent. If pixels do not use neighbours, it is a lower bound from the pixel itself."""
+    represent. If pixels do not use neighbours, it is a lower bound from the pixel itself.
+
+    Two neighbours that are open for 1 s and 3 s of a frame of four slots of 1 s collect 10 e and 40
+    e, which together are 12.5 e/s. If the second is saturated, the first alone counts:
+
+        >>> codes, most_e = np.zeros((1, 2), np.uint8), np.full((1, 2), 200.0)
+        >>> light_e, open_s = np.array([[10.0, 40.0]]), np.array([[1.0, 3.0]])
+        >>> for second in (False, True):
+        ...     full = np.array([[False, second]])
+        ...     readout = BucketReadout("", codes, full, light_e, most_e, open_s, window=(1, 2))
+        ...     light_estimate(readout)[0].tolist()
+        [[12.5, 12.5]]
+        [[10.0, 10.0]]
+    """
     opened = readout.open_s > 0
     usable = opened & ~readout.saturated
     time = _box(np.where(usable, readout.open_s, 0.0), readout)

@@ -152,7 +152,29 @@ def backward(
     Words multiply their results by the model's gains, and analog registers leak at the rate
     `leak_per_s`. With `dead_time`, a slot's charge reaches PIX at a constant rate while the words
     of its boundary run. With `lit_level`, words that read PIX after its reset at the same boundary
-    also read this charge. Decay must already be contained in the words."""
+    also read this charge. Decay must already be contained in the words.
+
+    A shutter that is open in the slots 1 and 2 of four counts their charge once. If every word
+    loses a tenth, the two words between a slot and the readout leave 0.81 of it, and the
+    subtraction of the charge from before the shutter opened is no longer exact:
+
+        >>> import nscc
+        >>> from nscc_runtime.reference.trace import analog_words
+        >>> program = nscc.compile('''nsl 1
+        ... frame 4 slots of 1ms
+        ... code start : 0..3
+        ... code stop : 1..4
+        ... require start < stop
+        ... open when start <= n < stop
+        ... pixels start = 1
+        ... pixels stop = 3''').container
+        >>> words = analog_words(program)
+        >>> backward(program, words).slots[:, 0, 0].tolist()
+        [0.0, 1.0, 1.0, 0.0]
+        >>> lossy = WeightModel(gain=0.9, move_gain=0.9)
+        >>> backward(program, words, lossy).slots[:, 0, 0].round(3).tolist()
+        [0.081, 0.81, 0.81, 0.0]
+    """
     leak_per_s, dead_time = model.leak_per_s, model.dead_time
     if container.target.taps:
         return _of_taps(container, leak_per_s, dead_time)

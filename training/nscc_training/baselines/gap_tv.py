@@ -24,8 +24,20 @@ def gap_tv_of(
     weight: float = WEIGHT,
     start: Array | None = None,
 ) -> tuple[Array, Array]:
-    """Reconstruct by accelerated generalised alternating projection with total variation (Yuan
-    2016).
+    """Reconstruct clips by accelerated generalised alternating projection with total variation (X.
+    Yuan, ICIP 2016).
+
+    Without noise it minimises TV(x) = sum of sqrt(right^2 + down^2 + (TIME later)^2), the
+    differences of x between neighbouring pixels and frames, over all clips x with A x = y: the
+    frames `measured.of(x)` are those that were measured. Each of the `iterations` is
+
+        target <- target + (y - A x)
+        x <- x + A^T (A A^T)^-1 (target - A x), with the same A x
+        x <- argmin over z of |z - x|^2 / 2 + weight TV(z), by `INNER` steps of Chambolle's method
+
+    Noise is added to A A^T, and its part of a difference is left out of `target`. Returns the clips
+    (batch, N, rows, cols), and `target` (shape of y): y plus all differences that remained after
+    earlier steps, with which `gap_step` continues.
 
     The default start is a static clip, with each pixel's light spread over the frame. From a dark
     start, slots that no pixel recorded would stay about a fifth too dark (64 slots)."""
@@ -44,7 +56,9 @@ def gap_tv_of(
 def gap_step(
     measured: Measured[Array], clip: Array, target: Array, sigma: Array
 ) -> tuple[Array, Array]:
-    """Return the clip after a step towards the frames, and the updated target."""
+    """Return the clip after a step towards the frames, and the updated `target`, as in `gap_tv_of`.
+
+    `sigma` (batch,) is the standard deviation of the clip's error."""
     predicted = measured.of(clip)
     target = target + measured.missing(predicted, measured.value) * measured.trust(sigma)
     return clip + measured.correction(measured.missing(predicted, target), sigma), target

@@ -23,7 +23,8 @@ def gap_tv(
     iterations: int = ITERATIONS,
     weight: float = WEIGHT,
 ) -> Clip:
-    """Reconstruct a clip by GAP-TV, starting from the measurement spread over the open frames."""
+    """Reconstruct a clip by `gap_tv_of`, from the measurement divided among the open frames;
+    `weight` is that of total variation."""
     measured = Measured.exact(measurement[None], mask[None])
     start = adjoint(measurement, mask)[None]
     clips, _ = gap_tv_of(measured, iterations, weight=weight, start=start)
@@ -36,11 +37,11 @@ def admm_tv(
     iterations: int = ITERATIONS,
     weight: float = WEIGHT,
 ) -> Clip:
-    """Reconstruct a clip by the alternating direction method of multipliers (ADMM) with total
-    variation (TV).
+    """Reconstruct a clip x by the alternating direction method of multipliers (ADMM): minimise
+    |measurement - sum over T of mask x|^2 / 2 + `_RIDGE` weight TV(x).
 
-    It minimises the same sum as `gap_tv`, but allows the clip to differ from the measurement.
-    `weight` is that of TV."""
+    TV is the total variation of `gap_tv_of`. The method solves for the data term and for TV in
+    turn, and `dual` sums the differences of both solutions."""
     energy = _energy(mask) + np.float32(_RIDGE)
     clip = mask * (measurement / energy)
     dual = np.zeros_like(clip)

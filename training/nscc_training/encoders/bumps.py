@@ -58,7 +58,19 @@ class Bump(Encoder):
 
     `limits` are the legal values of each field in slots; each field is a parameter of that name.
     `legal` (codes, fields), if set, lists the codes that `require` of a program allows: codes snap
-    to the nearest."""
+    to the nearest.
+
+    A pixel of class d whose edges are at the boundaries 1 and 3 of four slots. A gradient step that
+    moves its stop to 3.6 rounds to the boundary 4:
+
+        >>> bump = StartStop(ShutterSpec("d", 4, (1, 1)))
+        >>> bump.load_codes({"start": np.array([[1]]), "stop": np.array([[3]])})
+        >>> bump.hard()[:, 0, 0].tolist()
+        [0.0, 1.0, 1.0, 0.0]
+        >>> bump.fill(np.array([[1.0]]), np.array([[3.6]]))
+        >>> bump.hard()[:, 0, 0].tolist()
+        [0.0, 1.0, 1.0, 1.0]
+    """
 
     jitter_unit = 1.0
     width = 1.0

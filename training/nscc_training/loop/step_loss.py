@@ -121,7 +121,8 @@ def pull(
 def lesson_losses(
     setup: TrainingSetup, lesson: Lesson, generator: torch.Generator
 ) -> Iterator[Tensor]:
-    """Yield the losses of a lesson's updates; each is computed after the update before it."""
+    """Yield the losses of a lesson's updates; each is computed after the caller has made the
+    update before it."""
     decoder = setup.decoder
     assert isinstance(decoder, AnyCode)
     chosen = setup.settings.decoder
@@ -149,8 +150,8 @@ def _of_noise(decoder: AnyCode, lesson: Lesson, generator: torch.Generator) -> T
 def _of_codes(
     decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int, through: int
 ) -> Iterator[Tensor]:
-    """Yield the losses of decoding coded clips, one for each `through` stages, so that gradients
-    fit in memory."""
+    """Yield the losses of decoding coded clips in `stages`, one for each `through` stages, so
+    that gradients fit in memory."""
     with torch.no_grad():
         truth, measured, shown = measured_lesson(lesson, generator)
         clip, target = gap_tv_of(measured)
@@ -167,7 +168,7 @@ def _of_codes(
 
 
 def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int) -> Tensor:
-    """Return the mean loss of all stages that decode coded stills."""
+    """Return the mean loss over all `stages` that decode coded stills."""
     with torch.no_grad():
         truth, measured, _ = measured_lesson(lesson, generator)
         start = started_still(measured)
