@@ -31,6 +31,8 @@ def with_moves_where_read(pictures: p.Pictures) -> p.Pictures:
     """Return the same images and planes, in which each reader of a moved image moves it itself."""
 
     def moves(node: p.Node) -> bool:
+        """Return whether a node is one pixel of an image with the weight 1, which a reader can
+        compute itself."""
         if isinstance(node, p.Condition):
             return False
         taps, inner = merged(node, pictures.weights_by_name)

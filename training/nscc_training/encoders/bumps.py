@@ -186,6 +186,8 @@ class Bump(Encoder):
         return replaced(fields, legal[torch.cat(nearest)].T.reshape(fields.shape))
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+        """Return each field's parameter with its lowest and highest value, in the unit of the
+        parameter."""
         return [
             (self.get_parameter(name), (self.bound_of(low), self.bound_of(high)))
             for name, (low, high) in self.limits.items()
