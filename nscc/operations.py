@@ -47,6 +47,11 @@ class WordEffect(Enum):
     """The destination := the OR of the source in the neighbours chosen by the `STEERING` registers.
 
     Outside the array the source counts as 0, or as 1 if inverted."""
+    PROPAGATION = auto()
+    """The destination, R12, := 1 also in the pixels that are connected with a 1 through pixels in
+    which the mask register R0 is 1, in the directions of the `STEERING` registers.
+
+    The distance is limited (`Target.propagation_pixels`). Outside the array R12 counts as 0."""
 
 
 class Phase(Enum):
@@ -85,12 +90,12 @@ class Operation:
         return self.clock == 0
 
 
-_ANALOG, _DIGITAL, _NEIGHBOURS = 0, 1, 2
+_ANALOG, _DIGITAL, _NEIGHBOURS, _PROPAGATION = 0, 1, 2, 3
 
 # Control lines by name: the columns of the word's layout.
 SELPIX, RSTPIX, S_IN, RANA, RID = 1, 2, 5, 6, 11
 WRF, SETF, NBIT, PLWB, PLRB, BIT, BITMODE, WR = 20, 28, 58, 60, 61, 62, 63, 64
-SELX, PUPD, FBUS, NB = 10, 30, 31, 59
+SELX, PUPD, FBUS, RR12, NB = 10, 30, 31, 43, 59
 
 # Lines 80 and up do not exist on SCAMP-5d: they are this project's own stand-in for the registers
 # R13, R14, .. of chips whose word is not public, and lie in bits that SCAMP-5d leaves unused.
@@ -176,6 +181,25 @@ OPERATIONS: tuple[Operation, ...] = (
         _ONE,
         _ONE,
         inverted=True,
+    ),
+    # PROP.read raises the line of R12 itself, because it has the clock of analog words.
+    Operation(
+        "PROP.read",
+        WordEffect.NONE,
+        _ANALOG,
+        (S_IN, RR12, PLRB, BIT, BITMODE),
+        _NO,
+        _NO,
+        phase=_READ,
+    ),
+    Operation(
+        "PROP.write",
+        WordEffect.PROPAGATION,
+        _PROPAGATION,
+        (S_IN, RID, FBUS, NB),
+        _ONE,
+        _ONE,
+        phase=_WRITE,
     ),
     Operation("REFRESH.read", WordEffect.DIGITAL, _DIGITAL, _COPY, _NO, _ONE, phase=_READ),
     Operation(

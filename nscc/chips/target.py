@@ -187,6 +187,12 @@ class Target:
         Flag(), "does NEWS keep its value when neighbours read it?", default=True
     )
 
+    propagation_pixels: int = _neighbours_key(
+        Integer(0, 1 << 16),
+        "how many pixels far does one PROP flood? 0: not at all; 128 is assumed",
+        default=128,
+    )
+
     taps: tuple[str, ...] = _stream(
         Several(_TAP, text="a list of names of capital letters, digits and `_`"),
         "where a pixel can collect charge, in the order of a program's buckets",

@@ -21,7 +21,11 @@ class BitWords:
     States are in registers that no word of the exposure writes (`unwritten`)."""
 
     def __init__(
-        self, lowering: Emitter, registers: Sequence[str], unwritten: Collection[str]
+        self,
+        lowering: Emitter,
+        registers: Sequence[str],
+        unwritten: Collection[str],
+        or_sources: int | None,
     ) -> None:
         """Assign registers to kept and input planes, and count how often each plane is read.
 
@@ -33,7 +37,7 @@ class BitWords:
         expressions = pictures.expressions
         nodes = [node for each in expressions.values() for node in p.subexpressions(each)]
         self.steering = [*pictures.steering]
-        self.count_steps = pictures.count_steps
+        self.count_steps, self.or_sources = pictures.count_steps, or_sources
         self.kept_for_steering = [r for r in registers if self.steering and r in STEERING]
         if self.steering and len(self.kept_for_steering) < len(STEERING):
             available = len(self.kept_for_steering)
@@ -71,7 +75,8 @@ class BitWords:
         """Emit the words that compute a plane, and keep its register until the plane has been
         read for the last time."""
         register, owner = self.bit(node)
-        if owner is not None:
+        is_free = self.lowering.pictures.is_of_version_4 and owner and self.hand_over(owner)
+        if owner is not None and not is_free:
             register = self._emit_word("MOV", [register], [(register, owner)])
         self.planes[name] = register
         self.uses[name] = self.uses.get(name, 0) + 1
@@ -136,7 +141,11 @@ class BitWords:
         """Write a bit to the register of a plane.
 
         If the last word wrote the bit, that word writes the register instead."""
-        (source, owner), register, words = bit, self.planes[name], self.lowering.words
+        self.write(self.planes[name], bit)
+
+    def write(self, register: str, bit: Kept) -> None:
+        """Write a bit to any register, as `store` does."""
+        (source, owner), words = bit, self.lowering.words
         place = -2 if words[-1][0].operation.effect is WordEffect.FLAG_ALL else -1
         last = words[place][0]
         digital = last.operation.effect in (WordEffect.DIGITAL, WordEffect.DIGITAL_NEIGHBOURS)
@@ -189,10 +198,12 @@ class BitWords:
             case p.Above() | p.AboveParam() | p.Exceeds():
                 return self._above(node), None
             case p.Neither():
-                both = [self.bit(node.first), self.bit(node.second)]
-                return self._nor([register for register, _ in both], both), None
+                bits = self._operands(node.first, node.second)
+                return self._nor([register for register, _ in bits], bits), None
             case p.ChosenPlane():
                 return self._chosen(node), None
+            case p.Propagated():
+                raise AssertionError("a propagation is the step of a flood")
             case p.RepeatedPlane():
                 raise AssertionError("a repeated plane is not part of another expression")
             case p.Inverse():
@@ -225,8 +236,17 @@ class BitWords:
         other_0 = self._nor(sources, [otherwise, condition])
         return self._nor([chosen_0, other_0], [(chosen_0, None), (other_0, None)])
 
+    def _operands(self, *nodes: p.Condition) -> list[Kept]:
+        """Return the bits of conditions for one OR or NOR word, which may read several planes."""
+        flat: list[p.Condition] = []
+        for node in nodes:
+            planes = _planes_of_or(node) if self.lowering.pictures.is_of_version_4 else []
+            flat += planes or [node]
+        most = self.or_sources
+        return [self.bit(node) for node in (flat if most is None or len(flat) <= most else nodes)]
+
     def _nor(self, registers: Sequence[str], used: Sequence[Kept]) -> str:
-        """Emit the NOR of two bits, which may be in one register."""
+        """Emit the NOR of bits, of which several may be in one register."""
         return self._emit_word("NOR" if len({*registers}) > 1 else "NOT", registers, used)
 
     def compare(self, node: p.Comparison, value: Held) -> None:
@@ -263,13 +283,15 @@ class BitWords:
 
         `or` takes one OR word; `and` is the NOR of both inverses, and `xor` the NOR of `and` and of
         neither."""
+        planes = self._operands(node.first, node.second) if node.op == "or" else []
+        if planes:
+            registers = [register for register, _ in planes]
+            return self._emit_word("OR" if len({*registers}) > 1 else "MOV", registers, planes)
         first, second = self.bit(node.first), self.bit(node.second)
         a, b = first[0], second[0]
         if a == b:
             name, sources = ("CLR", []) if node.op == "xor" else ("MOV", [a])
             return self._emit_word(name, sources, [first, second])
-        if node.op == "or":
-            return self._emit_word("OR", [a, b], [first, second])
         not_a = self._emit_word("NOT", [a], [])
         not_b = self._emit_word("NOT", [b], [])
         both = self._emit_word("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])
@@ -293,7 +315,8 @@ class BitWords:
 
     def steer(self, directions: frozenset[str]) -> None:
         """Set R1 to R4 in every pixel, which choose the neighbours that DNEWS reads."""
-        self.lowering.word(op("CLR", list(STEERING)))
+        if len(directions) < len(STEERING) or not self.lowering.pictures.is_of_version_4:
+            self.lowering.word(op("CLR", list(STEERING)))
         self.lowering.word(op("SET", sorted(directions)))
         self.steered = directions
 
@@ -392,3 +415,13 @@ class BitWords:
         if (0, 0) in offsets:
             return self._emit_word("OR", [total, register], [(total, None)])
         return total
+
+
+def _planes_of_or(node: p.Condition) -> list[p.Condition]:
+    """Return the planes of an `or` that combines planes only; empty for another condition."""
+    if isinstance(node, p.Bit):
+        return [node]
+    if not isinstance(node, p.Joined) or node.op != "or":
+        return []
+    first, second = _planes_of_or(node.first), _planes_of_or(node.second)
+    return [*first, *second] if first and second else []

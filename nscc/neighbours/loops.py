@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from nscc.neighbours.held import Held, LoopWords
+from nscc.neighbours.held import Held, LoopWords, PictureRefused
 from nscc.neighbours.programs import OF_STEP
 from nscc.neighbours.registers import RegisterEmitter
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect, op
@@ -24,6 +24,9 @@ def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
     one step, which is stored once."""
     steps: dict[str, p.Node] = {}
     for item in items:
+        if isinstance(item.node, p.RepeatedPlane) and isinstance(item.node.step, p.Propagated):
+            _emit_flood(lowering, item.name, item.node, item.node.step)
+            return
         assert isinstance(item.node, p.Repeated)
         steps[item.name] = item.node.step
         lowering.now = item.name
@@ -50,6 +53,33 @@ def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
             _emit_steps(lowering, steps, times)
             lowering.bits.steered = None
     lowering.contents = {}
+
+
+def _emit_flood(
+    lowering: RegisterEmitter, name: str, node: p.RepeatedPlane, step: p.Propagated
+) -> None:
+    """Emit a flood by propagations, which change the masked register where its mask is 1."""
+    bits, mask, register = lowering.bits, lowering.target.mask_register, lowering.propagating
+    if mask is None or register is None:
+        raise PictureRefused("planes", name, 2, 0)
+    lowering.now = name
+    bits.begin(name)
+    seed = bits.bit(node.start)
+    lowering.everywhere()
+    lowering.word(op("SET", [mask]))
+    lowering.word(op("MOV", [register], [seed[0]]))
+    bits.give(seed)
+    bits.write(mask, bits.bit(step.mask))
+    if bits.steered != frozenset(STEERING):
+        bits.steer(frozenset(STEERING))
+    begin = len(lowering.words)
+    lowering.word(op("PROP.read"))
+    lowering.word(op("PROP.write", [register], [register]))
+    values = (p.LoopValue(name, register),)
+    lowering.loops.append(LoopWords(begin, len(lowering.words), node.times, values))
+    bits.uses[name] -= 1  # the read by its own step
+    bits.planes[name] = bits.take()
+    lowering.word(op("MOV", [bits.planes[name]], [register]))
 
 
 def _start(lowering: RegisterEmitter, name: str, node: p.Node) -> None:

@@ -317,6 +317,8 @@ class PictureReplay:
                 self._bus(op, level)
             case WordEffect.DIGITAL_NEIGHBOURS:
                 self._write(op.destinations[0], self._or_neighbours(op))
+            case WordEffect.PROPAGATION:
+                self._propagate(op.destinations[0])
             case WordEffect.DIGITAL:
                 self._digital(op)
             case _:
@@ -398,6 +400,14 @@ class PictureReplay:
                 bit = diagrams.either(bit, diagrams.times(self.digital[name][x, y], neighbour))
             bits[x, y] = bit
         return bits
+
+    def _propagate(self, name: str) -> None:
+        """Propagate the bits of a register in the pixels in which the mask register is 1."""
+        true_bit, bits = self.forms.diagrams.one, self.digital[name]
+        if any(self.digital[each][at] != true_bit for each in STEERING for at in bits):
+            raise PictureReplayError("a propagation does not have all four directions")
+        mask = self.digital[self.container.target.mask_register or ""]
+        self.digital[name] = {at: self.forms.propagated(bits[at], mask[at], at) for at in bits}
 
     def _digital(self, op: Op) -> None:
         """Replay a digital word. A pair reads into the bus first and writes from it in its second

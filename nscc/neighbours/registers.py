@@ -96,7 +96,8 @@ class RegisterEmitter(CountEmitter):
 
     `contents`: what analog registers hold, for reuse. `uses`: numbers of reads that are left.
     `kept_ranges`: the electrons of kept images before a frame. `loops`: the words of loops.
-    `loop_registers`: the registers of planes that are repeated now."""
+    `loop_registers`: the registers of planes that are repeated now. `propagating`: the register
+    whose bits PROP propagates, None if it or its mask has bits of codes."""
 
     def __init__(
         self,
@@ -129,7 +130,9 @@ class RegisterEmitter(CountEmitter):
         }
         guarded = (*container.code_registers, target.mask_register, target.masked_register)
         digital = [name for name in target.digital_registers if name not in guarded]
-        self.bits = BitWords(self, digital, {*digital} - written)
+        pair = {target.mask_register, target.masked_register}
+        self.propagating = None if pair & {*container.code_registers} else target.masked_register
+        self.bits = BitWords(self, digital, {*digital} - written, target.or_sources)
         self.count_e = pictures.count_steps * target.electrons_per_step
         # How often each image and bucket is read; an output counts once more.
         self.uses = dict.fromkeys((*self.held, *self.pictures.expressions), 0)

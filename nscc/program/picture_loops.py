@@ -6,6 +6,7 @@ from abc import abstractmethod
 from dataclasses import replace
 from typing import Any, Literal, cast
 
+from nscc.operations import STEERING
 from nscc.program.constants import constant
 from nscc.program.picture_comparisons import PictureComparer, WrongPicture
 from nscc.source import Span
@@ -26,6 +27,7 @@ class LoopReader(PictureComparer):
     declared now."""
 
     kernels: dict[str, p.Weights]
+    outside: int | None
 
     def __init__(self, *arguments: Any) -> None:
         """Begin without images and planes; the arguments are those of `PictureComparer`."""
@@ -231,7 +233,12 @@ class LoopReader(PictureComparer):
         area, flooded = p.Bit(f"{name} bounds"), p.Bit(f"{name} flooded")
         near = p.Near("any", flooded, around)
         times, grows = p.Times(steps, steps), f"{name}{p.GROWS}"
-        step = p.Neither(p.Neither(flooded, near), area)
+        step: p.Condition = p.Neither(p.Neither(flooded, near), area)
+        pixels = self.target.propagation_pixels
+        is_cross = self.kernels[around].taps.keys() == {*STEERING.values()}
+        if pixels and is_cross and self.outside == 0:
+            step = p.Propagated(flooded, p.Inverse(area), pixels)
+            times = p.Times(-(-steps // pixels), -(-steps // pixels))
         self.items += [
             p.Picture(area.name, p.Neither(mask, seed)),
             p.Picture(flooded.name, p.RepeatedPlane(seed, step, times, flooded.name)),

@@ -215,6 +215,7 @@ class Forms:
     _beyond: set[int] = field(default_factory=set)
     _fresh: int = 0
     _kept: dict[tuple[str, int, int], int] = field(default_factory=dict)
+    _propagated: dict[tuple[int, int, tuple[int, int]], int] = field(default_factory=dict)
 
     def places(self) -> list[tuple[int, int]]:
         """Return all pixels (x, y), row by row."""
@@ -238,6 +239,18 @@ class Forms:
         if key not in self._kept:
             self._kept[key] = self.diagrams.new_variable(at)
         return self._kept[key]
+
+    def propagated(self, bit: int, mask: int, at: tuple[int, int]) -> int:
+        """Return the unknown bit of a propagation.
+
+        The same bits and masks in all pixels give the same result. As the proof compares all
+        pixels, a bit and a mask that are equal in one pixel may share the unknown there."""
+        key = (bit, mask, at)
+        if key not in self._propagated:
+            answer = self._propagated[key] = self.diagrams.new_variable(at)
+            if self.depends_beyond(bit) or self.depends_beyond(mask):
+                self._beyond |= self.diagrams.support(answer)
+        return self._propagated[key]
 
     def counted(self, bit: int, steps: Fraction) -> Form:
         """Return `steps` of IN where a bit is 1, else 0. A bit and its inverse share an unknown."""

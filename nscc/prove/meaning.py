@@ -35,6 +35,8 @@ def reaches(pictures: p.Pictures, *, of_a_step: bool = False) -> dict[str, Reach
                 joined = Reach().joined(*moved)
             case p.At() | p.Shifted():
                 joined = joined.moved(node.right, node.down)
+            case p.Propagated() if not of_a_step:  # a proof takes it as one unknown function
+                joined = Reach(*(far + node.pixels for far in joined))
         return joined
 
     loops: dict[str, list[str]] = {}
@@ -209,6 +211,9 @@ class PictureMeaning:
                 level = {unit: diagrams.leaf(-steps)} if steps else {}
                 form = self.image(condition.value, at)
                 return forms.positive(forms.sum((Fraction(1), form), (Fraction(1), level)), at)
+            case p.Propagated():
+                both = self.bit(condition.condition, at), self.bit(condition.mask, at)
+                return forms.propagated(*both, at)
             case p.Inverse():
                 return diagrams.inverse(self.bit(condition.condition, at))
             case p.Neither():

@@ -135,7 +135,7 @@ def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | 
     rows = [row for row in OPERATIONS if row.clock == clock and not (_fixed(row) ^ bits) & kind]
     for row in (*rows, *target_operations):
         sources = read
-        if row.effect in (WordEffect.BUS, WordEffect.RESET_PIX):
+        if row.effect in (WordEffect.BUS, WordEffect.RESET_PIX, WordEffect.NONE):
             sources = [name for name in read if not _fixed(row) & _READ[name]]
             sources = [name for name in sources if name not in destinations]
         if not _fits(len(destinations), row.destinations) or not _fits(len(sources), row.sources):

@@ -125,8 +125,10 @@ def target_fault(operation: Op, target: Target) -> str | None:
     None.
 
     Words that reach neighbours run after the exposure: see `picture_fault`."""
-    digital = operation.operation.effect is WordEffect.DIGITAL_NEIGHBOURS
-    if digital or NEIGHBOURS.keys() & {*operation.destinations, *operation.sources}:
+    if _reaches_by_bits(operation) or NEIGHBOURS.keys() & {
+        *operation.destinations,
+        *operation.sources,
+    }:
         return "only the words of images and planes reach neighbours, after the last slot"
     return picture_fault(operation, target)
 
@@ -165,15 +167,27 @@ def picture_fault(operation: Op, target: Target) -> str | None:
     return None
 
 
+def _reaches_by_bits(operation: Op) -> bool:
+    """Return whether a word reads bits of neighbours, or prepares to do so."""
+    seen = operation.operation.effect is WordEffect.DIGITAL_NEIGHBOURS
+    return seen or operation.name.startswith("PROP")
+
+
 def _neighbour_fault(operation: Op, target: Target) -> str | None:
     """Return why `target` does not support a word that reaches neighbours; None if it does."""
     row = operation.operation
-    digital = row.effect is WordEffect.DIGITAL_NEIGHBOURS
+    digital = _reaches_by_bits(operation)
     written = NEIGHBOURS.keys() & operation.destinations
     if not (digital or written or NEIGHBOURS.keys() & operation.sources):
         return None
     if not target.sees_neighbours:
         return f"the pixels of {target.name} do not see their neighbours"
+    if operation.name.startswith("PROP"):
+        registers = {*operation.destinations, *operation.sources}
+        if not target.propagation_pixels:
+            return f"{target.name} does not propagate bits: `propagation_pixels` is 0"
+        if not registers <= {target.masked_register} or target.mask_register is None:
+            return f"{target.name} propagates the bits of its masked register only"
     if digital:
         missing = [name for name in STEERING if name not in target.digital_registers]
         return f"{target.name} has no register {missing[0]}" if missing else None
@@ -186,7 +200,7 @@ def _neighbour_fault(operation: Op, target: Target) -> str | None:
 
 
 def pair_kind(first: Op, second: Op) -> str | None:
-    """Return OR, NOR or REFRESH if these are the two words of an in-place form, else None."""
+    """Return OR, NOR, REFRESH or PROP if these are the two words of an in-place form, else None."""
     kind, _, half = first.name.partition(".")
     return kind if half == "read" and second.name == f"{kind}.write" else None
 

@@ -227,6 +227,17 @@ class Neither(Record):
     second: Condition
 
 
+class Propagated(Record):
+    """A condition, and the pixels of `mask` that the chip's propagation connects with it.
+
+    It reaches `pixels` columns and rows; the repeated plane of a flood has several propagations.
+    `mask` contains the condition."""
+
+    condition: Condition
+    mask: Condition
+    pixels: int
+
+
 class ChosenPlane(Record):
     """`then` where `condition` is 1, else `otherwise`; all are planes."""
 
@@ -270,6 +281,7 @@ Condition = (
     | ChosenPlane
     | Neither
     | RepeatedPlane
+    | Propagated
 )
 Comparison = Above | AboveParam | Exceeds
 Node = Value | Condition
@@ -526,7 +538,7 @@ class Pictures:
     @property
     def steering(self) -> tuple[str, ...]:
         """The names of images, planes and states whose words read bits of neighbours, in order."""
-        reading = Near | At | Agreement
+        reading = Near | At | Agreement | Propagated
         return tuple(
             name
             for name, expression in self.expressions.items()

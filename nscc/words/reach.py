@@ -86,7 +86,9 @@ class RegisterReaches:
         reach = Reach().joined(*map(self.of, op.sources))
         if effect is WordEffect.DIGITAL_NEIGHBOURS:
             reach = self._of_neighbours(op.sources[0])
-        if effect in _FLAG:
+        if effect is WordEffect.PROPAGATION:
+            reach = self._of_propagation(reach)
+        elif effect in _FLAG:
             self.reach["FLAG"], self._everywhere = reach, effect is WordEffect.FLAG_ALL
         elif phase is Phase.READ:
             self.reach["bus"] = reach
@@ -105,6 +107,15 @@ class RegisterReaches:
             elif name == self.target.masked_register:
                 written = written.joined(self.of(name), self.of(self.target.mask_register or ""))
             self.reach[name] = written
+
+    def _of_propagation(self, own: Reach) -> Reach:
+        """Return the reach of propagated bits.
+
+        The proof takes a propagation as one unknown function of both registers, so that its
+        distance does not count there."""
+        reach = own.joined(self.of(self.target.mask_register or ""))
+        far = self.target.propagation_pixels if self.bits_known else 0
+        return Reach(*(near + far if near else 0 for near in reach))
 
     def _of_neighbours(self, source: str) -> Reach:
         """Return the reach of a bit that a pixel reads from those neighbours that R1 to R4

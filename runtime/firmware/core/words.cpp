@@ -51,7 +51,7 @@ struct Attempt {
 
     bool matches(bool &allowed, uint32_t &registers) const {
         const bool analog = row.clock == 0;
-        const bool settles = row.effect == BUS || row.effect == RESET_PIX;
+        const bool settles = row.effect == BUS || row.effect == RESET_PIX || row.effect == NOTHING;
         Word made = row.fixed;
         unsigned destinations = 0, sources = 0, joined = 0;
         bool overlap = false, reads_flag = false, directed = false, sends = false;

@@ -29,7 +29,7 @@ from nscc.words.readout import spreading
 from nscc_runtime.device.objects import target_digest
 
 _PHASES = {Phase.WHOLE: "WHOLE", Phase.READ: "FIRST_HALF", Phase.WRITE: "SECOND_HALF"}
-_PAIRS = ("OR", "NOR", "REFRESH")
+_PAIRS = ("OR", "NOR", "REFRESH", "PROP")
 _NO_LIMIT = 255
 _NOTHING: Word = (0, 0, 0, 0, 0)
 _LONGEST_REFRESH = 5
@@ -127,6 +127,10 @@ def _operations(target: Target) -> Iterator[str]:
     yield "constexpr Operation operations[] = {"
     for row in OPERATIONS:
         if row.effect is WordEffect.DIGITAL_NEIGHBOURS and not target.sees_neighbours:
+            continue
+        if row.name.startswith("PROP") and not (
+            target.sees_neighbours and target.propagation_pixels
+        ):
             continue
         kind = row.name.partition(".")[0]
         half = row.phase is not Phase.WHOLE

@@ -5,7 +5,7 @@ which access neighbours. It is not published what a bus beyond the array gives: 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -83,6 +83,11 @@ class ArrayPixels(WordPixels):
                 digital.write("FLAG", found)
             case WordEffect.DIGITAL_NEIGHBOURS:
                 self._neighbour_values(op)
+            case WordEffect.PROPAGATION:
+                names = (op.destinations[0], self.target.mask_register or "", *STEERING)
+                bits, mask, *chosen = (self.bit(name).reshape(self.shape) for name in names)
+                found = propagated(bits, mask, chosen, self.target.propagation_pixels)
+                digital.write(op.destinations[0], found.reshape(-1))
             case _:
                 digital.run(op)
 
@@ -164,3 +169,27 @@ class ArrayPixels(WordPixels):
         padded = np.full((rows + 2, cols + 2), beyond, values.dtype)
         padded[1:-1, 1:-1] = values.reshape(self.shape)
         return padded[1 + down : 1 + down + rows, 1 + right : 1 + right + cols].reshape(-1)
+
+
+def propagated(
+    bits: NDArray[np.bool_],
+    mask: NDArray[np.bool_],
+    chosen: Sequence[NDArray[np.bool_]],
+    pixels: int,
+) -> NDArray[np.bool_]:
+    """Return bits after one propagation in the pixels of a mask, all (rows, cols).
+
+    `chosen`: the registers that choose directions, in the order of `STEERING`. `pixels`: the
+    largest number of pixels that a bit passes. Outside the array, all bits are 0."""
+    padded = np.pad(bits, 1)
+    inner = padded[1:-1, 1:-1]
+    rows, cols = bits.shape
+    for _ in range(pixels):
+        near = np.zeros_like(bits)
+        for direction, (right, down) in zip(chosen, STEERING.values(), strict=True):
+            near |= direction & padded[1 + down : 1 + down + rows, 1 + right : 1 + right + cols]
+        near &= mask & ~inner
+        if not near.any():
+            break
+        inner |= near
+    return inner.copy()

@@ -67,6 +67,10 @@ constexpr Operation operations[] = {
     {{{0x100820, 0x18000, 0x20000, 0x36800, 0x40000}}, 2, DIGITAL_NEIGHBOURS, WHOLE, 0, 1, 1, 1, 1},
     // DNEWS1
     {{{0x100820, 0x1c000, 0x20000, 0x36800, 0x40000}}, 2, DIGITAL_NEIGHBOURS, WHOLE, 0, 1, 1, 1, 1},
+    // PROP.read
+    {{{0x00020, 0x10000, 0x20800, 0x3e000, 0x40000}}, 0, NOTHING, FIRST_HALF, 4, 0, 0, 0, 0},
+    // PROP.write
+    {{{0x180820, 0x18000, 0x20000, 0x30800, 0x40000}}, 3, PROPAGATION, SECOND_HALF, 4, 1, 1, 1, 1},
     // REFRESH.read
     {{{0x80020, 0x10000, 0x20000, 0x3e000, 0x40000}}, 1, DIGITAL, FIRST_HALF, 3, 0, 0, 1, 1},
     // REFRESH.write

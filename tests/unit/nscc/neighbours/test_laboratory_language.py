@@ -7,20 +7,29 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.ndimage import binary_propagation
 
 import nscc
 import nscc_runtime
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.neighbours.pictures_proof import pictures_fault
+from nscc.operations import op
 from nscc.pipeline import Options, run_passes
 from nscc.record import Record
 from nscc.source import Source
 from nscc.syntax.format import format_source
 from nscc.syntax.parse import parse
 from nscc.words.container import Container
+from nscc.words.encoding import encode, matching
 from nscc.words.file import from_bytes, to_bytes
+from nscc.words.legality import picture_words
 from nscc.words.pictures import LaunchLoop, Times
 from nscc_runtime.device.objects import upload_of
+from nscc_runtime.effects import selected
+from nscc_runtime.light import Light
+from nscc_runtime.neighbours.pictured_program import PicturedProgram
+from nscc_runtime.sensor import default_sensor
 
 HEAD = "nsl 4 frame 4 slots of 1ms open when true outside 0 "
 CROSS = "kernel k = [[0, 1, 0], [1, 1, 1], [0, 1, 0]] "
@@ -243,6 +252,67 @@ def test_a_value_in_a_register_that_is_used_again_is_another_value() -> None:
     both = "image z = c(abs(a(exposure) + b(exposure))) plane p = x > 3% and y > 3% and z > 3% "
     for head in (HEAD, HEAD.replace("nsl 4", "nsl 3")):
         assert pictures_fault(container_of(head + sobel + box + images + both + "read p")) is None
+
+
+FLOOD = """
+kernel cross = [[0, 1, 0], [1, 1, 1], [0, 1, 0]]
+plane seed = exposure > 60%
+plane mask = exposure > 30%
+plane part = flood(seed, mask, cross)
+read part
+"""
+
+
+def flooded(pixels: int, light: Any) -> tuple[Any, bool]:
+    """The flooded plane, and whether it is complete, if a propagation reaches `pixels`."""
+    target = replaced(builtin_target("scamp5"), rows=30, cols=37, propagation_pixels=pixels)
+    container = run_passes(
+        Source("p.nsl", HEAD + FLOOD), Path(), Options(level=1, cache=False, target=target)
+    ).container
+    assert container is not None
+    propagations = sum(op.name == "PROP.write" for op, _ in picture_words(container))
+    assert propagations == (-(-67 // pixels) if pixels else 0)
+    run = PicturedProgram(container, default_sensor(target), selected("none"), 1)
+    frame = next(run.frames(Light.of_clip(light), 1, 0, 1))
+    reference = PicturedProgram(container, default_sensor(target), selected("adc_noise"), 1)
+    same = next(reference.frames(Light.of_clip(light), 1, 0, 1)).told["plane_part"]
+    np.testing.assert_array_equal(same, frame.told["plane_part"])
+    return frame.told["plane_part"], bool(frame.told["flood_complete_part"])
+
+
+@pytest.mark.parametrize("pixels", [0, 1, 7, 128])
+def test_propagations_flood_what_steps_flood(pixels: int) -> None:
+    rng = np.random.default_rng(5)
+    light = (rng.integers(0, 4, (1, 30, 37)) * 1600 + 800).astype(np.float32).repeat(4, axis=0)
+    exposure = light.sum(axis=0)
+    found, complete = flooded(pixels, light)
+    cross = np.array([[0, 1, 0], [1, 1, 1], [0, 1, 0]])
+    expected = binary_propagation(exposure > 18000, cross, mask=exposure > 9000)
+    assert complete
+    np.testing.assert_array_equal(found, expected)
+    assert 0 < expected.sum() < (exposure > 9000).sum()
+
+
+def test_the_proof_notices_wrong_propagations() -> None:
+    """Without a direction, without the mask, with another seed, or once too often."""
+    container = container_of(HEAD + FLOOD)
+    pictures = container.pictures
+    assert pictures_fault(container) is None
+    kernels = [[matching(word) for word in words] for words in pictures.kernels]
+
+    def with_words(change: Any) -> Container:
+        words = tuple(tuple(encode(change(op)) for op in kernel) for kernel in kernels)
+        return replaced(container, pictures=replaced(pictures, kernels=words))
+
+    changes = {
+        "direction": lambda o: op("SET", ["R1", "R2", "R3"]) if len(o.destinations) == 4 else o,
+        "mask": lambda o: op("SET", ["R0"]) if o.destinations == ("R0",) else o,
+        "seed": lambda o: op("NOT", ["R12"], o.sources) if str(o).startswith("MOV R12") else o,
+    }
+    for name, change in changes.items():
+        assert pictures_fault(with_words(change)) is not None, name
+    for wrong in changed_loops(container, lambda loop: replaced(loop, times=Times(5, 5))):
+        assert pictures_fault(wrong) is not None
 
 
 def test_a_kept_image_leaks_and_a_sum_is_exact() -> None:
