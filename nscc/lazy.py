@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from importlib import import_module
 from typing import Any
 
@@ -25,13 +26,22 @@ def attribute(package: str, names: Mapping[str, Sequence[str]], name: str) -> An
     module = next((module for module, exported in names.items() if name in exported), None)
     if module is None:
         raise AttributeError(f"module '{package}' has no attribute '{name}'")
-    try:
+    with named_extra(f"{package}.{name}"):
         return getattr(import_module(f"{package}.{module}"), name)
+
+
+@contextmanager
+def named_extra(user: str) -> Iterator[None]:
+    """Replace the error of a missing package in the body by one with the command that installs it.
+
+    The new ModuleNotFoundError says that `user` needs the package."""
+    try:
+        yield
     except ModuleNotFoundError as error:
         missing = error.name or ""
         if not missing or missing.startswith("nscc"):
             raise
         from nscc.requirements import distribution_of, line_for
 
-        needed = f"{package}.{name} needs {distribution_of(missing)}: {line_for(missing)}"
+        needed = f"{user} needs {distribution_of(missing)}: {line_for(missing)}"
         raise ModuleNotFoundError(needed, name=missing) from error

@@ -6,10 +6,9 @@ from pathlib import Path
 
 import click
 
-from nscc.chips.load import DEFAULT_NAME, load_target
+from nscc.chips.load import load_target
 from nscc.files import write_whole
-from nscc_cli.completion import TARGET
-from nscc_cli.options import OUT, PATH
+from nscc_cli.options import OUT, PATH, target_option
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, NumberRange, progress, say, say_done
 
@@ -64,14 +63,7 @@ class _Calibrate(CommonCommand):
     metavar="C",
     help="Take crosstalk as known (0: as EMVA 1288 does) instead of measuring it.",
 )
-@click.option(
-    "--target",
-    type=TARGET,
-    metavar="NAME|FILE.toml",
-    default=DEFAULT_NAME,
-    show_default=True,
-    help="The chip: the bits of its ADC, and the defaults.",
-)
+@target_option("The chip: the bits of its ADC, and the defaults.")
 def command(
     flats: tuple[str, ...],
     darks: tuple[str, ...],

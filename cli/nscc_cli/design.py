@@ -10,7 +10,6 @@ import click
 
 from nscc.options import Options
 from nscc_cli import options as shared
-from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT
 from nscc_cli.runtime_options import fit_option, placing_options
@@ -39,16 +38,8 @@ _CLIP_PARTS = 16
 
 
 @common_command("design")
-@shared.section(
-    shared.SCENE,
-    click.option(
-        "--scene",
-        "scenes",
-        type=SCENE,
-        multiple=True,
-        metavar="SCENE",
-        help="A scene as in nscc run; for several scenes the errors are averaged in decibels.",
-    ),
+@shared.scenes_option(
+    "A scene as in nscc run; for several scenes the errors are averaged in decibels."
 )
 @click.option(
     "--looks",

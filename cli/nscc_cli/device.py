@@ -13,7 +13,7 @@ from nscc_cli import options as shared
 from nscc_cli import support
 from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import OUT, PATH, values_given
+from nscc_cli.options import OUT, PATH, target_option, values_given
 from nscc_cli.programs import load_program
 from nscc_cli.runtime_options import link_options, placing_options
 from nscc_cli.support import NumberRange, Subcommands, progress, say, say_done
@@ -37,14 +37,7 @@ def command() -> None:
         "--scene", type=SCENE, help="The scene of the stand-in: a file, a folder or builtin:NAME."
     ),
 )
-@click.option(
-    "--target",
-    type=TARGET,
-    default="scamp5",
-    show_default=True,
-    metavar="NAME|FILE.toml",
-    help="The chip to simulate.",
-)
+@target_option("The chip to simulate.")
 @click.option(
     "--fault",
     metavar="F=V,..",

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.chips.load import DEFAULT_NAME, load_target
+from nscc.chips.load import load_target
 from nscc.columns import columns
-from nscc_cli.completion import EFFECT, SETTING, TARGET
+from nscc_cli.completion import EFFECT, SETTING
 from nscc_cli.frames import sensor_of
-from nscc_cli.options import PATH
+from nscc_cli.options import PATH, target_option
 from nscc_cli.support import common_command
 
 if TYPE_CHECKING:
@@ -33,14 +33,7 @@ _WIDTH = 98
     metavar="FILE",
     help="Print the table of a plan, from a file of `nscc run --plan` or a frame file.",
 )
-@click.option(
-    "--target",
-    type=TARGET,
-    metavar="NAME|FILE.toml",
-    default=DEFAULT_NAME,
-    show_default=True,
-    help="The chip whose values are the defaults.",
-)
+@target_option("The chip whose values are the defaults.")
 @click.option("--sensor", type=PATH, help="Show the values in this file, not the defaults.")
 @click.option("--sensor-set", type=SETTING, multiple=True, metavar="K=V", help="Change one value.")
 def command(

@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 class _Evaluations(Subcommands):
     """The subcommands of `nscc evaluate`; any other name is passed to `evaluate of`."""
 
+    others = ("or name a run or a baseline: `nscc evaluate hdr --data DIR --protocol hdr-v1`",)
+
     def accepts(self, name: str) -> bool:
         return True
 
@@ -240,7 +242,7 @@ def tables(results: Path | None, **outputs: Any) -> None:
     "-o", "out", type=OUT, required=True, metavar="DIR", help="The folder for the pictures."
 )
 def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
-    """Draw Figs. 5, 6 and 7 of the paper, from the runs that come with nscc.
+    """Draw Figures 5, 6 and 7 of the paper, from the runs that come with nscc.
 
     The figures show coded frames and their reconstructions, several frames decoded from one,
     shutters as mosaics, a still at low and at high exposure, and several tone curves. Each is

@@ -220,14 +220,27 @@ def repeats_option(default: int) -> Callable[..., Any]:
     )
 
 
-chip_option = option(
-    "--target",
-    type=TARGET,
-    default="scamp5",
-    show_default=True,
-    metavar="NAME|FILE.toml",
-    help="The chip.",
-)
+def scenes_option(text: str) -> Callable[..., Any]:
+    """Return the option `--scene` that may be repeated, as the argument `scenes`."""
+    return section(
+        SCENE,
+        option("--scene", "scenes", type=SCENE_NAME, multiple=True, metavar="SCENE", help=text),
+    )
+
+
+def target_option(text: str) -> Callable[..., Any]:
+    """Return the option `--target` of a command that compiles nothing; `text` is its help."""
+    return option(
+        "--target",
+        type=TARGET,
+        default="scamp5",
+        show_default=True,
+        metavar="NAME|FILE.toml",
+        help=text,
+    )
+
+
+chip_option = target_option("The chip.")
 
 slots_axis_option = option(
     "--slots-axis",

@@ -18,6 +18,14 @@ if TYPE_CHECKING:
     from nscc_training.array_files import Axis
     from nscc_training.reconstruct_any import Method, Reconstruction
 
+_dark_option = click.option(
+    "--dark",
+    type=PATH,
+    metavar="DARK.npz",
+    help="A frame file of the same program without light, with many "
+    "repeats: it is subtracted from FRAME.",
+)
+
 
 @common_command("reconstruct")
 @click.argument("run", type=RUN_OR_ANY, metavar="[any|RUN]")
@@ -32,13 +40,7 @@ if TYPE_CHECKING:
 )
 @click.option("--png", type=OUT, help="Also write a picture of the result for the screen.")
 @tone_option
-@click.option(
-    "--dark",
-    type=PATH,
-    metavar="DARK.npz",
-    help="A frame file of the same program without light, with many "
-    "repeats: it is subtracted from FRAME.",
-)
+@_dark_option
 @click.option(
     "--as",
     "kind",
@@ -232,13 +234,7 @@ def _of_measurement(
 @click.argument("run", type=RUN, metavar="RUN")
 @click.argument("frame", metavar="FRAME.npz", type=PATH)
 @click.option("--json", "as_json", is_flag=True, help="Print the likelihoods as JSON.")
-@click.option(
-    "--dark",
-    type=PATH,
-    metavar="DARK.npz",
-    help="A frame file of the same program without light, with many "
-    "repeats: it is subtracted from FRAME.",
-)
+@_dark_option
 @click.option(
     "--force", is_flag=True, help="Only warn if the frame belongs to another program or sensor."
 )

@@ -271,6 +271,8 @@ class Subcommands(CommonCommand, click.Group):
     command_class = CommonCommand
     unknown = "command '{group} {name}'"
     """The description of an unknown name in the error message."""
+    others: tuple[str, ...] = ()
+    """A help line about the names that the subcommand `of` takes."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of the subcommands; `of` is implied by its first argument."""
@@ -295,8 +297,7 @@ class Subcommands(CommonCommand, click.Group):
             f"unknown name: nscc has no {self.unknown.format(group=self.name, name=name[:60])}",
             helps=(
                 *meant(name, self.list_commands(ctx), written=f"nscc {self.name} {{}}"),
-                f"there is: {', '.join(self.list_commands(ctx))}",
-                *self.or_else(),
+                *self.names_help(ctx),
             ),
         )
 
@@ -304,9 +305,9 @@ class Subcommands(CommonCommand, click.Group):
         """Return whether the subcommand `of` takes a name that is not a subcommand."""
         return False
 
-    def or_else(self) -> Sequence[str]:
-        """Return further help lines for the message about an unknown name."""
-        return ()
+    def names_help(self, ctx: click.Context) -> tuple[str, ...]:
+        """Return the help lines about all names that can stand after the group's name."""
+        return f"there is: {', '.join(self.list_commands(ctx))}", *self.others
 
 
 @contextmanager

@@ -72,5 +72,6 @@ SYNONYMS = {
     "verify": "prove",
     "decode": "reconstruct",
     "format": "fmt",
+    "help": "--help",
 }
 """Names that other tools have for a command, by that name."""

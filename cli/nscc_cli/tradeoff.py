@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -36,13 +36,7 @@ class _Tradeoffs(Subcommands):
 
     unknown = "{group} '{name}': there is no such command, file or run"
 
-    def or_else(self) -> Sequence[str]:
-        """Return the help that lists what can be named instead of a subcommand."""
-        from nscc_training.run_files import shipped_runs
-
-        return (
-            f"or name a program (FILE.nsl, FILE.icw) or a run: RUN, {', '.join(shipped_runs())}",
-        )
+    others = ("or name a program (FILE.nsl, FILE.icw) or a run: RUN, hdr, clip",)
 
     def accepts(self, name: str) -> bool:
         """Return whether the name is that of a program or a run."""
@@ -116,17 +110,7 @@ def joint(program: Path, **options: Any) -> int:
 
 @command.command("emulator", cls=CommonCommand)
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
-@shared.section(
-    shared.SCENE,
-    click.option(
-        "--scene",
-        "scenes",
-        type=SCENE,
-        multiple=True,
-        metavar="SCENE",
-        help="A scene as in nscc run; may be repeated (default: three built-in scenes).",
-    ),
-)
+@shared.scenes_option("A scene as in nscc run; may be repeated (default: three built-in scenes).")
 @click.option(
     "--tolerances",
     metavar="T,..",

@@ -9,6 +9,7 @@ import click
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.suggest import did_you_mean, meant
+from nscc_cli.support import Subcommands
 
 _KINDS = {
     "integer range": "a whole number",
@@ -30,12 +31,15 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
     notes = (context.get_usage(),) if context is not None else ()
     if isinstance(error, click.exceptions.NoArgsIsHelpError):
         code, message = "NS0780", f"`{name}` needs a command"
+        if context is not None and isinstance(context.command, Subcommands):
+            helps = (*context.command.names_help(context), *helps)
     elif isinstance(error, click.NoSuchOption):
         code, message = "NS0782", f"`{name}` has no option {error.option_name}"
-        if error.option_name.startswith("--"):
-            helps = (*meant(error.option_name, _options(context)), *helps)
-        else:
-            helps = ("write a file name that begins with - as ./-NAME", *helps)
+        helps = (*meant(error.option_name, _options(context)), *helps)
+        if not error.option_name.startswith("--"):  # click reads -name.nsl as the option -n
+            longer = (o for o in _options(context) if o.startswith(f"-{error.option_name}"))
+            other = "write a file name that begins with - as ./-NAME"
+            helps = (*map(did_you_mean, longer), other, helps[-1])
     elif isinstance(error, click.MissingParameter):
         code, message = "NS0780", f"`{name}` needs {_parameter(error) or 'one more argument'}"
         if isinstance(error.param, click.Option) and error.param.help:

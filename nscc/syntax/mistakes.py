@@ -46,8 +46,7 @@ _SIGNS = {
     "'": ('write paths in double quotes, "like this"', None),
     "\u201c": ('write paths in straight quotes, "like this"', '"'),
     "\u201d": ('write paths in straight quotes, "like this"', '"'),
-    "{": ("the language has no braces", None),
-    "}": ("the language has no braces", None),
+    **dict.fromkeys("{}", ("the language has no braces; a list is written `[1, 2, 3]`", None)),
 }
 """Signs of other languages: a hint, and the replacement if it is certain."""
 _LOOPS = (
@@ -64,6 +63,7 @@ _ELSEWHERE = {
     **dict.fromkeys(("var", "const", "int", "float", "auto", "val", "define"), _VALUES),
     **dict.fromkeys(("import", "include", "use"),
                     'a program is one file; data comes by `pixels from "codes.npz"`'),
+    **dict.fromkeys(("slots", "slot"), "`frame 64 slots of 125us` gives the number of slots"),
     "return": "the value of a rule is its expression: `open when EXPR`",
 }  # fmt: skip
 """Words that begin statements in other languages: what to write instead."""
@@ -84,7 +84,9 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
             )
         if kind == "STRAY":
             return _stray(tokens, stuck.token, stuck.expected)
-        if END in stuck.expected and kind == "NAME":
+        if END in stuck.expected and (
+            kind == "NAME" or (_is_word(kind) and _begins_line(tokens, stuck.token))
+        ):
             return unknown_statement(tokens, stuck.token, filter(_is_word, stuck.expected))
         if _is_word(kind) and stuck.expected <= {"NAME", "TARGET_NAME", "TEXT", "from"}:
             word = tokens.text(stuck.token)
@@ -130,8 +132,7 @@ def misspelt_statement(
     for index in (stuck.token, stuck.token - 1):
         if not first < index < last or tokens.kinds[index] != "NAME":
             continue
-        gap = tokens.source.text[tokens.span(index - 1).end : tokens.span(index).start]
-        if "\n" in gap or (index == stuck.token and END in stuck.expected):
+        if _begins_line(tokens, index) or (index == stuck.token and END in stuck.expected):
             word = tokens.text(index)
             spelling = closest(word, statement_words(tokens.version))
             if spelling is not None and word.lower() not in _ELSEWHERE:
@@ -163,6 +164,11 @@ def unknown_statement(tokens: Tokens, token: int, others: Iterable[str] = ()) ->
         else (),
         fixes=(Fix(did_you_mean(spelling), span, spelling, sure=False),) if spelling else (),
     )
+
+
+def _begins_line(tokens: Tokens, index: int) -> bool:
+    """Return whether a token other than the first is the first of its line."""
+    return "\n" in tokens.source.text[tokens.span(index - 1).end : tokens.span(index).start]
 
 
 def _is_word(kind: str) -> bool:
@@ -249,6 +255,10 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
     elif kind == "(" and tokens.kinds[stuck.token - 1] == "NAME":
         name = tokens.text(stuck.token - 1)
         yield f"functions are `min` and `max`; a bit of a field, or a digit of a row, is {name}[..]"
+    elif tokens.kinds[stuck.token - 1] == "in":
+        yield "the values of `in` are a list: `n in [1, 2, 3]`"
+    elif kind == ":" and "else" in stuck.expected:
+        yield f"there are no blocks: write `open when CONDITION`; {_CHOICE}"
     elif kind == "INTEGER" and "]" in stuck.expected and tokens.kinds[first] == "shutters":
         yield "separate rows with commas; groups of digits are joined by `_`: 1111_0000"
     elif kind in ("]", ")") and not _open_brackets(tokens, first, stuck):

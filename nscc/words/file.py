@@ -231,7 +231,7 @@ def from_bytes(data: bytes, name: str) -> Container:
 def _rejected(code: str, name: str, reason: str) -> Rejected:
     """Return the error that a container file `name` cannot be used, with `reason`; a .nsl file gets
     other help."""
-    again = "build the program again: `nscc build PROGRAM.nsl -o FILE.icw`"
+    again = "`nscc build PROGRAM.nsl -o FILE.icw` writes a valid container"
     if name.endswith(".nsl"):
         build = shlex.join(["nscc", "build", name])
         again = f"it is a program: compile it first with `{build}`, and name the .icw file"

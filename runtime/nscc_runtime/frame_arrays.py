@@ -127,14 +127,15 @@ def image_of(frame: Path) -> NDArray[np.float32]:
         if light.ndim > 4 or np.isinf(light).any() or not 0 < frame_s < _MOST_FRAME_S:
             raise InvalidArrays(f"it has light {light.shape} of a frame of {frame_s:g} s, or inf")
     except (OSError, ValueError, KeyError, TypeError) as error:
-        reason = error if isinstance(error, InvalidArrays) else f"{type(error).__name__}: {error}"
+        reason = f"it has no array {error}" if isinstance(error, KeyError) else str(error)
         raise rejected(
             "NS0819",
             f"'{frame.as_posix()}' does not contain light: it is not a frame file of a "
             "program whose pixels look at the light",
-            notes=(str(reason),),
+            notes=(reason,),
             helps=(
-                "name the run for which the frame was exposed: `nscc reconstruct RUN FRAME.npz`",
+                "`nscc reconstruct any FRAME.npz` decodes the frame of any program",
+                "`nscc run PROGRAM.nsl --scene SCENE -o FRAME.npz` exposes a picture or a clip",
             ),
         ) from None
     if light.ndim == 3:

@@ -45,6 +45,7 @@ from typing import (
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.lazy import named_extra
 from nscc_runtime import machine_code
 from nscc_runtime.loop_given import WRITTEN, ArrayGroup, LoopParameter, parameter_of
 
@@ -204,7 +205,8 @@ class ObjectFile:
         takes = {e.name: sum(len(p.arrays) for p in e.parameters.values()) for e in self.loops}
         if machine_code.IN_WEB:
             return machine_code.load_in_web(takes)
-        return machine_code.load(self.code(), takes)
+        with named_extra("the emulator"):
+            return machine_code.load(self.code(), takes)
 
     @cached_property
     def name(self) -> str:

@@ -110,12 +110,29 @@ def test_importing_is_light() -> None:
     assert found.stdout == "[]\n"
 
 
-def test_a_missing_package_is_named_with_what_to_type() -> None:
+PROGRAM = "nscc.compile('nsl 1 frame 2 slots of 1ms open when true')"
+
+
+@pytest.mark.parametrize(
+    ("module", "use", "needs", "extra"),
+    [
+        ("torch", "nscc_training.load_run", "nscc_training.load_run needs torch", "(train|all)"),
+        (
+            "llvmlite",
+            f"nscc_runtime.capture({PROGRAM}, 'builtin:hdr')",
+            "the emulator needs llvmlite",
+            "(run|all)",
+        ),
+    ],
+)
+def test_a_missing_package_is_named_with_what_to_type(
+    module: str, use: str, needs: str, extra: str
+) -> None:
     code = (
-        "import sys; sys.modules['torch'] = None; import nscc_training\n"
-        "try: nscc_training.load_run\n"
+        f"import sys; sys.modules[{module!r}] = None; import nscc, nscc_runtime, nscc_training\n"
+        f"try: {use}\n"
         "except ModuleNotFoundError as error: print(error, error.name)"
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    wanted = r"nscc_training.load_run needs torch: pip install 'nscc\[(train|all)\]' torch\n"
+    wanted = rf"{needs}: pip install 'nscc\[{extra}\]' {module}\n"
     assert re.fullmatch(wanted, found.stdout)

@@ -186,7 +186,8 @@ def _bytes_of(path: Path) -> bytes:
     """Return the bytes of a picture file; raise Rejected (NS0794) for other endings, or if it
     cannot be read."""
     if path.suffix.lower() not in PICTURES:
-        raise _refused(path, "its ending is none of " + ", ".join(PICTURES))
+        again = "save the codes without loss, as 8-bit grey values: .png for example"
+        raise _refused(path, "its ending is none of " + ", ".join(PICTURES), (again,))
     try:
         return read_whole(path)
     except OSError as error:

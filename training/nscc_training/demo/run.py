@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from nscc.files import Product, write_together
 from nscc_runtime.formats import Content, file_of
 from nscc_runtime.pictures.sheet import png_of
+from nscc_runtime.progress import Progress
 from nscc_runtime.scenes import Scene
 from nscc_runtime.simulate import Listener
 from nscc_training.demo.expose import (
@@ -69,7 +70,7 @@ def demo(
     write_together(
         {path: file.write for path, file in zip(frames, exposed_scene.files(), strict=True)}
     )
-    light, decode_s, how = _reconstructed(exposed_scene, frames, settings)
+    light, decode_s, how = _reconstructed(exposed_scene, frames, settings, listener.progress)
     shown = Shown(
         exposed_scene, scene_subject.transfer == "srgb", settings.tone, light, how, decode_s
     )
@@ -104,7 +105,7 @@ def demo(
 
 
 def _reconstructed(
-    exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings
+    exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings, progress: Progress
 ) -> tuple[NDArray[np.float32], float, str]:
     """Return the light in the shape of the truth, its seconds, and the method's name.
 
@@ -117,7 +118,7 @@ def _reconstructed(
         how = f"{'U-Net of ' if settings.run is None else ''}run {exposed_scene.run.name}"
     else:
         reconstruction = reconstruct_any(
-            frames[0], dark=frames[1], method=_method(exposed_scene, settings)
+            frames[0], dark=frames[1], method=_method(exposed_scene, settings), progress=progress
         )
         how = {
             "network": f"{readouts_text(exposed_scene.readouts)}, decoder for any code",

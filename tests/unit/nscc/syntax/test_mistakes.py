@@ -100,13 +100,19 @@ MISTAKES = [
     ("let a = 12abc", "NS0107", "12abc", "names begin with a letter", None),
     ("fram 8 slots of 1ms", "NS0109", "fram", "did you mean `frame`", "frame"),
     ("let a = 1\nhello", "NS0109", "hello", "statements begin with nsl, target", None),
+    ("slots 8", "NS0109", "slots", "`frame 64 slots of 125us`", None),
+    ("let a = 1\nwhen n < a", "NS0109", "when", "statements begin with nsl, target", None),
+    ("let a = 1\nif n < a: 2", "NS0107", ":", "write `open when CONDITION`", None),
+    ("open when n < {1, 2}", "NS0108", "{", "a list is written `[1, 2, 3]`", None),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize(
     ("text", "code", "marked", "words", "replacement"), MISTAKES, ids=[m[0] for m in MISTAKES]
 )
-def test_a_mistake(text: str, code: str, marked: str, words: str, replacement: str | None) -> None:
+def test_a_mistake_has_its_code_place_and_remedy(
+    text: str, code: str, marked: str, words: str, replacement: str | None
+) -> None:
     whole = f"nsl 1\n{text}\n"
     error = the_error(whole)
     assert error.code == code
@@ -153,6 +159,12 @@ def test_a_statement_that_ends_too_soon(text: str) -> None:
     for error in (at_the_end, before_another):
         assert error.label is not None
         assert error.label.span.end == 6 + len(text)
+
+
+def test_values_of_in_that_are_no_list() -> None:
+    error = the_error("nsl 2\nopen when n in 1..3\n")
+    assert error.code == "NS0107"
+    assert "`n in [1, 2, 3]`" in words_of(error)
 
 
 def test_the_bracket_left_open_is_shown() -> None:
