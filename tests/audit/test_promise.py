@@ -67,7 +67,7 @@ QUICK = {
 
 
 @pytest.mark.parametrize("program", QUICK)
-def test_some_scenes(program: str) -> None:
+def test_plans_keep_their_promise_on_some_scenes(program: str) -> None:
     slots = 8
     lights = [(name, scene(name, slots, ROWS, COLS)) for name in QUICK[program]]
     check(runs(program, lights, slots, tolerances=(0.5, 5.0, 50.0)))
@@ -76,14 +76,14 @@ def test_some_scenes(program: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("slots", [4, 16, 64])
 @pytest.mark.parametrize("program", CASES)
-def test_all_scenes(program: str, slots: int) -> None:
+def test_plans_keep_their_promise_on_all_scenes(program: str, slots: int) -> None:
     lights = [(name, scene(name, slots, ROWS, COLS)) for name in SCENES]
     check(runs(program, lights, slots), least_judged=20)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("program", CASES)
-def test_long_frames(program: str) -> None:
+def test_plans_keep_their_promise_in_frames_of_half_a_second(program: str) -> None:
     """Half a second: dark charge and leakage count, and registers forget."""
     names = ("dark", "mid", "fast", "hdr")
     lights = [(name, scene(name, 16, ROWS, COLS)) for name in names]
@@ -94,7 +94,7 @@ def test_long_frames(program: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("program", CASES)
-def test_sampled_scenes(program: str) -> None:
+def test_plans_keep_their_promise_when_scenes_are_instants(program: str) -> None:
     """Frames that are instants: what moves inside a slot is an effect as well."""
     names = ("fast", "flicker", "fast, bright")
     lights = [(name, with_motion(scene(name, 16, ROWS, COLS))) for name in names]

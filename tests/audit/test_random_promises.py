@@ -16,7 +16,7 @@ def check(found: list[Draw]) -> None:
     assert 0.85 < ratio < 1.15
 
 
-def test_some_promises() -> None:
+def test_random_plans_keep_their_promise() -> None:
     check([each for seed in range(3) for each in promises(seed, plans=3, side=32)])
 
 

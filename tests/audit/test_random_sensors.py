@@ -16,11 +16,11 @@ def check(found: list[Draw]) -> None:
     assert len(wrong) <= max(1, 0.1 * len(judged)), wrong
 
 
-def test_a_few_sensors() -> None:
+def test_plans_of_a_few_random_sensors_keep_their_promise() -> None:
     check([each for seed in range(1000, 1003) for each in draws(seed)])
 
 
 @pytest.mark.slow
-def test_many_sensors() -> None:
+def test_plans_of_400_random_sensors_keep_their_promise() -> None:
     """Judged together: of fifty predictions chance alone makes one in ten wrong now and then."""
     check([each for seed in range(400) for each in draws(seed)])

@@ -65,7 +65,7 @@ def check(found: list[tuple[str, Outcome]]) -> None:
     assert len(wrong) <= 0.1 * len(judged), wrong
 
 
-def test_two_of_them() -> None:
+def test_plans_keep_their_promise_on_two_real_scenes() -> None:
     check(
         [
             each

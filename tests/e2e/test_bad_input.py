@@ -44,7 +44,7 @@ TOO_MUCH = {
 
 
 @pytest.mark.parametrize("text", TOO_MUCH.values(), ids=TOO_MUCH)
-def test_too_much(text: str, tmp_path: Path) -> None:
+def test_programs_that_ask_for_too_much_are_refused(text: str, tmp_path: Path) -> None:
     (tmp_path / "bad.nsl").write_text(text)
     refused(["check", "bad.nsl"], tmp_path)
     refused(["build", "bad.nsl", "-o", "bad.icw", "--emit", "report,asm"], tmp_path)
@@ -108,7 +108,7 @@ def test_files_of_other_content(data: bytes, arguments: list[str], tmp_path: Pat
     ],
     ids=lambda arguments: " ".join(arguments)[:40] or "nothing",
 )
-def test_wrong_usage(arguments: list[str], tmp_path: Path) -> None:
+def test_wrong_usage_is_refused_without_a_traceback(arguments: list[str], tmp_path: Path) -> None:
     (tmp_path / "ok.nsl").write_text(GOOD)
     refused(arguments, tmp_path)
 

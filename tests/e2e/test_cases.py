@@ -21,14 +21,14 @@ def named(paths: list[Path]) -> list[object]:
 
 
 @pytest.mark.parametrize("path", named(PASS))
-def test_passes(path: Path, update_cases: bool) -> None:
+def test_programs_that_pass_print_the_recorded_text(path: Path, update_cases: bool) -> None:
     found = said_as_expected(path, update_cases)
     assert found.status == 0
     assert not [line for line in found.err.splitlines() if line.startswith("error")]
 
 
 @pytest.mark.parametrize("path", named(FAIL))
-def test_fails(path: Path, update_cases: bool) -> None:
+def test_programs_that_fail_print_the_recorded_messages(path: Path, update_cases: bool) -> None:
     found = said_as_expected(path, update_cases)
     assert found.status in (1, 2)
     assert found.out == ""

@@ -227,7 +227,7 @@ def test_a_device_that_sends_other_things(folder: Path) -> None:
         os.close(master)
 
 
-def test_another_chip(folder: Path) -> None:
+def test_a_device_refuses_programs_of_another_target_table(folder: Path) -> None:
     with serving(folder) as device:
         line = ["run", "small.nsl", "--target", "scamp7", "--on", device.port]
         failed(invoke(line, folder), "NS0764")

@@ -45,7 +45,7 @@ PROGRAMS = [
 
 
 @pytest.mark.parametrize("text", PROGRAMS)
-def test_programs_compile(text: str, tmp_path: Path) -> None:
+def test_programs_on_pages_compile(text: str, tmp_path: Path) -> None:
     (tmp_path / "page.nsl").write_text(text)
     outcome = invoke(["check", "page.nsl", "--deny-warnings"], tmp_path)
     assert outcome.status == 0, outcome.err
@@ -63,7 +63,7 @@ def test_what_check_says_is_shown() -> None:
 
 
 @pytest.mark.parametrize("page", PAGES)
-def test_commands_work(page: str, tmp_path: Path) -> None:
+def test_commands_on_pages_work(page: str, tmp_path: Path) -> None:
     shutil.copytree(ROOT / "examples", tmp_path / "examples")
     (tmp_path / "build").mkdir()
     for line in "".join(blocks(page, "console")).splitlines():
@@ -87,7 +87,7 @@ def test_the_python_of_the_home_page_works(tmp_path: Path, monkeypatch: pytest.M
 
 
 def test_python_works_after_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    test_commands_work("README.md", tmp_path)
+    test_commands_on_pages_work("README.md", tmp_path)
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}
     for text in blocks("README.md", "python"):

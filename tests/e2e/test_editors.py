@@ -71,7 +71,7 @@ def test_the_grammar_is_what_the_generator_makes() -> None:
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_colours(path: Path) -> None:
+def test_programs_have_the_recorded_colours(path: Path) -> None:
     grammar = json.loads((EXTENSION / "syntaxes/nsl.tmLanguage.json").read_text())
     text = path.read_text(encoding="utf-8")
     assert_coloured(text, colours(grammar, text))

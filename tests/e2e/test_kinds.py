@@ -71,7 +71,9 @@ class Images(Fixed):
         (("p",), 2, ["images", "looks", "fixed"]),
     ],
 )
-def test_kinds_combine(outputs: tuple[str, ...], stages: int, parts: list[str]) -> None:
+def test_images_follow_the_exposure_of_every_kind(
+    outputs: tuple[str, ...], stages: int, parts: list[str]
+) -> None:
     """The images of a program follow its exposure, whatever its kind."""
     table = KindTable(Fixed, looks=f"{__name__}:Looks", images=f"{__name__}:Images")
     program = SimpleNamespace(

@@ -178,7 +178,9 @@ async def a_file_beside_the_text_changes(client: LanguageClient, tmp_path: Path)
     assert list(said.diagnostics) == []
 
 
-def test_a_session(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_one_server_answers_every_scenario(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """One server for all of it: each scenario has texts of its own, and none is a fault."""
 
     async def session(client: LanguageClient) -> None:
@@ -255,7 +257,9 @@ def found_by_check(found: dict[str, Any], text: Text) -> tuple[object, ...]:
     return found["code"], found["severity"], found["message"].split("\n")[0], *places
 
 
-def test_random_edits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_server_follows_random_edits(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     served(lambda client: follow(client, tmp_path / "a.nsl", 1, 25, capsys))
 
 

@@ -34,7 +34,7 @@ def exposure(
     return frame["light"][slots].astype(np.float64).sum(axis=0)
 
 
-def test_edges(tmp_path: Path) -> None:
+def test_the_example_edges_marks_strong_gradients(tmp_path: Path) -> None:
     frame = frame_of("edges", "builtin:hdr", tmp_path)
     light = exposure(frame)
     strength = abs(correlate(light, SOBEL)) + abs(correlate(light, SOBEL.T))
@@ -42,7 +42,7 @@ def test_edges(tmp_path: Path) -> None:
     assert np.array_equal(frame["plane_edge"][sure], (strength > 8 * STEP_E)[sure])
 
 
-def test_bright_spots(tmp_path: Path) -> None:
+def test_the_example_bright_spots_reports_their_places(tmp_path: Path) -> None:
     frame = frame_of("bright_spots", "builtin:hdr", tmp_path)
     core = binary_erosion(exposure(frame) > 51 * STEP_E, CROSS, border_value=0)
     rows, cols = np.nonzero(core)
@@ -64,7 +64,7 @@ def test_motion_in_a_frame(tmp_path: Path) -> None:
     assert frame["report_any_sure"]
 
 
-def test_local_contrast(tmp_path: Path) -> None:
+def test_the_example_local_contrast_divides_by_the_mean(tmp_path: Path) -> None:
     frame = frame_of("local_contrast", "builtin:hdr", tmp_path)
     short, long = exposure(frame, slice(0, 16)), exposure(frame)
     full = long > 114 * STEP_E

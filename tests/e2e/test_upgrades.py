@@ -22,7 +22,7 @@ def old(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_programs_compile(name: str, old: Path) -> None:
+def test_programs_of_the_previous_version_compile(name: str, old: Path) -> None:
     found = invoke(["build", f"{name}.nsl", "-o", "again.icw"], old)
     assert found.status == 0, found.err
     same = invoke(["diff", f"{name}.icw", "again.icw"], old)

@@ -89,7 +89,7 @@ def test_whole_files_are_read(name: str, folder: Path) -> None:
 @settings(max_examples=15)
 @given(data=st.data())
 @pytest.mark.parametrize("name", READERS)
-def test_damaged_files(name: str, data: st.DataObject, folder: Path) -> None:
+def test_damaged_files_are_refused_or_read(name: str, data: st.DataObject, folder: Path) -> None:
     whole = (folder / name).read_bytes()
     start = data.draw(st.integers(0, len(whole) - 1))
     end = data.draw(st.integers(start, min(len(whole), start + 64)))
@@ -136,7 +136,9 @@ ARRAYS = [
 @settings(max_examples=15)
 @given(data=st.data())
 @pytest.mark.parametrize("name", [name for name in READERS if name.endswith(".npz")])
-def test_other_arrays(name: str, data: st.DataObject, folder: Path) -> None:
+def test_files_of_other_arrays_are_refused_or_read(
+    name: str, data: st.DataObject, folder: Path
+) -> None:
     with np.load(folder / name) as file:
         arrays: dict[str, Any] = dict(file)
     key = data.draw(st.sampled_from([k for k, a in arrays.items() if a.dtype.kind != "U"]))

@@ -23,7 +23,7 @@ def test_they_undo_each_other(values: np.ndarray) -> None:
 
 
 @given(VALUES)
-def test_they_rise(values: np.ndarray) -> None:
+def test_display_curves_increase(values: np.ndarray) -> None:
     ordered = np.unique(np.concatenate([values, BENDS]))
     apart = ordered[np.concatenate([[True], np.diff(ordered) > 1e-7])]
     for curve in (linear_to_srgb, srgb_to_linear):

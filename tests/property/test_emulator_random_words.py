@@ -85,7 +85,7 @@ def _measured(container: Container, light: Light, words: list[Op], readouts, see
 
 @settings(max_examples=150, deadline=None)
 @given(st.data())
-def test_words(data):
+def test_random_words_act_as_the_oracle_says(data):
     shape = data.draw(st.sampled_from(SHAPES))
     reads_flag = data.draw(st.booleans())
     behaviour = {

@@ -38,7 +38,7 @@ def test_whole_files_are_read(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("part", range(4))
-def test_mutated_files(folder: Path, part: int) -> None:
+def test_mutated_files_never_crash_a_command(folder: Path, part: int) -> None:
     assert faults(folder, QUICK, SEED + part, 100) == []
 
 

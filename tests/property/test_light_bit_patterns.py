@@ -250,7 +250,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @settings(max_examples=40, deadline=None)
 @given(values=arrays(), planned=st.booleans())
-def test_the_command(folder: Path, values: np.ndarray, planned: bool) -> None:
+def test_run_accepts_light_of_any_bit_pattern(
+    folder: Path, values: np.ndarray, planned: bool
+) -> None:
     np.save(folder / "light.npy", values)
     (folder / "f.npz").unlink(missing_ok=True)
     words = ["run", "p.icw", "--scene", "light.npy", "-o", "f.npz"]

@@ -90,12 +90,12 @@ def check(text: str) -> None:
 @example('nsl 1 target "')
 @example("nsl 1 pixels a = tile [[")
 @example("nsl 1 pixels a = tile [[1,],[2]")
-def test_any_text(text: str) -> None:
+def test_any_text_is_parsed_or_refused(text: str) -> None:
     check(text)
 
 
 @given(SOUP, st.sampled_from([" ", "", "\n"]))
-def test_any_words(words: list[str], blank: str) -> None:
+def test_any_sequence_of_words_is_parsed_or_refused(words: list[str], blank: str) -> None:
     check(blank.join(words))
     check("nsl 1\n" + blank.join(words))
 
@@ -126,7 +126,7 @@ def test_an_error_hides_no_other_statement(program: list[object], data: st.DataO
 @given(data=st.binary(max_size=300))
 @example(data=b"\xff\xfe")
 @example(data=b"nsl 1\0")
-def test_any_bytes(tmp_path: Path, data: bytes) -> None:
+def test_any_bytes_are_read_or_refused(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "any.nsl"
     path.write_bytes(data)
     try:

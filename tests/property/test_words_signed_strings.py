@@ -105,7 +105,9 @@ def test_any_string_anywhere(
 
 @pytest.mark.parametrize("name", ["source_lines", "notes"])
 @pytest.mark.parametrize("text", ["\ud800", "\udfff x", "\x1b]0;title\x07", "\0"])
-def test_free_text(name: str, text: str, tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_free_text_of_containers_is_shown_by_diff_and_disasm(
+    name: str, text: str, tmp_path_factory: pytest.TempPathFactory
+) -> None:
     """What the compiler would never ask the meaning of is still shown by `diff` and `disasm`."""
     value: Any = ["nsl 1", text] if name == "source_lines" else {"class": text, text: "b"}
     judge({**good()[1], name: value}, tmp_path_factory)

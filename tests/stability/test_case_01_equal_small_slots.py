@@ -39,7 +39,7 @@ def lights() -> dict[str, Light]:
     return {"clip": clip, "still": still}
 
 
-def test_case_01_the_trap_is_there() -> None:
+def test_case_01_plain_arithmetic_would_fail() -> None:
     """Added one by one in float32 the sum is far off: the tests below would notice."""
     naive = np.full((SLOTS, len(STOPS)), TENTH, np.float32).sum(axis=0)[0]
     assert abs(naive / exact(SLOTS) - 1) > 1e-5
@@ -47,14 +47,14 @@ def test_case_01_the_trap_is_there() -> None:
 
 @pytest.mark.parametrize("kind", ["clip", "still"])
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_case_01_exposures(lowering: str, kind: str) -> None:
+def test_case_01_exposures_are_exact(lowering: str, kind: str) -> None:
     container = program(TEXT, lowering, 1, len(STOPS))
     found = expose(container, lights()[kind]).exposure_e[0, 0]
     for value, stop in zip(found, STOPS, strict=True):
         assert value == pytest.approx(exact(stop), rel=1e-6)
 
 
-def test_case_01_the_reference() -> None:
+def test_case_01_the_reference_is_exact() -> None:
     container = program(TEXT, "edges", 1, len(STOPS))
     found = by_reference(container, lights()["clip"], sensor_of(container), selected("none"))
     for value, stop in zip(found.exposure_e[0, 0], STOPS, strict=True):
@@ -82,7 +82,7 @@ def test_case_01_a_clip_brought_to_an_exposure(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("kind", ["clip", "still"])
 @pytest.mark.parametrize("effects", ["none", "crosstalk"])
-def test_case_01_a_plan(kind: str, effects: str) -> None:
+def test_case_01_planned_frames_are_exact(kind: str, effects: str) -> None:
     """In one go over the pixels, and by weighted sums: equal light is not changed by crosstalk."""
     container = program(TEXT, "edges", 1, len(STOPS))
     found = capture(container, lights()[kind], effects=effects).exposure_e[0, 0]

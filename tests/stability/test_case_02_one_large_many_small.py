@@ -26,12 +26,12 @@ def light() -> Light:
     return Light.of_clip(frames)
 
 
-def test_case_02_the_trap_is_there() -> None:
+def test_case_02_plain_arithmetic_would_fail() -> None:
     assert light().frames.sum(axis=0)[0, 0] == LARGE
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_case_02_all_open(lowering: str) -> None:
+def test_case_02_all_slots_open_give_the_exact_sum(lowering: str) -> None:
     found = expose(program(OPEN, lowering, 1, len(PLACES)), light()).exposure_e[0, 0]
     np.testing.assert_allclose(found, LARGE + SLOTS - 1, rtol=1e-12)
     assert np.all(np.rint(found) == LARGE + SLOTS - 1)
@@ -53,7 +53,7 @@ def test_case_02_the_reference_and_the_truth() -> None:
 
 
 @pytest.mark.parametrize("text", [OPEN, LATE])
-def test_case_02_a_plan(text: str) -> None:
+def test_case_02_planned_frames_are_exact(text: str) -> None:
     opened = light().frames[1 if text == LATE else 0 :].astype(np.float64).sum(axis=0)
     found = capture(program(text, "edges", 1, len(PLACES)), light(), effects="none").exposure_e[0]
     np.testing.assert_allclose(found, opened, rtol=1e-6)

@@ -35,14 +35,14 @@ def truth() -> np.ndarray:
     return sums
 
 
-def test_case_04_the_trap_is_there() -> None:
+def test_case_04_plain_arithmetic_would_fail() -> None:
     halves = light().frames.astype(np.float32)
     assert halves.max() > np.finfo(np.float16).max
     assert halves.min() < np.finfo(np.float16).smallest_subnormal * 20
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_case_04_exposures(lowering: str) -> None:
+def test_case_04_exposures_are_exact(lowering: str) -> None:
     container = program(TEXT, lowering, ROWS, COLS)
     for found in (
         expose(container, light()),
@@ -54,7 +54,7 @@ def test_case_04_exposures(lowering: str) -> None:
         assert (np.abs(found.exposure_e[0] - truth()) <= 1e-6 * truth() + slack).all()
 
 
-def test_case_04_codes() -> None:
+def test_case_04_codes_are_exact() -> None:
     container = program(TEXT, "accumulate", ROWS, COLS)
     frame = read_out(expose(container, light()), container.target)
     expected = np.minimum(np.rint(truth() / (30000 / 255)), 255)
@@ -73,7 +73,7 @@ def test_case_04_every_effect_stays_finite(effect: str) -> None:
 # The brightest pixels are black suns, and that is said.
 @pytest.mark.filterwarnings("ignore:warning.NS0793")
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_case_04_a_plan(lowering: str) -> None:
+def test_case_04_planned_frames_are_exact(lowering: str) -> None:
     container = program(TEXT, lowering, ROWS, COLS)
     plain = capture(container, light(), effects="none")
     assert plain.valid.all()

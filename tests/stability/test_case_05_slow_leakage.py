@@ -29,7 +29,7 @@ def exposed(tau_s: float) -> float:
 
 
 @pytest.mark.parametrize("a_slot", [1e-8, 1e-10, 1e-4, 0.1])
-def test_case_05_value_and_loss(a_slot: float) -> None:
+def test_case_05_value_and_loss_of_leakage(a_slot: float) -> None:
     found = exposed(SLOT_US * 1e-6 / a_slot)
     # Read at boundary 1, so 4095 slots old at the end.
     kept = (-Decimal(a_slot) * (SLOTS - 1)).exp()
@@ -39,12 +39,12 @@ def test_case_05_value_and_loss(a_slot: float) -> None:
     assert ELECTRONS - found == pytest.approx(float(lost), rel=1e-3)
 
 
-def test_case_05_the_trap_is_there() -> None:
+def test_case_05_plain_arithmetic_would_fail() -> None:
     assert np.float32(1) - np.float32(1e-8) == 1
 
 
 @pytest.mark.parametrize("a_slot", [1e-8, 1e-4, 0.1])
-def test_case_05_a_plan(a_slot: float) -> None:
+def test_case_05_planned_frames_lose_what_leaks(a_slot: float) -> None:
     container = program(
         f"nsl 1\nframe {SLOTS} slots of 100us\nopen when n < 1\n", "accumulate", 1, 2
     )

@@ -26,7 +26,7 @@ def test_case_07_edges_are_exact(slot_us: float) -> None:
     assert edges == [n * length for n in range(SLOTS + 1)]
 
 
-def test_case_07_the_trap_is_there() -> None:
+def test_case_07_plain_arithmetic_would_fail() -> None:
     t = np.float32(0)
     for _ in range(SLOTS):
         t += np.float32(0.1)

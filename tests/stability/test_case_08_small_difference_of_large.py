@@ -53,13 +53,13 @@ def test_case_08_above_a_noisy_reset_level(lowering: str) -> None:
     np.testing.assert_allclose(found.exposure_e[0], SMALL, rtol=1e-6)
 
 
-def test_case_08_the_trap_is_there() -> None:
+def test_case_08_plain_arithmetic_would_fail() -> None:
     assert abs((LARGE + SMALL - LARGE) / SMALL - 1) > 0.02
 
 
 @pytest.mark.parametrize("rule", LIGHT)
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
-def test_case_08_a_plan(rule: str, lowering: str) -> None:
+def test_case_08_planned_frames_are_exact(rule: str, lowering: str) -> None:
     container = program(TEXT.format(rule), lowering, 2, 3)
     found = capture(container, light(LIGHT[rule][1]), effects="none").exposure_e[0]
     np.testing.assert_allclose(found, SMALL, rtol=1e-6)

@@ -56,7 +56,7 @@ def test_case_14_without_the_effect_nothing_is_lost() -> None:
 
 @pytest.mark.parametrize("lowering", ["accumulate", "latch", "edges"])
 @pytest.mark.parametrize("effects", ["full_well", "full_well,register", "full_well,shot"])
-def test_case_14_a_plan(lowering: str, effects: str) -> None:
+def test_case_14_planned_frames_stay_within_the_well(lowering: str, effects: str) -> None:
     container = program(OPEN, lowering, 3, 7)
     light, sensor = light_near_the_well(), sensor_of(container)
     (by_words,) = frames(container, light, sensor, selected(effects))

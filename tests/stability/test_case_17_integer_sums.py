@@ -27,7 +27,7 @@ def loaded(path: Path, exposure: ExposureLevel | None = None) -> Light:
     )
 
 
-def test_case_17_the_trap_is_there() -> None:
+def test_case_17_plain_arithmetic_would_fail() -> None:
     assert np.full(SLOTS, 255, np.uint16).sum(dtype=np.uint16) != SLOTS * 255
 
 
@@ -77,7 +77,7 @@ def test_case_17_frames_of_a_calibration() -> None:
 
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.int64])
-def test_case_17_a_plan_of_integers(dtype: type) -> None:
+def test_case_17_planned_frames_of_integers_are_exact(dtype: type) -> None:
     values = np.full((SLOTS, 1, 3), 255, dtype)
     found = capture(program(TEXT, "edges", 1, 3), values, effects="none")
     np.testing.assert_array_equal(found.exposure_e, SLOTS * 255)

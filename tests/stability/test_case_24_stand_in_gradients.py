@@ -26,7 +26,7 @@ def gradient(function: object, values: list[float]) -> list[float]:
     return list(x.grad.tolist())
 
 
-def test_digits() -> None:
+def test_small_signals_have_the_digit_zero() -> None:
     values = [-1.001, -1.0, -0.1, 0.0, 0.7, 1.0, 1.001]
     assert gradient(signed, values) == [0, 1, 1, 1, 1, 1, 0]
     assert signed(torch.tensor(values)).tolist() == [0, 0, 0, 0, 1, 1, 1]

@@ -37,7 +37,7 @@ def test_case_29_moments_of_50_million(rate, drawn):
 
 
 @pytest.mark.parametrize("rate", [1e-3, 0.1, 1.0, 12.0])
-def test_case_29_moments(rate):
+def test_case_29_moments_are_those_of_the_law(rate):
     check_moments(rate, 3, by_reference)
 
 

@@ -18,7 +18,7 @@ def light() -> Light:
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_case_31_sums(lowering: str) -> None:
+def test_case_31_sums_are_exact(lowering: str) -> None:
     found = capture(program(STOPS, lowering, ROWS, COLS), light(), effects="none")
     assert found.valid.all()
     np.testing.assert_allclose(found.exposure_e[0], STOP * float(MUCH), rtol=1e-12)

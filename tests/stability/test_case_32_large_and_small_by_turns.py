@@ -27,7 +27,7 @@ def light() -> Light:
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_case_32_the_sum(lowering: str) -> None:
+def test_case_32_the_sum_is_exact(lowering: str) -> None:
     container = program(OPEN, lowering, 2, 3)
     wanted = math.fsum([float(LARGE), float(SMALL)] * (SLOTS // 2))
     for found in (expose(container, light()), capture(container, light(), effects="none")):

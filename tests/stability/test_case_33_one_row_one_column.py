@@ -39,7 +39,7 @@ def test_case_33_a_row_is_a_column(effects: str) -> None:
 
 
 @pytest.mark.parametrize("size", [(1, LONG), (LONG, 1), (1, 1)])
-def test_case_33_every_effect(size: tuple[int, int]) -> None:
+def test_case_33_every_effect_gives_finite_numbers(size: tuple[int, int]) -> None:
     container = program(ALONG_X.replace("x % 5", "(x + y) % 5"), "edges", *size)
     sensor = sensor_of(container)
     assert capture(container, flat(2000, *size), sensor=sensor, effects="all").valid.all()

@@ -23,7 +23,7 @@ def light(bright: float) -> Light:
 @pytest.mark.filterwarnings("ignore:warning.NS0793")
 @pytest.mark.parametrize("lowering", LOWERINGS)
 @pytest.mark.parametrize("fidelity", ["planned", "reference"])
-def test_case_37(lowering: str, fidelity: str) -> None:
+def test_a_very_bright_pixel_changes_only_its_neighbours(lowering: str, fidelity: str) -> None:
     container = program(OPEN, lowering, ROWS, COLS)
     sensor = sensor_of(container)
     tolerance = 5.0 if fidelity == "planned" else None

@@ -15,7 +15,7 @@ SEEDS = (0, 1, 2**31 - 1, 2**31, 2**32 - 1, 2**32, 2**63 - 1)
 
 @pytest.mark.parametrize("which", ["seed", "device_seed"])
 @pytest.mark.parametrize("fidelity", ["planned", "reference"])
-def test_case_38_all_differ(which: str, fidelity: str) -> None:
+def test_case_38_frames_of_all_seeds_differ(which: str, fidelity: str) -> None:
     container = program(STOPS, "edges", ROWS, COLS)
     taken = {}
     for seed in SEEDS:
@@ -32,7 +32,7 @@ def test_case_38_all_differ(which: str, fidelity: str) -> None:
 
 
 @pytest.mark.parametrize("seed", [-1, 2**200, 1.5, float("nan")])
-def test_case_38_what_is_no_seed(seed: float) -> None:
+def test_case_38_invalid_seeds_are_refused(seed: float) -> None:
     container = program(STOPS, "edges", ROWS, COLS)
     with pytest.raises((Rejected, TypeError)) as refused:
         capture(container, flat(3000, ROWS, COLS), effects="all", seed=seed)  # type: ignore[arg-type]

@@ -232,7 +232,7 @@ def test_no_colour_without_a_terminal(folder: Path) -> None:
     ],
     ids=lambda value: type(value).__name__ if isinstance(value, BaseException) else None,
 )
-def test_exceptions(
+def test_exceptions_become_messages_with_an_exit_status(
     folder: Path,
     monkeypatch: pytest.MonkeyPatch,
     error: BaseException,

@@ -199,7 +199,7 @@ def test_every_command_that_compiles_takes_it(tmp_path, command):
     assert not (tmp_path / out).exists()
 
 
-def test_wrong_values(tmp_path):
+def test_max_words_per_slot_refuses_wrong_values(tmp_path):
     (tmp_path / "p.nsl").write_text(STOPS)
     for value in ("0", "-1", "many"):
         outcome = invoke(["build", "p.nsl", "--max-words-per-slot", value], tmp_path)

@@ -150,7 +150,7 @@ TEXTS = (".nsl", ".json", ".asm", ".cpp", ".hpp", ".toml", ".csv")
 
 
 @pytest.mark.parametrize("name", SESSIONS)
-def test_session(name: str, folder: Path, update_cases: bool) -> None:
+def test_commands_print_the_recorded_text(name: str, folder: Path, update_cases: bool) -> None:
     """Texts that a command writes follow what it prints."""
     before, shown = {path.name for path in folder.iterdir()}, []
     for line in SESSIONS[name]:

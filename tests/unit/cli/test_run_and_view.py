@@ -83,7 +83,7 @@ def test_light_that_fits_is_not_taken_for_colour(capsys: pytest.CaptureFixture[s
         (("ok.nsl", "--scene", "ok.nsl"), "--scene 'ok.nsl' is a program"),
     ],
 )
-def test_swapped_arguments(
+def test_swapped_program_and_scene_are_recognised(
     arguments: tuple[str, ...], words: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     status, err = run(*arguments, capsys=capsys)

@@ -18,12 +18,12 @@ def page(root: Path) -> str:
     return (root / "runtime/PROTOCOL.md").read_text()
 
 
-def test_kinds(page: str) -> None:
+def test_the_page_lists_all_kinds_of_packets(page: str) -> None:
     listed = {int(n, 16): name for n, name in re.findall(r"^\| 0x(\w\w) ([A-Z]+) ", page, re.M)}
     assert listed == {kind.value: kind.name for kind in packets.PacketKind}
 
 
-def test_faults(page: str) -> None:
+def test_the_page_lists_all_faults_of_the_loader(page: str) -> None:
     listed = re.findall(r"^\| (\d+) \| (.+?) \| .*\|$", page.split("## Faults")[1], re.M)
     numbers = [int(number) for number, _ in listed[: len(messages.LoaderFault)]]
     assert numbers == [fault.value for fault in messages.LoaderFault]
@@ -31,13 +31,13 @@ def test_faults(page: str) -> None:
         assert fault.name.lower().split("_")[0] in text, fault
 
 
-def test_states(page: str) -> None:
+def test_the_page_lists_all_states_of_the_loader(page: str) -> None:
     [line] = re.findall(r"Numbers in INFO, STATUS and PROGRESS: (.*?)\. HELLO", page, re.S)
     listed = {name: int(number) for name, number in re.findall(r"([A-Z]+) (\d)", line)}
     assert listed == {state.name: state.value for state in messages.LoaderState}
 
 
-def test_objects(page: str) -> None:
+def test_the_page_lists_all_kinds_of_objects(page: str) -> None:
     listed = re.findall(r"^\| (\d) \| ([A-Z]+) \| ", page, re.M)
     assert listed == [(str(kind.value), kind.name) for kind in objects.ObjectKind]
 
@@ -62,7 +62,7 @@ def test_bodies_are_as_long_as_their_descriptions(page: str, name: str) -> None:
     assert size == kinds[name].layout.size
 
 
-def test_limits(page: str) -> None:
+def test_the_page_states_the_limits_of_the_code(page: str) -> None:
     limits = page.split("## Limits")[1]
     for name, value in (
         ("body of a packet", packets.MOST_BODY),

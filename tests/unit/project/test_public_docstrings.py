@@ -39,7 +39,7 @@ def public_names() -> Iterator[str]:
 
 
 @pytest.mark.parametrize("name", [*public_names()])
-def test_docstring(name: str) -> None:
+def test_public_docstrings_pass_numpydoc(name: str) -> None:
     errors = {code: text for code, text in validate(name)["errors"] if code in CHECKS}
     for code in EXCEPTIONS.get(name, set()):
         assert errors.pop(code, None), f"{name}: {code} needs no exception any more"

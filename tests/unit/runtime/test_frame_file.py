@@ -175,7 +175,7 @@ def test_shutters_need_pixels() -> None:
 
 
 @pytest.mark.parametrize("tile", [(1, 1), (2, 2), (1, 3), (3, 1), (3, 4), (6, 8)])
-def test_smallest_tile(tile: tuple[int, int]) -> None:
+def test_the_smallest_tile_of_a_pattern_is_found(tile: tuple[int, int]) -> None:
     y, x = np.mgrid[:6, :8]
     assert tile_of(x % tile[1] + 10 * (y % tile[0])) == tile
 

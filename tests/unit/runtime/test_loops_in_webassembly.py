@@ -51,7 +51,9 @@ def capture(name: str, settings: dict[str, Any]) -> nscc_runtime.Capture:
 
 @pytest.mark.parametrize("settings", SETTINGS)
 @pytest.mark.parametrize("name", ["hdr_2x2", "spike", "edges"])
-def test_frames_equal(name: str, settings: str, in_web: WebLoops) -> None:
+def test_frames_in_webassembly_equal_native_ones(
+    name: str, settings: str, in_web: WebLoops
+) -> None:
     in_web.calls.clear()
     ours = capture(name, SETTINGS[settings])
     assert in_web.calls

@@ -166,7 +166,7 @@ def test_the_dark_and_what_never_opens_are_not_saturated() -> None:
         assert not found.saturated[..., ::2].any()
 
 
-def test_repeats_follow() -> None:
+def test_repeats_are_marked_as_saturated_each_on_its_own() -> None:
     container = case("b edges", rows=SHAPE[0], cols=SHAPE[1])
     sensor = sensor_of(container, **QUIET)
     found = capture(container, light_for(container), sensor=sensor, effects="all", repeat=3)

@@ -141,7 +141,7 @@ def example(path: Path) -> Container:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_every_example(path: Path) -> None:
+def test_all_simulators_agree_on_every_example(path: Path) -> None:
     """2,000 frames of few pixels, some of them saturated, with every effect."""
     container = example(path)
     if not container.target.has_logic:

@@ -127,7 +127,7 @@ KINDS: dict[str, Callable[[Path], Figure]] = {
 
 
 @pytest.mark.parametrize("name", KINDS)
-def test_pictures(name: str, tmp_path: Path, update_cases: bool) -> None:
+def test_charts_show_the_recorded_figures(name: str, tmp_path: Path, update_cases: bool) -> None:
     with sheet.style():
         figure = KINDS[name](tmp_path)
         figure.draw_without_rendering()

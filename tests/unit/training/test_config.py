@@ -86,7 +86,7 @@ def test_every_mistake_is_told_at_once_with_its_place(tmp_path: Path) -> None:
         "[data]\npatch = 1e400\n",
     ],
 )
-def test_wrong_values(text: str, tmp_path: Path) -> None:
+def test_wrong_values_of_a_configuration_are_refused(text: str, tmp_path: Path) -> None:
     (tmp_path / "c.toml").write_text(text)
     with pytest.raises(Rejected, match="NS0815"):
         load_config(tmp_path / "c.toml")

@@ -179,7 +179,9 @@ def test_the_version_is_also_that_of_added_generators(
     assert len(set(versions.values())) == len(versions) == 4
 
 
-def test_switched_off(folder: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_builds_without_a_cache_write_the_same_bytes(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     (tmp_path / "p.nsl").write_text(f"nsl 1 {TEXTS['b']}\n")
     assert invoke(["build", "p.nsl", "-o", "a.icw", "--no-cache"], tmp_path).status == 0
     assert not folder.exists()

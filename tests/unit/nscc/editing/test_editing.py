@@ -149,7 +149,7 @@ def test_planes_cost_what_their_rows_take() -> None:
     assert f"loaded in {time_text(load_us)} or {load_us / 20:.2g} %" in told(text, "2ms")
 
 
-def test_the_outline() -> None:
+def test_the_outline_lists_names_even_of_broken_programs() -> None:
     found = outline(document(LOOKS))
     assert [(entry.kind, entry.name) for entry in found] == [
         ("frame", "frame"),
@@ -237,7 +237,7 @@ def test_buckets_have_names_of_their_own() -> None:
     assert len(renamed(document(text), text.index("code a") + 5, "stop")) == 3
 
 
-def test_fixes() -> None:
+def test_fixes_at_a_place_and_all_sure_fixes_of_a_text() -> None:
     text = "nsl 1\nframe 8 slots of 1 ms\nopen wehn n < 3\n"
     found = document(text)
     titles = [fix.title for _, fix in fixes_at(found, Span(0, len(text)))]

@@ -125,7 +125,7 @@ E13 = "nsl 1\nframe 13 slots of 1ms\ncode bits : bit[13]\nopen when bits[n]\n"
 
 @needs_compiler
 @pytest.mark.parametrize("lowering", ["accumulate", "latch", "edges"])
-def test_every_lowering(lowering: str, tmp_path: Path) -> None:
+def test_cpp_of_every_lowering_does_what_the_words_do(lowering: str, tmp_path: Path) -> None:
     text = B + "pixels stop = 1 + (21 * (x % 8) + 8 * (y % 8)) % N\n"
     _, container, _ = checked(tmp_path, text, "--lowering", lowering)
     assert container.notes["lowering"] == lowering
@@ -133,7 +133,7 @@ def test_every_lowering(lowering: str, tmp_path: Path) -> None:
 
 @needs_compiler
 @pytest.mark.parametrize("slots", [20, slow(40), slow(64)])
-def test_masked_writes(slots: int, tmp_path: Path) -> None:
+def test_cpp_writes_code_registers_under_masks(slots: int, tmp_path: Path) -> None:
     text = f"nsl 1\nframe {slots} slots of 1ms\ncode a : 0..N - 1\ncode b : 1..N\n"
     text += "require a < b\nopen when a <= n < b\n"
     text += "pixels a = x % (N / 2)\npixels b = N / 2 + 1 + (3 * y) % (N / 2)\n"
@@ -182,7 +182,9 @@ def test_all_thirteen_registers_the_masked_one_first(rows: str, tmp_path: Path) 
 @needs_compiler
 @pytest.mark.parametrize("shape", [(33, 70), slow((256, 64)), (1, 8), slow((100, 256)), (5, 1)])
 @pytest.mark.parametrize("data", ["tile", "plane"])
-def test_other_arrays(shape: tuple[int, int], data: str, tmp_path: Path) -> None:
+def test_cpp_serves_arrays_of_other_sizes(
+    shape: tuple[int, int], data: str, tmp_path: Path
+) -> None:
     rows, cols = shape
     chip = chip_file(tmp_path, rows, cols)
     pixels = {

@@ -17,7 +17,7 @@ CASES = sorted((ROOT / "tests" / "cases" / "cpp").glob("*.nsl"))
 
 
 @pytest.mark.parametrize("path", [pytest.param(path, id=path.stem) for path in CASES])
-def test_case(path: Path, tmp_path: Path, update_cases: bool) -> None:
+def test_cpp_of_a_case_is_the_recorded_text(path: Path, tmp_path: Path, update_cases: bool) -> None:
     shutil.copy(path, tmp_path)
     outcome = invoke(["build", path.name, "--emit", "cpp"], tmp_path)
     assert outcome.status == 0, outcome.err

@@ -66,7 +66,7 @@ EVERY = [
 
 
 @pytest.mark.parametrize(("name", "chip"), EVERY)
-def test_counts(name, chip):
+def test_report_counts_words_and_times_of_the_container(name, chip):
     compiled, values = built(TEXTS[name], chip=chip)
     container, target = compiled.container, compiled.program.target
     slots = container.slots
@@ -109,7 +109,7 @@ def test_counts(name, chip):
 
 
 @pytest.mark.parametrize(("name", "chip"), EVERY)
-def test_logic(name, chip):
+def test_report_counts_gates_and_registers_of_the_container(name, chip):
     compiled, values = built(TEXTS[name], chip=chip)
     logic = values["logic"]
     gates = (

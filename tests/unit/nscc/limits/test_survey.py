@@ -129,7 +129,7 @@ def test_the_table_says_what_the_values_say(tiny):
             assert row["unknown"]["reason"] in text
 
 
-def test_the_command(tmp_path):
+def test_targets_limits_prints_the_survey(tmp_path):
     (tmp_path / "tiny.toml").write_text(target_toml(TINY))
     arguments = ["targets", "tiny.toml", "--limits", "--slot", "10us"]
     shown = invoke(arguments, tmp_path)
@@ -153,7 +153,7 @@ def test_the_command(tmp_path):
         (["--limits", "-O", "4"], "NS0783", "-O"),
     ],
 )
-def test_wrong_usage(tmp_path, arguments, code, part):
+def test_targets_limits_refuses_wrong_usage(tmp_path, arguments, code, part):
     outcome = invoke(["targets", *arguments], tmp_path)
     assert (outcome.status, outcome.codes, outcome.out) == (2, [code], "")
     assert part in outcome.err

@@ -37,7 +37,7 @@ def cascade(asked, machine, steps):
 @pytest.mark.parametrize("machine", MACHINES)
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
 @pytest.mark.parametrize("density", [0.1, 0.5, 0.8])
-def test_random_books(machine, lowering, density):
+def test_cascades_answer_random_codebooks(machine, lowering, density):
     asked = asked_of(book(24, 18, 4, density), lowering)
     solution = cascade(asked, MACHINES[machine], 30_000)
     assert words_if_right(asked, MACHINES[machine], solution) >= len(asked.demands)
@@ -101,7 +101,7 @@ def test_what_flag_still_holds_is_used():
     assert words[0] < words[1]
 
 
-def test_gives_up():
+def test_cascade_gives_up_with_more_than_4096_kinds_of_shutters():
     asked = asked_of(book(64, 16, 1))
     with pytest.raises(GaveUp, match="steps"):
         cascade(asked, SCAMP5, 100)

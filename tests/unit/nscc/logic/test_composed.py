@@ -47,11 +47,11 @@ def test_two_parts_take_few_words_a_slot(rule, slots):
     "target", [chip(10, masked=False, or_sources=2, where_sources=1), chip(9)], ids=["two", "nine"]
 )
 @pytest.mark.parametrize("rule", RULES[::4])
-def test_narrow_chips(rule, target):
+def test_composed_rules_run_on_chips_with_few_registers(rule, target):
     assert words(problem(rule, 12), target)
 
 
-def test_three_parts():
+def test_rules_of_three_parts_take_few_words():
     codes = "code stop : 1..N code k : 0..3 code j : 0..2"
     rule = "(n < stop and n % 4 != k) or n % 3 == j"
     found = words(problem(rule, 24, codes), chip())

@@ -113,7 +113,7 @@ def check(asked, machine, solution, seed):
 @pytest.mark.parametrize("machine", MACHINES)
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
 @pytest.mark.parametrize("table", TABLES)
-def test_generators(table, lowering, machine):
+def test_every_generator_answers_its_demands(table, lowering, machine):
     asked = problem(table, lowering)
     for number, generator in enumerate(SINGLE):
         try:
@@ -143,7 +143,7 @@ LONG_TABLES = {
 @pytest.mark.parametrize("machine", MACHINES)
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
 @pytest.mark.parametrize("table", [*TABLES, *LONG_TABLES])
-def test_families(table, lowering, machine):
+def test_every_family_answers_its_demands(table, lowering, machine):
     asked = problem(table, lowering)
     for number, family in enumerate(FAMILIES):
         try:
@@ -284,7 +284,7 @@ def test_gates_keep_the_fan_in(limit, count, inside):
         ("e", 64, 6, None),
     ],
 )
-def test_bounds(name, shutters, slots, bound):
+def test_level_bound_is_the_known_number_of_words(name, shutters, slots, bound):
     assert level_bound(name, shutters, slots, 13) == bound
 
 

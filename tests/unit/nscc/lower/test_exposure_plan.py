@@ -80,7 +80,7 @@ def behaves(program, lowering, level):
 
 
 @pytest.mark.parametrize("name", TEXTS)
-def test_classes(name):
+def test_every_class_has_the_same_shutters_in_all_lowerings(name):
     program = program_of(f"nsl 1\n{TEXTS[name]}\n", "open")
     served = {(w, level): behaves(program, w, level) for w in LOWERINGS for level in (0, 1)}
     assert any(served.values())
@@ -107,7 +107,7 @@ BEHAVIOURS = {
 @pytest.mark.parametrize("name", ["b17", "c33_8", "d13", "e7", "codebook", "two_buckets"])
 @pytest.mark.parametrize("chip", ["scamp5", "scamp7"])
 @pytest.mark.parametrize("behaviour", BEHAVIOURS)
-def test_targets(name, chip, behaviour):
+def test_every_variant_of_a_chip_serves_accumulate_and_edges(name, chip, behaviour):
     target = replace(load_target(chip, Path()), **BEHAVIOURS[behaviour])
     program = program_of(f"nsl 1\n{TEXTS[name]}\n", "open", target=target)
     served = [lowering for lowering in LOWERINGS if behaves(program, lowering, 1)]

@@ -92,7 +92,7 @@ def test_a_missing_array_is_named(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("digest", ["0" * 64, "", "12", "x" * 64])
-def test_another_digest(tmp_path: Path, digest: str) -> None:
+def test_a_file_with_another_digest_is_refused(tmp_path: Path, digest: str) -> None:
     save(tmp_path, a=np.zeros((256, 256), int), b=np.zeros((256, 256), int))
     assert refused(PIXELS + f'pixels from "f.npz" sha256 "{digest}"', tmp_path) == "NS0315"
 
@@ -124,7 +124,7 @@ BROKEN = {
 
 
 @pytest.mark.parametrize("name", BROKEN)
-def test_broken_files(tmp_path: Path, name: str) -> None:
+def test_broken_files_are_refused(tmp_path: Path, name: str) -> None:
     (tmp_path / "f.npz").write_bytes(BROKEN[name])
     assert refused(PIXELS + 'pixels b = 3 pixels from "f.npz"', tmp_path) in {"NS0313", "NS0314"}
 

@@ -41,7 +41,7 @@ CLASSES = [
 
 
 @pytest.mark.parametrize(("name", "text"), CLASSES)
-def test_classes(name: str, text: str) -> None:
+def test_a_rule_has_the_class_of_its_shutters(name: str, text: str) -> None:
     program = program_of(FRAME + text)
     assert program.class_name == name
     assert program.class_reason
@@ -107,7 +107,7 @@ ADVICE = [
 
 
 @pytest.mark.parametrize(("text", "codes"), ADVICE)
-def test_advice(text: str, codes: list[str]) -> None:
+def test_a_program_gets_the_advice_of_its_kind(text: str, codes: list[str]) -> None:
     assert [d.code for d in program_of(FRAME + text).messages] == codes
 
 
@@ -125,7 +125,7 @@ def test_unused_codes_are_counted() -> None:
         assert compiled.diagnostics == ()
 
 
-def test_printing() -> None:
+def test_the_listing_shows_shutters_and_their_codes() -> None:
     text = program_text(program_of(FRAME + "code s : 6..7 open when n < s pixels s = 6 + x % 2"))
     assert re.search(r"^field +s : 6\.\.7$", text, re.MULTILINE)
     assert re.search(r"^ +0  11111100  1 code$", text, re.MULTILINE)

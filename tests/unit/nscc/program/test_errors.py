@@ -125,7 +125,7 @@ def test_all_errors_come_at_once_by_place() -> None:
     assert starts == sorted(starts)
 
 
-def test_suggestions() -> None:
+def test_an_unknown_name_gets_the_closest_known_one() -> None:
     (found,) = errors(STOP + "open when n < stpo")
     assert found.helps == ("did you mean `stop`?",)
     assert found.fixes[0].replacement == "stop"

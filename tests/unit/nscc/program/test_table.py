@@ -132,7 +132,7 @@ def test_any_number_of_slots(slots: int) -> None:
     assert table_of(program_of(text)) == shutters(text, [("stop", range(slots + 1))], N=slots)
 
 
-def test_unequal_slots() -> None:
+def test_slots_are_equal_if_their_times_are() -> None:
     program = program_of("nsl 1 frame slots [50us, 1.6ms, 2s, 250ns] open when n < 2")
     assert program.frame.slot_us == (50.0, 1600.0, 2e6, 0.25)
     assert not program.frame.equal

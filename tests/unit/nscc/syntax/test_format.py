@@ -24,7 +24,7 @@ def formatted(text: str) -> str:
 
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
-def test_cases(path: Path) -> None:
+def test_formatting_a_case_gives_the_recorded_text(path: Path) -> None:
     expected = path.with_suffix(".expected").read_text(encoding="utf-8")
     assert formatted(path.read_text(encoding="utf-8")) == expected
     assert formatted(expected) == expected
@@ -49,7 +49,7 @@ def test_the_examples_are_in_the_style(path: Path) -> None:
         ("nsl 1\n# a\n  # b\n\n\n\n", "nsl 1\n# a\n# b\n"),
     ],
 )
-def test_small_things(text: str, expected: str) -> None:
+def test_formatting_places_blanks_and_breaks(text: str, expected: str) -> None:
     assert formatted(text) == expected
 
 
@@ -89,7 +89,7 @@ def test_a_bad_file_is_left_alone_and_the_others_are_written(
     assert "did you mean `when`" in capsys.readouterr().err
 
 
-def test_standard_input(
+def test_fmt_reads_standard_input_and_prints_the_result(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(UGLY.encode())))

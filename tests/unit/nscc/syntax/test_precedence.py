@@ -115,7 +115,7 @@ def test_what_python_has_not(text: str, brackets: str) -> None:
     assert text != brackets
 
 
-def test_comparisons_chain() -> None:
+def test_comparisons_chain_as_in_python() -> None:
     assert ours("start <= n < stop != 3") == (
         "Compare",
         ("Name", "start"),

@@ -57,7 +57,7 @@ FORMS_READ: dict[str, tuple[Any, ...]] = {
 
 
 @pytest.mark.parametrize("text", FORMS_READ)
-def test_a_form(text: str) -> None:
+def test_a_statement_spans_its_text(text: str) -> None:
     node = statement(text)
     assert bare(node) == FORMS_READ[text]
     assert (node.span.start, node.span.end) == (6, 6 + len(text))

@@ -20,7 +20,7 @@ EXAMPLES = json.loads((ROOT / "tests" / "data" / "icw_examples.json").read_text(
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda e: " ".join([e["op"], *e["args"]]))
-def test_example_agrees(example: dict[str, list[str]]) -> None:
+def test_published_examples_encode_and_decode(example: dict[str, list[str]]) -> None:
     ops = expand(str(example["op"]), example["args"])
     assert [word_text(encode(o)).split() for o in ops] == example["icw"]
     words = [[int(text, 16) for text in word] for word in example["icw"]]

@@ -58,7 +58,7 @@ def program_and_light(target: Target) -> tuple[Container, Light]:
 
 
 @pytest.mark.parametrize("readout", list(CODES))
-def test_the_emulator(readout: str) -> None:
+def test_emulated_codes_mean_what_the_target_says(readout: str) -> None:
     target = chip(readout)
     container, light = program_and_light(target)
     sensor = default_sensor(target)
@@ -74,7 +74,9 @@ def test_the_emulator(readout: str) -> None:
 @pytest.mark.parametrize(
     ("kind", "readout"), [*(("python", readout) for readout in CODES), ("firmware", "full")]
 )
-def test_a_device(kind: str, readout: str, tmp_path: Path) -> None:
+def test_codes_of_a_device_mean_what_the_target_says(
+    kind: str, readout: str, tmp_path: Path
+) -> None:
     target = chip(readout)
     container, light = program_and_light(target)
     emulated = ChipAtOnce(lambda _: light, target)

@@ -120,7 +120,7 @@ def test_one_frame_a_level(stacks: tuple[list[Stack], list[Stack]]) -> None:
     assert "one frame" in message
 
 
-def test_one_level(stacks: tuple[list[Stack], list[Stack]]) -> None:
+def test_flats_of_a_single_level_are_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
     flats, darks = stacks
     code, message = rejected(flats[:1], darks)
     assert (code, message[:8]) == ("NS0758", "1 level ")
@@ -137,7 +137,7 @@ def test_flats_that_are_all_clipped(stacks: tuple[list[Stack], list[Stack]]) -> 
     assert (code, message[:9]) == ("NS0758", "0 levels ")
 
 
-def test_mixed_sizes(stacks: tuple[list[Stack], list[Stack]]) -> None:
+def test_frames_of_mixed_sizes_are_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
     flats, darks = stacks
     small = replace(flats[0], codes=flats[0].codes[:, :16], valid=flats[0].valid[:16])
     code, message = rejected([*flats[1:], small], darks)
@@ -342,7 +342,7 @@ def test_files_that_are_no_frames(tmp_path: Path) -> None:
         ["f.npy", "-o", "s.toml", "--dark"],
     ],
 )
-def test_missing_arguments(words: list[str], tmp_path: Path) -> None:
+def test_calibrate_names_missing_arguments(words: list[str], tmp_path: Path) -> None:
     found = invoke(["calibrate", *words], tmp_path)
     assert found.status == 2
     assert "error[NS078" in found.err

@@ -56,7 +56,9 @@ def test_names_and_streams_are_unique_and_every_parameter_serves_an_effect() -> 
         ("adc", set(), set()),
     ],
 )
-def test_choices(text: str, on: set[str], forced: set[str]) -> None:
+def test_effects_option_selects_the_named_effects(
+    text: str, on: set[str], forced: set[str]
+) -> None:
     found = selected(text)
     assert found.on == on | {"adc"}
     assert found.forced == forced
@@ -64,7 +66,7 @@ def test_choices(text: str, on: set[str], forced: set[str]) -> None:
 
 
 @pytest.mark.parametrize("text", ["", ",", "shots", "all,none", "shot,all", "-adc", "all,-", "a b"])
-def test_bad_choices(text: str) -> None:
+def test_effects_option_refuses_unknown_choices(text: str) -> None:
     with pytest.raises(Rejected) as caught:
         selected(text)
     assert caught.value.diagnostics[0].code == "NS0756"
@@ -215,7 +217,9 @@ def test_the_command_lists_shows_and_prints(tmp_path: Path) -> None:
         (["--target", "nonesuch"], "NS0230"),
     ],
 )
-def test_bad_arguments(arguments: list[str], code: str, tmp_path: Path) -> None:
+def test_effects_command_refuses_wrong_arguments(
+    arguments: list[str], code: str, tmp_path: Path
+) -> None:
     outcome = invoke(["effects", *arguments], tmp_path)
     assert outcome.status in (1, 2)
     assert outcome.out == ""

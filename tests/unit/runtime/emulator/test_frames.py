@@ -56,7 +56,7 @@ def over_exponents(random, shape):
 
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_frames(shape, lowering):
+def test_frames_are_the_sum_of_light_in_open_slots(shape, lowering):
     random = np.random.default_rng(len(lowering) + shape[1])
     slots = 24
     start, stop = random_bumps(random, shape, slots, lowering)

@@ -119,7 +119,7 @@ def test_sobel_and_laplace() -> None:
             )
 
 
-def test_hdr_edges() -> None:
+def test_hdr_edges_are_those_of_the_numpy_model() -> None:
     light = film_light(21, 2, most_steps=90)
     thresholds = [{"t": f"{2 + frame % 5}%"} for frame in range(FRAMES)]
     capture = nscc_runtime.film(program("hdr_edges"), light, params=thresholds)
@@ -149,7 +149,7 @@ def test_any_in_a_rectangle() -> None:
     assert len(set(found)) == 2
 
 
-def test_masked_memory() -> None:
+def test_masked_memory_keeps_the_states_of_the_numpy_model() -> None:
     light, rng = film_light(4, 4), np.random.default_rng(4)
     boxes = rng.random((FRAMES, SIDE, SIDE)) < 0.3
     capture = nscc_runtime.film(
@@ -161,7 +161,7 @@ def test_masked_memory() -> None:
         same(capture, "memory", frame, memory)
 
 
-def test_history() -> None:
+def test_history_keeps_the_bits_of_eight_frames() -> None:
     light = film_light(4, 5)
     capture = nscc_runtime.film(program("history"), light)
     bright = exposures(light) > 51 * STEP_E
@@ -213,7 +213,7 @@ def test_flood_from_the_border() -> None:
 
 
 @pytest.mark.parametrize("name", ["contrast", "contrast_share"])
-def test_temporal_contrast(name: str) -> None:
+def test_temporal_contrast_gives_the_events_of_the_numpy_model(name: str) -> None:
     """An event camera: events are those of a numpy model, bit for bit."""
     light = film_light(4, 7, most_steps=50)
     capture = nscc_runtime.film(program(name), light)
@@ -231,7 +231,7 @@ def test_temporal_contrast(name: str) -> None:
     assert events > 0
 
 
-def test_stabilisation() -> None:
+def test_stabilisation_moves_the_image_as_the_numpy_model_does() -> None:
     light, rng = film_light(4, 9), np.random.default_rng(9)
     offsets = [{"dx": int(dx), "dy": int(dy)} for dx, dy in rng.integers(-32, 33, (FRAMES, 2))]
     offsets[1:3] = [{"dx": 32, "dy": -32}, {"dx": -32, "dy": 32}]
@@ -249,7 +249,7 @@ def test_stabilisation() -> None:
         last = edge
 
 
-def test_half_size() -> None:
+def test_half_size_averages_four_pixels() -> None:
     light = film_light(4, 10)
     capture = nscc_runtime.film(program("half"), light)
     for frame, e in enumerate(exposures(light)):

@@ -56,7 +56,7 @@ def test_arrays_take_the_quantile_of_the_uniform_number():
     assert np.array_equal(normals(stream, pixels), quantiles(uniforms(stream, pixels)))
 
 
-def test_distribution():
+def test_gaussian_numbers_have_the_moments_of_a_normal_distribution():
     n = 1_000_000
     found = normals(key(11, 2), np.arange(n))
     assert stats.kstest(found, "norm").pvalue > 1e-3

@@ -37,7 +37,7 @@ def words(text):
 
 
 @pytest.mark.parametrize(("counter", "under", "result"), KNOWN)
-def test_published_answers(counter, under, result):
+def test_philox_gives_the_published_answers(counter, under, result):
     assert philox(words(counter), words(under)) == words(result)
 
 
@@ -54,7 +54,7 @@ def test_the_ends_lie_inside_and_are_symmetric():
     assert unit(np.uint64(2**63)) == 0.5 + 2.0**-53
 
 
-def test_evenly_spread():
+def test_uniform_numbers_are_evenly_spread():
     found = uniforms(key(5, 1), np.arange(1_000_000))
     assert stats.kstest(found, "uniform").pvalue > 1e-3
     scaled = found * 2.0**53

@@ -247,7 +247,7 @@ LONG = ("many lines", "studies")
 
 
 @pytest.mark.parametrize("name", CHARTS)
-def test_pictures(name: str, update_cases: bool) -> None:
+def test_pictures_are_the_recorded_ones_and_no_text_overlaps(name: str, update_cases: bool) -> None:
     """No text lies on another or leaves the picture; the same picture has the same bytes, and shows
     what was recorded."""
     with sheet.style():

@@ -55,7 +55,7 @@ def run(
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_shot_noise(lowering: str) -> None:
+def test_shot_noise_has_the_variance_of_its_mean(lowering: str) -> None:
     found = run(lowering, "shot")
     for stop in range(SLOTS + 1):
         check(columns(found, stop), (stop * E, stop * E, 0.0))
@@ -63,7 +63,7 @@ def test_shot_noise(lowering: str) -> None:
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_photo_response(lowering: str) -> None:
+def test_photo_response_spreads_pixels_in_proportion_to_light(lowering: str) -> None:
     found = run(lowering, "prnu", 2, prnu_fraction=0.03)
     np.testing.assert_allclose(found[0], found[1])
     for stop in range(SLOTS + 1):
@@ -71,7 +71,7 @@ def test_photo_response(lowering: str) -> None:
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_dark_current(lowering: str) -> None:
+def test_dark_current_grows_with_the_open_time(lowering: str) -> None:
     current, spread = 50_000.0, 0.3
     found = run(lowering, "dark", dark_current_e_per_s=current, dark_spread_fraction=spread)
     for stop in range(SLOTS + 1):

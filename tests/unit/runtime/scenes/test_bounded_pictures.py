@@ -88,7 +88,7 @@ def test_pictures_and_animations_of_pillow(tmp_path: Path, bound: None, ending: 
     assert "30 x 40 pixels" in refused(path)
 
 
-def test_raw_files(tmp_path: Path, bound: None) -> None:
+def test_raw_files_above_the_limit_are_refused(tmp_path: Path, bound: None) -> None:
     pytest.importorskip("rawpy")
     tags = [
         (50706, "B", 4, (1, 4, 0, 0), True), (50708, "s", 0, "Test", True),
@@ -111,7 +111,9 @@ def write_video(path: Path, picture: np.ndarray, codec: str) -> None:
 
 
 @pytest.mark.parametrize("codec", ["ffv1", "mpeg4"])
-def test_videos(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, codec: str) -> None:
+def test_videos_above_the_limit_are_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, codec: str
+) -> None:
     write_video(tmp_path / "a.mkv", np.full((48, 64, 3), 100, np.uint8), codec)
     assert len([*open_pages(tmp_path / "a.mkv").read()]) == 3
     monkeypatch.setattr(limits, "MOST_PIXELS", 48 * 64 - 1)
@@ -178,7 +180,7 @@ def test_measurements_beyond_single_precision(tmp_path: Path) -> None:
         real_array(tmp_path / "a.npz", "meas")
 
 
-def test_npy_masks(tmp_path: Path) -> None:
+def test_npy_masks_above_the_limit_are_refused(tmp_path: Path) -> None:
     stated = {"descr": "<f8", "fortran_order": False, "shape": (100_000, 100_000)}
     with open(tmp_path / "a.npy", "wb") as file:
         np.lib.format.write_array_header_1_0(file, stated)

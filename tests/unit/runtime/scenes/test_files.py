@@ -85,7 +85,9 @@ def test_mat_light_and_clips(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("suffix", [".hdr", ".pfm", ".exr"])
-def test_linear_pictures(tmp_path: Path, suffix: str) -> None:
+def test_linear_pictures_give_light_in_proportion_to_their_values(
+    tmp_path: Path, suffix: str
+) -> None:
     rgb = colours(4) * 100
     path = tmp_path / f"p{suffix}"
     write_float(path, rgb)
@@ -195,7 +197,7 @@ def test_gif_frames_and_folders(tmp_path: Path) -> None:
         np.testing.assert_allclose(light.dense(), expected * scale, rtol=1e-5)
 
 
-def test_video(tmp_path: Path) -> None:
+def test_videos_give_their_frames_to_the_slots(tmp_path: Path) -> None:
     import cv2
 
     writer = cv2.VideoWriter(
@@ -214,7 +216,7 @@ def test_video(tmp_path: Path) -> None:
     )
 
 
-def test_crops(tmp_path: Path) -> None:
+def test_pictures_are_cropped_to_the_array(tmp_path: Path) -> None:
     picture = colours(7, (ROWS + 5, COLS + 4))
     write_float(tmp_path / "p.pfm", picture)
     grey = picture @ WEIGHTS

@@ -25,7 +25,7 @@ pytestmark = pytest.mark.skipif(
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda p: p.name)
-def test_real_scene(path: Path) -> None:
+def test_real_scenes_load_without_errors(path: Path) -> None:
     said: list[Diagnostic] = []
     light = load_scene(
         str(path),

@@ -26,7 +26,7 @@ ROWS, COLS = 32, 48
 @pytest.mark.parametrize("tile", [None, (16, 16)])
 @pytest.mark.parametrize("big", [False, True])
 @pytest.mark.parametrize("order", ["<", ">"])
-def test_separate_planes(
+def test_tiff_files_with_separate_planes_are_read(
     tmp_path: Path, dtype: Any, compression: Any, tile: Any, big: bool, order: Any
 ) -> None:
     picture = (RNG.random((3, ROWS, COLS)) * (1 if dtype == np.float32 else 200)).astype(dtype)

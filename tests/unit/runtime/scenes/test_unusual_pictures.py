@@ -152,7 +152,9 @@ def test_layers_of_an_exr(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("corner", "size"), [((2, 1), (12, 14)), ((-2, -3), (5, 4))])
-def test_display_windows(tmp_path: Path, corner: tuple[int, int], size: tuple[int, int]) -> None:
+def test_exr_data_is_placed_in_its_display_window(
+    tmp_path: Path, corner: tuple[int, int], size: tuple[int, int]
+) -> None:
     """The data window begins at `corner` (row, column) of a display window of that size."""
     luminance = RNG.random((ROWS, COLS)).astype(np.float32)
     (row, col), (rows, cols) = corner, size

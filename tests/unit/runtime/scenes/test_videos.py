@@ -94,7 +94,7 @@ def test_colours_by_matrix_range_and_bits(
     np.testing.assert_allclose(found / white, rgb, atol=2.5 / most + 0.5 / white)
 
 
-def test_subsampled_chroma(tmp_path: Path) -> None:
+def test_subsampled_chroma_gives_one_colour_in_a_flat_frame(tmp_path: Path) -> None:
     small = np.full((ROWS // 2, COLS // 2), 90, np.uint8)
     planes = [np.full((ROWS, COLS), 120, np.uint8), small, small]
     write(tmp_path / "v.mkv", [planes], "yuv420p", 1)

@@ -186,13 +186,15 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def test_a_clip_counts_once(folder: Path) -> None:
+def test_a_clip_given_twice_is_refused(folder: Path) -> None:
     outcome = invoke(["evaluate", "sci8", "square.mat", "./square.mat", "--json"], folder)
-    assert outcome.status == 2
-    assert "square.mat" in outcome.err
+    assert (outcome.status, outcome.codes, outcome.out) == (2, ["NS0780"], "")
+    assert "a clip may be given only once" in outcome.err
+    assert "by its name: square.mat" in outcome.err
+    assert not list(folder.glob("*.json"))
 
 
-def test_evaluate_sci8(folder: Path) -> None:
+def test_evaluate_sci8_scores_what_it_saved(folder: Path) -> None:
     arguments = ["evaluate", "sci8", "square.mat", "--method", "gap-tv"]
     outcome = invoke([*arguments, "--json", "--save", "out", "-o", "r.json"], folder)
     assert outcome.status == 0, outcome.err
@@ -212,7 +214,7 @@ def test_evaluate_sci8(folder: Path) -> None:
     assert "reads the truth" in human.out
 
 
-def test_compare_results(folder: Path) -> None:
+def test_evaluate_compare_pairs_results_of_the_same_items(folder: Path) -> None:
     for method in ("adjoint", "gap-tv"):
         arguments = ["evaluate", "sci8", "square.mat", "--method", method, "-o", f"{method}.json"]
         assert invoke(arguments, folder).status == 0
@@ -383,7 +385,9 @@ def test_what_does_not_pair_is_refused(tmp_path: Path) -> None:
         (["ldr", "--data", ".", "--protocol", "video-v1"], "NS0810"),
     ],
 )
-def test_evaluate_refuses(folder: Path, arguments: list[str], code: str) -> None:
+def test_evaluate_sci8_refuses_wrong_files_and_options(
+    folder: Path, arguments: list[str], code: str
+) -> None:
     outcome = invoke(["evaluate", *arguments], folder)
     assert (outcome.status, outcome.codes) == (2, [code])
 

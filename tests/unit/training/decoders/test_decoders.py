@@ -42,7 +42,7 @@ def test_clips_of_any_size(name: str, size: tuple[int, int]) -> None:
 
 
 @pytest.mark.parametrize("sees_code", [True, False])
-def test_stills(sees_code: bool) -> None:
+def test_still_decoders_see_the_code_only_if_they_say_so(sees_code: bool) -> None:
     decoder = make_decoder("unet2d", "small", DecoderTask("still", 64, (4, 4), sees_code))
     frame, shutters = coded(64, 29, 35)
     found = decoder(frame, shutters)
@@ -189,7 +189,7 @@ def test_what_a_decoder_cannot_be() -> None:
 
 
 @pytest.mark.parametrize("name", ["unet2d", "unet3d", "fcnet", "unrolled"])
-def test_narrower_decoders(name: str) -> None:
+def test_narrower_decoders_have_fewer_weights(name: str) -> None:
     counts = [parameter_count(make_decoder(name, "small", CLIP, w)) for w in (1.0, 0.5, 0.01)]
     assert counts[0] == parameter_count(make_decoder(name, "small", CLIP))
     # Layers between layers shrink by both of their sides, the first and the last by one.

@@ -96,7 +96,7 @@ def test_what_does_not_fit_is_a_row(tmp_path: Path) -> None:
     assert "data:image/png" in page
 
 
-def test_nothing_fits(tmp_path: Path) -> None:
+def test_a_grid_of_which_nothing_fits_has_no_diagram(tmp_path: Path) -> None:
     written(tmp_path, f'kind = "compile"\n{BITS}[plot]\ny = ["words_total"]\n')
     assert [row["code"] for row in swept(tmp_path, status=1)] == ["NS0412"]
     assert not (tmp_path / "out/diagram.png").exists()
@@ -437,7 +437,7 @@ def test_one_part_is_computed_and_the_table_has_all_that_is_known(tmp_path: Path
         ('like = "second"', "there is no part 'second' above"),
     ],
 )
-def test_wrong_links(tmp_path: Path, changed: str, said: str) -> None:
+def test_wrong_links_between_settings_are_refused(tmp_path: Path, changed: str, said: str) -> None:
     key = changed.split(" = ")[0]
     first, second = RUNS.split("[second]")
     lines = [line for line in second.splitlines() if not line.startswith(key)]

@@ -190,7 +190,7 @@ def test_made_scenes_are_exposed_as_the_protocol_says() -> None:
     assert np.percentile(clip.light_e.sum(axis=0), 99) == pytest.approx(30000)
 
 
-def test_the_command(quick: None, tmp_path: Path) -> None:
+def test_tradeoff_decoder_writes_table_and_diagram(quick: None, tmp_path: Path) -> None:
     done = invoke(
         ["tradeoff", "decoder", "--scenes", "1", "--size", "32", "--repeats", "1", "-o", "out"],
         tmp_path,
@@ -220,7 +220,9 @@ def test_the_command(quick: None, tmp_path: Path) -> None:
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else value,
 )
-def test_wrong_usage(tmp_path: Path, arguments: list[str], code: str) -> None:
+def test_tradeoff_decoder_refuses_wrong_usage(
+    tmp_path: Path, arguments: list[str], code: str
+) -> None:
     done = invoke(["tradeoff", "decoder", *arguments], tmp_path)
     assert (done.status, done.codes) == (2, [code])
     assert not list(tmp_path.iterdir())

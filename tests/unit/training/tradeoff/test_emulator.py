@@ -161,7 +161,9 @@ def test_too_few_to_measure(program: AnalysedProgram, frames: int, repeats: int)
         measure(program, [], StudySettings(frames=frames, repeats=repeats))
 
 
-def test_naive_ways(program: AnalysedProgram, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_naive_simulations_give_the_frames_of_the_emulator(
+    program: AnalysedProgram, monkeypatch: pytest.MonkeyPatch
+) -> None:
     light = clip(50.0)
     ready = Naive(program, light)
     summed, drawn = ready.summed(), ready.drawn(1)
@@ -229,7 +231,7 @@ def test_errors_are_of_the_worst_bucket_and_of_valid_pixels() -> None:
     assert error([nothing], [zero]) == (np.inf, np.inf)
 
 
-def test_memory() -> None:
+def test_the_floor_is_the_time_of_copying_the_light() -> None:
     assert copy_gb_per_s() > 0.01
     still = Light.of_still(np.ones((10, 100), np.float32), np.ones(64))
     assert floor_ms(still, 4.0) == pytest.approx(1e-3), "4000 bytes, of 64 slots or one"
@@ -336,7 +338,7 @@ def test_command_writes_tables_csv_and_pictures(folder: Path) -> None:
         (["--sensor-set", "no_such=1"], "NS0753"),
     ],
 )
-def test_wrong_usage(folder: Path, more: list[str], code: str) -> None:
+def test_tradeoff_emulator_refuses_wrong_usage(folder: Path, more: list[str], code: str) -> None:
     done = invoke(["tradeoff", "emulator", "p.nsl", "-o", "out", *more], folder)
     assert (done.status, done.codes) == (2, [code]), done.err
     assert not (folder / "out.csv").exists()

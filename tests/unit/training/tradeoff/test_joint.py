@@ -242,7 +242,7 @@ def test_errors_of_the_chip_are_those_of_its_frames(folder: Path) -> None:
         assert found[lowering].time_ms == pytest.approx(frame_ms / 1e3)
 
 
-def test_the_command(folder: Path) -> None:
+def test_tradeoff_of_a_program_writes_table_and_diagram(folder: Path) -> None:
     stages = "compile,lowering"
     command = ["tradeoff", "p.nsl", "--scene", "builtin:flat:20000", "--stages", stages,
                "--levels", "0", "--repeats", "1", "-O", "0", "-o", "out"]  # fmt: skip

@@ -98,7 +98,7 @@ def test_other_seeds_are_other_scenes_and_the_same_seed_the_same() -> None:
     assert first == again != other
 
 
-def test_the_command(tmp_path: Path) -> None:
+def test_tradeoff_sensor_writes_table_and_diagram(tmp_path: Path) -> None:
     arguments = ["tradeoff", "sensor", "--classes", "c,e", "--slots", "4,16", "--stop-slots", "8",
                  "--looks", "2", "--codes", "open", "--lowerings", "edges", "-O", "0", "--effects",
                  "none", "--readouts", "none"]  # fmt: skip
@@ -172,7 +172,9 @@ def test_nothing_that_fits(tmp_path: Path) -> None:
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else value,
 )
-def test_wrong_usage(tmp_path: Path, arguments: list[str], code: str) -> None:
+def test_tradeoff_sensor_refuses_wrong_usage(
+    tmp_path: Path, arguments: list[str], code: str
+) -> None:
     done = invoke(["tradeoff", "sensor", *arguments], tmp_path)
     assert (done.status, done.codes) == (2, [code])
     assert not list(tmp_path.iterdir())

@@ -32,7 +32,7 @@ def test_median_and_spread() -> None:
     assert point("a", "0", 1, 5.0).spread_ms == 0.0
 
 
-def test_dominated() -> None:
+def test_a_point_is_dominated_by_one_that_is_better_in_all_units() -> None:
     points = [
         point("a", "fast", 10, 1.0),
         point("a", "between", 8, 5.0),

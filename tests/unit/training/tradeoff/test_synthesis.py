@@ -176,6 +176,8 @@ def test_nothing_that_fits(folder: Path) -> None:
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else value,
 )
-def test_wrong_usage(folder: Path, arguments: list[str], code: str) -> None:
+def test_tradeoff_synthesis_refuses_wrong_usage(
+    folder: Path, arguments: list[str], code: str
+) -> None:
     done = invoke(["tradeoff", *arguments], folder)
     assert (done.status, done.codes) == (2, [code])

@@ -29,7 +29,7 @@ CURVES: dict[str, tuple[Callable[[Any], Any], Callable[[Any], Any]]] = {
 
 @pytest.mark.parametrize("name", CURVES)
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
-def test_round_trip(name: str, kind: type) -> None:
+def test_curves_and_their_inverses_give_the_value_back(name: str, kind: type) -> None:
     there, back = CURVES[name]
     x = np.array(VALUES, kind)
     y = there(x)

@@ -20,7 +20,9 @@ SPECS = [
 @pytest.mark.parametrize("kind", [torch.bfloat16, torch.float16])
 @pytest.mark.parametrize("relaxation", ["straight-through", "sigmoid"])
 @pytest.mark.parametrize("spec", SPECS, ids=lambda spec: spec.kind)
-def test_the_same_with_and_without(spec: ShutterSpec, relaxation: str, kind: torch.dtype) -> None:
+def test_autocast_gives_the_same_numbers(
+    spec: ShutterSpec, relaxation: str, kind: torch.dtype
+) -> None:
     encoder = make_encoder(spec, "random", 1, relaxation)
     model = SensorModel(30000.0, 30000.0 / 255, shot_noise=True, adc_noise_lsb=0.65)
     light = torch.exp(torch.rand(2, spec.slots, 8, 8) * 30 - 10)  # 4e-5 .. 5e8 electrons
