@@ -16,8 +16,9 @@ from nscc_command import Outcome, invoke
 EXAMPLES = sorted((ROOT / "examples").glob("*.nsl"))
 LOOKING = [path for path in EXAMPLES if "\nnsl 2\n" in path.read_text()]
 """Their shutters depend on the light: `test_looks_examples.py` has an oracle for each."""
-PICTURED = [path for path in EXAMPLES if "\nnsl 3\n" in path.read_text()]
-"""They compute images: `test_neighbours_examples.py` has an oracle for each."""
+PICTURED = [p for p in EXAMPLES if {"nsl 3", "nsl 4"} & {*p.read_text().splitlines()}]
+"""They compute images: `test_neighbours_examples.py` and `test_laboratory_programs.py` have an
+oracle for each."""
 LONG = {"class_b_4096"}
 """Too long for light, frame and shutters of every pixel and slot in a test's memory."""
 

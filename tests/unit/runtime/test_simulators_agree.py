@@ -26,7 +26,9 @@ from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.sensor import Sensor
 
 ROWS, COLS, DEVICE = 8, 12, 5
-EXAMPLES = sorted((ROOT / "examples").glob("*.nsl"))
+FAR = ("far_shift", "stabilise")
+"""Examples with shifts that are longer than this array."""
+EXAMPLES = sorted(p for p in (ROOT / "examples").glob("*.nsl") if p.stem not in FAR)
 Exposing = Callable[[int], np.ndarray]
 """Frame number -> exposures (buckets, rows, cols)."""
 

@@ -37,7 +37,9 @@ from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 
 EXAMPLES = sorted(
-    path for path in (ROOT / "examples").glob("*.nsl") if "\nnsl 3\n" not in path.read_text()
+    path
+    for path in (ROOT / "examples").glob("*.nsl")
+    if not {"nsl 3", "nsl 4"} & {*path.read_text().splitlines()}
 )
 KINDS = {"class_c", "codebook", "hdr_2x2", "first_light", "two_buckets"}
 """One of each kind of text that C++ is written in: tables, planes, patterns, looks, buckets."""
