@@ -29,7 +29,8 @@ from nscc_runtime.response import ShutterResponse, shutter_response
 EXAMPLES = [
     path
     for path in sorted((ROOT / "examples").glob("*.nsl"))
-    if not {"nsl 3", "nsl 4"} & {*path.read_text().splitlines()}  # images are made of exposures before readout
+    # Images are made of exposures before readout.
+    if not {"nsl 3", "nsl 4"} & {*path.read_text().splitlines()}
 ]
 ROWS, COLS = 16, 24
 EFFECTS = "shot,dark,read,reset,analog,leakage,dead_time,black_sun"
