@@ -39,7 +39,7 @@ def grammar() -> dict[str, Any]:
             "end": "(?!)",  # the end of the file
             "patterns": _patterns(number),
         }
-        for number in (3, 2, 1)
+        for number in (4, 3, 2, 1)
     }
     return {
         "name": "Shutter program",
