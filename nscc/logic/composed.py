@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import permutations
 
 import numpy as np
 
@@ -100,8 +101,7 @@ class _Writer:
             for leaf in _leaves(planned):
                 self._advance(leaf, index)
             if not self.problem.answered(index):
-                terms = self._terms(planned, index)
-                self.gates.load_flag(terms, next((t for t in terms if t[0] == "t"), None))
+                self._load_flag(planned, index)
                 self._end_segment()
             before[index] = tuple(self.segments)
         name = f"parts of the rule, {min(self.submask_bits, len(self.planes))} submask bits"
@@ -193,6 +193,59 @@ class _Writer:
             self.gates.or_(leaf.state, [leaf.state, self.free[0]])
             self._end_segment()
 
+    def _load_flag(self, planned: _Planned, index: int) -> None:
+        """Add the gates that set FLAG to the value of a rule.
+
+        With one scratch register, FLAG holds the first part of an `or` meanwhile."""
+        operator, *parts = planned if isinstance(planned, tuple) else ("", planned)
+        alone = len(self.free) == 1
+        if alone and operator == "xor" and (pair := _state_and_cover(parts)):
+            self._load_difference(*pair, index)
+            return
+        if alone and operator == "or" and not isinstance(parts[1], tuple):
+            terms = self._terms(parts[0], index)
+            if terms == ["t0"]:
+                self.gates.load_flag(terms, None)
+                self.free = ["t0"]
+                terms = [self._joined("OR", ["FLAG", *self._terms(parts[1], index)])]
+            else:
+                terms += self._terms(parts[1], index)
+        else:
+            terms = self._terms(planned, index)
+        self.gates.load_flag(terms, next((t for t in terms if t[0] == "t"), None))
+
+    def _load_difference(self, counted: _Counted, covered: _Covered, index: int) -> None:
+        """Add the gates that set FLAG to the exclusive or of two parts with one scratch register.
+
+        The state holds the second term of the exclusive or while FLAG is set, then the state is
+        computed again from the two terms: for the state s and the second part c, the terms are
+        t = not s and c, and s and not c; s = not (t or not (c or (s and not c)))."""
+        if len(covered.cubes[index]) > 1:
+            raise GaveUp("one register is too few for a part of several cubes")
+        state, scratch = counted.state, self.free[0]
+        second, inverted = self._planes_of(covered, index)
+        equal = counted.closes ^ inverted
+        self.gates.nor(scratch, [state, *second])
+        self.gates.load_flag([scratch], None)
+        self.gates.nor(scratch, [state, "FLAG"])
+        self.gates.nor(state, [*second, "FLAG"])
+        if equal:
+            self.gates.nor(scratch, [scratch, state])
+        self.gates.load_flag([scratch] if equal else [scratch, state], None)
+        if equal:
+            self.gates.nor(scratch, [scratch, state])
+        self.gates.nor(state, [state, *second])
+        self.gates.nor(state, [state, scratch])
+
+    def _planes_of(self, covered: _Covered, index: int) -> tuple[list[str], bool]:
+        """Return planes whose OR is a part of at most one cube, or its inverse (true)."""
+        planes = [literal for cube in covered.cubes[index] for literal in cube]
+        if len(planes) > 1:
+            self.segments += self.standing.turn(tuple(planes))
+        # Of several planes, the OR is the inverse of the cube.
+        low = len(planes) > 1 or any(self.standing.inverted[p] == value for p, value in planes)
+        return [f"p{plane}" for plane, _ in planes], low ^ covered.inverted[index]
+
     def _terms(self, planned: _Planned, index: int) -> list[str]:
         """Append gates for a rule at demand `index`; return registers whose OR is its value."""
         if isinstance(planned, tuple) and planned[0] == "or":
@@ -205,6 +258,11 @@ class _Writer:
             return only_one if equal else [self._joined("NOR", only_one)]
         register, positive = self._value(planned, index)
         return [register] if positive else [self._joined("NOR", [register])]
+
+    def _inverse(self, planned: _Planned, index: int) -> list[str]:
+        """Add gates for a rule at a demand; return the register that holds its inverse."""
+        register, positive = self._value(planned, index)
+        return [self._joined("NOR", [register]) if positive else register]
 
     def _joined(self, name: str, sources: Sequence[str]) -> str:
         """Add the gate that joins registers, into free scratch or in place of a scratch source."""
@@ -228,13 +286,17 @@ class _Writer:
         operator, first, second = planned
         if operator == "or":
             return self._joined("OR", self._terms(planned, index)), True
-        values = [self._value(first, index), self._value(second, index)]
         if operator == "and":
-            inverses = [
-                self._joined("NOR", [register]) if positive else register
-                for register, positive in values
-            ]
-            return self._joined("NOR", inverses), True
+            pair = _state_and_cover((first, second))
+            if pair and not pair[0].closes and len(pair[1].cubes[index]) == 1:
+                planes, inverted = self._planes_of(pair[1], index)
+                if inverted:  # s and not c = not (not (s or c) or c)
+                    neither = self._joined("NOR", [pair[0].state, *planes])
+                    return self._joined("NOR", [neither, *planes]), True
+            return self._joined(
+                "NOR", [*self._inverse(first, index), *self._inverse(second, index)]
+            ), True
+        values = [self._value(first, index), self._value(second, index)]
         only_one, equal = self._difference(values)
         return self._joined("NOR", only_one), not equal
 
@@ -270,6 +332,14 @@ class _Writer:
             if len(terms) > 1:
                 terms = [self._joined("OR", terms)]
         return terms[0], positive
+
+
+def _state_and_cover(parts: Sequence[_Planned]) -> tuple[_Counted, _Covered] | None:
+    """Return the counted and the covered part; None if there is not one of each."""
+    for first, second in permutations(parts):
+        if isinstance(first, _Counted) and isinstance(second, _Covered):
+            return first, second
+    return None
 
 
 _Planned = _Counted | _Covered | tuple[Operator, "_Planned", "_Planned"]

@@ -115,9 +115,8 @@ class BitWords:
         while waiting:
             read = {owner for _, owner in waiting.values()}
             name = next((name for name in waiting if name not in read), None)
-            if name is None:  # each waits for another
-                self.take()
-                raise AssertionError("a copy was possible")
+            if name is None:  # each waits for another, and `next_bits` had no register for a copy
+                raise self._no_free_register()
             bit = waiting.pop(name)
             if self.lowering.pictures.is_of_version_4 and not waiting:
                 self.store(name, bit)
@@ -164,9 +163,13 @@ class BitWords:
     def take(self) -> str:
         """Take a free register; raise `PictureRefused` if there is none."""
         if not self.free:
-            count = len(self.available)
-            raise PictureRefused("planes", self.lowering.now, count + 1, count)
+            raise self._no_free_register()
         return self.free.pop(0)
+
+    def _no_free_register(self) -> PictureRefused:
+        """Return the error of the item whose words are emitted now: it needs one more register."""
+        count = len(self.available)
+        return PictureRefused("planes", self.lowering.now, count + 1, count)
 
     def give(self, *bits: Kept) -> None:
         """Note that bits have been read, and free each register that nothing else reads."""

@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
+from operator import attrgetter
 from typing import Literal
 
 from nscc.chips.target import Target
@@ -23,7 +24,15 @@ from nscc.prove.meaning import Bits, Fields, PictureMeaning, Place, reaches
 from nscc.prove.proof import ALWAYS_EQUAL, FRAMES, Failure
 from nscc.words.container import Container
 from nscc.words.legality import decoded, picture_kernels
-from nscc.words.pictures import Condition, LaunchLoop, LevelOf, LoopValue, Node
+from nscc.words.pictures import (
+    Condition,
+    LaunchLoop,
+    LevelOf,
+    LoopValue,
+    Node,
+    RepeatedImage,
+    RepeatedPlane,
+)
 from nscc.words.reach import Reach, RegisterReaches
 
 Launched = Sequence[Sequence[Op]]
@@ -60,6 +69,7 @@ def pictures_fault(container: Container) -> str | None:
         forms = Forms(size.up + size.down + 1, size.left + size.right + 1)
         replay = PictureReplay(container, forms)
         meaning, middle = PictureMeaning(pictures, forms), (size.left, size.up)
+        compare = partial(_compare, replay=replay, meaning=meaning, middle=middle)
         levels: dict[int, int | LevelOf | None] = dict(
             enumerate(launch.level for launch in pictures.launches)
         )
@@ -67,13 +77,16 @@ def pictures_fault(container: Container) -> str | None:
         starts = {loop.first: loop for loop in pictures.loops}
         ends = {loop.first + loop.launches - 1: loop for loop in pictures.loops}
         for launch, ops in enumerate(launched):
+            # One step from unknown values proves every step, however many there are.
             if launch in starts:
-                _begin_steps(starts[launch], launched, replay, meaning, middle)
+                _check_steps(starts[launch], meaning, compare, attrgetter("start"))
+                replay.forget(starts[launch], launched)
             for op in ops:
                 replay.run(op, levels[launch])
                 number += 1
             if launch in ends:
-                _end_steps(ends[launch], launched, replay, meaning, middle)
+                _check_steps(ends[launch], meaning, compare, attrgetter("step"))
+                replay.forget(ends[launch], launched)
         if {*pictures.repeated} != {value.name for loop in pictures.loops for value in loop.values}:
             return "its loops do not belong to its repeated names"
         written = {register for op in words for register in op.destinations}
@@ -88,54 +101,29 @@ def pictures_fault(container: Container) -> str | None:
         raise
 
 
-def _begin_steps(
+def _check_steps(
     loop: LaunchLoop,
-    launched: Launched,
-    replay: PictureReplay,
     meaning: PictureMeaning,
-    middle: Place,
+    compare: Callable[[LoopValue, Node], None],
+    expected: Callable[[RepeatedImage | RepeatedPlane], Node],
 ) -> None:
-    """Check the starts of names that are repeated, and make their values unknown.
-
-    One step from unknown values then proves every step, however many there are."""
+    """Compare the register of each name that a loop repeats with `expected` of its expression."""
     for value in loop.values:
         node = meaning.pictures.repeated[value.name]
         if node.times != loop.times:
             raise PictureReplayError(f"`{value.name}` has another number of steps")
-        _compare(value.name, node.start, value, replay, meaning, middle)
-    replay.forget(loop, launched[loop.first : loop.first + loop.launches])
-
-
-def _end_steps(
-    loop: LaunchLoop,
-    launched: Launched,
-    replay: PictureReplay,
-    meaning: PictureMeaning,
-    middle: Place,
-) -> None:
-    """Check one step of a loop: each repeated value must be its step's expression in the values
-    before. Then make the values unknown again.
-
-    Raises PictureReplayError otherwise. `middle` is the pixel in which everything must be known."""
-    for value in loop.values:
-        node = meaning.pictures.repeated[value.name]
-        _compare(value.name, node.step, value, replay, meaning, middle)
-    replay.forget(loop, launched[loop.first : loop.first + loop.launches])
+        compare(value, expected(node))
 
 
 def _compare(
-    name: str,
-    node: Node,
-    value: LoopValue,
-    replay: PictureReplay,
-    meaning: PictureMeaning,
-    middle: Place,
+    value: LoopValue, node: Node, replay: PictureReplay, meaning: PictureMeaning, middle: Place
 ) -> None:
     """Raise PictureReplayError unless `value` holds the expression `node` in every pixel that does
     not depend on pixels beyond the array.
 
     `middle` is a pixel that must not depend on them. Raises AlwaysEqual if the expression compares
     equal values."""
+    name = value.name
     if meaning.forms.compares_equal(meaning.of(node, middle)):
         raise AlwaysEqual(name)
     contents = replay.contents(value.register, isinstance(node, Condition))
@@ -259,12 +247,15 @@ class PictureReplay:
             self.digital[register] = {at: forms.kept_bit(value.name, at) for at in forms.places()}
 
     def forget(self, loop: LaunchLoop, launched: Launched) -> None:
-        """Give the registers that a loop writes unknown contents; its values become unknowns of
-        their names."""
+        """Give the registers that the words of a loop write unknown contents, and the registers of
+        its repeated names the unknown values of these names.
+
+        `launched`: the words of all launches."""
         forms = self.forms
         if any(bit != forms.diagrams.one for bit in self.digital["FLAG"].values()):
             raise PictureReplayError("FLAG is not 1 in all pixels between the steps of a loop")
-        for name in {name for ops in launched for op in ops for name in op.destinations}:
+        steps = launched[loop.first : loop.first + loop.launches]
+        for name in {name for ops in steps for op in ops for name in op.destinations}:
             if name in self.digital:
                 new_bit = forms.diagrams.new_variable
                 self.digital[name] = {at: new_bit(at) for at in forms.places()}

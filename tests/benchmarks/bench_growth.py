@@ -94,9 +94,9 @@ FAMILIES: dict[str, tuple[Callable[[int], str], int]] = {
     "and": (lambda n: frame(n, "code stop : 1..N code k : 0..3 "
                             "open when n < stop and n % 4 != k"), 512),
     "or": (lambda n: frame(n, "code stop : 1..N code k : 0..3 "
-                           "open when n < stop or n % 4 == k"), 256),
+                           "open when n < stop or n % 4 == k"), 512),
     "xor": (lambda n: frame(n, "code stop : 1..N code k : 0..3 "
-                            "open when n < stop xor n % 4 == k"), 256),
+                            "open when n < stop xor n % 4 == k"), 512),
     "looks": (lambda n: f"nsl 2 frame {n} slots of 500us sense bright when light > 50% "
               f"at n % 4 == 0 and n > 0 state seen : 0..{n} = 0 "
               "next seen = looks when bright and seen == 0 open when seen == 0 read seen", 32),

@@ -51,6 +51,17 @@ def test_composed_rules_run_on_chips_with_few_registers(rule, target):
     assert words(problem(rule, 12), target)
 
 
+ONE_SCRATCH = [rule for rule in RULES if " == k" in rule or "!= k" in rule]
+ONE_SCRATCH.remove("n >= stop and n % 4 != k")
+
+
+@pytest.mark.parametrize("rule", ONE_SCRATCH)
+def test_one_scratch_register_is_enough(rule):
+    found = words(problem(rule, 64), chip(10))  # 6 + 2 planes and a state
+    assert found
+    assert min(found) <= 19 * 64
+
+
 def test_rules_of_three_parts_take_few_words():
     codes = "code stop : 1..N code k : 0..3 code j : 0..2"
     rule = "(n < stop and n % 4 != k) or n % 3 == j"
