@@ -31,6 +31,7 @@ class CellRejected(Rejected):
     """Raised for errors in a cell; IPython shows them without a traceback."""
 
     def _render_traceback_(self) -> list[str]:
+        """Return what a notebook shows instead of a Python traceback: the messages."""
         return str(self).splitlines()
 
 
@@ -38,11 +39,15 @@ class _Usage(Exception):
     """Raised for invalid options in the first line of a cell."""
 
     def _render_traceback_(self) -> list[str]:
+        """Return what a notebook shows instead of a Python traceback: the message."""
         return str(self).splitlines()
 
 
 class _Line(argparse.ArgumentParser):
+    """The parser of the line after `%%nsl`."""
+
     def error(self, message: str) -> NoReturn:
+        """Raise an error with the message and the usage, instead of ending the process."""
         raise _Usage(f"%%nsl: {message}\n{self.format_usage().strip()}")
 
 

@@ -64,6 +64,8 @@ class InvalidRecord(ValueError):
     """Raised for values that their hints do not allow; the text names the field and the reason."""
 
     def __init__(self, reason: str, place: str = "") -> None:
+        """Say why the value at `place`, a path of keys such as `.words[3]`, or the whole value
+        ("") is invalid."""
         super().__init__(f"`{place.removeprefix('.')}` {reason}" if place else f"it {reason}")
         self.reason, self.place = reason, place
 
@@ -181,6 +183,7 @@ class _Field(NamedTuple):
 
     @property
     def place(self) -> str:
+        """The field's part of a path in messages."""
         return f".{self.key}" if self.key else self.name
 
 
@@ -250,22 +253,26 @@ _NAMES: Mapping[type, str] = defaultdict(
 
 
 def _refused(value: Any, needed: str) -> InvalidRecord:
+    """Return the error of a value that is not of the `needed` kind."""
     return InvalidRecord(f"is {_shown(value)}, not {needed}")
 
 
 def _instance(kind: type, value: Any) -> Any:
+    """Return a value of exactly this type; raise InvalidRecord for others."""
     if type(value) is not kind:
         raise _refused(value, _NAMES[kind])
     return value
 
 
 def _integer(value: Any) -> int:
+    """Return a 64-bit integer; raise InvalidRecord for other values."""
     if type(value) is not int or not -(1 << 63) <= value < 1 << 63:
         raise _refused(value, _NAMES[int])
     return value
 
 
 def _number(value: Any) -> float:
+    """Return a finite number as float; raise InvalidRecord for other values."""
     if type(value) not in (int, float) or not -_MOST_FLOAT < value < _MOST_FLOAT:
         raise _refused(value, _NAMES[float])
     return float(value)
@@ -280,6 +287,8 @@ _SCALARS: dict[Any, Convert] = {
 
 
 def _read_fraction(items: list[Any]) -> Fraction:
+    """Return the fraction that numerator and denominator give; raise InvalidRecord for other
+    values."""
     if not all(type(item) is int for item in items) or items[1] == 0:
         raise InvalidRecord("is not a fraction: two integers, the second not 0")
     return Fraction(*items)

@@ -76,13 +76,12 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
     return OnChip(
         target,
         compiled,
-        None,
-        layout.shortest_slot_us,
-        layout.frame_us + kind.readout_us(container),
-        layout.bits_a_frame,
-        layout.bits_per_us,
-        stored,
-        noise,
+        shortest_slot_us=layout.shortest_slot_us,
+        frame_us=layout.frame_us + kind.readout_us(container),
+        sent_bits=layout.bits_a_frame,
+        bits_per_us=layout.bits_per_us,
+        stored=stored,
+        noise_e=noise,
     )
 
 
@@ -127,14 +126,18 @@ def compared_json(chips: Sequence[OnChip]) -> list[dict[str, Any]]:
 
 
 def _time(us: float | None) -> str:
+    """Return a length of slots as text: ? if unknown, "any" if 0."""
     return "?" if us is None else time_text(us) if us else "any"
 
 
 def _noise(index: int) -> Callable[[OnChip], str]:
+    """Return a function that gives the noise of a chip as text: in the dark (index 0) or at half
+    a full well (1)."""
     return lambda chip: "?" if chip.noise_e is None else f"{chip.noise_e[index]:.3g} e"
 
 
 def _sent(chip: OnChip) -> str:
+    """Return the amount of data for each frame as text, ? if unknown."""
     if chip.sent_bits is None:
         return "?"
     return f"{chip.sent_bits} bits" if chip.sent_bits else "nothing"

@@ -99,6 +99,8 @@ def examples() -> Mapping[str, Path]:
 
 
 def _folder(installed: str, of_sources: str) -> Path:
+    """Return the folder `installed` beside this file, or, in a checkout, the folder
+    `of_sources`."""
     folder = Path(__file__).with_name(installed)
     return folder if folder.is_dir() else Path(__file__).resolve().parents[1] / of_sources
 

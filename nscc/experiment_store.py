@@ -243,6 +243,7 @@ class ExperimentStore:
         self._claims = None
 
     def __enter__(self) -> Self:
+        """Return the store, which is closed at the end of the `with` block."""
         return self
 
     def __exit__(
@@ -261,6 +262,7 @@ class ExperimentStore:
 
 
 def _is_locked(error: Exception) -> bool:
+    """Return whether SQLite failed because another process writes the file."""
     primary = getattr(error, "sqlite_errorcode", 0) & 0xFF
     return primary in (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED)
 

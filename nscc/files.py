@@ -220,6 +220,7 @@ def _fill(file: BinaryIO, data: Product) -> None:
 
 
 def _cannot_write(path: Path, error: OSError) -> Rejected:
+    """Return the error (NS0784) for a file that cannot be written."""
     reason = error.strerror or str(error)
     help_text = "choose a file that you may write, in a folder with enough space"
     return rejected("NS0784", f"cannot write '{path}': {reason}", helps=(help_text,))

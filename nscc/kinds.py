@@ -46,6 +46,8 @@ class KindTable(Generic[Base]):
     not treat differently is left out."""
 
     def __init__(self, base: type[Base], **classes: str) -> None:
+        """Begin with the base of all kinds, and for each kind "module:class", which is imported
+        when it is needed."""
         self._base, self._classes = base, classes
         self._combined = cache(self._combine)
 

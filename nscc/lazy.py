@@ -12,9 +12,11 @@ class LazyFunctions:
     """The functions of a module, which is imported when one of them is first called."""
 
     def __init__(self, module: str) -> None:
+        """Stand for the functions of a module that is not imported yet."""
         self._module = module
 
     def __getattr__(self, name: str) -> Any:
+        """Return a function that imports the module and calls its function `name`."""
         return lambda *arguments: getattr(import_module(self._module), name)(*arguments)
 
 

@@ -40,6 +40,7 @@ class OperandError(Exception):
     `index` is the invalid operand, None if no single operand is invalid."""
 
     def __init__(self, message: str, index: int | None = None) -> None:
+        """Say what is wrong with operand number `index`, or with all of them."""
         super().__init__(message)
         self.message = message
         self.index = index
@@ -123,6 +124,7 @@ def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -
 
 
 def _listed(names: Sequence[str] | dict[str, int]) -> str:
+    """Return the names of registers as text, with the digital ones as "R0, R1, .."."""
     listed = [name for name in names if not (name[:1] == "R" and name[1:].isdecimal())]
     digital = len(listed) < len(tuple(names))
     return ", ".join((["R0, R1, .."] if digital else []) + listed)
@@ -138,6 +140,7 @@ def _native(row: Operation) -> Mnemonic:
     split = None if high is None else low
 
     def write(operands: Sequence[str]) -> Ops:
+        """Return the one word of an instruction that the chip has."""
         at = len(operands) if split is None else split
         return (_word(row, operands[:at], operands[at:]),)
 
@@ -163,6 +166,7 @@ def _in_place(kind: str, operands: Sequence[str]) -> Ops:
 
 
 def _not(x: Sequence[str]) -> Ops:
+    """Return the words that invert a register, in place if there is only one operand."""
     return _in_place("NOR", x) if len(x) == 1 else (_word(BY_NAME["NOT"], x[:1], x[1:]),)
 
 
@@ -262,6 +266,7 @@ def _macros() -> Iterator[Mnemonic]:
 
 
 def _written(forms: Mapping[int, _Form], arguments: Sequence[str]) -> Ops:
+    """Return the words of an instruction by its number of operands."""
     return forms[len(arguments)].write(arguments)
 
 

@@ -251,6 +251,7 @@ class Op:
         return self.operation.analog
 
     def __str__(self) -> str:
+        """Return the word as text: name, destinations, sources."""
         return " ".join((self.name, ", ".join(self.destinations + self.sources))).strip()
 
 

@@ -197,6 +197,7 @@ class Compiled(Record):
         return float(self.layout.shortest_slot_us)
 
     def __repr__(self) -> str:
+        """Return name, class and container as one line."""
         words = "no words" if self.container is None else f"{self.container!r}"
         return f"Compiled({self.program.source.name!r}, class {self.program.class_name}: {words})"
 
@@ -366,6 +367,7 @@ class Unfit(Rejected):
     """Raised for a valid program that does not fit its target."""
 
     def __init__(self, program: Program, diagnostics: Sequence[Diagnostic]) -> None:
+        """Say that a program, which is correct in itself, does not fit its chip."""
         super().__init__(diagnostics)
         self.program = program
 

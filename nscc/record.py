@@ -12,11 +12,13 @@ class _Fields:
     """The attribute that `dataclasses.replace` and `fields` read, computed when they are called."""
 
     def __get__(self, _instance: object, cls: type[Record]) -> Mapping[str, Field[Any]]:
+        """Return the fields of a record class, which `dataclasses.fields` reads."""
         return _fields(cls)  # type: ignore[arg-type]  # mypy mistakes a class for its instances
 
 
 @cache
 def _fields(cls: type[Record]) -> Mapping[str, Field[Any]]:
+    """Return the fields of a record class as those of a dataclass; cached."""
     alike: Any = dataclass(type("", (), {"__annotations__": dict.fromkeys(cls.field_names)}))
     fields: Mapping[str, Field[Any]] = alike.__dataclass_fields__
     return fields
@@ -51,17 +53,22 @@ class Record:
         self.__dict__.update(zip(names, values, strict=True))
 
     def __setattr__(self, name: str, value: Any) -> None:
+        """Raise AttributeError: records do not change."""
         raise AttributeError(f"{type(self).__name__}.{name} is frozen")
 
     def _values(self) -> tuple[Any, ...]:
+        """Return the values of all fields in order."""
         return tuple([self.__dict__[name] for name in self.field_names])
 
     def __eq__(self, other: object) -> bool:
+        """Return whether both are of one class with equal values."""
         return type(other) is type(self) and self._values() == other._values()
 
     def __hash__(self) -> int:
+        """Return a hash of class and values."""
         return hash((type(self), *self._values()))
 
     def __repr__(self) -> str:
+        """Return the class with all values by name."""
         values = ", ".join(f"{name}={self.__dict__[name]!r}" for name in self.field_names)
         return f"{type(self).__name__}({values})"

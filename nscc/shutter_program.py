@@ -243,12 +243,14 @@ class ShutterProgram:
         )
 
     def _repr_html_(self) -> str:
+        """Return the card that a notebook shows."""
         from nscc.emit.notebook import program_card
 
         return program_card(self.name, self.container, self.compiled)
 
     @cached_property
     def _replayed(self) -> NDArray[np.bool_]:
+        """Return the shutters that the words open, bool (buckets, shutters, slots)."""
         return replayed(self.container, f"'{self.name}'")
 
     @cached_property

@@ -29,6 +29,7 @@ class Source(Record):
 
     @cached_property
     def _line_starts(self) -> list[int]:
+        """Where each line begins."""
         starts = [0]
         starts.extend(i + 1 for i, ch in enumerate(self.text) if ch == "\n")
         return starts

@@ -130,6 +130,7 @@ def _printer(after: str | None) -> Observer | None:
         )
 
     def see(compiler_pass: Pass, value: Any) -> None:
+        """Print what a pass made, if it is the one that was asked for."""
         if compiler_pass.name == after:
             _print(compiler_pass.text(value).encode())
 
@@ -137,5 +138,6 @@ def _printer(after: str | None) -> Observer | None:
 
 
 def _print(data: bytes) -> None:
+    """Write bytes to the terminal or pipe at once."""
     sys.stdout.buffer.write(data)
     sys.stdout.buffer.flush()

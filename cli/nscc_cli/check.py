@@ -146,6 +146,7 @@ def rounds(files: Callable[[], Iterable[Path]]) -> Iterator[list[str]]:
 
 
 def _states(files: Iterable[Path]) -> dict[Path, State]:
+    """Return the state of each file, by which a change is seen."""
     return {path: _state(path) for path in files}
 
 

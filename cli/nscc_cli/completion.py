@@ -33,6 +33,7 @@ class Name(click.types.StringParamType):
         signs: str = "",
         ending: str = "",
     ) -> None:
+        """Complete names from `source`, and from further ones."""
         self.source, self.more, self.ending = source, further_names, ending
         self.files, self.several, self.signs = files, several, signs
 
@@ -60,6 +61,7 @@ class RunPath(click.Path):
     """The click type of a run folder; the shell also suggests shipped runs and `more`."""
 
     def __init__(self, further_names: Sequence[str] = (), path_type: type[Any] = Path) -> None:
+        """Complete paths of runs, and further names."""
         super().__init__(path_type=path_type)
         self.more = further_names
 

@@ -36,6 +36,7 @@ class _Evaluations(Subcommands):
     others = ("or name a run or a baseline: `nscc evaluate hdr --data DIR --protocol hdr-v1`",)
 
     def accepts(self, name: str) -> bool:
+        """Return True: every name may be a run or a baseline."""
         return True
 
 

@@ -91,6 +91,7 @@ def _memory_text(error_text: str, on_gpu: bool) -> str:
 
 
 def _no_memory(error: Exception) -> bool:
+    """Return whether memory is exhausted."""
     from nscc_training.problems import is_out_of_memory
 
     return is_out_of_memory(error)

@@ -124,8 +124,11 @@ def make_server() -> Server:
 
 
 def _add(server: Server, feature: str, options: Any, answer: Callable[..., Any]) -> None:
+    """Answer the requests of a feature of the protocol by `answer`."""
+
     @server.feature(feature, options)
     async def answered(params: Any) -> Any:
+        """Answer a request."""
         return await answer(params)
 
 
@@ -139,11 +142,13 @@ def _take_texts(server: Server) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
     def did_open(params: types.DidOpenTextDocumentParams) -> None:
+        """Take the text of an opened document."""
         opened = params.text_document
         server.take(opened.uri, opened.text, opened.version)
 
     @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)
     def did_change(params: types.DidChangeTextDocumentParams) -> None:
+        """Take the last text of a changed document."""
         changed = params.text_document
         for change in params.content_changes[-1:]:
             server.take(changed.uri, change.text, changed.version)
@@ -158,12 +163,14 @@ def _take_texts(server: Server) -> None:
 
     @server.feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def files_changed(params: types.DidChangeWatchedFilesParams) -> None:
+        """Check all documents again: a file that they name has changed."""
         for uri, document in [*server.documents.items()]:
             server.take(uri, document.text, server.versions[uri])
 
     @server.feature(types.SHUTDOWN)
     @server.feature(types.EXIT)
     def end(_: None) -> None:
+        """Forget all documents, so that nothing more is published."""
         server.documents.clear()  # nothing is published of texts whose check still runs
 
 
@@ -189,12 +196,14 @@ def _completions(
 
 
 def _symbols(document: Document, at: Positions, _params: object) -> list[types.DocumentSymbol]:
+    """Return the outline of a document."""
     return [values.symbol(entry, at) for entry in outline(document)]
 
 
 def _hints(
     document: Document, at: Positions, params: types.InlayHintParams
 ) -> list[types.InlayHint]:
+    """Return the hints in a range of a document."""
     shown = at.span(params.range)
     inside = (hint for hint in hints(document) if shown.start <= hint.offset <= shown.end)
     return [types.InlayHint(at.of(h.offset), h.text, padding_left=True) for h in inside]
@@ -250,10 +259,12 @@ def _formatted(document: Document, at: Positions, _params: object) -> list[types
 
 
 def _name(document: Document, at: Positions, params: types.PrepareRenameParams) -> types.Range:
+    """Return the range of the name at a position; raise Rejected if it cannot be renamed."""
     return at.range(renameable(document, at.offset(params.position)).span)
 
 
 def _renamed(document: Document, at: Positions, params: types.RenameParams) -> types.WorkspaceEdit:
+    """Return the edits that rename the name at a position."""
     places = renamed(document, at.offset(params.position), params.new_name)
     changes = [(place, params.new_name) for place in places]
     return values.edits(params.text_document.uri, changes, at)
@@ -287,4 +298,5 @@ def _is_of(kind: str | None, kinds: Sequence[str]) -> bool:
 
 
 def _document_span(document: Document) -> Span:
+    """Return the span of the whole text."""
     return Span(0, len(document.text))

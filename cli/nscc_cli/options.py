@@ -34,6 +34,7 @@ def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
     """Combine several options into one decorator; `--help` lists them in this order."""
 
     def add(function: Command) -> Command:
+        """Add all options to a command, in their order."""
         for decorator in reversed(options):
             function = decorator(function)
         return function
@@ -141,6 +142,7 @@ def _option(key: Key, defaults: Mapping[str, Any]) -> Callable[..., Any]:
 
 
 def _default_text(key: Key) -> str:
+    """Return the default of a key for its help, "" without one."""
     if key.default_text is not None:
         return key.default_text
     return "" if key.default in (None, MISSING) else str(key.default)

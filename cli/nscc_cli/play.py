@@ -98,6 +98,7 @@ class _Handler(BaseHTTPRequestHandler):
     needs the token, and the header `Host` must name this computer."""
 
     def __init__(self, pages: _Pages, *arguments: Any) -> None:
+        """Answer with these pages."""
         self.pages = pages
         super().__init__(*arguments)
 
@@ -152,9 +153,11 @@ class _Handler(BaseHTTPRequestHandler):
         return None
 
     def _fail(self, status: HTTPStatus, text: str) -> None:
+        """Answer with an error."""
         self._send(f"{text}\n".encode(), "text/plain; charset=utf-8", status)
 
     def _send(self, data: bytes, kind: str, status: HTTPStatus = HTTPStatus.OK) -> None:
+        """Answer with data; do nothing if the page was closed."""
         with suppress(ConnectionError):  # the page was closed
             self._write(data, kind, status)
 

@@ -90,4 +90,5 @@ def _is_mask(path: Path) -> bool:
 
 
 def _compiling(path: Path, options: Options) -> AbstractContextManager[None]:
+    """Show in the terminal that a program is being compiled."""
     return waiting(f"compiling {path.name} at -O{options.level}")

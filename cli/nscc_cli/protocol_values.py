@@ -23,6 +23,7 @@ class Positions:
     """A converter between character offsets and protocol positions of one text."""
 
     def __init__(self, text: str) -> None:
+        """Find where the lines of the text begin."""
         self.text = text
         self._starts = [0, *(line_end.end() for line_end in _LINE_END.finditer(text))]
 
@@ -33,6 +34,7 @@ class Positions:
         return types.Position(line, _units(self.text[self._starts[line] : offset]))
 
     def range(self, span: Span) -> types.Range:
+        """Return the protocol's range of a span."""
         return types.Range(self.of(span.start), self.of(span.end))
 
     def offset(self, position: types.Position) -> int:
@@ -51,10 +53,12 @@ class Positions:
         return begin + len(line)
 
     def span(self, lsp_range: types.Range) -> Span:
+        """Return the span of a range of the protocol."""
         return Span(self.offset(lsp_range.start), self.offset(lsp_range.end))
 
 
 def _units(text: str) -> int:
+    """Return the length of a text in 16-bit units, which the protocol counts."""
     return len(text) + sum(character > "\uffff" for character in text)
 
 

@@ -17,16 +17,20 @@ class _Dropping(io.RawIOBase):
     """A descriptor for writing. An error is remembered as `failure`, and its data dropped."""
 
     def __init__(self, descriptor: int) -> None:
+        """Write to a descriptor, and remember the first failure."""
         self.descriptor = descriptor
         self.failure: OSError | None = None
 
     def writable(self) -> bool:
+        """Return True."""
         return True
 
     def fileno(self) -> int:
+        """Return the descriptor."""
         return self.descriptor
 
     def isatty(self) -> bool:
+        """Return whether the descriptor is a terminal."""
         return os.isatty(self.descriptor)
 
     def write(self, data: Any) -> int | None:

@@ -167,6 +167,7 @@ class OutPath(click.Path):
     """The path of an output file; all other paths are input files of their command."""
 
     def __init__(self, path_type: type[Any] = Path) -> None:
+        """Take paths of output files."""
         super().__init__(path_type=path_type)
 
 
@@ -244,6 +245,7 @@ def _paths(value: Any) -> Iterator[Path]:
 
 
 def _to_session(context: click.Context, option: click.Parameter, value: Any) -> None:
+    """Store the value of an option, if it is given, for the whole command."""
     if value:
         setattr(context.find_root().ensure_object(Session), str(option.name), value)
 
@@ -338,6 +340,7 @@ def waiting(task: str) -> Iterator[None]:
 
 
 def _draws() -> bool:
+    """Return whether progress is drawn: on a terminal, with messages for people."""
     return sys.stderr.isatty() and session().message_format == "human"
 
 

@@ -113,6 +113,7 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
     limits: list[Limit] = []
 
     def trials() -> Iterator[object]:
+        """Yield each compiled size; the limits are stored at the end."""
         limits.extend((yield from survey(target, Options(level=level), slots)))
 
     for _ in progress(trials(), "compiling programs"):

@@ -79,6 +79,7 @@ class Store(Record):
         self._make_room()
 
     def entries(self) -> int:
+        """Return the number of entries in the folder."""
         return sum(1 for _ in self._files(_ENTRY))
 
     def bytes_used(self) -> int:
@@ -122,9 +123,11 @@ class Store(Record):
 
 
 def _head(key: str, data: bytes) -> bytes:
+    """Return the first line of an entry: the format, its key and the digest of its `data`."""
     return b" ".join((_FORMAT, key.encode(), sha256(data).hexdigest().encode()))
 
 
 def _remove(path: Path) -> None:
+    """Delete a file; do nothing if that is not possible."""
     with suppress(OSError):
         path.unlink()

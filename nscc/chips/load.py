@@ -180,6 +180,7 @@ def target_toml(target: Target) -> str:
     """Return a complete, commented target file from which `load_target` reads the same target."""
 
     def remark(key: Key) -> str:
+        """Return the comment on a key: its meaning and the source of its value."""
         return f"{key.meaning} ({key.source})" if key.source else key.meaning if key.section else ""
 
     head = (
@@ -241,6 +242,7 @@ def _target(key_values: KeyValues) -> Target:
 
 
 def _values(target: Target) -> dict[str, Any]:
+    """Return the values of a target by path of their key in the file."""
     return {key.path: getattr(target, key.attribute) for key in keys_of(Target)}
 
 

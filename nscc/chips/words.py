@@ -55,6 +55,7 @@ class OwnWords(Kind):
 
     @property
     def allowed(self) -> str:
+        """Which values a target file may have here, for messages."""
         return f"a list of at most {_MOST} [[words]], each different from every other word"
 
     def read(self, value: Any) -> tuple[Operation, ...]:
@@ -76,6 +77,7 @@ class OwnWords(Kind):
         return tuple(operations)
 
     def plain(self, value: Any) -> Any:
+        """Return the words as values that TOML can hold."""
         return [_plain(row) for row in value]
 
 
@@ -214,4 +216,5 @@ def _meet(first: tuple[int, int | None], second: tuple[int, int | None]) -> bool
 
 
 def _is_integer_within(value: Any, low: int, high: int) -> bool:
+    """Return whether a value is an integer from `low` to `high`; True and False are none."""
     return isinstance(value, int) and not isinstance(value, bool) and low <= value <= high

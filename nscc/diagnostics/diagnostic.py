@@ -37,6 +37,7 @@ class Rejected(Exception):
         return f"{type(self).__name__}({text!r})"
 
     def __str__(self) -> str:
+        """Return the diagnostics as text for a person."""
         from nscc.diagnostics.render import render  # computed only for diagnostics that are shown
 
         return render(self.diagnostics, "human").rstrip()

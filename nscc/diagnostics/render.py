@@ -55,6 +55,7 @@ def _place(diagnostic: Diagnostic) -> str:
 
 
 def _short(diagnostic: Diagnostic) -> str:
+    """Return a diagnostic as one line: place, severity, code and message."""
     place = _place(diagnostic)
     head = f"{diagnostic.severity}[{diagnostic.code}]: {_one_line(diagnostic.message)}"
     return f"{place}: {head}" if place else head
@@ -120,6 +121,7 @@ def _human(diagnostic: Diagnostic, color: bool) -> str:
 
 
 def _painted(code: str, text: str) -> str:
+    """Return a text in the colour that the terminal's escape `code` sets."""
     return f"{code}{text}{_PLAIN}"
 
 

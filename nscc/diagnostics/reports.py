@@ -116,4 +116,5 @@ def full_text(diagnostic: Diagnostic) -> str:
 
 
 def _escaped(text: str) -> str:
+    """Return a text as a workflow command of GitHub can hold it."""
     return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")

@@ -48,6 +48,7 @@ class Document:
 
     @cached_property
     def source(self) -> Source:
+        """The text with its name, as the compiler reads it."""
         return Source(self.name, self.text)
 
     @cached_property
@@ -63,6 +64,7 @@ class Document:
 
     @cached_property
     def tokens(self) -> Tokens:
+        """The tokens of the text; cached."""
         return lex(self.source)
 
     @cached_property

@@ -64,6 +64,7 @@ def renameable(document: Document, offset: int) -> Mention:
 
 
 def _predefined(document: Document) -> Set[str]:
+    """Return the names that the language defines, which depend on the document's version of it."""
     return {*PREDEFINED, *([LOOKS] if document.tokens.version > 1 else [])}
 
 

@@ -190,6 +190,7 @@ def choice_text(choice: Choice) -> str:
 
 
 def _misfits_text(misfits: Mapping[Lowering, Misfit]) -> str:
+    """Return a line for each lowering that does not fit, with the reason."""
     return "".join(f"{name:<11}{misfit.reason}\n" for name, misfit in misfits.items())
 
 

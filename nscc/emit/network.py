@@ -48,6 +48,7 @@ def network_of(lowered: Lowered) -> nx.DiGraph:
     maker.planes(solution.planes, solution.holders)
 
     def add(segments: Iterable[Segment], boundary: int) -> None:
+        """Add the gates of segments that run at a boundary."""
         for gate in chain.from_iterable(segments):
             maker.gate(gate, boundary)
 
@@ -136,6 +137,7 @@ class NetworkMaker:
         self.network.add_edge(self.holds[name], node)
 
     def _named(self, letter: str) -> str:
+        """Return a new name of a node, such as g0, g1, .."""
         self._counts[letter] += 1
         return f"{letter}{self._counts[letter] - 1}"
 

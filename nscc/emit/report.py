@@ -88,6 +88,7 @@ def report_bytes(values: dict[str, Any]) -> bytes:
 
 
 def _range(lowered: Lowered) -> dict[str, int]:
+    """Return the fewest and the most analog words that a pixel executes, as JSON values."""
     least, most = lowered.plan.analog_writes
     return {"min": least, "max": most}
 

@@ -253,6 +253,7 @@ def _limit_values(limit: Limit) -> dict[str, Any]:
 
 
 def _trial_values(trial: SizeTrial) -> dict[str, Any]:
+    """Return a compiled size as JSON values: its figures if it fits, else the reason why not."""
     why = {"code": trial.code, "reason": trial.reason, "proved": trial.proved}
     return {"size": trial.size, "fits": trial.fits, **(trial.figures if trial.fits else why)}
 
@@ -305,6 +306,7 @@ def explore(
     trials: dict[int, SizeTrial] = {}
 
     def make(size: int) -> Generator[SizeTrial, None, bool]:
+        """Compile a size, yield the result, and return whether it fits."""
         trials[size] = attempt(size)
         yield trials[size]
         return trials[size].fits

@@ -98,6 +98,7 @@ def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOu
 
 
 def _way_out(change: str, why: str, lowered: Lowered, level: int, **data: int) -> WayOut:
+    """Return a change of the program that makes it fit, with the words that it then needs."""
     words = lowered.schedule.words_total / len(lowered.program.frame.slot_us)
     return WayOut(f"{change:<24}{why}: {words:.3g} words a slot at -O{level}", data)
 
@@ -131,6 +132,7 @@ def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayO
     )
 
     def of_first(count: int) -> Source:
+        """Return the program with the first `count` rows of its codebook."""
         return _book(program, table.shutters[table.shutter_of_code[:count]])
 
     count, lowered, remark = _largest(1, most, of_first, partial(attempt, level=level), _ROW_TRIALS)

@@ -346,4 +346,5 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
 
 
 def _names(planes: Iterable[int]) -> list[str]:
+    """Return the names of code planes by number."""
     return [f"p{plane}" for plane in planes]

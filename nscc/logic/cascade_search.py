@@ -92,9 +92,11 @@ class _Values:
     cubes: Indices
 
     def __len__(self) -> int:
+        """Return the number of values."""
         return len(self.on)
 
     def take(self, indices: Indices | NDArray[np.bool_]) -> _Values:
+        """Return some of the values, by index or by mask."""
         return _Values(*(array[indices] for array in vars(self).values()))
 
     def swapped(self) -> _Values:

@@ -164,10 +164,12 @@ class _Writer:
         return _Covered([cubes for cubes, _ in chosen], [inverted for _, inverted in chosen])
 
     def _end_segment(self) -> None:
+        """Add the gates so far as a segment, if there are any."""
         if pending := self.gates.take():
             self.segments.append(pending)
 
     def _scratch(self) -> str:
+        """Return a free scratch register, which is then in use; raise GaveUp if there is none."""
         if not self.free:
             raise GaveUp("no register is left to compute with")
         return self.free.pop(0)

@@ -36,6 +36,7 @@ class Budget:
     """A number of search steps; the same input always takes the same number."""
 
     def __init__(self, steps: int) -> None:
+        """Begin with this number of steps."""
         self.left = steps
 
     def spend(self, steps: int) -> None:
@@ -137,6 +138,7 @@ class Standing:
     """The polarity (`inverted` = 1) of each plane while gates are emitted."""
 
     def __init__(self, gates: Gates, planes: int) -> None:
+        """Begin with all planes not inverted."""
         self._gates = gates
         self.inverted = [0] * planes
 

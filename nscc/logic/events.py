@@ -92,7 +92,7 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
     fitting.sort(key=lambda chosen: (sum(f.turns for f in chosen), sum(f.planes for f in chosen)))
     for chosen in fitting[:_MOST_TRIED]:
         stored = room - sum(form.planes for form in chosen)
-        for stored_demands in {0, stored}:
+        for stored_demands in sorted({0, stored}):
             with suppress(GaveUp):
                 yield from walk(
                     problem, machine, _script(problem, events, chosen, stored_demands), steps

@@ -82,6 +82,7 @@ class Generator(Record):
 
     @property
     def least_level(self) -> int:
+        """The lowest optimization level that uses this generator."""
         return FROM_LEVEL[self.kind] if self.from_level is None else self.from_level
 
 
@@ -90,6 +91,7 @@ def _emitted(kind: Kind, encode: Callable[[Problem, Machine, Budget], Encoding])
     gates."""
 
     def solve(problem: Problem, machine: Machine, steps: int) -> tuple[Solution]:
+        """Return the one solution that follows from an encoding."""
         return (emit(problem, machine, encode(problem, machine, Budget(steps))),)
 
     return Generator(kind, solve)

@@ -36,6 +36,7 @@ class Gate:
     sources: tuple[str, ...]
 
     def __str__(self) -> str:
+        """Return the gate as text, such as `t0 = NOR(p1, p2)`."""
         return f"{self.destination} = {self.name}({', '.join(self.sources)})"
 
     @property
@@ -167,6 +168,7 @@ class Gates:
     """A list of gates; gates with more sources than one word accepts are split."""
 
     def __init__(self, machine: Machine) -> None:
+        """Begin without gates."""
         self._machine = machine
         self._gates: list[Gate] = []
 
@@ -230,6 +232,7 @@ class Gates:
         self._append(name, destination, [destination] * in_place + other_sources)
 
     def _append(self, name: str, destination: str, sources: Sequence[str]) -> None:
+        """Append a gate; one with a single source becomes NOT or MOV."""
         if len(sources) == 1:
             name = {"NOR": "NOT", "OR": "MOV"}[name]
         self._gates.append(Gate(name, destination, tuple(sources)))

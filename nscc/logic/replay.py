@@ -52,6 +52,7 @@ def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
 
 
 def _names(kind: str, count: int) -> list[str]:
+    """Return `count` names of registers of a kind: p0, p1, .."""
     return [f"{kind}{i}" for i in range(count)]
 
 
@@ -117,6 +118,7 @@ class _Frame:
             self._forget(self.scratch)
 
     def _forget(self, registers: Sequence[str]) -> None:
+        """Make the contents of these registers unknown."""
         self.contents |= dict.fromkeys(registers)
 
     def _known(self, name: str, gate: Gate) -> int:

@@ -105,6 +105,7 @@ def _splits(
 
 
 def only_opens(bits: Open) -> bool:
+    """Return whether shutters, bool (shutters, slots), never close again after they open."""
     return not np.any(bits[:, :-1] & ~bits[:, 1:])
 
 

@@ -75,6 +75,7 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
         return gates.take()
 
     def all_of(run: tuple[Segment, ...]) -> tuple[Segment, ...]:
+        """Return segments in which no gate reads more sources than the machine allows."""
         return tuple(narrow(segment) for segment in run)
 
     return replace(
@@ -86,6 +87,7 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
 
 
 def _all_gates(script: Script) -> Iterator[Gate]:
+    """Yield all gates that a script itself contains."""
     runs = (script.opening, *script.before.values(), script.closing)
     return chain.from_iterable(chain.from_iterable(runs))
 
@@ -163,6 +165,7 @@ class _Walker:
                     raise GaveUp("the script needs more scratch registers than there are")
 
     def _use(self, scratch: str) -> None:
+        """Count a scratch register as used."""
         self.used = max(self.used, int(scratch[1:]) + 1)
 
     def _answer(self, index: int) -> Segment:
@@ -274,6 +277,7 @@ class _Walker:
         None if all scratch registers are in `busy`."""
 
         def missed(name: str) -> int:
+            """Return for how long the value of a register is still needed; 0 if it holds none."""
             vector = self.values.get(name)
             return life(vector, ahead[1:]) if vector else 0
 
@@ -288,6 +292,7 @@ class _Walker:
         self._use(destination)
 
     def _or(self, sources: Sequence[str], inverted: bool) -> int:
+        """Return the truth vector of the OR, or the NOR, of registers."""
         value = union(self.values[name] for name in sources)
         return self.problem.everything & ~value if inverted else value
 

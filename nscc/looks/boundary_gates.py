@@ -35,6 +35,7 @@ class GateSequence(Record):
 
     @cached_property
     def words(self) -> int:
+        """The number of words of all gates."""
         return sum(gate.words for gate in self.gates)
 
     @property
@@ -57,9 +58,11 @@ class Board:
 
     @property
     def words(self) -> int:
+        """The number of words of all gates so far."""
         return sum(gate.words for gate in self.gates)
 
     def copy(self) -> Board:
+        """Return a board with the same gates and contents, which can be continued on its own."""
         return Board(self.machine, self.everything, dict(self.values), list(self.gates))
 
     def fresh(self) -> str:
@@ -216,6 +219,7 @@ class Board:
         names_left = self.unused_scratch(destination)
 
         def scratch(vector: int) -> str:
+            """Return the next scratch register, and note that it holds `vector`."""
             name = next(names_left)
             scratch_values[name] = vector
             return name
@@ -303,6 +307,7 @@ def _ordered(board: Board, new_values: dict[str, int], best: Board | None) -> Bo
 
 
 def _without(name: str, new_values: dict[str, int]) -> dict[str, int]:
+    """Return contents of registers without one register."""
     return {register: v for register, v in new_values.items() if register != name}
 
 

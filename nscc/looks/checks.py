@@ -44,6 +44,7 @@ def check_looking_plan(plan: LookingPlan) -> None:
 
 
 def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
+    """Return a truth vector as an array, bool (lanes,)."""
     flags = np.zeros(lanes, np.bool_)
     flags[members(vector, lanes)] = True
     return flags

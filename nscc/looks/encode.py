@@ -128,6 +128,7 @@ def _of_state(count: int) -> Iterator[tuple[str, Rows]]:
 
 
 def _binary(numbers: Sequence[int], width: int) -> Rows:
+    """Return the binary digits of numbers, bool (numbers, width), lowest first."""
     return (np.array(numbers)[:, None] >> np.arange(width) & 1).astype(np.bool_)
 
 

@@ -48,15 +48,19 @@ class Looks(ProgramKind):
     has_simpler_programs = False
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
+        """Return the container of the best lowered program; it causes no diagnostics."""
         return container_of(layout.best, job.options.level), ()
 
     def replay(self, container: Container, kernels: Sequence[Sequence[Op]]) -> ReplayPixels:
+        """Return the symbolic replay of a container whose pixels look at their light."""
         return LookingReplay(container, kernels)
 
     def gates_text(self, lowered: Any) -> str:
+        """Return the gates of all looks and shutters as text."""
         return str(_REPORT.looking_gates_text(lowered))
 
     def network(self, lowered: Any) -> DiGraph:
+        """Return the network of gates of a lowered program as a graph."""
         from nscc.looks.network import LookingNetwork
 
         return LookingNetwork(lowered).build_network()

@@ -184,6 +184,7 @@ def _kernels(
     gates: list[Gate] = []
 
     def settle() -> None:
+        """Append the words of the gates so far to the kernel, and begin with no gates."""
         run.extend(words(Segment(gates) if gates else (), allocation))
         gates.clear()
 

@@ -26,6 +26,7 @@ class SetIn(Record):
     level: int
 
     def __str__(self) -> str:
+        """Return the step as text."""
         return f"IN at {self.level}"
 
 
@@ -73,10 +74,12 @@ class Solver:
         )
 
     def _plane(self, holder: str) -> str:
+        """Return the next code plane, which holds `holder`."""
         self.holders.append(holder)
         return f"p{len(self.holders) - 1}"
 
     def _state(self, holder: str) -> str:
+        """Return the next register of states, which holds `holder`."""
         self.states.append(holder)
         return f"s{len(self.states) - 1}"
 
@@ -130,6 +133,8 @@ class Solver:
         return contents
 
     def _columns(self, value_bits: ValueBits, values: NDArray[np.signedinteger]) -> list[int]:
+        """Return the truth vectors of the registers that store `values`, one of them for each
+        lane."""
         order = np.argsort(value_bits.values)
         rows = order[np.searchsorted(np.array(value_bits.values)[order], values)]
         return columns(value_bits.bits[rows])

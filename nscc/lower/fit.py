@@ -241,6 +241,7 @@ def _fewer_codes(program: Program) -> str:
 
 
 def _field_span(program: Program) -> Span:
+    """Return where the program declares its first field, or its first bucket if it has no field."""
     return program.fields[0].span if program.fields else program.buckets[0].span
 
 

@@ -45,6 +45,7 @@ class GateSearch:
 
     @property
     def machine(self) -> Machine:
+        """The costs and limits of gates on the program's chip."""
         return Machine.of(self.program.target)
 
     def priced(self, solution: Solution) -> Lowered:

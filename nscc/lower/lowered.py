@@ -33,14 +33,17 @@ class Lowered(Record):
     most_words: int | None
 
     def __repr__(self) -> str:
+        """Return the lowering and the number of words."""
         return f"Lowered({self.plan.lowering}, {self.schedule.words_total} words a frame)"
 
     @property
     def plan(self) -> ExposurePlan:
+        """The analog words and what FLAG must hold for them."""
         return self.decoding.plan
 
     @property
     def solution(self) -> Solution:
+        """The gates and the encoding."""
         return self.decoding.solution
 
     @cached_property
@@ -184,10 +187,12 @@ class Choice(Record):
 
     @property
     def best(self) -> Lowered:
+        """The best lowering."""
         return self.lowerings[0]
 
     @property
     def program(self) -> Program:
+        """The program that was lowered."""
         return self.best.program
 
     @property
@@ -212,6 +217,7 @@ def lay_out(
 
 
 def _reads_pix(step: PlanStep) -> bool:
+    """Return whether some word of a step reads the photodiode."""
     return any("PIX" in word.sources for word in step.words)
 
 

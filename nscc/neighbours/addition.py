@@ -93,6 +93,8 @@ def _orders(
 
 
 def _rank(node: _Node) -> tuple[object, ...]:
+    """Return the sort key of an unfinished order: fewest words first, counting one for each
+    neighbour left."""
     cost, left, content, used, _ = node
     return cost + len(left), sorted(left), content or (), sorted(used)
 
@@ -147,6 +149,7 @@ def _base(place: Offset) -> Offset:
 
 
 def _steps(place: Offset) -> list[Offset]:
+    """Return the steps, each to a direct neighbour, that lead to an offset."""
     x, y = place
     return [(1 if x > 0 else -1, 0)] * abs(x) + [(0, 1 if y > 0 else -1)] * abs(y)
 

@@ -85,6 +85,7 @@ class CountEmitter(Emitter):
     count_e: float
 
     def __init__(self, pictures: p.Pictures) -> None:
+        """Begin without words and without counted images."""
         super().__init__(pictures)
         self.ready: dict[str, list[tuple[Fraction, Held]]] = {}
         self.walks, self.spare, self.most_together = 0, "", MOST_IMAGES

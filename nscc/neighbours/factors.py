@@ -55,6 +55,7 @@ class Factor(Record):
 
     @classmethod
     def of(cls, taps: Taps, program: Program) -> Factor:
+        """Return the factor of a kernel with the words that compute it."""
         corner, size = box_of(taps)
         return cls(taps, program, max(taps), size, corner, _values_at_signs(taps))
 

@@ -33,6 +33,7 @@ class PictureRefused(Exception):
     `available` are numbers of registers or, for "range", the value relative to the range."""
 
     def __init__(self, kind: str, name: str, needed: float, available: float) -> None:
+        """Say that the image or plane `name` needs more of a resource than is available."""
         super().__init__(kind, name, needed, available)
         self.kind, self.name, self.needed, self.available = kind, name, needed, available
 

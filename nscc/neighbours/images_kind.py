@@ -29,14 +29,17 @@ class Images(ProgramKind):
         return container, [*found, *errors]
 
     def after_frame(self, container: Container) -> Failure | None:
+        """Return the failure of the proof of images and planes after the frame, or None."""
         from nscc.neighbours.pictures_proof import pictures_failure
 
         return super().after_frame(container) or pictures_failure(container)
 
     def report(self, compiled: Compiled) -> dict[str, Any]:
+        """Return the report of a program with what its images and planes cost."""
         report: dict[str, Any] = _REPORT.with_pictures(super().report(compiled), compiled.container)
         return report
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
+        """Return the rows of the summary, those of images and planes first."""
         rows = super().rows(compiled)
         return [*_REPORT.picture_rows(compiled.container), *rows] if rows else rows

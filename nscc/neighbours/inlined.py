@@ -48,6 +48,7 @@ def _inlined(pictures: p.Pictures, is_inlined: Callable[[p.Node], bool]) -> p.Pi
     nodes: dict[str, p.Node] = {}
 
     def changed(node: p.Node) -> Any:
+        """Return a node in which names are replaced by what they stand for."""
         if isinstance(node, p.Source | p.Bit):
             return nodes.get(node.name, node)
         return p.with_operands(node, changed)

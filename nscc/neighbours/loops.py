@@ -295,6 +295,7 @@ def _writes(word: Op, source: str, register: str) -> bool:
 
 
 def _contains(outer: Held, inner: Held) -> bool:
+    """Return whether the range of values `outer` contains `inner`, up to rounding."""
     slack = 1e-9 * max(abs(outer.low), abs(outer.high))
     return outer.low - slack <= inner.low and inner.high <= outer.high + slack
 

@@ -98,6 +98,7 @@ class Lowering(RegisterEmitter):
             ]
 
     def _image_cost(self, name: str, words: int, value: Held) -> p.PictureCost:
+        """Return the cost of an image: its words, its largest gain and the noise gain."""
         most = max(abs(value.low), abs(value.high))
         gain = most / max(self.pictures.limits_e.values())
         return p.PictureCost(name, words, gain, sqrt(value.variance))

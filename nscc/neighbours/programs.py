@@ -151,6 +151,7 @@ def turned(program: Program, turn: int) -> Program:
     names = {name: OF_STEP[a * x + b * y, c * x + d * y] for name, (x, y) in STEPS.items()}
 
     def of(operands: tuple[str, ...]) -> tuple[str, ...]:
+        """Return operands with directions replaced as the symmetry `names` requires."""
         return tuple(names.get(name, name) for name in operands)
 
     return tuple(BusWord(of(word.destinations), of(word.sources)) for word in program)
@@ -160,6 +161,8 @@ def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
     """Return the program with registers renamed by `names`, and all others prefixed."""
 
     def of(operand: str) -> str:
+        """Return an operand with its new name, or with the prefix; NEWS and neighbours keep
+        theirs."""
         if operand in names or operand == "NEWS" or operand in NEIGHBOURS:
             return names.get(operand, operand)
         return prefix + operand

@@ -88,6 +88,7 @@ def reuse(
 
 
 def _is_news(name: str) -> bool:
+    """Return whether an operand is NEWS, of the pixel itself or of a neighbour."""
     return name == "NEWS" or name in NEIGHBOURS
 
 
@@ -183,6 +184,7 @@ class RegisterEmitter(CountEmitter):
         return register
 
     def word(self, op: Op, level: Level = None) -> None:
+        """Emit a word, after which the registers that it writes hold nothing known."""
         super().word(op, level)
         for name in op.destinations:
             self.contents.pop("NEWS" if name in NEIGHBOURS else name, None)
@@ -220,6 +222,8 @@ class RegisterEmitter(CountEmitter):
         return self.negated(value) if value.sign < 0 else value
 
     def reuse_of(self, program: Program, value: Held) -> Reuse:
+        """Return how a program that computes from `value` can use values that registers still
+        hold."""
         base = f"{value.name or self._written(value.register)} {value.sign}"
         return reuse(program, base, self.contents, self.free, self.target.news_read_keeps)
 

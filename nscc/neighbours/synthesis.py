@@ -70,6 +70,7 @@ class Ranged(Record):
 
 
 def _names(values: list[object]) -> tuple[str, ...]:
+    """Return values as text."""
     return tuple(map(str, values))
 
 
@@ -204,6 +205,8 @@ class Synthesis:
         yield from self._with_centre_woven_in(taps, depth)
 
     def _programs_of_part(self, taps: Polynomial, depth: int) -> list[Program]:
+        """Return programs for a part of a kernel, at least the one that adds neighbour after
+        neighbour."""
         found = [ranged.program for ranged in self._programs(taps, depth)]
         return found or [_addition(frozenset(taps.items()), self.forms)]
 
@@ -246,6 +249,7 @@ class Synthesis:
 
 @lru_cache(maxsize=1 << 12)
 def _addition(key: Key, forms: WordForms) -> Program:
+    """Return the best program that adds one neighbour after another."""
     return additions(dict(key), forms, beam=_BEAM_OF_PARTS)[0]
 
 
@@ -339,6 +343,7 @@ def _woven(first: Program, second: Program, places: list[int]) -> Program:
 
 
 def _peak(taps: Taps) -> int:
+    """Return the largest magnitude of a kernel's sum, in units of its weights."""
     return max(UNIT, *_weights_by_sign(taps))
 
 
@@ -349,6 +354,7 @@ def gains(taps: Taps) -> tuple[Fraction, Fraction]:
 
 
 def _weights_by_sign(taps: Taps) -> tuple[int, int]:
+    """Return the sums of the positive and of the negative weights, both as positive numbers."""
     total = sum(taps.values())
     added_weight = sum(weight for weight in taps.values() if weight > 0)
     return added_weight, added_weight - total

@@ -33,6 +33,7 @@ class WordForms(Record):
         return [forms] if forms == public else [forms, public]
 
     def allow(self, word: BusWord) -> bool:
+        """Return whether the chip has a word of this form."""
         if NEIGHBOURS.keys().isdisjoint((*word.sources, *word.destinations)):
             return True
         return len(word.sources) <= self.sources and (self.halving or not word.halves)

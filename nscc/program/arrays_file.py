@@ -124,8 +124,10 @@ class ArraysFile:
             raise rejected("NS0313", f'"{self.shown}" cannot be read: {reason}') from error
 
     def _broken(self, reason: str) -> Rejected:
+        """Return the error (NS0313) for a damaged file."""
         return rejected("NS0313", f'"{self.shown}" is damaged: {reason}')
 
     def _unsuitable(self, key: str, reason: str, most: int) -> Rejected:
+        """Return the error (NS0314) for an array that is not `most` integers or fewer."""
         message = f'the array `{clipped(key)}` of "{self.shown}" cannot be used: {reason}'
         return rejected("NS0314", message, helps=(f"give at most {most} integers",))

@@ -99,6 +99,7 @@ def at_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
 
 
 def _without_refused(scope: dict[str, Meaning], declared: Declarations) -> dict[str, Meaning]:
+    """Return the scope, changed in place so that names with errors cause no further messages."""
     scope.update(dict.fromkeys(declared.refused - PREDEFINED.keys() - {LOOKS}, FAILED))
     return scope
 
@@ -196,6 +197,7 @@ class _Resolver:
         self.problems.error("NS0308", message, place, f"a frame has 1 to {MOST_SLOTS} slots")
 
     def _learn(self, name: str, meaning: Meaning) -> None:
+        """Store the meaning of a name; a refused name is not added to the scope."""
         self.known[name] = meaning
         if name not in self.declared.refused or name == "N":
             self.scope[name] = meaning

@@ -96,6 +96,7 @@ def _limited(node: Binary, a: Value, b: Value, faults: Faults, data: Data, beyon
     """Return `data` as a value, with faults where it is `beyond` the limit on integers."""
 
     def fault() -> Fault:
+        """Return the fault (NS0305) of the first value beyond the limit."""
         text = f"{clipped(a.data)} {node.op} {clipped(b.data)} is beyond 2^62 - 1"
         return Fault("NS0305", f"a number is too large: {text}", node.span, text)
 
@@ -103,28 +104,33 @@ def _limited(node: Binary, a: Value, b: Value, faults: Faults, data: Data, beyon
 
 
 def _sum(node: Binary, a: Value, b: Value) -> Value:
+    """Return the sum or the difference of two values."""
     # Two values within the limit sum to less than 2^63, so that int64 does not wrap.
     data = a.data + b.data if node.op == "+" else a.data - b.data
     return _limited(node, a, b, either(a.faults, b.faults), data, np.abs(data) > LIMIT)
 
 
 def _product(node: Binary, a: Value, b: Value) -> Value:
+    """Return the product of two values."""
     beyond = np.abs(a.data) > LIMIT // np.maximum(np.abs(b.data), 1, dtype=np.int64)
     return _limited(node, a, b, either(a.faults, b.faults), a.data * b.data, beyond)
 
 
 def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
+    """Return the divisors, with 1 in place of 0, and the faults (NS0302) of those."""
     message = "division by zero" if node.op == "/" else "remainder of a division by zero"
     fault = Fault("NS0302", message, node.right.span, "this is 0")
     return guard(b.data == 0, b.data, 1, lambda: fault, either(a.faults, b.faults))
 
 
 def _quotient(node: Binary, a: Value, b: Value) -> Value:
+    """Return the quotient, rounded down."""
     divisor, faults = _divisor(node, a, b)
     return Value(a.data // divisor, faults)
 
 
 def _remainder(node: Binary, a: Value, b: Value) -> Value:
+    """Return the remainder, which has the sign of the divisor."""
     divisor, faults = _divisor(node, a, b)
     return Value(a.data % divisor, faults)
 
@@ -133,6 +139,7 @@ def _shift(node: Binary, a: Value, b: Value) -> Value:
     """Return a << b, with faults for shift counts outside 0..61 and results beyond 2^62 - 1."""
 
     def fault() -> Fault:
+        """Return the fault (NS0304) of the first invalid shift."""
         count, place = clipped(b.data), node.right.span
         return Fault("NS0304", f"invalid shift by {count}", place, f"the count is {count}")
 
@@ -285,6 +292,7 @@ def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
 
 
 def _junction(a: Value, b: Value, conjunction: bool) -> Value:
+    """Return `a and b` or `a or b`; faults of b count only where a does not decide."""
     undecided = a.data if conjunction else a.data ^ True
     data = a.data & b.data if conjunction else a.data | b.data
     return Value(data, either(a.faults, faults_where(undecided, b.faults)))

@@ -315,9 +315,11 @@ class _Checker:
                 self._mismatch(node.span, message, _a(actual), _CONVERT[expected])
 
     def _mismatch(self, span: Span, message: str, label: str, helps: tuple[str, ...] = ()) -> None:
+        """Report an operand of the wrong type (NS0301)."""
         self._error("NS0301", message, span, label, helps=helps)
 
     def _misplaced(self, node: tree.Name, meaning: Meaning) -> None:
+        """Report a name that has a meaning, but not here (NS0208)."""
         message = f"`{node.text}` cannot be used here"
         self._error("NS0208", message, node.span, "", notes=(meaning.note,))
 
@@ -329,6 +331,7 @@ class _Checker:
         self.problems.unknown(category, node.text, node.span, known)
 
     def _error(self, code: str, message: str, span: Span, label: str, **details: Any) -> None:
+        """Report an error, after which the expression has no value."""
         self.sound = False
         self.problems.error(code, message, span, label, **details)
 
@@ -346,4 +349,5 @@ _ALONE = (
 
 
 def _a(type_: Type) -> str:
+    """Return a type with its article."""
     return "an integer" if type_ == "integer" else "a boolean"

@@ -92,6 +92,7 @@ class PlaneMaker:
         return self._values(condition, "boolean", "a plane of x and y")
 
     def _expression(self, statement: PixelsExpr) -> Plane | None:
+        """Return the values of an integer expression for all pixels; None after an error."""
         return self._values(statement.value, "integer", "a pixel's value")
 
     def _values(self, value: Expr, kind: Type, role: str) -> NDArray[Any] | None:

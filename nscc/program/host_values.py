@@ -105,6 +105,7 @@ class HostValues:
         return min(self.target.in_high, -self.target.in_low)
 
     def _integer(self, expr: tree.Expr) -> int | None:
+        """Return the value of a constant expression; None after an error."""
         return constant(expr, self.constants, self.problems, "the range of a parameter")
 
     def _steps(self, expr: tree.Expr) -> int | None:

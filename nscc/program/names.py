@@ -157,6 +157,7 @@ class _Gatherer:
     """Adds statements to the declarations, and reports names and statements that occur twice."""
 
     def __init__(self, declared: Declarations, problems: Problems) -> None:
+        """Begin without declarations."""
         self.declared, self.problems = declared, problems
         self.first_place: dict[str, Span] = {}
         self.mixed = False
@@ -270,6 +271,7 @@ class _Gatherer:
         return False
 
     def _name(self, named: dict[str, Any], name: tree.Name, statement: tree.Statement) -> None:
+        """Store a statement under the name that it declares, unless the name is taken."""
         if self._new(name):
             named[name.text] = statement
 

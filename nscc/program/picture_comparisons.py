@@ -276,6 +276,7 @@ class PictureComparer(ABC):
         helps: tuple[str, ...],
         **details: Any,
     ) -> WrongPicture:
+        """Report an error, and return the exception that ends the expression."""
         self.problems.error(code, message, span, label, helps=helps, **details)
         return WrongPicture()
 

@@ -196,6 +196,7 @@ class Reader(LoopReader):
         return picture_sum((Fraction(1, number), self._image(image)))
 
     def _is_kernel(self, expr: tree.Expr) -> bool:
+        """Return whether an expression is the name of a convolution kernel."""
         return isinstance(expr, tree.Name) and expr.text in self.declared.kernels
 
     def _call(self, call: tree.Call) -> p.Value:
@@ -427,6 +428,7 @@ class Reader(LoopReader):
 
 
 def _smaller(first: p.Value, second: p.Value) -> p.Value:
+    """Return the smaller of two images: the larger of their negatives, inverted."""
     negatives = (picture_sum((Fraction(-1), value)) for value in (first, second))
     return picture_sum((Fraction(-1), p.Larger(*negatives)))
 

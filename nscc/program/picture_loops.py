@@ -110,6 +110,7 @@ class LoopReader(PictureComparer):
             self.items.append(p.Picture(item.name.text, make(start, step, times, names[0])))
 
     def _node(self, kind: str, expr: tree.Expr) -> p.Node | None:
+        """Return an expression as an image or as a plane; None after an error."""
         return self.image(expr) if kind == "image" else self.condition(expr)
 
     def _shifted(self, expr: tree.Place, base: p.Node) -> p.Node:
@@ -191,6 +192,7 @@ class LoopReader(PictureComparer):
         return cast(p.Node, own)
 
     def _text_of(self, node: tree.Node) -> str:
+        """Return the text of a node in one line."""
         return " ".join(self.problems.source.text[node.span.start : node.span.end].split())
 
     def _flood(self, call: tree.Call) -> p.Condition:

@@ -170,6 +170,7 @@ class PictureMaker:
         return replace(pictures, count_steps=unit.steps)
 
     def _place(self) -> Span:
+        """Where the program first declares something about images."""
         declared = self.declared
         kernels, nexts = declared.kernels.values(), declared.nexts.values()
         return [*declared.pictures, *declared.reports, *kernels, *declared.assumes, *nexts][0].span
@@ -436,6 +437,7 @@ class PictureMaker:
         return PlaneReport(cast(Any, kind), plane, most)
 
     def _bad_report(self, span: Span, message: str) -> None:
+        """Report an invalid `report` statement (NS0536)."""
         helps = ("write `report any P`, `report events P at most 1000` or `report box P`",)
         self.problems.error("NS0536", message, span, "this report", helps=helps)
 

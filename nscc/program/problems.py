@@ -19,6 +19,7 @@ class Problems:
     """Errors, warnings and notes about one source text, in the order of detection."""
 
     def __init__(self, source: Source) -> None:
+        """Begin without diagnostics."""
         self.source = source
         self._found: list[Diagnostic] = []
         self._unknown: set[str] = set()
@@ -93,6 +94,7 @@ class Problems:
 
 
 def _place(diagnostic: Diagnostic) -> tuple[int, int]:
+    """Return the sort key of a diagnostic: where its text begins and ends, -1 without a text."""
     if diagnostic.label is None:
         return (-1, -1)
     return (diagnostic.label.span.start, diagnostic.label.span.end)

@@ -91,6 +91,7 @@ class Program(Record, eq=False):
         return (*STEERING,) if self.pictures.steering else ()
 
     def __repr__(self) -> str:
+        """Return name, class and table as one line."""
         return f"Program({self.source.name!r}, class {self.class_name}, {self.table!r})"
 
 

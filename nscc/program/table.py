@@ -60,6 +60,7 @@ class NoValue(Exception):
     """Raised for expressions without a value, with one entry for each."""
 
     def __init__(self, findings: Sequence[MissingValue]) -> None:
+        """Say which rules have no value, and why."""
         super().__init__("; ".join(f.fault.message for f in findings))
         self.findings = tuple(findings)
 

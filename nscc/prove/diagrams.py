@@ -222,9 +222,11 @@ class Forms:
         return [(x, y) for y in range(self.rows) for x in range(self.cols)]
 
     def inside(self, x: int, y: int) -> bool:
+        """Return whether a pixel is in the array."""
         return 0 <= x < self.cols and 0 <= y < self.rows
 
     def exposure(self, bucket: str, x: int, y: int) -> Form:
+        """Return the exposure of a bucket at a pixel as a weighted sum: itself, once."""
         return {(bucket, x, y): self.diagrams.one}
 
     def beyond(self) -> Form:

@@ -34,6 +34,7 @@ class Noise:
     numpy.random would take longer than most proofs."""
 
     def __init__(self, seed: int) -> None:
+        """Begin the sequence of random numbers that the seed determines."""
         self._next = seed << 32
 
     def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
@@ -71,6 +72,7 @@ class ReplayError(Exception):
     """Raised for an error in the words; it contains the description, the bucket and the shutter."""
 
     def __init__(self, reason: str, bucket: str | None = None, shutter: int | None = None) -> None:
+        """Say why a replay fails, and for which bucket and shutter."""
         super().__init__(reason)
         self.reason, self.bucket, self.shutter = reason, bucket, shutter
 
@@ -124,6 +126,7 @@ class ReplayPixels:
     # Lanes.
 
     def _resize(self, lanes: int) -> None:
+        """Change the number of lanes that the replay distinguishes."""
         self.lanes, self.everything = lanes, (1 << lanes) - 1
         self._split: tuple[Bits, Lanes, Lanes | None] = (UNKNOWN, slice(0, 0), slice(None))
 
@@ -226,6 +229,7 @@ class ReplayPixels:
                 self._digital(word)
 
     def _store(self, name: str, value: Values, lanes: Lanes, unsure: Lanes | None) -> None:
+        """Store an analog value in `lanes`; it is unknown in the lanes `unsure`."""
         self.analog[name][lanes] = value
         if unsure is not None:
             self.analog[name][unsure] = np.nan if self.quiet else self._noise(1)
@@ -310,6 +314,7 @@ class ReplayPixels:
         self.bits[name] = known_1, known_0
 
     def _doubt(self, reason: str) -> None:
+        """Note why a bit became unknown, unless there are many notes."""
         if len(self.doubts) < _MOST_DOUBTS:
             self.doubts.append(f"{reason}, at boundary {self._boundary} of frame {self._frame}")
 

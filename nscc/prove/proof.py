@@ -48,6 +48,7 @@ class Replay(ReplayPixels):
         lights: int = 1,
         quiet: bool = False,
     ) -> None:
+        """Begin a replay with a lane for each shutter."""
         super().__init__(container, kernels, container.encoding, lights=lights, quiet=quiet)
         self.code = self.code_bits(container.encoding)
 

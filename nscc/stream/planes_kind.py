@@ -34,9 +34,11 @@ class BitPlanes(ProgramKind):
     one_lowering_for = "a chip without logic"
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
+        """Return the container of a layout of bit planes; it causes no diagnostics."""
         return container_of(layout), ()
 
     def prove(self, container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
+        """Prove that the bit planes open the shutters of the program."""
         return prove_planes(container)
 
     def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
@@ -54,6 +56,7 @@ class BitPlanes(ProgramKind):
         return container.table.shutters
 
     def with_planes(self, container: Container) -> Container:
+        """Return a container with the bit planes of its pixels."""
         return with_planes(container)
 
     def product(self, product: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
@@ -75,30 +78,38 @@ class BitPlanes(ProgramKind):
         raise ValueError(f"unknown product {product}")
 
     def words_text(self, container: Container) -> str:
+        """Return the bit planes as text."""
         return texts.planes_text(container)
 
     def report(self, compiled: Compiled) -> dict[str, Any]:
+        """Return the report as JSON values."""
         assert compiled.proof is not None
         return texts.stream_report(compiled.layout, compiled.proof)
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
+        """Return the rows of the summary; none before the proof."""
         return texts.stream_rows(compiled.layout, compiled.proof) if compiled.proof else []
 
     def cost_text(self, compiled: Compiled) -> str:
+        """Return the cost of a layout as text."""
         return texts.cost_text(compiled.layout)
 
     def size_text(self, container: Container) -> str:
+        """Return the number of bit planes as text."""
         return counted(container.slots, "plane")
 
     def readout_us(self, container: Container) -> float:
+        """Return the duration of a readout."""
         return container.target.readout_us  # all taps at once
 
     def frame_text(self, compiled: Compiled) -> str:
+        """Return a sentence on the planes of a frame, which the caller completes."""
         target = compiled.program.target
         planes = counted(len(compiled.program.frame.slot_us), "plane")
         return f"{planes} of {target.rows} x {target.cols} bits a frame. Loading them"
 
     def slot_text(self, compiled: Compiled, slot: int) -> str:
+        """Return a sentence on the plane of a slot."""
         program = compiled.program
         took = share_text(program.target.plane_load_us, program.frame.slot_us[slot])
         return f"one bit plane, loaded in {took}."

@@ -44,6 +44,7 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
     than MOST_DEPTH levels, NS0111 for a number beyond 2^62 - 1, NS0112 for a time of zero."""
 
     def __init__(self) -> None:
+        """Begin; tokens are not converted one by one."""
         super().__init__(visit_tokens=False)
 
     def build(self, statement: Tree[Token]) -> tree.Statement:
@@ -148,6 +149,7 @@ def _with(span: Span, *children: Any) -> tree.Repeated:
 
 
 def _amount(text: str, span: Span) -> tree.Amount:
+    """Return the number and the unit of a text such as `10%`, `3lsb` or `500e`."""
     unit = next(unit for unit in ("%", "lsb", "e") if text.endswith(unit))
     integer_digits, _, decimals = text.removesuffix(unit).partition(".")
     return tree.Amount(span, _whole_number(integer_digits, span) + _decimals(decimals, span), unit)
@@ -264,4 +266,5 @@ def _decimals(digits: str, span: Span) -> Fraction:
 
 
 def _refused(code: str, message: str, span: Span, help_text: str) -> Rejected:
+    """Return a syntax error at `span` with one help."""
     return rejected(code, message, label=Label(span), helps=(help_text,))

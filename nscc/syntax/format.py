@@ -139,11 +139,13 @@ class _Writer:
         self._separate(_line_ends(gap[at:]))
 
     def _separate(self, line_ends: int) -> None:
+        """Add a blank line if the text had one, but never two."""
         if line_ends > 1 and self.lines and self.lines[-1] != _Line():
             self.lines.append(_Line())
 
 
 def _line_ends(blank: str) -> int:
+    """Return the number of line ends in blank text."""
     return len(re.findall(r"\r\n|\r|\n", blank))
 
 

@@ -197,4 +197,5 @@ def read(tokens: Tokens, first: int, last: int) -> tuple[Tree[Token] | None, Stu
 
 
 def _machine() -> InteractiveParser:
+    """Return a parser that takes tokens one by one."""
     return parser().parse_interactive(start=START)

@@ -172,6 +172,7 @@ def _begins_line(tokens: Tokens, index: int) -> bool:
 
 
 def _is_word(kind: str) -> bool:
+    """Return whether a kind of token is a keyword."""
     return kind in spellings().values() and kind.isalnum()
 
 
@@ -216,6 +217,7 @@ def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
 
 
 def _forms(statement: str) -> tuple[str, ...]:
+    """Return the notes on how a statement is written."""
     return tuple(f"written as: {form}" for form in FORMS[statement])
 
 
@@ -414,6 +416,7 @@ def _file_hint(tokens: Tokens, at: int) -> str | None:
 
 
 def _text(tokens: Tokens, at: int, last: int) -> str:
+    """Return the text of token number `at`, "" outside of the statement."""
     return tokens.text(at) if 0 <= at < last else ""
 
 

@@ -113,6 +113,7 @@ class _Errors:
     """The errors of a text: the first MOST_ERRORS, and the number of the others."""
 
     def __init__(self, source: Source) -> None:
+        """Begin without errors."""
         self._source = source
         self._first: list[Diagnostic] = []
         self._more = 0

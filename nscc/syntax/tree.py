@@ -27,10 +27,14 @@ class Int(Node):
 
 
 class Bool(Node):
+    """`true` or `false`."""
+
     value: bool
 
 
 class Name(Node):
+    """A name."""
+
     text: str
 
 
@@ -124,6 +128,8 @@ class BookRow(Node):
 
 
 class TileRow(Node):
+    """One row of a tile of codes."""
+
     values: tuple[Expr, ...]
 
 
@@ -154,10 +160,14 @@ class Version(Node):
 
 
 class TargetByName(Node):
+    """`target NAME`: a built-in chip."""
+
     name: Name
 
 
 class TargetFromFile(Node):
+    """`target "FILE"`: the table of a chip."""
+
     path: Text
 
 
@@ -175,6 +185,8 @@ class ListedSlots(Node):
 
 
 class Let(Node):
+    """`let NAME = VALUE`: a constant."""
+
     name: Name
     value: Expr
 
@@ -202,6 +214,8 @@ class CodeRow(Node):
 
 
 class Require(Node):
+    """`require CONDITION`: which codes are legal."""
+
     condition: Expr
 
 

@@ -38,6 +38,8 @@ class _PlainValues(pickle.Unpickler):
     code."""
 
     def find_class(self, module: str, name: str) -> Any:
+        """Return the class of a value that may be loaded; raise UnpicklingError for all others,
+        which could run code."""
         if (module, name) == ("lark.lexer", "Token"):  # text; lark 1.2 stores such values
             return lark.Token
         raise pickle.UnpicklingError(f"{module}.{name} is not a plain value")

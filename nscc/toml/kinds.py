@@ -103,6 +103,7 @@ class Number(Kind):
 
     @property
     def allowed(self) -> str:
+        """The allowed values, for messages."""
         return (f'"{self._word}" or ' if self._word else "") + self.in_python
 
     @property
@@ -115,6 +116,7 @@ class Number(Kind):
         return f"{number} {self.range}{unit}"
 
     def read(self, value: Any) -> float | None:
+        """Return the number that a file gives, None for the word; raise ValueError for others."""
         if value is None:
             raise ValueError
         return None if self._word and value == self._word else self.argument(value)
@@ -135,6 +137,7 @@ class Number(Kind):
         return value if self.is_whole else float(value) + 0.0
 
     def plain(self, value: Any) -> Any:
+        """Return the value for a file: the word in place of None."""
         return self._word if value is None else value
 
 
@@ -146,13 +149,16 @@ class Flag(Kind, Record):
 
     @property
     def allowed(self) -> str:
+        """The allowed values in a file, for messages."""
         return "true or false"
 
     @property
     def in_python(self) -> str:
+        """The allowed values in Python, for messages."""
         return "True or False"
 
     def read(self, value: Any) -> bool:
+        """Return true or false; raise ValueError for other values."""
         if not isinstance(value, bool):
             raise ValueError
         return value
@@ -170,12 +176,14 @@ class TextKind(Kind, Record):
 
     @property
     def allowed(self) -> str:
+        """The allowed values in a file, for messages."""
         if self.choices:
             return "one of " + ", ".join(f'"{choice}"' for choice in self.choices)
         return self.phrase
 
     @property
     def in_python(self) -> str:
+        """The allowed values in Python, for messages."""
         return f"one of {', '.join(map(repr, self.choices))}" if self.choices else self.phrase
 
     def read(self, value: Any) -> str | None:
@@ -193,6 +201,7 @@ class TextKind(Kind, Record):
         return None if self.optional and value == "none" else value
 
     def plain(self, value: Any) -> Any:
+        """Return the value for a file: "none" in place of None."""
         return "none" if value is None else value
 
 
@@ -205,15 +214,19 @@ class Several(Kind, Record):
 
     @property
     def allowed(self) -> str:
+        """The allowed values, for messages."""
         count = f" of {self.count}" if self.count else ""
         return self.text or f"a list{count}, each {self.element.allowed}"
 
     def read(self, value: Any) -> tuple[Any, ...]:
+        """Return the list of a file as a tuple; raise ValueError for invalid elements or another
+        number of them."""
         if not isinstance(value, list | tuple) or self.count not in (None, len(value)):
             raise ValueError
         return tuple(self.element.read(item) for item in value)
 
     def plain(self, value: Any) -> Any:
+        """Return the values for a file."""
         return [self.element.plain(item) for item in value]
 
 
@@ -226,6 +239,7 @@ class Axis(Kind, Record):
 
     @property
     def allowed(self) -> str:
+        """The allowed values, for messages."""
         return f"{self.element.allowed}, or a list of such values"
 
     def read(self, value: Any) -> tuple[Any, ...]:
@@ -251,6 +265,7 @@ class Axis(Kind, Record):
             raise ValueError(str(reason) or f"{shown(value)} is not allowed") from None
 
     def plain(self, value: Any) -> Any:
+        """Return the values for a file: a single one without a list."""
         values = [self.element.plain(item) for item in value]
         return values[0] if len(values) == 1 else values
 
@@ -267,9 +282,11 @@ class Instance(Kind, Record):
 
     @property
     def allowed(self) -> str:
+        """The allowed values, for messages."""
         return self.phrase
 
     def read(self, value: Any) -> Any:
+        """Return an object of one of the types, a path as text; raise ValueError for others."""
         if not _is_one(value, self.types) or isinstance(value, bool):
             raise ValueError
         return os.fspath(value) if isinstance(value, os.PathLike) else value
@@ -294,6 +311,7 @@ class FilePath(Kind, Record):
 
     @property
     def allowed(self) -> str:
+        """The allowed values, for messages."""
         return self.phrase
 
     def read(self, value: Any) -> Any:
@@ -314,6 +332,7 @@ class TextOrNumbers(Kind, Record):
 
     @property
     def allowed(self) -> str:
+        """The allowed values, for messages."""
         numbers = {None: "numbers", 1: "a number"}.get(self.count, f"{self.count} numbers")
         return f"text or {numbers}"
 

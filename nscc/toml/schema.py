@@ -66,6 +66,7 @@ class Key:
     checks: tuple[Callable[[Any], object], ...] = ()
 
     def __post_init__(self) -> None:
+        """Derive option, heading and attribute from the name, unless they are given."""
         object.__setattr__(self, "option", self.option or "--" + self.name.replace("_", "-"))
         object.__setattr__(self, "heading", self.heading or self.section)
         object.__setattr__(self, "attribute", self.attribute or self.name)
@@ -380,4 +381,5 @@ def file_text(
 
 
 def _beside(line: str, remark: str) -> str:
+    """Return a line with a remark to its right."""
     return f"{line:<{_REMARK_COLUMN}} # {remark}" if remark else line

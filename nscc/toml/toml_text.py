@@ -93,6 +93,7 @@ def written(value: Any) -> str:
 
 
 def _character(c: str) -> str:
+    """Return a character as a TOML string contains it."""
     if c in '"\\':
         return "\\" + c
     return c if c.isprintable() else f"\\u{ord(c):04x}" if ord(c) < 1 << 16 else f"\\U{ord(c):08x}"

@@ -149,6 +149,7 @@ def _is_known(head: Token, known: Mapping[str, Mnemonic], faults: Faults) -> boo
 
 @cache
 def _grammar() -> Lark:
+    """Return the parser of a line of assembly; cached."""
     text = Path(__file__).with_suffix(".lark").read_text(encoding="utf-8")
     return Lark(text, parser="lalr", start="line", maybe_placeholders=False)
 

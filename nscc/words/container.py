@@ -247,3 +247,20 @@ def fields_at_pixels(container: Container) -> dict[str, NDArray[np.int64]]:
     if pixels is None:
         return {}
     return {f"codes_{name}": table.codes[:, i][pixels] for i, name in enumerate(table.fields)}
+
+
+def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
+    """Return the size (rows, cols) of the smallest tile whose repetition, cut at the edges, gives
+    the array `codes`; else the size of the array."""
+    rows = _period(codes)
+    return rows, _period(codes[:rows].T)
+
+
+def _period(plane: NDArray[Any]) -> int:
+    """Return the smallest number of rows after which the array repeats; all rows if it does not."""
+    for period in range(1, len(plane)):
+        # One row excludes most periods; the whole plane is compared only for the others.
+        same = np.array_equal(plane[period], plane[0])
+        if same and np.array_equal(plane[period:], plane[:-period]):
+            return period
+    return len(plane)

@@ -81,6 +81,7 @@ class Faults:
     _MOST = 50
 
     def __init__(self, source: Source) -> None:
+        """Begin without errors."""
         self.source = source
         self.found: list[Diagnostic] = []
 
@@ -169,6 +170,7 @@ def _block(
 
 
 def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> TextBlock | None:
+    """Begin the block of a target table; None if operands are left over."""
     block = _block("target", head, tokens, draft, faults)
     return None if tokens else block
 
@@ -243,15 +245,18 @@ def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> 
 
 
 def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
+    """Add a file with the contents of a register, and its digest if there is one."""
     register, file, *sha256 = tokens
     draft.planes.append(PlaneDraft(register, file, sha256[0] if sha256 else None))
 
 
 def _names(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
+    """Append the operands to a list of the draft."""
     getattr(draft, attribute).extend(tokens)
 
 
 def _row(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
+    """Append the operands, as one row, to a list of the draft."""
     getattr(draft, attribute).append(tuple(tokens))
 
 

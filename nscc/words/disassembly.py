@@ -7,10 +7,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
 
 from nscc.chips.load import builtin_names, builtin_target, target_toml
 from nscc.chips.target import Target
@@ -24,7 +20,7 @@ from nscc.words.assembly_text import (
     ranges_text,
     slots_text,
 )
-from nscc.words.container import Container, StoredKernel
+from nscc.words.container import Container, StoredKernel, tile_of
 from nscc.words.cost import frame_cost, kernel_cost
 from nscc.words.encoding import matching, word_text
 from nscc.words.legality import pair_kind, refuse_planes, target_fault
@@ -113,6 +109,7 @@ def _pair(first: Op, second: Op | None) -> str | None:
 
 
 def _commented(text: str, comment: str) -> str:
+    """Return a line with a comment to its right."""
     return f"{text:<{_COMMENT_COLUMN}} ; {comment}" if comment else text
 
 
@@ -138,6 +135,7 @@ def _head(container: Container) -> Iterator[str]:
 
 
 def _counted(count: int, word: str, plural: str = "") -> str:
+    """Return a number with its word, singular or plural."""
     return f"{count} {word if count == 1 else plural or word + 's'}"
 
 
@@ -259,9 +257,7 @@ def _pixels(container: Container) -> Iterator[str]:
     if codes is None:
         return
     yield "; the code of every pixel"
-    # The smallest tile whose repetition, cut at the edges, is the plane.
-    rows = _period(codes)
-    cols = _period(codes[:rows].T)
+    rows, cols = tile_of(codes)
     if rows * cols <= _LARGEST_TILE:
         yield f".pixels tile {rows} {cols}"
         for row in codes[:rows, :cols].tolist():
@@ -269,13 +265,3 @@ def _pixels(container: Container) -> Iterator[str]:
         return
     yield f".pixels plane {codes.shape[0]} {codes.shape[1]}"
     yield from base64_lines(codes.astype("<i4").tobytes())
-
-
-def _period(plane: NDArray[Any]) -> int:
-    """Return the smallest number of rows after which the array repeats; all rows if it does not."""
-    for period in range(1, len(plane)):
-        # One row excludes most periods; the whole plane is compared only for the others.
-        same = np.array_equal(plane[period], plane[0])
-        if same and np.array_equal(plane[period:], plane[:-period]):
-            return period
-    return len(plane)

@@ -94,10 +94,12 @@ _DIGITAL_WRITES = tuple((name, _WRITE[name]) for name in DIGITAL_WRITE)
 
 
 def _split(word: int) -> Word:
+    """Return a word of 160 bits as five integers of 32 bits, lowest first."""
     return _FIVE.unpack(word.to_bytes(_FIVE.size, "little"))
 
 
 def _joined(word: Word) -> int:
+    """Return five integers of 32 bits as one."""
     return word[0] | word[1] << 32 | word[2] << 64 | word[3] << 96 | word[4] << 128
 
 
@@ -150,6 +152,7 @@ def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | 
 
 
 def _fits(count: int, allowed: tuple[int, int | None]) -> bool:
+    """Return whether a count is in a range, whose end may be open (None)."""
     low, high = allowed
     return count >= low and (high is None or count <= high)
 

@@ -106,6 +106,7 @@ class StateMachine(Record, eq=False):
 
     @property
     def slots(self) -> int:
+        """The number of slots."""
         return int(self.opens.shape[2])
 
     @property
@@ -119,6 +120,7 @@ class StateMachine(Record, eq=False):
         return len(self.first) - 1
 
     def nodes(self, stage: int) -> slice:
+        """Return the indices of the nodes of a stage."""
         return slice(int(self.first[stage]), int(self.first[stage + 1]))
 
     def at(self, boundary: int) -> tuple[Comparison, ...]:

@@ -298,6 +298,7 @@ class Picture(Record):
 
     @property
     def is_plane(self) -> bool:
+        """Whether it is a plane of bits, not an image."""
         return isinstance(self.node, Condition)
 
 
@@ -533,6 +534,7 @@ class Pictures:
 
     @property
     def weights_by_name(self) -> dict[str, Weights]:
+        """The convolution kernels by name."""
         return {kernel.name: kernel for kernel in self.weights}
 
     @property

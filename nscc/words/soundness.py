@@ -231,4 +231,5 @@ def _text_faults(container: Container) -> Iterator[str]:
 
 
 def _within(indices: np.ndarray[tuple[int, ...], np.dtype[np.int32]], count: int) -> bool:
+    """Return whether all indices are from 0 up to `count`."""
     return bool(indices.size == 0 or (indices.min() >= 0 and indices.max() < count))

@@ -23,6 +23,7 @@ class StoredArray(NamedTuple):
 
     @property
     def nbytes(self) -> int:
+        """The bytes of the array in the file, where a bit takes one eighth."""
         items = prod(self.shape)
         return (items + 7) // 8 if self.dtype == np.bool_ else items * self.dtype.itemsize
 

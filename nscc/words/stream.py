@@ -34,9 +34,11 @@ class Stream(Record, eq=False):
 
     @property
     def slots(self) -> int:
+        """The number of slots."""
         return len(self.planes)
 
     def bits(self, slot: int, cols: int) -> NDArray[np.bool_]:
+        """Return the bit plane of a slot, bool (rows, cols)."""
         unpacked = np.unpackbits(self.planes[slot], axis=1, count=cols, bitorder="little")
         return unpacked.view(np.bool_)
 

@@ -22,6 +22,7 @@ class _Cache(dict[Any, Any]):
     and locks, and can be computed again."""
 
     def __reduce__(self) -> tuple[type[_Cache], tuple[()]]:
+        """Return how a copy in another process is made: an empty cache."""
         return _Cache, ()
 
 
@@ -51,6 +52,7 @@ class Recent:
     """A cache of the `most` results that were requested last."""
 
     def __init__(self, most: int) -> None:
+        """Begin empty; at most `most` results are kept."""
         self._most = most
         self._found: dict[Hashable, Any] = {}
 
@@ -75,11 +77,13 @@ class OfContainer(Generic[P, T]):
     arguments. The arguments must be positional and hashable."""
 
     def __init__(self, make: Callable[Concatenate[Container, P], T]) -> None:
+        """Store the results of `make` with the containers themselves."""
         self._make = make
         self._renew()
         after_fork(self._renew)  # a thread of the parent process may have held the lock
 
     def _renew(self) -> None:
+        """Begin with an open lock."""
         self._making = Lock()
 
     def __call__(self, container: Container, *key: P.args, **named: P.kwargs) -> T:

@@ -126,9 +126,12 @@ class Capture(Frame):
 
     @property
     def _pictures_read(self) -> tuple[str, ...]:
+        """The images and planes that are read out."""
         return self.container.pictures.reads
 
     def _told_arrays(self, prefix: str, names: Sequence[str]) -> dict[str, NDArray[Any]]:
+        """Return the arrays of the frame whose keys are `prefix` and one of the names, by name;
+        missing ones are left out."""
         keys = {name: f"{prefix}{name}" for name in names}
         return {name: self.told[key] for name, key in keys.items() if key in self.told}
 
@@ -235,13 +238,16 @@ class Capture(Frame):
 
     @property
     def _in_colours(self) -> bool:
+        """Whether the scene was exposed once for each colour."""
         return "colours" in self.exposed.laid
 
     @property
     def _fidelity(self) -> str:
+        """How the frame was made: by a plan, by the reference, or on a device."""
         return self.exposed.simulated.origin.fidelity
 
     def _codes(self) -> str:
+        """The range of the codes as text."""
         return f"{self.frame.min()}..{self.frame.max()}" if self.frame.size else "of no bucket"
 
 

@@ -355,6 +355,7 @@ class FrameFile:
 
 
 def _write_array(archive: zipfile.ZipFile, key: str, values: NDArray[Any]) -> None:
+    """Write an array to the archive, a large one in blocks."""
     one_block = values.ndim == 0 or values.nbytes <= _BLOCK_BYTES
     _write_entry(archive, key, values.shape, values.dtype, iter([values] if one_block else values))
 

@@ -126,9 +126,11 @@ class _SteadyPixels(WordPixels):
     """Pixels of a chip without noise and without differences: errors and patterns are scalars."""
 
     def draw(self, name: str, number: int) -> Values:
+        """Return no noise."""
         return np.zeros(())
 
     def fixed(self, make: OnDevice) -> Values:
+        """Return the mean of a fixed pattern over all chips."""
         gain, leak = self.effects.require_part(WordGain), self.effects.require_part(Leak)
         means = {gain.error_e: gain.mean_e(self.sensor), leak.per_s: 1.0 / leak.tau_s(self.sensor)}
         return np.asarray(means[make])

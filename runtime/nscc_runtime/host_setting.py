@@ -65,6 +65,7 @@ def settings_of(container: Container, params: Any, inputs: Any) -> tuple[HostSet
 
 
 def _refused(message: str, *helps: str) -> Rejected:
+    """Return the error (NS0546) for values that the host cannot set."""
     return rejected("NS0546", message, helps=helps)
 
 
@@ -84,6 +85,7 @@ def _mappings(argument: str, values: Any) -> list[Mapping[str, Any]]:
 
 
 def _unknown(kind: str, name: object, known: Sequence[str]) -> Rejected:
+    """Return the error (NS0546) for an unknown name, with the known ones."""
     names = ", ".join(f"`{each}`" for each in known) or f"the program declares no {kind}"
     return _refused(f"{shown(name)} is not the name of {kind}", f"known: {names}")
 

@@ -36,6 +36,7 @@ class KeptPlans:
     also releases the next scene."""
 
     def __init__(self) -> None:
+        """Begin without plans."""
         self._last: dict[Hashable, Future[_KeptPlan]] = {}
         self._expected: set[int] = set()
         self._changed = Condition()

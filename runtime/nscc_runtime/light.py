@@ -125,6 +125,7 @@ class Light:
         return cls(frames, starts, starts[:-1].astype(np.int32), weight, "clip", exposure_scale_e)
 
     def __repr__(self) -> str:
+        """Return kind and size as one line."""
         rows, cols = self.shape
         return f"<nscc light: {self.kind}, {self.slots} slots, {rows} x {cols}>"
 

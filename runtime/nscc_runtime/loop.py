@@ -80,6 +80,7 @@ def record(cls: type[_T]) -> type[_T]:
     fields = {name: _FIELDS[kind] for name, kind in get_type_hints(cls).items()}
 
     def init(self: Any, **values: Any) -> None:
+        """Set all fields; raise TypeError for missing or unknown ones."""
         if values.keys() != fields.keys():
             raise TypeError(f"{cls.__name__}: {_unlike(fields, values)}")
         ctypes.Structure.__init__(self, **values)
@@ -117,6 +118,7 @@ class Loop(Generic[_P]):
     """A loop as machine code, read from its module's object file or compiled on first use."""
 
     def __init__(self, function: FunctionType) -> None:
+        """Add a function to those that are compiled with its module."""
         self.function, self.__doc__ = function, function.__doc__
         self.name, self.module = function.__name__, function.__module__
         object_file(self.module).loops.append(self)
@@ -244,13 +246,16 @@ class _LoopFunction:
 
     @cached_property
     def for_numba(self) -> Any:
+        """The function for numba."""
         return self.for_loops(self.function)
 
     def __call__(self, *values: Any) -> Any:
+        """Call the function."""
         return self.for_numba(*values)
 
 
 def _jitted(function: FunctionType, **options: Any) -> Any:
+    """Return a function that numba compiles when it is called first."""
     import numba
 
     return numba.njit(nogil=True, error_model="numpy", **options)(_for_numba(function))

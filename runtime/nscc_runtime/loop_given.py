@@ -91,6 +91,7 @@ class LoopParameter:
         return value.astype(np.int64, copy=False) if wide else value
 
     def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
+        """Return the error for an array whose `axis` has another length than in other arrays."""
         return TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")
 
 
@@ -145,4 +146,5 @@ def _axis(text: str) -> tuple[str, int]:
 
 
 def _kind(value: Any) -> str:
+    """Return the type of a value as text, of an array that of its elements."""
     return f"an array of {value.dtype}" if isinstance(value, np.ndarray) else type(value).__name__

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
-from nscc.words.container import Container
+from nscc.words.container import Container, tile_of
 from nscc.words.legality import refuse_pictures
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.looked_light import LIGHT, open_us_of
@@ -77,17 +77,6 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Buc
         )
         for b, name in enumerate(container.buckets)
     ]
-
-
-def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
-    """Return the size (rows, cols) of the smallest repeated tile; else the array's size."""
-    return _period(codes), _period(codes.T)
-
-
-def _period(codes: NDArray[Any]) -> int:
-    """Return the smallest p for which row r equals row r + p everywhere."""
-    rows = len(codes)
-    return next((p for p in range(1, rows) if np.array_equal(codes[p:], codes[:-p])), rows)
 
 
 def light_estimate(readout: BucketReadout) -> tuple[Field, NDArray[np.bool_]]:

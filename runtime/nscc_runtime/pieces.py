@@ -146,14 +146,17 @@ def _for_all(
         """A scene of all lights, for relative tolerances."""
 
         def pieces(self) -> Iterator[PlannedScene]:
+            """Yield what is planned for each part of the array; only one is in memory."""
             for light in lights:
                 check(container, light)
                 yield planning_of(container, sensor, light, request.device_seed)
 
         def signal_e(self) -> float:
+            """Return the mean signal of the parts."""
             return sum(piece.signal_e() for piece in self.pieces()) / len(lights)
 
         def noise_e(self) -> float:
+            """Return the root mean square noise of the parts."""
             return math.sqrt(sum(piece.noise_e() ** 2 for piece in self.pieces()) / len(lights))
 
     if unit_of(request.tolerance) == "noise" and not request.audit:

@@ -28,6 +28,7 @@ def threads_of(threads: int | None) -> int:
 
 @cache
 def _pool(threads: int) -> ThreadPoolExecutor:
+    """Return the pool of this many threads; cached."""
     from concurrent.futures import ThreadPoolExecutor  # commands that list effects start none
 
     return ThreadPoolExecutor(threads, thread_name_prefix=THREADS)
@@ -71,6 +72,7 @@ def in_strips(run: Callable[[range], None], rows: range, most: int, threads: int
     strips = [rows[first : first + strip_rows] for first in range(0, len(rows), strip_rows)]
 
     def run_strips(begin: int, end: int) -> None:
+        """Run some of the strips."""
         for strip in strips[begin:end]:
             run(strip)
 

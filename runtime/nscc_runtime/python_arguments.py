@@ -136,6 +136,7 @@ def changes_of(call: str, values: Mapping[str, float]) -> dict[str, float]:
 
 
 def _container(value: object) -> Container | None:
+    """Return a container, or that of a program; None for other values."""
     container = value if isinstance(value, Container) else getattr(value, "container", None)
     return container if isinstance(container, Container) else None
 

@@ -91,4 +91,5 @@ def _readout_noise(
 
 @lru_cache(4)
 def _places(count: int) -> NDArray[np.int64]:
+    """Return the numbers 0 .. count - 1; cached."""
     return np.arange(count)

@@ -147,6 +147,7 @@ class Request:
 
 
 def _contradiction(options: str, note: str, help_text: str) -> Rejected:
+    """Return the error (NS0739) for options that exclude each other."""
     return rejected(
         "NS0739", f"{options}: these options exclude each other", notes=(note,), helps=(help_text,)
     )

@@ -61,6 +61,7 @@ def over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
 
 
 def _instead(plan_given: bool) -> str:
+    """Return what helps if a plan leaves out effects, given or made."""
     if plan_given:
         return "make a new plan for this scene"
     return "let the planner decide on these effects"

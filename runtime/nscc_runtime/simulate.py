@@ -218,11 +218,13 @@ digest_of = OfContainer(lambda container: sha256(to_bytes(container)).hexdigest(
 
 
 def _say_compiling(listener: Listener, loop: Loop[Any], subject: str) -> None:
+    """Tell the listener that loops are compiled first, if they are not compiled yet."""
     if listener.say is not None and not loop.is_compiled():
         _say_once(listener, loop.compiling(f"the {subject}'s loops"))
 
 
 def _say_once(listener: Listener, line: str) -> None:
+    """Tell the listener a line, unless it has been told already."""
     if listener.say is not None and line not in listener.lines_said:
         listener.lines_said.add(line)
         listener.say(line)

@@ -46,6 +46,7 @@ class Package:
 
     @property
     def name(self) -> str:
+        """The file name of the package."""
         return PurePosixPath(self.place).name
 
 

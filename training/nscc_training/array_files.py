@@ -208,6 +208,7 @@ def _named(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None
         raise refused(path, reason if path.is_file() else "the file does not exist")
 
     def choose(names: list[str]) -> str | None:
+        """Return the asked name, also if it is missing; without one, the only array, for a mask."""
         if name is None or name in names:
             return name
         return names[0] if len(names) == 1 and name == "mask" else None

@@ -176,6 +176,7 @@ def cell_film(
 
 
 def _numbered(name: str, count: int) -> list[str]:
+    """Return `count` names; a single one has no number."""
     return [name] if count == 1 else [f"{name}{number + 1}" for number in range(count)]
 
 

@@ -31,6 +31,7 @@ def config_toml(settings: RunSettings, *, remarks: bool = False) -> str:
     """Return a complete configuration file; `remarks` adds the meaning of each key as a comment."""
 
     def remark(key: Key) -> str:
+        """Return the comment on a key: its meaning and its allowed values."""
         return f"{key.meaning} ({key.kind.allowed})" if remarks else ""
 
     head = (

@@ -80,6 +80,7 @@ def pu21(luminance: Array) -> Array:
 
 
 def _pu21_inside(luminance: Any) -> Any:
+    """Return the PU21 curve for luminances within its domain."""
     a, b, c, d, e, f, scale = _PU21
     power = luminance**d
     return scale * (((a + b * power) / (1.0 + c * power)) ** e - f)
@@ -105,6 +106,7 @@ def _library(x: Any) -> Any:
 
 
 def _wide(x: Any) -> Any:
+    """Return x in float64, as array or tensor."""
     return x.double() if _library(x) is not np else np.asarray(x, np.float64)
 
 

@@ -152,6 +152,8 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         return weights.to(like)
 
     def _overlap(self, like: Tensor) -> Tensor:
+        """Return for each pixel how much light two buckets have in common, (rows, cols, buckets,
+        buckets)."""
         weights = self._weights(like)
         return torch.einsum("ithw,jthw->hwij", weights, weights)
 
@@ -171,6 +173,7 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
     """
 
     def __init__(self, sensor: SensorModel, rng: torch.Generator | None = None) -> None:
+        """Begin with the sensor and a generator of random numbers."""
         super().__init__(rng=rng)
         self.sensor = sensor
 

@@ -108,6 +108,7 @@ class MeasuredTables:
     `table`: the emulated sensor in use; None before the first measurement."""
 
     def __init__(self) -> None:
+        """Begin without a table."""
         self.table: EmulatedSensor | None = None
         self._shutters: Tensor | None = None
         self._recent: dict[bytes, EmulatedSensor] = {}

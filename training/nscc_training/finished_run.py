@@ -89,6 +89,7 @@ class Run:
             rows = [*csv.DictReader(file)]
 
         def number(name: str, text: str) -> float:
+            """Return a cell as number: 1 for the split val, NaN if it is empty."""
             if name == "split":
                 return float(text == "val")
             return float(text) if text else float("nan")
@@ -235,6 +236,7 @@ class Run:
         )
 
     def _score(self) -> str:
+        """Return the last score of the run as text, "" without one."""
         metric = self.folder.setup.protocol.metrics[0]
         scores = [v for v in self.curves.get(metric, np.array([])) if np.isfinite(v)]
         return f", {score_text(metric, scores[-1])}" if scores else ""

@@ -16,6 +16,7 @@ class _Replace(Function):
 
     @staticmethod
     def forward(x: Tensor, value: Tensor) -> Tensor:
+        """Return `value` in place of x."""
         return value.clone()
 
     @staticmethod
@@ -24,6 +25,7 @@ class _Replace(Function):
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None]:
+        """Pass the gradient to x."""
         return grad, None
 
 
@@ -32,10 +34,12 @@ class _Step(Function):
 
     @staticmethod
     def forward(x: Tensor, width: float, peaked: bool) -> Tensor:
+        """Return 1 where x is above 0, else 0."""
         return (x > 0).to(x.dtype)
 
     @staticmethod
     def setup_context(ctx: Any, inputs: tuple[Any, ...], output: Tensor) -> None:
+        """Store x and the shape of the surrogate gradient."""
         x, ctx.width, ctx.peaked = inputs
         ctx.save_for_backward(x)
 
@@ -56,15 +60,18 @@ class _Saturate(Function):
 
     @staticmethod
     def forward(x: Tensor, low: float, high: float, slope: float) -> Tensor:
+        """Return x clipped to a range."""
         return torch.clamp(x, low, high)
 
     @staticmethod
     def setup_context(ctx: Any, inputs: tuple[Any, ...], output: Tensor) -> None:
+        """Store where x is in the range."""
         x, low, high, ctx.slope = inputs
         ctx.save_for_backward((x >= low) & (x <= high))
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None, None]:
+        """Return the gradient of x, smaller by `slope` outside of the range."""
         (inside,) = ctx.saved_tensors
         return torch.where(inside, grad, grad * ctx.slope), None, None, None
 
@@ -99,5 +106,6 @@ def saturated(x: Tensor, low: float, high: float, slope: float = 0.0) -> Tensor:
 
 
 def _apply(function: Any, *arguments: Any) -> Tensor:
+    """Call a function with a gradient of its own."""
     result: Tensor = function.apply(*arguments)
     return result

@@ -321,4 +321,5 @@ def refused(path: Path, reason: str, note: str = "") -> Rejected:
 
 
 def _shape(tensor: Tensor) -> str:
+    """Return the shape of a tensor as text."""
     return str(tuple(tensor.shape))

@@ -79,6 +79,7 @@ def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float
 
 
 def _unit(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return values from 0.1 to 0.9."""
     low, high = np.percentile(values, (1, 99))
     return np.asarray(np.clip((values - low) / (high - low), 0, 1) * 0.8 + 0.1)
 

@@ -280,6 +280,7 @@ def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
 
 
 def _is_number(value: object) -> bool:
+    """Return whether a value is a number."""
     return isinstance(value, int | float | np.integer | np.floating)
 
 

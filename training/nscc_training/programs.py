@@ -67,6 +67,7 @@ class Chip:
     table: Target | None = None
 
     def __post_init__(self) -> None:
+        """Raise WrongArgument for invalid values."""
         require_type("Chip", "target", self.target, str, "str(path)")
         argument("Chip", "slot_us", ANY_NUMBER, self.slot_us)
 

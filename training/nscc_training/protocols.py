@@ -39,6 +39,7 @@ class Protocol:
     values: Mapping[str, Any]
 
     def __getitem__(self, key: str) -> Any:
+        """Return the value of a key."""
         return self.values[key]
 
     @property

@@ -27,6 +27,7 @@ def turned(
     import cv2
 
     def somewhere() -> tuple[float, float]:
+        """Return a random direction: longitude and latitude near the horizon, in radians."""
         return np.radians(generator.uniform(0, 360)), np.radians(generator.uniform(-15, 15))
 
     yaw, pitch = somewhere()

@@ -320,6 +320,7 @@ def _metric(values: dict[str, Any]) -> str:
 
 
 def _changes(result: dict[str, Any]) -> dict[str, float]:
+    """Return the scores of a run under changed conditions, by name."""
     rows = result.get("robustness") or ()
     scores = {str(row["change"]): _number(row[_metric(result)]) for row in rows}
     return {name: value for name, value in scores.items() if value is not None}

@@ -289,6 +289,7 @@ def _open_light_e(taken: Capture) -> NDArray[np.floating[Any]]:
 
 
 def _tone(light_e: NDArray[np.floating[Any]]) -> Tone:
+    """Return the tone curve of the playground's pictures."""
     return fitted("log", light_e)
 
 
@@ -305,6 +306,7 @@ def _picture(title: str, levels: NDArray[Any]) -> dict[str, Any]:
 
 
 def _encoded(values: NDArray[Any]) -> str:
+    """Return the bytes of an array in base64."""
     return b64encode(values.tobytes()).decode()
 
 
@@ -322,4 +324,5 @@ def _messages(diagnostics: Iterable[Diagnostic]) -> list[Any]:
 
 
 def _refused(message: str, help_text: str, **about: Any) -> Rejected:
+    """Return the error (NS0796) for an invalid request."""
     return rejected("NS0796", message, helps=(help_text,), **about)

@@ -99,6 +99,7 @@ def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, l
 
 
 def _table(plane: NDArray[np.bool_]) -> int:
+    """Return the bits of a small plane as an integer, row by row, the first bit lowest."""
     return int.from_bytes(np.packbits(plane.ravel(), bitorder="little").tobytes(), "little")
 
 
@@ -347,6 +348,8 @@ def _load_lines(loading: CodeLoading, load: PlaneLoad) -> Iterator[str]:
 
 
 def _operands(match: Match) -> str:
+    """Return the four numbers by which the devkit selects the pixels of a match: row, column,
+    and masks of both."""
     return f"{match.row}, {match.col}, {match.row_mask}, {match.col_mask}"
 
 

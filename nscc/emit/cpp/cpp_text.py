@@ -15,6 +15,7 @@ Call = tuple[str, tuple[str, ...]]
 
 @cache
 def _templates() -> dict[str, str]:
+    """Return the sections of `parts.cpp` by name."""
     _, *sections = Path(__file__).with_name("parts.cpp").read_text(encoding="ascii").split("//: ")
     split = (section.partition("\n") for section in sections)
     return {name: text.rstrip("\n") for name, _, text in split}

@@ -47,6 +47,7 @@ class Row:
 
     @property
     def times(self) -> int:
+        """The number of moments at which this row of the schedule runs."""
         return len(self.instants)
 
 

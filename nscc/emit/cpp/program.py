@@ -246,6 +246,7 @@ def _header(
 
 
 def _name(program: Program) -> str:
+    """Return the name of the program's file without its folder."""
     return PurePath(program.source.name).name
 
 

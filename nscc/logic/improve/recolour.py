@@ -178,6 +178,7 @@ class _Painter:
         )
 
         def copy(target: int, source: int) -> None:
+            """Append an operation that copies a register to another at the end of the frame."""
             out.append(frame.op(False, target, (source,), CLOSING, segment))
 
         waits = nx.DiGraph()
@@ -203,4 +204,5 @@ class _Painter:
 
 
 def _copies(item: GateOp) -> bool:
+    """Return whether an operation only copies a register."""
     return not item.inverted and len(item.sources) == 1

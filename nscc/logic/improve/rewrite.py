@@ -262,6 +262,8 @@ class Rewriter:
         return True
 
     def _store(self, item: GateOp, value: Content) -> None:
+        """Append an operation to the new run, and store `value`, its result, as the register's
+        content."""
         self.out.append(item)
         self.state[item.destination] = value
 

@@ -26,10 +26,10 @@ class DarkFit:
     offset_se: float
     offset_spread_se: float
     offsets: Map
-    current: float | None
-    current_se: float | None
-    currents: Map | None
     times_s: tuple[float, ...]
+    current: float | None = None
+    current_se: float | None = None
+    currents: Map | None = None
 
     def at(self, exposure_s: float | None) -> Map:
         """Return mean codes (2, rows, cols) of even and odd frames without light after
@@ -68,7 +68,7 @@ def dark_of(
         halves = _combined(same, weight / weight.sum())
         mean, spread = _mean(halves, good_mask)
         both = hypot(spread / sqrt(pixels), moments.mean_rounding)
-        return DarkFit(mean, moments.mean_se, both, halves, None, None, None, times)
+        return DarkFit(mean, moments.mean_se, both, halves, times)
     time, weight = np.array(known), _frames(usable_levels)
     centre = float((weight * time).sum() / weight.sum())
     moment = float((weight * (time - centre) ** 2).sum())
@@ -86,18 +86,20 @@ def dark_of(
         _size(starts * errors),
         offset_se,
         offsets,
+        tuple(sorted(set(known))),
         current,
         current_se,
         currents,
-        tuple(sorted(set(known))),
     )
 
 
 def _frames(levels: Sequence[Level]) -> np.ndarray:
+    """Return the number of frames of each level."""
     return np.array([level.frames for level in levels], np.float64)
 
 
 def _size(terms: np.ndarray) -> float:
+    """Return the square root of the sum of squares."""
     return sqrt(float((terms**2).sum()))
 
 

@@ -67,12 +67,15 @@ _FIGURES = {
 def _quantities(
     remark: str, known: Known = "measured", **values: tuple[float, float | None]
 ) -> dict[str, Quantity]:
+    """Return measured quantities by name, each of `values` a pair of value and standard error,
+    with a common remark."""
     return {
         name: Quantity(*_FIGURES[name], *value, known, remark) for name, value in values.items()
     }
 
 
 def _unknown(why: str, *names: str) -> dict[str, Quantity]:
+    """Return quantities without a value, and why they are unknown."""
     return {name: Quantity(*_FIGURES[name], None, None, "unknown", why) for name in names}
 
 
@@ -201,6 +204,7 @@ def _noise(
     (`dark` is None)."""
 
     def at_most(most: float, why: str) -> dict[str, Quantity]:
+        """Return the dark noise as an upper limit, in codes and in electrons."""
         in_electrons = (most / curve.gain, None)
         return _quantities(why, "at most", dark_noise_lsb=(most, None), dark_noise_e=in_electrons)
 

@@ -102,6 +102,8 @@ def _take(chosen: dict[str, ParameterChoice], name: str, quantity: Quantity) -> 
 def _contain(
     chosen: dict[str, ParameterChoice], name: str, value: float, sum_parameter: str
 ) -> None:
+    """Set a parameter, in place, whose effect the frames show only together with others, in
+    `sum_parameter`."""
     chosen[name] = ParameterChoice(
         value, None, "contained", f"part of {sum_parameter}: frames show only the sum"
     )
@@ -189,6 +191,7 @@ def _unknown(name: str, quantities: Mapping[str, Quantity]) -> str:
 
 
 def _shown(quantity: Quantity) -> str:
+    """Return a quantity as text: value, standard error, unit."""
     error = "" if quantity.se is None else f" +- {quantity.se:.2g}"
     return f"{quantity.value:.6g}{error} {quantity.unit}"
 

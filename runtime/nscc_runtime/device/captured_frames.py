@@ -56,7 +56,7 @@ def device_meta(
     """Return the meta of a frame just exposed by `chip`, with no seeds, plan and audit (None)."""
     info = chip.link.host.info
     assert info is not None  # known since the frame was received
-    origin = Provenance(chip.label.hex(), sensor, None, None, "device")
+    origin = Provenance(chip.label.hex(), sensor, seed=None, device_seed=None, fidelity="device")
     device = {"target": info.target_name, "loader": info.firmware}
     return {**meta(container, light, frame, origin), "device": device}
 

@@ -89,6 +89,7 @@ class DeviceChip:
         host.info = None
 
         def hello_info() -> Task[Info]:
+            """Return the loader's description, which every new session receives first."""
             yield from ()  # `lasting` already received `info`
             assert host.info is not None
             return host.info
@@ -123,6 +124,7 @@ class DeviceChip:
         sent, host = 0, self.link.host
 
         def watch(sent_bytes: int) -> None:
+            """Note how much was sent, for the progress."""
             nonlocal sent
             sent = max(sent, sent_bytes // _STEP)
 

@@ -185,9 +185,11 @@ class Firmware:
         self._recording = Recording(target)
 
     def __enter__(self) -> Self:
+        """Return the process, which ends at the end of the `with` block."""
         return self
 
     def __exit__(self, *_: object) -> None:
+        """End the process."""
         self.close()
 
     def fileno(self) -> int:
@@ -304,6 +306,7 @@ class RunningFirmware(Firmware):
             self._exposing.append((job, in_background(partial(self.execute, job))))
 
     def close(self) -> int:
+        """Close the line and end the process; return its exit status."""
         if self._line >= 0:
             os.close(self._line)
         return super().close()

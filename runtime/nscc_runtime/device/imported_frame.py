@@ -53,6 +53,7 @@ class Orientation:
     transpose: bool = False
 
     def __str__(self) -> str:
+        """Return what was cut and turned, as text."""
         cut = "" if self.crop is None else f"cut from row {self.crop[0]}, column {self.crop[1]}; "
         turned = "no flip" if self.flip == "none" else f"{self.flip} reversed"
         return cut + turned + (", rows and columns exchanged" if self.transpose else "")
@@ -135,7 +136,8 @@ def frame_of_pictures(
     planes = {register: _bits(pictures[name][0], laid[name]) for name, register in digital.items()}
     frame = frame_of_readouts(codes, None, target, container, Sent(sensor, False, planes))
     digest = sha256(to_bytes(container)).hexdigest()
-    meta_values = meta(container, None, frame, Provenance(digest, sensor, None, None, "imported"))
+    origin = Provenance(digest, sensor, seed=None, device_seed=None, fidelity="imported")
+    meta_values = meta(container, None, frame, origin)
     meta_values["imported"] = {
         **about,
         "crop": orientation.crop,
@@ -275,4 +277,5 @@ def _bits(origin: str, picture: NDArray[np.uint8]) -> NDArray[np.bool_]:
 
 
 def _refused(origin: Path | str, reason: str, helps: tuple[str, ...] = ()) -> Rejected:
+    """Return the error (NS0794) for an array that is not a readout of the program."""
     return rejected("NS0794", f"'{origin}' is not a readout of this program: {reason}", helps=helps)

@@ -49,6 +49,7 @@ class SerialLink:
             raise port_trouble(path, trouble) from None
 
     def __enter__(self) -> Self:
+        """Return the link, which is closed at the end of the `with` block."""
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:

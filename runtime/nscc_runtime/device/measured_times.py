@@ -63,6 +63,7 @@ def measured(link: SerialLink, target: Target) -> MeasuredTimes:
     analog, digital = op("nop"), op("CLR", [register])
 
     def took(kernel: Sequence[Op], launches: int, waits: bool = False) -> CaptureReply:
+        """Return the reply of a frame that runs a kernel this often."""
         return _captured(link, _program(target, kernel, launches, waits))
 
     once = took([analog], 1).lasted_us
@@ -94,6 +95,7 @@ def _captured(link: SerialLink, program: Upload) -> CaptureReply:
     request = FrameRequest(SystemRandom().randrange(1 << 63), Channel.CODES, program)
 
     def work() -> Task[tasks.FetchedFrame]:
+        """Upload the program and capture a frame."""
         yield from tasks.upload(link.host, program)
         return (yield from tasks.capture(link.host, request))
 

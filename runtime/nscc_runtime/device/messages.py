@@ -94,6 +94,7 @@ class _Body:
     layout: ClassVar[Struct]
 
     def pack(self) -> bytes:
+        """Return the bytes of the fields."""
         return self.layout.pack(*astuple(self))  # type: ignore[call-overload]
 
     @classmethod
@@ -204,6 +205,7 @@ class Declare(_Body):
     layout = Struct("<HH")
 
     def pack(self) -> bytes:
+        """Return the bytes of the head and of all entries."""
         head = self.layout.pack(self.first, len(self.entries))
         return head + b"".join(entry.pack() for entry in self.entries)
 

@@ -233,6 +233,7 @@ def _readouts(container: Container) -> list[tuple[int, bool, float]]:
 
 
 def _counted(layout: Struct, rows: Sequence[tuple[float, ...]]) -> bytes:
+    """Return the number of rows and the rows as bytes."""
     return COUNT.pack(len(rows)) + b"".join(layout.pack(*row) for row in rows)
 
 

@@ -75,6 +75,7 @@ class Unpacker:
     """Finds the packets in a stream of bytes. `damaged`: number of dropped packets."""
 
     def __init__(self) -> None:
+        """Begin without bytes of a packet."""
         self.damaged = 0
         self._waiting = b""
         self._overlong = False

@@ -140,5 +140,6 @@ class Emulated(RunningFirmware):
         self.write_record(b"B", frame[offset : offset + count] if number == frame_number else b"")
 
     def close(self) -> int:
+        """End the emulator; return its exit status."""
         self._process.kill()
         return super().close()

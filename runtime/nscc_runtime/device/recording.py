@@ -50,6 +50,7 @@ class Recording:
     """The commands of a loader to its board, received as records (`emulated/records.hpp`)."""
 
     def __init__(self, target: Target) -> None:
+        """Begin without a program."""
         self.target = target
         self._forget()
 

@@ -156,6 +156,7 @@ class Accidents:
     """Decides, by the number of transferred bytes, when the line breaks or the loader reboots."""
 
     def __init__(self, faults: LineFaults) -> None:
+        """Plan the faults: after how many packets the line breaks or the loader restarts."""
         after = {"disconnect": faults.disconnect_after, "reboot": faults.reboot_after}
         self._to_come = {name: count for name, count in after.items() if count is not None}
         self._passed = 0
@@ -238,6 +239,7 @@ class Terminal:
         return any(happened & select.POLLHUP for _, happened in poller.poll(0))
 
     def close(self) -> None:
+        """Close the terminal."""
         with suppress(OSError):
             os.close(self.fd)
 
@@ -280,9 +282,11 @@ class StandInServer:
                 self._wait()
 
     def _over(self) -> bool:
+        """Return whether the time of the server has passed."""
         return self._until is not None and monotonic() >= self._until
 
     def _now_us(self) -> int:
+        """Return the time of a steady clock in microseconds."""
         return int(monotonic() * 1e6)
 
     def _turn(self, data: bytes | None) -> None:

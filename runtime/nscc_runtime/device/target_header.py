@@ -72,6 +72,7 @@ def _numbers(target: Target) -> Iterator[str]:
     names = target.digital_registers
 
     def number(register: str | None) -> int:
+        """Return the number of a register, -1 for none."""
         return -1 if register is None else names.index(register)
 
     digest = [f"0x{byte:02x}" for byte in target_digest(target)]
@@ -111,10 +112,12 @@ constexpr bool directed_halving = {str(target.directed_halving).lower()};"""
 
 
 def _limit(count: int | None) -> int:
+    """Return a limit as the loader stores it; the largest number stands for no limit."""
     return _NO_LIMIT if count is None else min(count, _NO_LIMIT)
 
 
 def _word(word: Word) -> str:
+    """Return a word as an initializer of C++."""
     return "{{" + ", ".join(f"0x{field:05x}" for field in word) + "}}"
 
 
@@ -217,6 +220,7 @@ def refresh_words(target: Target, register: str) -> list[Op]:
 
 
 def _table(ops: Sequence[Op]) -> str:
+    """Return words as the rows of a table of C++."""
     words = (", ".join(f"0x{field:05x}" for field in encode(op)) for op in ops)
     return ",\n        ".join("{" + word + "}" for word in words)
 

@@ -108,15 +108,18 @@ class _Chunk:
     """The bytes per packet: halved after a loss, doubled after some packets without a loss."""
 
     def __init__(self, most: int) -> None:
+        """Begin with the largest allowed chunk."""
         self.most = self.size = max(CHUNK, most // CHUNK * CHUNK)
         self._good = 0
 
     def record_arrival(self) -> None:
+        """Note that a chunk arrived: after some of them, chunks become twice as large."""
         self._good += 1
         if self._good >= _GROW_AFTER and self.size < self.most:
             self.size, self._good = min(2 * self.size, self.most), 0
 
     def record_loss(self) -> None:
+        """Note that a chunk was lost: chunks become half as large."""
         self.size, self._good = max(self.size // 2, CHUNK), 0
 
 
@@ -159,6 +162,7 @@ class _Sender:
                 self._acknowledge(packet.sequence, checked(UploadProgress.unpack, packet))
 
     def _ours(self, sequence: int) -> bool:
+        """Return whether a reply belongs to a packet that is not answered yet."""
         return any(number == sequence for number, *_ in self.sent)
 
     def _fill(self) -> None:

@@ -15,10 +15,12 @@ from nscc_runtime.effects.views import Values
 
 
 def _of_all_codes(target: Target, values: Mapping[str, float]) -> float:
+    """Return the electrons of one converter code if a full well takes all codes."""
     return values["full_well_e"] * target.wells_read / ((1 << target.adc_bits) - 1)
 
 
 def _zero(target: Target, _values: Mapping[str, float]) -> float:
+    """Return the code of no charge."""
     return target.zero_lsb
 
 

@@ -19,6 +19,7 @@ from nscc_runtime.noise import key, normals
 
 
 def _full_range_code(_target: Target, values: Mapping[str, float]) -> float:
+    """Return the electrons of one code of words, whose 255 codes span two full wells."""
     return 2.0 * values["full_well_e"] / 255.0
 
 
@@ -80,10 +81,12 @@ WORD_LSB = parameter(
 
 
 def _in_electrons(codes: Parameter) -> OfSensor:
+    """Return a function that converts a parameter in codes of words into electrons."""
     return lambda sensor: codes(sensor) * WORD_LSB(sensor)
 
 
 def _move_gain(sensor: Sensor) -> float:
+    """Return the gain of a move, which loses a part of what an addition loses."""
     return 1.0 - MOVE_LOSS(sensor) * (1.0 - GAIN(sensor))
 
 

@@ -31,6 +31,7 @@ def current_e_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
 
 
 def _fall(slots: Slots, charge: Values) -> Values:
+    """Return the charge of the slots with the electrons of the dark current."""
     rates = slots.scene.slot_s[:, None, None] * slots.fixed(current_e_per_s)
     return charge + slots.counted(DARK.stream, WITHOUT_LIGHT, rates)
 

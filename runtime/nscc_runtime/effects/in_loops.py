@@ -59,6 +59,7 @@ def draws_keys(seed: int, source: int) -> dict[str, np.uint64]:
 
 
 def _in_loops() -> Iterator[tuple[Effect, InLoop]]:
+    """Yield the effects that the loops over words apply, with their declarations."""
     for effect in registered():
         if isinstance(effect.words, InLoop):
             yield effect, effect.words

@@ -10,6 +10,7 @@ from nscc_runtime.effects.views import Scene
 
 
 def _moving(scene: Scene) -> Scene:
+    """Return the scene with the light that moves during a slot, if it has such light."""
     light, previous = (still.motion or still for still in (scene.light, scene.previous))
     return replace(scene, light=light, previous=previous)
 

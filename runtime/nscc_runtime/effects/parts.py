@@ -26,6 +26,7 @@ class Part:
     stage: ClassVar[str] = ""
 
     def __init_subclass__(cls, stage: str = "") -> None:
+        """Store the stage of a frame to which a kind of part belongs."""
         cls.stage = stage
 
 

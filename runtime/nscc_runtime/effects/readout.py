@@ -22,6 +22,7 @@ def _of_scamp(value: float) -> Default:
     """Return a default for chips with registers, and 0 for other chips, which were not measured."""
 
     def default(target: Target, _values: Mapping[str, float]) -> float:
+        """Return the default on chips with logic; 0 on others."""
         return value if target.has_logic else 0.0
 
     return default
@@ -101,10 +102,12 @@ def _pattern_lsb(sensor: Sensor, device_seed: int, shape: tuple[int, int]) -> Va
 
 
 def _pattern_sd_lsb(sensor: Sensor) -> float:
+    """Return the standard deviation of the pattern of the readout, in codes."""
     return hypot(PATTERN(sensor), SMOOTH(sensor))
 
 
 def _weights(sensor: Sensor) -> NDArray[np.float64]:
+    """Return the weights of the readout errors that pixels share; their squares sum to 1."""
     weights = np.array(_SHARED)
     weights[1:] *= COLUMNS(sensor)
     return np.asarray(weights / np.sqrt(weights @ weights))

@@ -67,10 +67,12 @@ def _high(sensor: Sensor) -> float:
 
 
 def _linear(sensor: Sensor) -> float:
+    """Return the value (e) up to which a register is linear."""
     return KNEE(sensor) * _high(sensor)
 
 
 def _compute_loss_e(sensor: Sensor, size: Values) -> Values:
+    """Return how much (e) a register loses of values of this size."""
     over = np.maximum(size - _linear(sensor), 0.0)
     room = max(_high(sensor) - _linear(sensor), 1e-9)
     return np.asarray(over - room * np.tanh(over / room))

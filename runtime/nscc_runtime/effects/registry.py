@@ -146,6 +146,7 @@ def parameters() -> tuple[Parameter, ...]:
 
 @cache
 def _parameters(effects: tuple[Effect, ...]) -> tuple[Parameter, ...]:
+    """Return the parameters of effects, each once, in their order in a file."""
     rows = {row.name: row for effect in effects for row in effect.parameters}
     return tuple(sorted(rows.values(), key=lambda row: row.place))
 

@@ -42,6 +42,7 @@ class Selection:
         return not self.on & set(optional())
 
     def __contains__(self, effect: object) -> bool:
+        """Return whether an effect is simulated."""
         return isinstance(effect, Effect) and effect.name in self.on
 
     @cached_property
@@ -110,6 +111,7 @@ class Selection:
 
 @lru_cache(4096)
 def _without(selection: Selection, names: frozenset[str]) -> Selection:
+    """Return the selection without the named effects; cached."""
     return Selection(selection.on - names, selection.forced, selection.auto)
 
 
@@ -120,6 +122,7 @@ def everything() -> Selection:
 
 @cache
 def _all_of(effects: tuple[Effect, ...]) -> Selection:
+    """Return the selection of these effects; cached."""
     return Selection(frozenset(effect.name for effect in effects), frozenset())
 
 

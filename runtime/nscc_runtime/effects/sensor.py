@@ -26,24 +26,29 @@ class Sensor:
     values: Mapping[str, float]
 
     def __repr__(self) -> str:
+        """Return the first values and their number as one line."""
         first = ", ".join(f"{name}={value:g}" for name, value in islice(self.values.items(), 4))
         return f"<nscc sensor: {first}, .. {len(self.values)} numbers>"
 
     def _repr_html_(self) -> str:
+        """Return the table that a notebook shows."""
         rows = [(name, f"{value:g}") for name, value in self.values.items()]
         return html.card("sensor", f"{len(rows)} numbers", html.table(rows))
 
     def __getattr__(self, name: str) -> float:
+        """Return the value of a parameter; raise AttributeError for an unknown one."""
         # Copies and pickles read attributes before the values are set.
         if name.startswith("__") or name == "values" or name not in self.values:
             raise AttributeError(f"unknown sensor parameter {name!a}")
         return self.values[name]
 
     def __hash__(self) -> int:
+        """Return a hash of the values."""
         return self._hash
 
     @cached_property
     def _hash(self) -> int:
+        """The hash; cached."""
         # Hash the numbers alone: cached hashes travel to processes that hash names differently.
         return hash(frozenset(self.values.values()))
 

@@ -8,6 +8,7 @@ from nscc_runtime.effects.views import LIGHT, Slots, Values
 
 
 def _count(slots: Slots, light: Values) -> Values:
+    """Return the numbers of photons drawn for the expected light of slots."""
     return slots.counted(SHOT.stream, LIGHT, light)
 
 

@@ -13,6 +13,8 @@ from nscc_runtime.effects.parts import Converter
 
 
 def _of_words(target: Target, values: Mapping[str, float]) -> float:
+    """Return the noise of spreading in codes, which follows from that of words; 0 on chips that
+    do not spread."""
     spreads = target.spread_level is not None
     word_e = values["analog_noise_lsb"] * values["analog_lsb_e"]
     return word_e / values["electrons_per_lsb"] * SPREADING_ERRORS**0.5 if spreads else 0.0

@@ -137,11 +137,14 @@ class ArrayWords:
         )
 
     def _analog(self, name: str) -> Operand:
+        """Return the number of an analog register and the offset of the pixel whose register is
+        read."""
         if name in NEIGHBOURS:
             return (self.analog["NEWS"], *STEPS[name])
         return self.analog[name], 0, 0
 
     def _digital(self, names: Iterable[str]) -> list[Operand]:
+        """Return the numbers of digital registers, of the pixel itself."""
         return [(self.digital[name], 0, 0) for name in names]
 
 

@@ -55,6 +55,8 @@ class ChipProgram:
         launches: Sequence[Launch],
         planes: Mapping[str, Bits],
     ) -> None:
+        """Store what a chip holds: kernels, launches, and the bit planes at the start of a
+        frame."""
         self.target, self.slots, self.planes = target, slots, planes
         self._kernels, self._launches = kernels, launches
 

@@ -81,6 +81,7 @@ class BlockProgram:
 
     @property
     def most_stretches(self) -> int:
+        """The largest number of stretches of a lane."""
         return int(np.diff(self.stretches.start).max()) - 1
 
 

@@ -110,6 +110,7 @@ class ChargeScene:
 
     @property
     def pixels(self) -> int:
+        """The number of pixels whose charge is computed."""
         return len(self.number)
 
 
@@ -210,6 +211,7 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     is_counted = bool(lit or dark) and exchanged > 0
 
     def zeros(wanted: bool, rows: int, columns: int) -> Values:
+        """Return an array of zeros, of one element if it is not wanted."""
         return np.zeros((rows, columns) if wanted else (1, 1))
 
     means = StretchMeans(
@@ -246,9 +248,11 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
         )
 
     def add_dark(begin: int, end: int) -> None:
+        """Add the dark charge of the pixels from `begin` up to `end`, in place."""
         dark_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
 
     def complete(begin: int, end: int) -> None:
+        """Compute the expected charge of the pixels from `begin` up to `end`, in place."""
         charge_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
 
     in_parts(add_light, count, threads, _FEWEST)

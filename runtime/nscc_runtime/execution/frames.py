@@ -112,6 +112,7 @@ def frame_source(
     count = threads_of(threads)
 
     def convert(exposure: Exposure, seed: int, number: int) -> Frame:
+        """Return the codes of an exposure, with the noise of this frame's readout."""
         seeds = seed, device_seed
         return converted(exposure, container.target, sensor, effects, seeds, number)
 

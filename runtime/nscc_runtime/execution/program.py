@@ -87,6 +87,7 @@ class AnalysedProgram:
 
     @remembered
     def _backward(self, model: WeightModel) -> Backward:
+        """Return the weights of slots and words under a model; cached."""
         return backward(self.container, self.decayed if model.decay else self.fresh, model)
 
     def buckets_overlap(self, model: WeightModel) -> bool:

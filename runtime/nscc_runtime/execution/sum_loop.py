@@ -281,11 +281,13 @@ class SlotWeights:
     because series of frames have the same timing."""
 
     def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
+        """Store the weights (N, lanes) of each sum."""
         self.slots = [*slots]
         self._last: FrameWeights | None = None
 
     @property
     def lanes(self) -> int:
+        """The number of lanes."""
         return len(self.slots[0][0])
 
     def of_frames(self, light: Light) -> FrameWeights:

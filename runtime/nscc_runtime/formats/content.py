@@ -87,6 +87,7 @@ class Content:
         return self._pictures(self.codes) if tone is None else map(tone, self.pictures)
 
     def _pictures(self, values: NDArray[Any] | None) -> Iterator[NDArray[Any]]:
+        """Yield the pictures of a clip, or the one of a still."""
         assert values is not None  # `lacks` refuses content without light
         return map(self.picture, values if self.moving else [values])
 
@@ -223,6 +224,7 @@ def shutter_content(arrays: Arrays) -> Content:
     file (buckets, rows, cols, T), both of 0 and 1."""
 
     def mask() -> Arrays:
+        """Return the shutters for formats with one bucket."""
         if len(arrays["shutter"]) > 1:
             raise _one_bucket()
         return {"mask": _opened(arrays)[0]}

@@ -34,6 +34,7 @@ def npy(content: Content) -> Product:
     first = content.main or (lambda: next(iter(content.arrays.values())))
 
     def write(file: IO[bytes]) -> None:
+        """Write the first array to a file that may be a pipe."""
         # Hide the file's type from numpy, which would seek in it: pipes cannot seek.
         np.lib.format.write_array(SimpleNamespace(write=file.write), np.asarray(first()))
 

@@ -71,6 +71,7 @@ def exr(content: Content) -> bytes:
 
 
 def _light(content: Content) -> NDArray[np.float32]:
+    """Return the light of the one picture."""
     (picture,) = content.pictures
     return np.asarray(picture, np.float32)
 

@@ -185,6 +185,7 @@ class PicturedProgram:
 
     @cached_property
     def _image_sensor(self) -> Sensor:
+        """The sensor that converts images."""
         return image_sensor(self.sensor, self.container.target)
 
     def frames(
@@ -408,6 +409,7 @@ class _WordsOfParams:
     """The words of a container's images and planes for the last values of its parameters."""
 
     def __init__(self, container: Container) -> None:
+        """Begin without words."""
         self._container = container
         self._last: tuple[Any, list[tuple[Op, int | None]], PictureWords | None] | None = None
 

@@ -55,6 +55,7 @@ class ArrayPixels(WordPixels):
         self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
 
     def bit(self, name: str) -> Bits:
+        """Return a digital register of all pixels."""
         return np.asarray(self.digital.read(name) == 1)
 
     def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:

@@ -58,8 +58,10 @@ def poisson(key: np.uint64, pixels: Pixels, rate: Floats) -> tuple[Floats, NDArr
 
 
 def _places(pixels: Pixels) -> Pixels:
+    """Return the numbers of pixels as one contiguous list."""
     return np.require(pixels, np.int64, ["C", "A"]).reshape(-1)
 
 
 def _floats(values: Floats) -> Floats:
+    """Return an array in the form that loops take."""
     return np.require(values, np.float64, ["C", "A"])

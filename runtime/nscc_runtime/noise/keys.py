@@ -95,4 +95,5 @@ def philox(counter: tuple[int, int, int, int], key: tuple[int, int]) -> tuple[in
 
 
 def _halves(value: int) -> tuple[int, int]:
+    """Return the low and the high 32 bits."""
     return value & _MASK_32, value >> 32

@@ -41,6 +41,7 @@ def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None 
     side = side or min(_SIDE, sheet.WIDTH / columns - _GAP)
 
     def lines(text: str) -> list[str]:
+        """Return a text in lines as wide as a picture."""
         return textwrap.wrap(text, int(side * _LETTERS))
 
     boxes, top = [], 0.0

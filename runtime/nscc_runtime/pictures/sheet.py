@@ -114,11 +114,13 @@ def _luminance(colour: str) -> float:
 
 
 def _mix(colour: str, target_colour: str, share: float) -> str:
+    """Return a colour between two, `share` of the way."""
     pairs = zip(_rgb_levels(colour), _rgb_levels(target_colour), strict=True)
     return "#" + "".join(f"{round(a + (b - a) * share):02x}" for a, b in pairs)
 
 
 def _rgb_levels(colour: str) -> list[int]:
+    """Return red, green and blue of a colour such as #8090a0."""
     return [int(colour[at : at + 2], 16) for at in (1, 3, 5)]
 
 
@@ -241,6 +243,7 @@ def place(figure: Figure, x_inches: float, y_inches: float, width: float, height
 
 
 def _round_to_dots(inches: float) -> float:
+    """Return a length that is a whole number of dots."""
     return round(inches * DPI) / DPI
 
 

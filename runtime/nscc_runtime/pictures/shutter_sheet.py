@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.words.container import Container
+from nscc.words.container import Container, tile_of
 from nscc.words.shutters import Shutters, shutters_of
-from nscc_runtime.merge import tile_of
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.sheet import theme
 from nscc_runtime.run_kinds import KINDS
@@ -92,6 +91,7 @@ def subtitle(container: Container, subject: str) -> str:
 
 
 def _time(us: float) -> str:
+    """Return a time as text with a suitable unit."""
     scale, name = unit(us)
     return f"{us * scale:.4g} {name}"
 

@@ -65,6 +65,7 @@ class _Scale:
         return cls(low - room, high + room)
 
     def at(self, value: Place) -> float:
+        """Return where a value is on the axis: a name by its number."""
         return float(self.names.index(str(value)) if self.names else value)
 
     def lay(self, axes: Axes, axis_name: str) -> None:

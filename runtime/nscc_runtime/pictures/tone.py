@@ -85,6 +85,7 @@ def _reinhard(relative: Field) -> Callable[[Field], Field]:
     scale = _KEY / float(np.exp(np.mean(np.log(lit)))) if lit.size else 1.0
 
     def curve(light: Field) -> Field:
+        """Return light on the screen's scale, with highlights compressed (Reinhard et al. 2002)."""
         bright = light * scale
         return srgb_of_linear(bright * (1.0 + bright / scale**2) / (1.0 + bright))
 

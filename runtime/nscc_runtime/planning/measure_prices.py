@@ -122,6 +122,7 @@ def _frame_ns(scene: PlannedScene, effects: Selection) -> float:
     The light is copied, so that no cached property is reused."""
 
     def expose() -> None:
+        """Expose one frame, without stored sums of its light."""
         [_] = replace(scene, light=replace(scene.light)).frames(effects, 0, 1)
 
     return 1e9 / scene.pixels * _least_s(expose)

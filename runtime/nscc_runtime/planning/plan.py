@@ -159,12 +159,15 @@ class Plan:
         return "; ".join(broken_parts) or None
 
     def __repr__(self) -> str:
+        """Return the plan as one line."""
         return f"<nscc plan: {self.line}>"
 
     def __str__(self) -> str:
+        """Return the table of effects."""
         return _table(self)
 
     def _repr_html_(self) -> str:
+        """Return the card that a notebook shows."""
         return html.card("plan", self._error, html.plain(str(self)))
 
     @property
@@ -181,6 +184,7 @@ class Plan:
 
     @property
     def _error(self) -> str:
+        """The predicted error and the tolerance as text."""
         if self.predicted_e is None:
             return "no error measured"
         return f"predicted error {self.predicted_e:.3g} e, tolerance {self.allowed}"

@@ -66,6 +66,7 @@ class PlannedScene:
 
     @property
     def pixels(self) -> int:
+        """The number of pixels."""
         return self.light.shape[0] * self.light.shape[1]
 
     def ready(self) -> None:

@@ -129,6 +129,7 @@ def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:
         """A scene with signal and noise above 0."""
 
         def signal_e(self) -> float:
+            """Return a large exposure, so that only the text of a tolerance matters."""
             return 1e4
 
         noise_e = signal_e
@@ -154,6 +155,7 @@ def with_readout_e(noise_e: float, sensor: Sensor) -> float:
 
 
 def _within(tolerance: Tolerance, shown: str) -> Tolerance:
+    """Return a tolerance; raise Rejected if it is too small or too large."""
     if not LEAST_E <= tolerance.electrons <= MOST_E:
         raise _malformed(shown)
     return tolerance

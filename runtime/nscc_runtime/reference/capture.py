@@ -124,6 +124,7 @@ class Reference:
         final_planes = {name: np.empty((len(rows), cols), np.bool_) for name in names}
 
         def fall(part_rows: range) -> Fallen:
+            """Return the charge that falls on some rows."""
             return charge_of_rows(
                 scene, self.sensor, self.effects, seeds, frame, part_rows, self.starts
             )
@@ -192,6 +193,7 @@ def frames(
     reference = Reference.of(container, sensor, effects) if container.stream is None else None
 
     def expose(number: int) -> Exposure:
+        """Return the exposure of a frame by its number."""
         if reference is None:
             return expose_stream(container, scene, sensor, effects, seeds, number, threads)
         return reference.expose(scene, *seeds, number, threads)

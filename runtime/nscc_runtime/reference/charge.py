@@ -87,9 +87,11 @@ class _Slots(Slots):
     starts: Sequence[int]
 
     def __post_init__(self) -> None:
+        """Begin with all pixels valid."""
         self.valid = np.ones(len(self.places), np.bool_)
 
     def fixed(self, make: OnDevice) -> Charge:
+        """Return a fixed pattern of the chip, (rows, cols)."""
         return super().fixed(make).reshape(-1, self.scene.light.shape[1])
 
     @remembered

@@ -60,6 +60,7 @@ def expose_stream(
         raise ValueError("a container without planes")
 
     def fall(part_rows: range) -> Fallen:
+        """Return the charge that falls on some rows."""
         return charge_of_rows(
             scene, sensor, effects, seeds, frame, part_rows, range(container.slots)
         )
@@ -101,6 +102,7 @@ class _Taps(Pixels):
     rows: slice
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
+        """Return the random errors of an effect in a word, for all pixels."""
         effect = next(candidate for candidate in self.effects.effects if candidate.name == name)
         return normals(key(self.seed, effect.stream, 1, self.frame, word.number), self.places)
 

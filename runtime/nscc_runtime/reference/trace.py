@@ -86,6 +86,7 @@ class AnalogWord(RunningWord):
 
     @classmethod
     def of(cls, word: RunningWord, lanes: Bits) -> AnalogWord:
+        """Return a word with the lanes in which it acts."""
         return cls(word.number, word.boundary, word.after_us, word.op, word.in_e, lanes)
 
 

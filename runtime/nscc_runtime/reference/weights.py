@@ -33,6 +33,7 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
     are built on access; they must not be modified."""
 
     def __init__(self) -> None:
+        """Begin without weights."""
         self._held: dict[Name, tuple[int, NDArray[np.int32] | None, Weights]] = {}
 
     def keep(self, name: Name, weight: Weights) -> None:
@@ -60,9 +61,11 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
         return weights
 
     def __iter__(self) -> Iterator[Name]:
+        """Yield the names with weights."""
         return iter(self._held)
 
     def __len__(self) -> int:
+        """Return the number of names with weights."""
         return len(self._held)
 
 

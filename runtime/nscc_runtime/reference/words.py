@@ -127,6 +127,7 @@ class Resets:
     """The reset levels of some pixels; arrays are (pixels,). Boundaries are rising numbers."""
 
     def __init__(self, effects: Selection, pixels: int) -> None:
+        """Begin with no reset level in any pixel."""
         self._leaving, self._letting_in = effects.at("resets"), effects.at("level")
         self._level_e, self._last = np.zeros(pixels), np.full(pixels, -1.0)
 

@@ -40,11 +40,13 @@ class ImagesRun(RunKind):
         return Exposing(partial(program.frames, light, *seeds, request.repeat or 1, settings))
 
     def flow(self, container: Container, width: float) -> Any:
+        """Return the diagram of images and planes, of this width."""
         from nscc_runtime.pictures.data_flow import DataFlow
 
         return DataFlow(container, width)
 
     def frame_sheet(self, container: Container, frame: Any, response: Any, title: str) -> Any:
+        """Draw the images and planes of a frame."""
         from nscc_runtime.pictures.images import image_plane_sheet
 
         return image_plane_sheet(frame, container.buckets_read, title)

@@ -42,11 +42,13 @@ class LooksRun(RunKind):
         return Exposing(run, run_blocks) if noiseless else Exposing(run, fill_normals, "noise")
 
     def sheet(self, container: Container, title: str) -> Any:
+        """Draw what pixels do for each sequence of answers."""
         from nscc_runtime.pictures.looking_chart import course_sheet
 
         return course_sheet(container, title)
 
     def sent_frame(self, container: Container, frame: Any, sent: Sent) -> Any:
+        """Return the frame with the light that the sent states give."""
         simulated = selected("none") if sent.exact else everything()
         told = told_by(container, sent.planes, frame, sent.sensor, simulated)
         return replace(frame, told=told)

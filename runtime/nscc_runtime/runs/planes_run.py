@@ -15,6 +15,7 @@ class BitPlanesRun(RunKind):
     without_plan = "bit planes assign the light to buckets slot by slot"
 
     def absent_effects(self, container: Container, effects: Any) -> Mapping[str, str]:
+        """Return the effects that a chip without logic does not have, with the reasons."""
         from nscc_runtime.reference.stream import absent_effects
 
         return absent_effects(container, effects)

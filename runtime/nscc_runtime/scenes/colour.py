@@ -50,6 +50,7 @@ class Colours:
         return cls((_INVERSES[transfer],), weights, CURVES[transfer], transfer)
 
     def curve_of(self, channel: int) -> Curve:
+        """Return the curve of a colour channel."""
         return self.curves[channel % len(self.curves)]
 
 
@@ -122,6 +123,7 @@ def srgb_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _unchanged(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the values: the curve of linear light."""
     return values
 
 

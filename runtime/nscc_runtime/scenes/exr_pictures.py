@@ -82,6 +82,7 @@ def exr_pages(path: Path) -> Pages:
 
 
 def _size(corners: Any) -> tuple[int, int]:
+    """Return rows and columns of a window given by its corners."""
     (x0, y0), (x1, y1) = corners
     return int(y1) - int(y0) + 1, int(x1) - int(x0) + 1
 
@@ -116,6 +117,7 @@ def _layer_pixels(
     """Return the picture of a layer on its data window; `weights` are those of luminance."""
 
     def pixels(name: str) -> NDArray[Any]:
+        """Return a channel of the layer at every pixel."""
         return _at_every_pixel(channels[layer + name], window)
 
     if f"{layer}R" in channels:
@@ -168,5 +170,6 @@ def _in_display_window(picture: NDArray[Any], header: Mapping[str, Any]) -> NDAr
 
 
 def _listed(names: list[str]) -> str:
+    """Return names as text, the first ones if there are many."""
     shown = ", ".join(name[:40] for name in names[:_LAYERS_SHOWN])
     return shown + (f" and {len(names) - _LAYERS_SHOWN} more" * (len(names) > _LAYERS_SHOWN))

@@ -96,10 +96,12 @@ def _profile_curve(data: bytes, tag: bytes) -> Curve:
 
 
 def _power(gamma: float, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return values to the power `gamma`; negative ones become 0."""
     return np.maximum(values, 0.0) ** gamma if gamma != 1 else values
 
 
 def _table(samples: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return values by a curve that `samples` give at even distances."""
     return np.interp(values, np.linspace(0, 1, len(samples)), samples)
 
 

@@ -70,10 +70,12 @@ class _Request:
 
     @property
     def name(self) -> str:
+        """The name of the scene."""
         return self.scene.name
 
     @cached_property
     def exposure(self) -> ExposureLevel | None:
+        """The exposure that the scene asks for, or None."""
         return parse_exposure(self.scene.exposure)
 
     def check_light(self, shape: tuple[int, ...]) -> None:
@@ -104,10 +106,12 @@ class _Request:
 
     @property
     def slots(self) -> int:
+        """The number of slots."""
         return len(self.slot_us)
 
     @property
     def slot_s(self) -> NDArray[np.float64]:
+        """The lengths of the slots in seconds."""
         return np.array(self.slot_us, np.float64) * 1e-6
 
 

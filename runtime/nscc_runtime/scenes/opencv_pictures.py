@@ -48,6 +48,7 @@ def radiance_pages(path: Path) -> Pages:
 
 
 def _head(path: Path) -> bytes:
+    """Return the first bytes of a file."""
     with open(path, "rb") as file:
         return file.read(_HEADER_BYTES)
 
@@ -59,6 +60,7 @@ def _reader(
     by content, and supports any path."""
 
     def read() -> Iterator[NDArray[Any]]:
+        """Yield the one picture of the file."""
         yield decode(np.fromfile(path, np.uint8))
 
     return read

@@ -70,6 +70,7 @@ class UnsupportedPicture(Exception):
     """An intact file of a kind that nscc does not decode: the reason, and a remedy."""
 
     def __init__(self, reason: str, help_text: str) -> None:
+        """Say why a picture cannot be read, and what helps."""
         super().__init__(reason)
         self.reason, self.help_text = reason, help_text
 

@@ -41,6 +41,7 @@ class SceneFormat:
 
 
 def _format(endings: str, head: bytes, pages: Callable[[Path], Pages], light: bool = False) -> Any:
+    """Return a file format by its endings, a pattern of its first bytes, and a reader."""
     return SceneFormat(tuple(endings.split()), re.compile(head, re.DOTALL), pages, light)
 
 
@@ -69,6 +70,7 @@ _CLIP_FORMATS: tuple[SceneFormat, ...] = (
 
 
 def _endings(formats: Iterable[SceneFormat]) -> tuple[str, ...]:
+    """Return all endings of formats."""
     return tuple(ending for format_ in formats for ending in format_.endings)
 
 

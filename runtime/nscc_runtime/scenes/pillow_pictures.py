@@ -122,11 +122,13 @@ def gif_pages(path: Path) -> Pages:
 
 
 def heif_pages(path: Path) -> Pages:
+    """Return the pages of a HEIF file."""
     _register_heif()
     return pillow_pages(path)
 
 
 def _register_heif() -> None:
+    """Let Pillow read HEIF files."""
     from pillow_heif import register_heif_opener
 
     register_heif_opener()

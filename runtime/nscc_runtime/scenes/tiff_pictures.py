@@ -75,6 +75,7 @@ class _Page:
 
     @property
     def size(self) -> tuple[int, int]:
+        """Rows and columns of the page."""
         return int(self.tags[_ROWS]), int(self.tags[_COLS])
 
     @property
@@ -105,6 +106,7 @@ def tiff_pages(path: Path) -> Pages:
     profile = pages[0].tags.get(_PROFILE)
 
     def read() -> Iterator[NDArray[Any]]:
+        """Yield the pictures of all pages."""
         for page in pages:
             yield _picture(path, byte_order, page)
 
@@ -145,6 +147,7 @@ def _directories(path: Path) -> tuple[bytes, list[Tags]]:
 
 
 def _description(page: _Page) -> str:
+    """Return the description of a page, "" if it has none."""
     return str(page.tags.get(_DESCRIPTION) or "")
 
 

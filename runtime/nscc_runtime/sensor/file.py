@@ -76,6 +76,7 @@ def default_sensor(target: Target) -> Sensor:
 
 @lru_cache(16)
 def _default(target: Target, _effects: tuple[Effect, ...]) -> Sensor:
+    """Return the sensor with the default values for a chip; cached."""
     return completed({}, target)
 
 
@@ -99,6 +100,7 @@ def sensor_toml(
     origin = "the value" if sources else "the default"
 
     def remark(row: Parameter) -> str:
+        """Return the comment on a parameter: meaning, unit, range and source."""
         source = (sources or {}).get(row.name, row.source)
         return f"{row.meaning} [{row.kind.unit}, {row.kind.range}] ({source})"
 

@@ -13,7 +13,7 @@ import pytest
 
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.words.container import Container, DecodeTable, packed_shutters
+from nscc.words.container import Container, DecodeTable, packed_shutters, tile_of
 from nscc.words.shutters import shutters_of
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import (
@@ -25,7 +25,7 @@ from nscc_runtime.frame_file import (
 )
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.merge import light_estimate, readouts, tile_of
+from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of
 from nscc_runtime.sensor import default_sensor
 

@@ -112,6 +112,7 @@ def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tens
 
 
 def _still_in_tiles(light: Tensor, planes: Tensor, level: Tensor) -> Tensor:
+    """Denoise a still in tiles, by the network for stills that comes with nscc."""
     return denoised_in_tiles(
         shipped("still"), light, lambda rows, cols: planes[..., rows, cols], level
     )

@@ -62,6 +62,7 @@ class LessonSet(Dataset[Lesson]):
     def __init__(
         self, pictures: Sequence[Picture] | Sequence[Light], settings: RunSettings
     ) -> None:
+        """Draw lessons from these pictures as the settings say."""
         self.pictures, self.settings = pictures, settings
 
     def __getitem__(self, step: int) -> Lesson:

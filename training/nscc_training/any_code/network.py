@@ -96,11 +96,13 @@ class FrameExchangeBlock(nn.Module):
     """A residual block after an exchange of channels between neighbouring frames."""
 
     def __init__(self, width: int) -> None:
+        """Build two convolutions of `width` channels."""
         super().__init__()
         self.one = nn.Conv2d(width, width, 3, padding=1)
         self.two = nn.Conv2d(width, width, 3, padding=1)
 
     def forward(self, x: Tensor, frames: int) -> Tensor:
+        """Return x plus two convolutions of x, before which frames exchange channels."""
         inner = functional.relu(self.one(exchanged(x, frames)), inplace=True)
         output: Tensor = x + self.two(inner)
         return output
@@ -151,6 +153,7 @@ class _Exchanged(torch.autograd.Function):
 
 
 def _pair(width: int) -> nn.ModuleList:
+    """Return two blocks."""
     return nn.ModuleList([FrameExchangeBlock(width), FrameExchangeBlock(width)])
 
 

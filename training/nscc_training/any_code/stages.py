@@ -56,6 +56,7 @@ def mirrored(denoiser: Denoiser, number: int) -> Denoiser:
     axes = mirror_axes(number)
 
     def denoised(clip: Tensor, planes: Tensor, level: Tensor) -> Tensor:
+        """Denoise a mirrored clip, and mirror the result back."""
         return denoiser(clip.flip(axes), planes.flip(axes), level).flip(axes)
 
     return denoised

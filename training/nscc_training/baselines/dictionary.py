@@ -134,6 +134,7 @@ def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
 
 
 def _unit(atoms: Matrix) -> Matrix:
+    """Return the columns with length 1; columns of zeros stay."""
     lengths = np.linalg.norm(atoms, axis=0)
     return np.asarray(atoms / np.where(lengths > 0, lengths, 1.0))
 

@@ -23,12 +23,14 @@ def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> T
 
 
 def _by_loop(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
+    """Denoise clips on the CPU by the compiled loop."""
     # The same memory as an array: nothing is copied.
     image = np.from_dlpack(clips.detach().float().contiguous())
     return torch.from_numpy(tv_denoised_arrays(image, weight, iterations, time))
 
 
 def _shape(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
+    """Return an empty result, from which torch learns its shape."""
     return torch.empty_like(clips, dtype=torch.float32)
 
 

@@ -77,6 +77,7 @@ class Batch:
 
     @cached_property
     def _relative(self) -> Tensor:
+        """The truth with the brightest light at 1."""
         return self.truth / self.peak.reshape(-1, *([1] * (self.truth.ndim - 1)))
 
 

@@ -112,6 +112,7 @@ class _Layer:
         places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
 
         def detail(place: NDArray[np.float64]) -> float:
+            """Return the contrast of the picture around a place."""
             row, col = (int(at) - size // 2 for at in place)
             region = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
             return float(region.std())

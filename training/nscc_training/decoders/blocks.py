@@ -46,11 +46,13 @@ class _Taken(Function):
 
     @staticmethod
     def forward(ctx: Any, pictures: Tensor, block: Size, step: Size) -> Tensor:
+        """Return the blocks of pictures, as `unfold_blocks`."""
         ctx.how = tuple(pictures.shape[1:]), block, step
         return unfold_blocks(pictures, block, step)
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None]:
+        """Return the gradient of the pictures: those of their blocks, added."""
         return _Put.apply(grad, *ctx.how), None, None  # type: ignore[no-untyped-call]
 
 
@@ -61,11 +63,13 @@ class _Put(Function):
     def forward(
         ctx: Any, blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size
     ) -> Tensor:
+        """Return pictures in which the blocks are added, as `fold_blocks`."""
         ctx.how = block, step
         return fold_blocks(blocks, size, block, step)
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None, None]:
+        """Return the gradient of the blocks."""
         return _Taken.apply(grad, *ctx.how), None, None, None  # type: ignore[no-untyped-call]
 
 

@@ -19,8 +19,10 @@ class Divided(nn.Module):
     """
 
     def __init__(self, _channels: Sequence[int], _task: DecoderTask, _size: str) -> None:
+        """Begin; there is nothing to learn."""
         super().__init__()
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        """Return the frame (batch, rows, cols) over the open fraction of each pixel."""
         share = laid(shutters.mean(dim=-3), *frame.shape[-2:])
         return frame / share.clamp(min=1e-9)

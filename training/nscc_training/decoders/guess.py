@@ -98,6 +98,7 @@ class _Tent(Function):
 
     @staticmethod
     def backward(_ctx: Any, grad: Tensor) -> Tensor:
+        """Return the gradient: the filter is its own adjoint."""
         return _tent(grad)
 
 

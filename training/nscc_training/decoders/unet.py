@@ -21,6 +21,7 @@ _GUESSES = {"paper": False, "small": True}
 
 
 def _guesses(task: DecoderTask, size: str) -> bool:
+    """Return whether a decoder of this size makes a first guess, unless the task decides."""
     return _GUESSES[size] if task.guess is None else task.guess
 
 
@@ -127,6 +128,7 @@ class StillUNet(nn.Module):
         self.network = begin_with_nothing(network) if self.guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        """Return the light of stills or clips from their frames."""
         return self._clip(frame, shutters) if self.slots else self._still(frame, shutters)
 
     def _still(self, frame: Tensor, shutters: Tensor) -> Tensor:
@@ -208,6 +210,7 @@ def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], 
 
 
 def _added(volumes: Sequence[Tensor]) -> Tensor:
+    """Return the sum of tensors."""
     return volumes[0] if len(volumes) == 1 else torch.stack([*volumes]).sum(dim=0)
 
 

@@ -61,6 +61,7 @@ class Unrolled(nn.Module):
 
     @torch.no_grad()
     def _gap_tv(self, total: Tensor, opened: Tensor) -> Tensor:
+        """Return clips by GAP-TV, from which the stages start."""
         measured = Measured.exact(total.float(), opened.float().unsqueeze(0))
         return gap_tv_of(measured, self.tv_iterations)[0].to(total)
 

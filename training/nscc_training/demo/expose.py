@@ -117,6 +117,7 @@ class Exposed:
 
     @property
     def still(self) -> bool:
+        """Whether the scene is a still."""
         return self.laid[0].light.kind == "still"
 
     def truth(self) -> NDArray[Any]:

@@ -52,6 +52,7 @@ class Shown:
 
     @property
     def still(self) -> bool:
+        """Whether the scene is a still."""
         return self.exposed_scene.still
 
     @cached_property
@@ -207,11 +208,13 @@ def _readout(shown: Shown) -> Image:
 
 
 def _decoder_text(shown: Shown) -> str:
+    """Return what reconstructed the scene, how well, and in which time."""
     worse = ", worse than an ordinary camera" if shown.psnr_db < shown.camera_db else ""
     return f"{shown.how}: {shown.measure} {shown.psnr_db:.1f} dB{worse}, in {_time(shown.decode_s)}"
 
 
 def _tone(shown: Shown) -> str:
+    """Return the tone curve and its white as text."""
     return f"{shown.fitted.name}, white {shown.fitted.white:.3g} electrons"
 
 

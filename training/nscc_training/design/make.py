@@ -134,6 +134,7 @@ class Frame:
 
     @property
     def _from_file(self) -> bool:
+        """Whether the chip is a target file."""
         return self.target.endswith(".toml")
 
 
@@ -230,9 +231,11 @@ def design_pattern(
     frame = frame or Frame()
 
     def text_of(stops: Sequence[Sequence[int]], remark: str = "") -> str:
+        """Return the program of a pattern."""
         return tile_text(stops, frame.slots, frame.slot_us, frame.named, remark)
 
     def container_of(stops: Sequence[Sequence[int]]) -> Container:
+        """Compile the program of a pattern."""
         return frame.container("pattern.nsl", text_of(stops))
 
     ranked = judged(
@@ -267,11 +270,13 @@ def design_pattern(
 
 
 def _pattern_text(pattern: Pattern, slots: int) -> str:
+    """Return name and exposure times of a pattern as text."""
     stops = sorted({int(stop) for stop in pattern.stops.flat}, reverse=True)
     return f"{pattern.name}, {', '.join(map(str, stops))} of {slots} slots"
 
 
 def _reached_text(pattern: Pattern) -> str:
+    """Return the PSNR of a pattern as text."""
     return f"{pattern.linear_db:.1f} dB PSNR linear, {pattern.mu_db:.1f} dB PSNR mu-law"
 
 

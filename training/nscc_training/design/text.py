@@ -84,5 +84,6 @@ def frame_text(slots: int, slot_us: float) -> str:
 def _head(
     language: str, remark: str, chip: str | None, slots: int, slot_us: float
 ) -> Sequence[str]:
+    """Return the first lines of a program: remark, language, chip and frame."""
     lines = [*(f"# {line}" for line in remark.splitlines()), language, ""]
     return [*lines, *([f"target {chip}"] if chip else []), frame_text(slots, slot_us), ""]

@@ -26,14 +26,17 @@ class AlwaysOpen(Encoder):
     """Class a: always open, with nothing to learn."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        """Begin; there is nothing to learn."""
         super().__init__(spec, relaxation)
         self.always: Tensor
         self.register_buffer("always", torch.ones(()), persistent=False)
 
     def codes(self) -> Codes:
+        """Return no fields."""
         return {}
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        """Raise ValueError for codes with fields."""
         if codes:
             raise ValueError(f"class a has no fields, and not {sorted(codes)}")
 
@@ -44,9 +47,11 @@ class AlwaysOpen(Encoder):
     def start_quad(self) -> None: ...
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        """Return open shutters (N, rows, cols)."""
         return self.always.expand(self.spec.slots, *self.spec.tile)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
+        """Raise ValueError: there is nothing to try."""
         raise ValueError("class a has no parameters to try")
 
 
@@ -107,6 +112,8 @@ class Bump(Encoder):
         raise NotImplementedError
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        """Return the shutters (N, rows, cols) of the present fields; a generator adds their
+        noise."""
         return self.opened_by(self.fields(generator), soft)
 
     def opened_by(self, fields: Tensor, soft: bool = False) -> Tensor:
@@ -225,32 +232,42 @@ class Stop(Bump):
     jitter_unit = 0.25
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        """Begin with all pixels open for one slot."""
         super().__init__(spec, relaxation, {"stop": (1, spec.slots)})
 
     def slots_of(self, parameter: Tensor) -> Tensor:
+        """Return stops in slots from octaves, in fine steps; the gradient is that of the
+        exponential."""
         stop = torch.exp2(parameter)
         return replaced(stop, torch.round(stop.detach() / _FINEST) * _FINEST)
 
     def parameter_of(self, slots: Tensor) -> Tensor:
+        """Return stops in octaves from slots."""
         return torch.log2(slots)
 
     def bound_of(self, slots: int) -> float:
+        """Return a limit in octaves from slots."""
         return math.log2(slots)
 
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
+        """Return edges before the frame, and the stops."""
         return torch.full_like(fields[0].detach(), -_FAR), fields[0]
 
     def trial_spread(self, fields: Tensor) -> Tensor:
+        """Return the standard deviation, in slots, of trials: at most a quarter of the exposure."""
         # The ratio of exposures matters, so short exposures are changed in small steps.
         return torch.minimum(super().trial_spread(fields), fields / 4).clamp(min=self.least_tried)
 
     def start_random(self, generator: np.random.Generator) -> None:
+        """Draw all stops, 1 to N."""
         self.fill(generator.integers(1, self.spec.slots, self.spec.tile, endpoint=True))
 
     def start_uniform(self) -> None:
+        """Set all stops to the square root of N."""
         self.fill(np.full(self.spec.tile, max(1.0, np.rint(self.spec.slots**0.5))))
 
     def start_quad(self) -> None:
+        """Set stops N, N / 4, N / 16 and N / 64 in each 2 x 2 pixels."""
         self.fill(np.maximum(1, np.rint(self.spec.slots / 4.0 ** self.quad_ranks())))
 
 
@@ -267,15 +284,19 @@ class Start(Bump):
         super().__init__(spec, relaxation, {"start": (0, self.last)})
 
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
+        """Return the starts, and the boundaries `length` later."""
         return fields[0], fields[0] + self.length
 
     def start_random(self, generator: np.random.Generator) -> None:
+        """Draw all starts."""
         self.fill(generator.integers(0, self.last, self.spec.tile, endpoint=True))
 
     def start_uniform(self) -> None:
+        """Set all bumps to the middle of the frame."""
         self.fill(np.full(self.spec.tile, self.last // 2))
 
     def start_quad(self) -> None:
+        """Set four evenly spaced starts in each 2 x 2 pixels."""
         self.fill(np.rint(self.quad_ranks() * (self.last / 3)))
 
 
@@ -283,12 +304,15 @@ class StartStop(Bump):
     """Class d: one bump from start to stop, at least a slot long."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        """Begin with all pixels open in slot 0."""
         super().__init__(spec, relaxation, {"start": (0, spec.slots - 1), "stop": (1, spec.slots)})
 
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
+        """Return starts and stops, each stop at least a slot after its start."""
         return fields[0], torch.maximum(fields[1], fields[0] + 1)
 
     def codes(self) -> Codes:
+        """Return starts and stops as integers, each stop after its start."""
         codes = super().codes()
         codes["stop"] = np.maximum(codes["stop"], codes["start"] + 1)
         return codes
@@ -302,16 +326,19 @@ class StartStop(Bump):
         super().load_codes(codes)
 
     def start_random(self, generator: np.random.Generator) -> None:
+        """Draw all bumps, every pair of edges with the same probability."""
         first, last = np.triu_indices(self.spec.slots)
         drawn = generator.integers(0, len(first), self.spec.tile)
         self.fill(first[drawn], last[drawn] + 1)
 
     def start_uniform(self) -> None:
+        """Open all pixels in the middle half of the frame."""
         quarter = self.spec.slots // 4
         stop = max(self.spec.slots - quarter, quarter + 1)
         self.fill(np.full(self.spec.tile, quarter), np.full(self.spec.tile, stop))
 
     def start_quad(self) -> None:
+        """Open one pixel of each 2 x 2 pixels in each quarter of the frame."""
         n, rank = self.spec.slots, self.quad_ranks()
         start = np.minimum(np.rint(rank * n / 4), n - 1)
         self.fill(start, np.maximum(np.rint((rank + 1) * n / 4), start + 1))

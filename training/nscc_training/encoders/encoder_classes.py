@@ -81,14 +81,17 @@ def _opened(spec: ShutterSpec, first: Places, length: int) -> NDArray[np.bool_]:
 
 
 def _starts(_spec: ShutterSpec, first: Places, _length: int) -> Codes:
+    """Return codes of class c that open in the slots `first`."""
     return {"start": first}
 
 
 def _edges(_spec: ShutterSpec, first: Places, length: int) -> Codes:
+    """Return codes of class d that open in the slots `first`, for `length` slots."""
     return {"start": first, "stop": first + length}
 
 
 def _bits(spec: ShutterSpec, first: Places, length: int) -> Codes:
+    """Return codes of class e that open in the slots `first`, for `length` slots."""
     weights = np.int64(1) << np.arange(spec.slots, dtype=np.int64)
     return {"bits": np.einsum("n,nrc->rc", weights, _opened(spec, first, length).astype(np.int64))}
 

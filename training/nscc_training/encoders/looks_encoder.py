@@ -35,10 +35,12 @@ class LooksEncoder(Encoder):
         self.level = nn.Parameter(torch.ones(looks, dtype=torch.float64))
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+        """Return the parameters of times and levels, each with its lowest and highest value."""
         most = float(np.log2(self.spec.slots - 1)) or 1.0
         return [(self.moment, (0.0, most)), (self.level, (1.0, float(max(self.most, 2))))]
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        """Return whole times and levels in place of shutters, (2 looks, 1, 1)."""
         return self.hardened(self.fields()).float()
 
     def fields(self) -> Tensor:
@@ -93,11 +95,13 @@ class LooksEncoder(Encoder):
         self._fill(at[0].numpy(), level[0].numpy())
 
     def start_random(self, generator: np.random.Generator) -> None:
+        """Draw times and levels."""
         looks = self.spec.tile[1]
         at = 1 + np.sort(generator.choice(self.spec.slots - 1, looks, replace=False))
         self._fill(at, generator.integers(1, self.most, looks, endpoint=True))
 
     def start_uniform(self) -> None:
+        """Set evenly spaced times, and levels at half of the largest."""
         looks = self.spec.tile[1]
         at = np.linspace(0, self.spec.slots, looks + 2)[1:-1]
         self._fill(at, np.full(looks, max(1, self.most // 2)))
@@ -111,6 +115,7 @@ class LooksEncoder(Encoder):
         self._fill(ratio ** np.arange(looks), np.full(looks, max(1.0, np.rint(level))))
 
     def _fill(self, at: NDArray[np.generic], level: NDArray[np.generic]) -> None:
+        """Set the parameters to times `at` and levels."""
         with torch.no_grad():
             self.moment.copy_(torch.log2(torch.as_tensor(np.asarray(at, np.float64)).clamp(min=1)))
             self.level.copy_(torch.as_tensor(np.asarray(level, np.float64)))

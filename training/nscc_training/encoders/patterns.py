@@ -60,6 +60,7 @@ class Bits(_Digits):
         self.logits = nn.Parameter(torch.full((spec.slots, *spec.tile), 0.5))
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        """Return the shutters (N, rows, cols) of the present logits."""
         return self.digits(self.logits, generator, soft)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
@@ -73,6 +74,7 @@ class Bits(_Digits):
         return CodeTrial(fields, moved, spread, sides, _REACH, self.tried_share)
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+        """Return the logits with the range that training keeps them in."""
         return [(self.logits, (-1.0, 1.0))]
 
     def codes(self) -> Codes:
@@ -83,17 +85,21 @@ class Bits(_Digits):
         return {"bits": np.einsum("n,nrc->rc", weights, opened)}
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        """Set the bits of each pixel; raise ValueError if they are out of range."""
         self.checked(codes, {"bits": (0, (1 << self.spec.slots) - 1)})
         n = np.arange(self.spec.slots, dtype=np.int64).reshape(-1, 1, 1)
         self.set_digits(self.logits, (codes["bits"][None] >> n) & 1 == 1)
 
     def start_random(self, generator: np.random.Generator) -> None:
+        """Draw every bit."""
         self.set_digits(self.logits, generator.random((self.spec.slots, *self.spec.tile)) < 0.5)
 
     def start_uniform(self) -> None:
+        """Open all slots of all pixels."""
         self.set_digits(self.logits, np.ones((self.spec.slots, *self.spec.tile), np.bool_))
 
     def start_quad(self) -> None:
+        """Open one pixel of each 2 x 2 pixels in each quarter of the frame."""
         self.set_digits(self.logits, quarters(self.spec.slots)[:, self.quad_ranks()])
 
 
@@ -114,6 +120,7 @@ class Codebook(_Digits):
         self.choose(self.spread())
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        """Return the shutters (N, rows, cols) that the pixels choose."""
         digits = self.digits(self.shapes, generator, soft)
         return torch.einsum("rck,kn->nrc", self.chosen(generator, soft), digits)
 
@@ -166,6 +173,7 @@ class Codebook(_Digits):
         return torch.einsum("rck,kn->nrc", weights, shapes)
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+        """Return the shapes with the range that training keeps them in."""
         return [(self.shapes, (-1.0, 1.0))]
 
     def unused_share(self) -> float:
@@ -177,6 +185,7 @@ class Codebook(_Digits):
         return np.asarray((self.shapes.detach() > 0).cpu().numpy(), np.int64)
 
     def codes(self) -> Codes:
+        """Return the row of each pixel."""
         self.check_finite()
         return {"id": np.asarray(self.choice.detach().argmax(dim=-1).cpu().numpy(), np.int64)}
 
@@ -192,10 +201,12 @@ class Codebook(_Digits):
         self.choose(codes["id"])
 
     def start_random(self, generator: np.random.Generator) -> None:
+        """Draw all shapes, and use them in turn."""
         self.set_digits(self.shapes, generator.random((self.rows, self.spec.slots)) < 0.5)
         self.choose(self.spread())
 
     def start_uniform(self) -> None:
+        """Open all shapes, and use them in turn."""
         self.set_digits(self.shapes, np.ones((self.rows, self.spec.slots), np.bool_))
         self.choose(self.spread())
 

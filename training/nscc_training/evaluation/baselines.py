@@ -158,6 +158,8 @@ def evaluate_baseline(
         """Return the scores of scenes that are captured with this tile of codes and decoded."""
 
         def decode(scene: ProtocolScene, index: int) -> tuple[Light, float]:
+            """Return the light of a scene that is captured with the tile, and the time of
+            decoding it."""
             frames = captured(scene, tile, model, 1000 * seed + index)
             begin = perf_counter()
             return baseline.decode(frames), perf_counter() - begin
@@ -285,6 +287,7 @@ def evaluate_sci8(
     options = {"iterations": iterations, "weight": weight} if method.endswith("-tv") else {}
 
     def decode(scene: ProtocolScene, _index: int) -> tuple[Light, float]:
+        """Return the light of a benchmark clip, and the time of decoding it."""
         assert isinstance(scene, SciClip)
         begin = perf_counter()
         return chosen.decode(CapturedScene.of_benchmark(scene), **options), perf_counter() - begin

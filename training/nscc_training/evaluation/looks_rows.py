@@ -98,6 +98,8 @@ def evaluate_looks(
         """Return the scores of scenes whose pixels look at their light, exposed on the emulator."""
 
         def decode(crop: ProtocolScene, index: int) -> tuple[NDArray[np.float64], float]:
+            """Return the light that the pixels measure of a scene; nothing is decoded, so the
+            time is 0."""
             seeds = 1000 * seed + index, 0
             return looked_light(program(crop), crop.light_e, sensor, chosen, seeds), 0.0
 
@@ -146,6 +148,7 @@ def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolSc
     chip = DesignChip.of(target, sensor)
 
     def words_for(crop: ProtocolScene) -> Container:
+        """Return the program that is designed for a crop."""
         model = LookModel(chip, histogram([crop.light_e]), [1.0] * SLOTS)
         return _compiled(model.best(DESIGNED[name] - 1, "mu"), target)
 

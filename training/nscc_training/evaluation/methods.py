@@ -51,6 +51,7 @@ class CapturedScene:
 
     @property
     def is_still(self) -> bool:
+        """Whether the scene is a still."""
         return self.scene.light_e.ndim == 2
 
     @cached_property
@@ -137,6 +138,7 @@ def _clip(
 
 
 def _of_truth(loop: Callable[..., NDArray[np.float32]], captured: CapturedScene) -> Light:
+    """Return the light that a method computes from the truth."""
     truth = captured.scene.light_e.astype(np.float32)
     return np.asarray(loop(truth, captured.masks[0]), np.float64)
 

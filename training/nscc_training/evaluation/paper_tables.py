@@ -32,6 +32,7 @@ def paper_tables(results: Path | None = None) -> tuple[list[dict[str, Any]], str
     rows: list[dict[str, Any]] = []
 
     def filled(match: re.Match[str]) -> str:
+        """Return the line of a row, and store its values."""
         row, line = _row(folder, *shlex.split(match[1]))
         rows.append(row)
         return line

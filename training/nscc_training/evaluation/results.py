@@ -96,10 +96,12 @@ class Scorer:
     def __init__(
         self, open_store: Callable[[], ExperimentStore] = ExperimentStore, track: Progress = unseen
     ) -> None:
+        """Begin; the store is opened when it is needed."""
         self._open_store, self._track, self._passes = open_store, track, 0
 
     @cached_property
     def store(self) -> ExperimentStore:
+        """The store of results; opened at first use."""
         return self._open_store()
 
     def scored(
@@ -139,9 +141,11 @@ class Scorer:
         ]
 
     def __enter__(self) -> Self:
+        """Return the scorer, whose store is closed at the end of the `with` block."""
         return self
 
     def __exit__(self, *raised: Any) -> None:
+        """Close the store if it was opened."""
         if "store" in vars(self):
             self.store.__exit__(*raised)
 
@@ -156,6 +160,7 @@ class _SceneTask:
 
     @property
     def label(self) -> str:
+        """The task as text, which is also its key."""
         scene = self.scene
         return f"{self.number}, {self.index}: {scene.file.name} {scene.crop} {scene.frame}"
 
@@ -371,6 +376,7 @@ def compare(
 
 
 def _about(results: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """Return what results of one method have in common, and their mean, as JSON values."""
     means = [entry["mean"] for entry in results if entry.get("mean") is not None]
     mean = sum(means) / len(means) if means else None
     return {"method": results[0].get("method"), "mean": mean}

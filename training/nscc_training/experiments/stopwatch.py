@@ -37,6 +37,7 @@ class Stopwatch:
     distinguishes the runs of a kind. `clock` returns seconds."""
 
     def __init__(self, clock: Callable[[], float] = perf_counter) -> None:
+        """Begin with nothing loaded."""
         self._clock = clock
         self._seen: set[Hashable] = set()
 

@@ -157,6 +157,7 @@ class _Turn:
 
     @property
     def label(self) -> str:
+        """The measurement as text, which is also its key."""
         return f"{self.point.case}, {self.point.method}, {self.point.setting}, {self.turn}"
 
     key = label

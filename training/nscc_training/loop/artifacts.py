@@ -273,6 +273,7 @@ def _headline_text(headline: dict[str, Any], metrics: Sequence[str]) -> str:
 
 
 def _purpose(setup: TrainingSetup) -> str:
+    """Return what a run reconstructs, as text."""
     if setup.classes:
         return f"the class of a clip from one exposure ({', '.join(setup.classes)})"
     return "stills of high dynamic range" if setup.still else "clips from one exposure"
@@ -284,6 +285,7 @@ def _card(setup: TrainingSetup, scenes: Scenes, result: dict[str, Any]) -> str:
     metric, score_name = metrics[0], METRIC_NAMES[metrics[0]]
 
     def plain(value: float | str) -> str:
+        """Return a number with two decimals; text stays."""
         return value if isinstance(value, str) else f"{value:.2f}"
 
     alone = ""

@@ -18,6 +18,7 @@ class Muon(torch.optim.Muon):
     """`torch.optim.Muon` for convolution weights (out, ...), viewed as matrices."""
 
     def __init__(self, weights: Iterable[Tensor], lr: float) -> None:
+        """Begin; each weight is updated as a matrix with a row for each output."""
         self.weights = list(weights)
         self.matrices = [_in_rows(weight.detach(), weight) for weight in self.weights]
         super().__init__(self.matrices, lr, weight_decay=0.0, adjust_lr_fn="match_rms_adamw")

@@ -25,6 +25,7 @@ def settling_step(settings: RunSettings) -> int:
 
 
 def _starts(settings: RunSettings) -> int:
+    """Return how often the codes start to learn."""
     return 1 + settings.shutter.restarts if settings.shutter.learn else 1
 
 

@@ -120,6 +120,7 @@ def expected_gain(setup: TrainingSetup, batch: Batch, step: int) -> Tensor:
 
 
 def _fits(setup: TrainingSetup, codes: Codes, allowed: float) -> bool:
+    """Return whether codes compile with at most the allowed words per slot."""
     words = _words(setup, codes)
     return words is not None and words <= allowed
 

@@ -177,6 +177,7 @@ def _changed(checkpoint: Path, settings: RunSettings) -> str:
 
 
 def _copied(value: Tensor) -> Tensor:
+    """Return a copy without gradient."""
     return value.detach().clone().contiguous()
 
 
@@ -186,6 +187,7 @@ def _below(start: str, tensors: dict[str, Tensor]) -> dict[str, Tensor]:
 
 
 def _file_digests(setup: TrainingSetup) -> dict[str, str]:
+    """Return the digests of the files that the configuration names."""
     return {name: sha256(data).hexdigest() for name, data in sorted(setup.files.items())}
 
 

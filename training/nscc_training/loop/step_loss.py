@@ -31,6 +31,7 @@ class StepLoss(nn.Module):
     """The loss of a batch in one step, as a module so that ranks share its gradients."""
 
     def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
+        """Compute losses of this run; `ranks` are the processes that train together."""
         super().__init__()
         self.encoder, self.decoder = setup.encoder, setup.decoder
         self._setup, self._ranks = setup, ranks
@@ -76,6 +77,7 @@ def trial_of(
     """Return a trial for patches of rows x cols; `place` seeds the random part of free codes."""
 
     def over(tile: Tensor) -> Tensor:
+        """Return the tile, or a part of it, repeated over a patch."""
         return laid(window(tile, rows, cols, place), rows, cols)
 
     return encoder.trial(over, generator_of(next(encoder.parameters()).device, *seed))

@@ -142,6 +142,7 @@ class TrainingRun:
 
     @property
     def setup(self) -> TrainingSetup:
+        """The objects that the configuration names."""
         return self.state.setup
 
 

@@ -28,6 +28,7 @@ class ClassWindow(ClipWindow):
 
     @property
     def truth_e(self) -> NDArray[Any]:
+        """The truth: 1 for the class of the clip, 0 for the others."""
         return np.array([float(name == self.label) for name in self.classes])
 
     def scores(self, result_e: NDArray[Any]) -> dict[str, Any]:
@@ -45,6 +46,7 @@ class ClassWindow(ClipWindow):
 
 
 def with_class(window: ClipWindow, label: str, classes: Sequence[str]) -> ClassWindow:
+    """Return a window with the class of its clip."""
     return ClassWindow(**vars(window), label=label, classes=tuple(classes))
 
 

@@ -25,10 +25,12 @@ class DeblurMoment(ProtocolScene):
 
     @property
     def truth_e(self) -> Picture:
+        """The light of the one slot that is scored."""
         return self.moment_e(self.light_e)
 
     @property
     def peak_e(self) -> float:
+        """The percentile of that light that the protocol names."""
         return float(np.percentile(self.truth_e, self.protocol["normalise_percentile"]))
 
     def moment_e(self, clip_e: Picture) -> Picture:

@@ -25,6 +25,7 @@ class Crop(ProtocolScene):
 
     @property
     def peak_e(self) -> float:
+        """The percentile of the light that the protocol names."""
         return float(np.percentile(self.light_e, self.protocol["normalise_percentile"]))
 
     def scores(self, result_e: Picture) -> dict[str, Any]:

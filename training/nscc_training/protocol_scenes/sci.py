@@ -30,10 +30,12 @@ class SciClip(ProtocolScene):
 
     @property
     def peak_e(self) -> float:
+        """The largest light, 1."""
         return 1.0
 
     @property
     def truth_e(self) -> NDArray[np.uint8]:
+        """The frames as the benchmark stores them, 0..255."""
         return np.asarray(np.rint(self.light_e * self.protocol["data_range"]), np.uint8)
 
     def result(self, clip: NDArray[Any]) -> NDArray[np.float64]:
@@ -42,6 +44,7 @@ class SciClip(ProtocolScene):
         return np.clip(clip.astype(np.float64), 0, 1) * top
 
     def scores(self, result_e: NDArray[Any]) -> dict[str, Any]:
+        """Raise NotImplementedError: `items` scores frame by frame."""
         raise NotImplementedError("frames of this protocol are scored one by one")
 
     def items(self, result_e: NDArray[Any]) -> list[Item]:

@@ -31,6 +31,7 @@ class ClipWindow(ProtocolScene):
 
     @property
     def peak_e(self) -> float:
+        """The light that is white in the file."""
         return self.scale_e
 
     def scores(self, result_e: Clip) -> dict[str, Any]:

@@ -72,6 +72,7 @@ class ClipCode:
         return format_source(Source("design.nsl", text))
 
     def container(self, frame: Frame) -> Container:
+        """Compile the program of the code."""
         return frame.container("clip.nsl", self.text(frame))
 
 

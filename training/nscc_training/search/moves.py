@@ -113,6 +113,7 @@ def _stops(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator)
 
 
 def _starts(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
+    """Shift bumps of a fixed length at some pixels by a random number of slots."""
     assert spec.length is not None
     start = codes["start"] + places * _by(spec.slots, generator)
     return {"start": _clipped(start, 0, spec.slots - spec.length)}
@@ -181,6 +182,7 @@ def _shorter(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 
 
 def _starts_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+    """Shift bumps of a fixed length by `lag` slots, around the frame."""
     assert spec.length is not None
     return {"start": (codes["start"] + lag) % (spec.slots - spec.length + 1)}
 
@@ -194,6 +196,7 @@ def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 
 
 def _bits_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+    """Shift free bits by `lag` slots, around the frame."""
     lag = lag % spec.slots
     bits, all_bits = codes["bits"], (1 << spec.slots) - 1
     return {"bits": (bits << lag & all_bits) | bits >> (spec.slots - lag)}
@@ -205,6 +208,7 @@ def _rows_later(_spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 
 
 def _clipped(values: NDArray[np.number], low: int, high: int) -> Values:
+    """Return values within limits, as integers."""
     return np.asarray(np.clip(values, low, high), np.int64)
 
 

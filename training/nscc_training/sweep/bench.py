@@ -130,6 +130,7 @@ class BenchScenes:
         return Request.of(effects=self.effects, seed=seed, device_seed=self.seed)
 
     def _looked_db(self, container: Container, scene: ProtocolScene, index: int) -> float:
+        """Return the PSNR (dB) of a scene that pixels measure by looking at their light."""
         seeds = 1000 * self.seed + index, self.seed
         light = looked_light(container, scene.light_e, self.sensor, self.effects, seeds)
         return number(scene.scores(light)["psnr_db"])

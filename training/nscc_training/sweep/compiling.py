@@ -64,6 +64,7 @@ def _common(compiled_program: Compiled, build_report: Mapping[str, Any]) -> Figu
 
 
 def _compile_fault(values: Values, named: Collection[str]) -> PointFault | None:
+    """Return what is wrong with the values of a point of kind compile, or None."""
     chosen = () if "class" in values else ("seed",)
     return program_fault(values, named) or silent(named, chosen, "codes of its own")
 

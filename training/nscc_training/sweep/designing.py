@@ -63,6 +63,7 @@ def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
 
 
 def _reads(values: Values) -> Sequence[Path]:
+    """Return the files that a point of kind design reads."""
     return [*light_files(values), *program_files(values)]
 
 

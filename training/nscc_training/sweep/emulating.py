@@ -105,6 +105,7 @@ def _fault(values: Values, named: Collection[str]) -> PointFault | None:
 
 
 def _reads(values: Values) -> Sequence[Path]:
+    """Return the files that a point of kind emulate reads."""
     data = [Path(values["data"])] if values["data"] else []
     return [*program_files(values), *light_files(values), *data]
 

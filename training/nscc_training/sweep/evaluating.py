@@ -59,6 +59,7 @@ def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
 
 
 def _reads(values: Values) -> Sequence[Path]:
+    """Return the files and folders that a point of kind evaluate reads."""
     named = [values.get("subject", ""), values["shutter"]]
     scenes = [] if values["data"] == PROCEDURAL else folders_of(values["data"])
     return [*scenes, *(Path(name) for name in named if name)]

@@ -142,6 +142,7 @@ def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
     points: dict[GridPoint, None] = {}
 
     def take(point: GridPoint) -> None:
+        """Add a point after the runs that it needs."""
         for run in point.after:
             take(run)
         points[point] = None
@@ -159,6 +160,7 @@ def part_text(kind: str) -> str:
     schema = Schema("grid", (replace(_KIND, default=kind), *known), {"": "", kind: ""}, _CODES, "")
 
     def remark(key: Key) -> str:
+        """Return the comment on a key: its meaning and its allowed values."""
         axis = key.kind
         return f"{key.meaning} ({axis.element.allowed})" if isinstance(axis, Axis) else ""
 
@@ -281,6 +283,7 @@ def _linked(points: Sequence[GridPoint], source: Source) -> tuple[GridPoint, ...
     linked: dict[int, GridPoint] = {}
 
     def problem(point: GridPoint, message: str, key: str) -> Rejected:
+        """Return the error for a point that names a run which does not exist."""
         help_text = "write the name of a point of kind train, as its `name` defines it"
         return Rejected(_problem(message, point.grid_part, key, source, help_text), status=2)
 

@@ -97,4 +97,5 @@ class PointTask:
 
     @property
     def label(self) -> str:
+        """The name of the point."""
         return self.point.name

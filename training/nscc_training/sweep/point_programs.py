@@ -250,6 +250,7 @@ def scene_of(values: Values) -> Scene:
 
 
 def sensor_file(values: Values) -> Path | None:
+    """Return the sensor file of a point, None without one."""
     return Path(values[_FILE]) if values[_FILE] else None
 
 

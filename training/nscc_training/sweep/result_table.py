@@ -23,9 +23,11 @@ class Table:
     figures: tuple[str, ...]
 
     def __len__(self) -> int:
+        """Return the number of rows."""
         return len(self.columns["part"])
 
     def rows(self) -> list[tuple[Any, ...]]:
+        """Return the rows."""
         return [*zip(*self.columns.values(), strict=True)]
 
 

@@ -153,11 +153,13 @@ def _take(names: list[str], fits: Any = lambda _name: True) -> str:
 
 
 def _number(value: Any) -> bool:
+    """Return whether a value is a finite number."""
     number = isinstance(value, int | float) and not isinstance(value, bool)
     return number and isfinite(value)
 
 
 def _numbers(values: Sequence[Any]) -> bool:
+    """Return whether all values are finite numbers or missing."""
     return all(value is None or _number(value) for value in values)
 
 

@@ -80,4 +80,5 @@ def _anywhere(text: str, task: PointTask) -> str:
 
 
 def _worker() -> str:
+    """Return the name of this process: machine and number."""
     return f"{socket.gethostname()}:{os.getpid()}"

@@ -124,6 +124,7 @@ def _points(
     corner = captures[0].corner(_WARM)
 
     def decode_all(decode: Callable[[CapturedScene], Light]) -> list[Light]:
+        """Decode all captures."""
         return [decode(frames) for frames in captures]
 
     return [

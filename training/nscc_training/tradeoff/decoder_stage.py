@@ -62,6 +62,7 @@ def _of_looks(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
     truth = np.asarray(bench.light.total_e())[None]
 
     def run() -> Values:
+        """Return the light that the pixels measured, in electrons over the frame."""
         return merged_image(arrays[LIGHT], arrays[DEVIATION])[None] * frame_s
 
     yield _point("exposure over time", "", run, truth)
@@ -96,9 +97,11 @@ def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
     tensors = measured.tensors()
 
     def by_tv(iterations: int) -> Values:
+        """Return the clip by GAP-TV."""
         return np.asarray(gap_tv_clip(measured, iterations) * slots)
 
     def by_any(stages: int) -> Values:
+        """Return the clip by the decoder for any code."""
         return np.asarray(decoded_clip(tensors, stages)[0].numpy() * slots)
 
     for count in TV_ITERATIONS:
@@ -121,6 +124,7 @@ def _merged(bench: Bench, capture: Simulated) -> Values:
 
 
 def _stages(count: int) -> str:
+    """Return a number of stages as text."""
     return f"{count} stage{'s' * (count > 1)}"
 
 

@@ -72,9 +72,11 @@ class Naive:
         return self._read(total)
 
     def _dark(self, kind: type[np.floating]) -> NDArray[np.floating]:
+        """Return exposures of 0."""
         return np.zeros((len(self.program.container.buckets), *self.light.shape), kind)
 
     def _read(self, total: NDArray[np.floating]) -> Frame:
+        """Return the frame of summed light."""
         exposure = Exposure(total.astype(np.float64, copy=False), np.ones(total.shape, np.bool_))
         return read_out(exposure, self.program.container.target, self.program.sensor)
 
@@ -95,6 +97,7 @@ class Naive:
         return self.light.dense(), np.stack([self._opened(n) for n in range(slots)])
 
     def _opened(self, n: int) -> NDArray[np.bool_]:
+        """Return which pixels are open in slot n, for each bucket."""
         return np.moveaxis(self.program.opened[n][self.program.lane], -1, 0)
 
 
@@ -132,6 +135,8 @@ SCENES = ("builtin:hdr", "builtin:motion", "builtin:flat:300")
 
 @dataclass(frozen=True)
 class NamedLight:
+    """The light of a scene, with its name."""
+
     name: str
     light: Light
 
@@ -249,6 +254,7 @@ class EmulatorBench:
 
     @cached_property
     def plans(self) -> dict[str, Plan]:
+        """The plan of each tolerance, by its name."""
         return {tolerance.name: self._plan(tolerance) for tolerance in self.tolerances}
 
     @cached_property
@@ -312,17 +318,21 @@ class EmulatorBench:
         )
 
     def _of_reference(self, error_e: float, error_lsb: float) -> Figures:
+        """Return the figures of the reference: its errors and the times of its frames."""
         return {ELECTRONS: error_e, LSB: error_lsb, "ms": self.truth[1]}
 
     def _on(self, light: Light) -> PlannedScene:
+        """Return the program on some light, to be simulated in one thread."""
         program, seed = self.program, self.settings.device_seed
         return PlannedScene(program.container, program.sensor, light, seed, threads=1)
 
     def _tolerance(self, tolerance: str | float) -> Tolerance:
+        """Return a tolerance for this scene."""
         scene = self._on(self.scene.light)
         return tolerance_of(tolerance, scene.sensor, scene)
 
     def _plan(self, tolerance: Tolerance) -> Plan:
+        """Make a plan for a tolerance, of light without stored sums."""
         light = unknown(self.scene.light)
         return make_plan(self._on(light), PlanRequest(selected("auto"), tolerance, figures=True))
 
@@ -333,6 +343,7 @@ class EmulatorBench:
 
 
 def _error_figures(errors: Callable[[], tuple[float, float]], _frame: Frame) -> Figures:
+    """Return the errors in electrons and in codes by name."""
     return dict(zip((ELECTRONS, LSB), errors(), strict=True))
 
 

@@ -167,6 +167,7 @@ def budget_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
 
 
 def _decisions(plan: Plan) -> list[Decision]:
+    """Return the decisions of a plan on effects; those after the exposure are left out."""
     return [decision for decision in plan.decisions if decision.kind != "after"]
 
 
@@ -214,6 +215,7 @@ def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
 
 
 def _saves(decision: Decision) -> str:
+    """Return the time that leaving an effect out saves, as text."""
     if decision.decision == "absent":
         return ""
     return f"{float(f'{decision.cost_ms_model:.2g}'):g} ms" if decision.cost_ms_model else "free"

@@ -67,8 +67,10 @@ class EmulatorBenches:
         return all(keeps_promise(plan) for scene in results for plan in scene.measured_plans)
 
     def _diagram(self, measured: StudyResult, device: str) -> Figure:
+        """Draw errors against times of all scenes."""
         return study_diagram(self.results(measured), measured.times, device)
 
     def _in_order(self, points: Sequence[Point]) -> list[Point]:
+        """Return the points scene by scene."""
         results = self.results(StudyResult(tuple(points)))
         return [point for scene in results for point in scene.points]

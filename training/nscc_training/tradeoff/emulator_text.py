@@ -102,6 +102,7 @@ def _decision(decision: Decision) -> tuple[str, ...]:
     """Return the row of one effect in the error budget."""
 
     def number(value: float | None) -> str:
+        """Return a number as text, "" for absent effects."""
         return "" if value is None or decision.decision == "absent" else f"{value:.3g}"
 
     saves = "" if decision.decision == "absent" else three_digits(decision.cost_ms_model)

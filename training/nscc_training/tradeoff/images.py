@@ -46,6 +46,7 @@ def images_study(path: Path, level: int) -> Study:
                 points[key] = StudyPoint(*key, partial(dict, figures))
 
     def text(measured: StudyResult) -> str:
+        """Return the table of words, noise and time for each image."""
         return table_text(measured.points, ("kernel", "program", "noise"), ("us", 1000.0))
 
     return Study([*points.values()], text, {"png": images_diagram}, device="the chip's table")

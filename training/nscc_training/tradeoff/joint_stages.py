@@ -46,6 +46,7 @@ def refused(stage: str, setting: str, why: Exception) -> StudyPoint:
     """Return a point that cannot be measured, with the setting "" a whole stage."""
 
     def refuse() -> Figures:
+        """Raise the error that prevents the point."""
         raise why
 
     return StudyPoint(stage, "", setting, refuse)
@@ -123,6 +124,7 @@ def slots(bench: Bench) -> Iterator[StudyPoint]:
 def _joined(
     bench: Bench, source: Source, codes: dict[str, NDArray[np.int32]] | None, timed: Container
 ) -> Figures:
+    """Return the error of a program with fewer slots, with the time of `timed`."""
     container = bench.with_codes(bench.compiled(source), codes)
     return {PERCENT: bench.error_percent(container, timed), "ms": [sum(timed.slot_us) / 1e3]}
 
@@ -146,19 +148,24 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
     ways.append(("all", scaled_text(request.target_error, 1.0)))
 
     def planning() -> PlannedScene:
+        """Return the scene for a plan. Its light has no stored sums, because computing them is
+        part of the frame's time."""
         # A scene without stored sums: computing them is part of the frame's time.
         light = unknown(bench.light)
         return planning_of(container, bench.sensor, light, request.device_seed)
 
     def plan_of(scene: PlannedScene, chosen: str, tolerance: str) -> Plan:
+        """Make the plan of chosen effects and a tolerance."""
         return make_plan(scene, PlanRequest(selected(chosen), tolerance))
 
     plans = {way: cache(partial(plan_of, planning(), *way)) for way in ways}
 
     def planned(way: tuple[str, str]) -> None:
+        """Expose a frame with a plan that is made before."""
         next(iter(planning().frames(plans[way]().kept, request.seed, 1)))
 
     def with_planning(way: tuple[str, str]) -> None:
+        """Make a plan and expose a frame."""
         scene = planning()
         next(iter(scene.frames(plan_of(scene, *way).kept, request.seed, 1)))
 
@@ -167,9 +174,11 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
 
     @cache
     def percent(way: tuple[str, str]) -> float:
+        """Return the measured error of a plan in percent of the signal."""
         return 100.0 * audit(scene, plans[way]()).measured_rms_e / bench.signal_e()
 
     def figures(way: tuple[str, str], _exposed: None) -> Figures:
+        """Return the error of a way by name."""
         return {PERCENT: percent(way)}
 
     for method, run in (("with planning", with_planning), ("planned", planned)):

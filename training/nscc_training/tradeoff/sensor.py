@@ -63,6 +63,7 @@ def sensor_study(options: Mapping[str, Any]) -> Study:
         return "\n".join(["\n\n".join(tables), *refused])
 
     def diagram(measured: StudyResult, _device: str) -> Figure:
+        """Draw PSNR against the shortest slot."""
         return sensor_diagram(shutters_of(measured.points), target, options["slot_us"])
 
     return Study(

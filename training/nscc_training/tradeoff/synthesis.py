@@ -102,6 +102,7 @@ def synthesis_study(
     ]
 
     def text(measured: StudyResult) -> str:
+        """Return the table of words and times, and the programs that do not fit."""
         table = table_text(measured.points, ("lowering", "level", words))
         return "\n".join([table, *refusals_text(measured.refused)])
 
