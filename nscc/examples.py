@@ -115,7 +115,8 @@ class ExampleScene(Record):
 
 
 def tasks() -> dict[str, dict[str, ExampleScene]]:
-    """Return the scenes of all example programs, by task and by name."""
+    """Return the scenes with which example programs are shown, by task and by name of the
+    program."""
     path = _folder("example_files", "examples") / "tasks.json"
     return {
         task: {name: ExampleScene(**shown) for name, shown in programs.items()}

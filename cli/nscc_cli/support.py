@@ -144,7 +144,8 @@ def say_compiling(loop: Any, part_name: str) -> None:
 
 
 def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
-    """Save a reproducer of a diagnostic with a traceback, and add a note that names it."""
+    """Save a reproducer of a diagnostic with a traceback, and add a note that names it. `of` is
+    the command with its arguments. Diagnostics without a traceback stay as they are."""
     trace = diagnostic.data.get("traceback")
     if trace is None:
         return diagnostic

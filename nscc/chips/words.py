@@ -198,8 +198,8 @@ def _operand_lines(digital: bool) -> frozenset[int]:
 
 
 def _alike(first: Operation, second: Operation) -> bool:
-    """Return whether two operations can have the same encoding: control lines equal except for
-    operands."""
+    """Return whether two operations can have the same bits: their control lines are equal except
+    for those that choose operands."""
     if first.clock != second.clock:
         return False
     operands = _operand_lines(not first.analog)

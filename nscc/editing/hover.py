@@ -64,7 +64,7 @@ def _name(document: Document, offset: int) -> Hover | None:
 
 def _bucket(document: Document, mention: Mention) -> str | None:
     """Return the description of a bucket, with the range of its open slots if all shutters are
-    known."""
+    known. `mention` is where its name stands."""
     if declaration(document, mention) is None:
         return None
     compiled = document.checked.compiled

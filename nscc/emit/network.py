@@ -110,7 +110,8 @@ class NetworkMaker:
         boundary: int,
         **look: str | int,
     ) -> str:
-        """Add the value of a gate or look that the words `written` store in the register `name`."""
+        """Add the value of a gate or look that the words `written` store in the register `name`.
+        It runs at `boundary`, as part of look number `look` or of none; returns the node's name."""
         node = self._named(kind[0])
         self.network.add_node(
             node,

@@ -78,7 +78,8 @@ def limit_of(
     family: Family, target: Target, options: Options, slot: str
 ) -> Generator[SizeTrial, None, Limit]:
     """Find the limit of one family and slot length, for all legal codes; yield each trial as it
-    ends."""
+    ends. `family` is a rule for any number of slots, codes or states; the result says the
+    largest that fits and the smallest impossible one."""
     options = replace(options, target=target, codes="open")
     capacity = impossible_from(family.shutters, target)
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)

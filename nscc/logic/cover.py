@@ -185,8 +185,9 @@ def _fewest(positive: Sequence[int], values: Sequence[int], uncovered: int) -> t
 
 
 def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> list[Nor] | None:
-    """Return the cheapest set of at most `most` cubes that covers `uncovered`, by branch
-    and bound."""
+    """Return the cheapest set of at most `most` cubes that covers `uncovered`, by branch and
+    bound. The cost is the number of words; None if no such set exists. `uncovered` is a truth
+    vector."""
     ordered = sorted(cubes, key=lambda c: (-(c.vector & uncovered).bit_count(), len(c.sources)))
     best: list[Nor] | None = None
     best_cost = float("inf")

@@ -78,7 +78,8 @@ def _expand(
     everything: int,
     budget: Budget,
 ) -> list[tuple[int, int]]:
-    """Drop literals of a cube, each time the one that covers most, while the cube avoids `off`."""
+    """Drop literals of a cube, each time the one whose removal adds most of the points
+    `uncovered`, while the cube avoids the points `off`."""
     while cube:
         budget.spend(len(cube) * (1 + everything.bit_length() // 512))
         # The cube without each literal: the product of those before and after it.

@@ -204,7 +204,10 @@ def _groups(field: _Field, form: _Form) -> tuple[int, ...]:
 def _script(
     problem: Problem, events: list[tuple[str, _Events]], chosen: tuple[_Form, ...], stored: int
 ) -> Script:
-    """Return the script for these layouts; the last `stored` demands have their own planes."""
+    """Return the script that stores the events of each field in its chosen layout, and updates the
+    groups before demands.
+
+    The last `stored` demands have planes of their own."""
     raw = [i for i in range(len(problem.demands)) if not problem.answered(i)]
     raw = raw[len(raw) - stored :]
     planes: Planes = []

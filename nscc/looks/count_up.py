@@ -84,8 +84,8 @@ def _carry(board: Board, names: Sequence[str], lanes: int) -> str:
 
 
 def _limited(board: Board, name: str, positive: bool, ones: Sequence[str]) -> str:
-    """Return a register that gets `name`, or its inverse, without the lanes where all of `ones`
-    are 1."""
+    """Return a register that holds the lanes of `name` (or, unless `positive`, the others)
+    without those where all bits `ones` are 1."""
     gates = Gates(board.machine)
     answer, below, bit = islice(board.unused_scratch(), 3)
     stops = [name]

@@ -267,7 +267,8 @@ ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
 
 
 def plan_of(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
-    """Return the plan and no errors, or a Misfit and the error NS0413 or NS0414."""
+    """Return the analog plan of a program whose pixels look, and no errors; or why there is none
+    (Misfit) and the error NS0413 or NS0414."""
     lowering = job.options.lowering
     plan = plan_looks(program, program.machine, lowering)
     if isinstance(plan, Misfit):

@@ -236,8 +236,8 @@ def analog_registers(
 
 
 def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, int]:
-    """Return the fewest and the most analog words that a shutter executes, of those that ever
-    open."""
+    """Return the fewest and the most analog words that a pixel executes in these steps, over the
+    shutters that ever open."""
     shutters = len(program.table.shutters)
     counts = np.zeros(shutters, dtype=np.int64)
     for step in steps:

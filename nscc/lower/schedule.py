@@ -210,8 +210,8 @@ def _scheduled(
     allocation: Allocation,
     size: KernelSize,
 ) -> FrameSchedule:
-    """Return the schedule of a frame with kernels of one size: a boundary, a segment or a single
-    gate."""
+    """Return the schedule of a frame whose kernels hold the words of a boundary, of a segment or
+    of a single gate (`size`)."""
     boundaries = _segments(decoding, allocation, size)
     refreshed = refreshed_registers(boundaries, allocation, time)
     exposed = max(

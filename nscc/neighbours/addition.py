@@ -76,6 +76,8 @@ def _orders(
     ready = frozenset(((-2) ** number, (0, 0)) for number in range(halvings + 1))
     beam: dict[_Node, list[Added]] = {(0, frozenset(weights), None, ready, 0): []}
     finished: dict[frozenset[tuple[int, Offset]], tuple[int, list[Added]]] = {}
+    # `beam` holds the best orders with as many words so far; `finished` the best complete order for
+    # each set of multiples that it uses.
     while beam:
         following: dict[tuple[object, ...], tuple[_Node, list[Added]]] = {}
         for node, words in beam.items():

@@ -104,7 +104,8 @@ class Lowering(RegisterEmitter):
         return p.PictureCost(name, words, gain, sqrt(value.variance))
 
     def _repeat(self, names: Sequence[str]) -> None:
-        """Emit the words of names that step together. The cost of the first includes all words."""
+        """Emit the words of repeated images and planes that step together. The recorded cost of
+        the first one includes the words of all."""
         before, repeated = len(self.words), self.pictures.repeated
         for name in names:  # never freed before the end of the loop
             uses = self.bits.uses if isinstance(repeated[name], p.Condition) else self.uses

@@ -17,7 +17,7 @@ from nscc.words.pictures import KeptImage, KeptPlane, Picture, Pictures
 
 def pictures_us(pictures: Pictures, target: Target) -> float:
     """Return the time from the last slot to the first readout, in microseconds: words, launches,
-    IN."""
+    IN. The last are the waits until IN is stable."""
     kernels = [[matching(word, target.words) for word in kernel] for kernel in pictures.kernels]
     total_us, level = 0.0, None
     for launch in pictures.launches:

@@ -319,7 +319,7 @@ class PictureReplay:
         self, op: Op, level: int | LevelOf | None, factor: Fraction, flag: Bits | None = None
     ) -> Fields:
         """Return the sum of a word's analog sources in every pixel, times a factor; with `flag`,
-        correct only where `flag` is 1."""
+        correct only where `flag` is 1. `level` is IN in steps."""
         forms = self.forms
         fields: list[Fields | Mapping[tuple[int, int], Form]] = []
         for name in op.sources:

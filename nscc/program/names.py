@@ -128,7 +128,8 @@ class Declarations:
         helps: tuple[str, ...],
         problems: Problems,
     ) -> None:
-        """Report a name that is not of `kind` (NS0209, or NS0214 for an unknown one)."""
+        """Report a name that is not of `kind` (NS0209, or NS0214 for an unknown one). `known`
+        are the names of this kind, of which the most similar is suggested."""
         text = name.text
         if text in self.refused:
             return

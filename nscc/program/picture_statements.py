@@ -335,7 +335,8 @@ class PictureMaker:
 
     def _next(self, name: str, reader: Reader) -> Condition | None:
         """Return the value of a state after the frame: unchanged without a `next` statement, and
-        where its condition is 0."""
+        where its condition is 0. `name` is the state, and `reader` reads the statement's
+        expressions."""
         step = self.declared.nexts.get(name)
         if step is None:
             return Bit(name)

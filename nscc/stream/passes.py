@@ -78,7 +78,11 @@ _NOWHERE = 127
 def _chosen(
     open_in: NDArray[np.int8], away: int | None, buckets: tuple[str, ...], target: Target
 ) -> Route | NoRoute:
-    """Return the route for `open_in` (shutters, N): the index of the open bucket, or _NOWHERE."""
+    """Return the two destinations of each slot and the bits that choose between them, or why a slot
+    has other ones.
+
+    `open_in` (shutters, N) is the index of the open bucket, _NOWHERE if none is open. The light
+    then goes to `away`, the drain or a spare tap, if the chip has one."""
     slots = open_in.shape[1]
     ones, zeros = np.zeros(slots, np.int8), np.zeros(slots, np.int8)
     for slot in range(slots):

@@ -375,7 +375,7 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
 
 def _choice(tokens: Tokens, at: int, last: int) -> str:
     """Return the hint for a choice written with `if` first, as `A if CONDITION else B` in the
-    words of the program."""
+    words of the program. `at` is the word `if`, and `last` the end of the statement."""
     texts = [tokens.text(k) for k in range(at, last)]
     if "then" not in texts or "else" not in texts[texts.index("then") :]:
         return _CHOICE

@@ -39,7 +39,8 @@ class CountRange(Record):
 def counts_of(
     node: p.Value, known: Mapping[str, CountRange], weights: Mapping[str, p.Weights]
 ) -> CountRange | None:
-    """Return the attainable values of a node; None for electrons. `known`: counts by image."""
+    """Return the attainable values of a node; None for electrons. `known`: counts by image.
+    `weights`: kernels by name."""
     match node:
         case p.Source():
             return known.get(node.name)

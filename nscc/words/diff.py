@@ -41,7 +41,8 @@ def differences(first: Container, second: Container) -> list[str]:
 
 
 def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
-    """Yield a line for each cost that differs, with the change in percent."""
+    """Yield a line for each cost, such as words or microseconds, that differs between two
+    programs, with the change in percent."""
     for subject, before, after, unit in (
         ("words stored", old.stored_words, new.stored_words, ""),
         ("words a frame", old.words, new.words, ""),

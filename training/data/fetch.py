@@ -75,7 +75,8 @@ PACKAGES = (
 
 
 def main() -> int:
-    """Fetch, check and unpack; 1 where a package is not the one that is meant."""
+    """Fetch the packages, check their digests and unpack the pictures. Return 1 if a package has
+    another digest, else 0."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("folder", type=Path, help="where the pictures go")
     parser.add_argument("--packages", type=Path, help="a folder that holds packages already")

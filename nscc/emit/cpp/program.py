@@ -159,7 +159,7 @@ def _check_store(
     program: Program, container: Container, loading: CodeLoading, devkit: Devkit
 ) -> None:
     """Raise Rejected (NS0520) if the words of the frame, of loading the codes and of the readout
-    do not fit the store together."""
+    do not fit the store together. `loading` are the words that load codes."""
     target = container.target
     frame = sum(
         len(kernel.words)

@@ -307,8 +307,8 @@ def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[in
 
 
 def _take(run: TrackedRun, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:
-    """Apply a rewriting if the boundary then has fewer than `most` words and no other reaches
-    `most`."""
+    """Apply a rewriting to the run, in place, if `boundary` then has fewer than `most` words,
+    and no boundary grows to `most` or more; return whether it was applied."""
     words = loads.counted(
         [*run.items[: rewriting.start], *rewriting.items, *run.items[rewriting.end :]]
     )

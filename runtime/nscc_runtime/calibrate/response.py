@@ -75,7 +75,8 @@ def linearity(
     level_moments: Sequence[LevelMoments], dark: DarkFit | None, full: float
 ) -> Linearity | str:
     """Return EMVA 1288's linearity error of flats of one light and several exposure times, or a
-    text with the reason why it is unknown. `full`: the code at which flats saturate."""
+    text with the reason why it is unknown. `full`: the code at which flats saturate. `dark` is
+    the fit of the frames without light."""
     if dark is None:
         return "no dark tells the code without charge"
     if any(level.exposure_s is None for level in level_moments):

@@ -162,8 +162,8 @@ def _pattern(
 
 
 def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -> None:
-    """Set the full well, and enlarge the range of registers if necessary, because words move the
-    charge through registers."""
+    """Set the full well, in place in `chosen`; enlarge the range of registers if necessary,
+    because words move the charge through registers."""
     if full.value is None:
         return
     if full.known == "measured":
@@ -179,7 +179,8 @@ def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -
 
 
 def _unknown(name: str, quantities: Mapping[str, Quantity]) -> str:
-    """Return why a parameter has no measured value."""
+    """Return why a parameter has no measured value: the reason of the quantity that would give
+    it."""
     quantity = quantities.get(_SOURCES.get(name, ""))
     if quantity is None:
         return "photon transfer does not tell"

@@ -78,8 +78,8 @@ class _Limits:
 def _search(
     program: AnalysedProgram, light: Light, effects: Selection, device: Device
 ) -> NearSaturation:
-    """Return the pixels that may saturate: an upper bound for all pixels selects candidates, whose
-    charge is then computed."""
+    """Return the pixels that may saturate: an upper bound for all pixels selects candidates,
+    whose charge is then computed. `device` are the fixed patterns of all pixels."""
     limits: _Limits = program.recent.of((_Limits, effects.on), lambda: _limits(program, effects))
     factor, current = light_factor(effects, device), dark_e_per_s(effects, device)
     exchanged = exchanged_fraction(effects, program)

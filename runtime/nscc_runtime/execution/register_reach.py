@@ -69,7 +69,9 @@ def _reach_of(program: AnalysedProgram) -> RegisterReach:
 def _farthest(
     program: AnalysedProgram, sampled_lanes: NDArray[np.intp], ends: NDArray[np.int64]
 ) -> _RegisterReach:
-    """Run the words over `sampled_lanes` and return the linear range of the written registers.
+    """Run the words over the lanes `sampled_lanes`, and return the largest values that each written
+    register can hold, as weighted sums of the light.
+
     Stretches of slots end at the boundaries `ends`."""
     effects, sensor = everything(), program.sensor
     gain_part, linear_e = effects.find_part(WordGain), effects.require_part(Soft).linear_e(sensor)

@@ -437,7 +437,8 @@ _words_of_params, _beyond_reaches = OfContainer(_WordsOfParams), OfContainer(bey
 
 
 def image_sensor(sensor: Sensor, target: Target) -> Sensor:
-    """Return the sensor that converts images: codes are symmetric around 0, without spreading."""
+    """Return the sensor whose converter reads images: its codes are symmetric around 0, and the
+    words before it do not spread the values."""
     own, full = (default_sensor(each).values for each in (target, replace(target, readout="full")))
     given = sensor.values
     changed = {name: full[name] for name in full if given[name] == own[name] != full[name]}

@@ -65,7 +65,7 @@ def flow_graph(container: Container) -> DiGraph:
 
 def _sources(container: Container, node: p.Node, label: str = "") -> Iterator[tuple[str, str]]:
     """Yield the names that an expression reads, each with the kernels and levels that are
-    applied to it as text."""
+    applied to it as text. `label` is the text so far."""
     step = ""
     match node:
         case p.Source() | p.Bit():

@@ -87,7 +87,8 @@ class Guide:
 
 @dataclass(frozen=True)
 class Panel:
-    """A problem: its title, the label of its error axis, its points and reference lines."""
+    """One panel of a diagram of error against time: title, label of the error axis, points, and
+    reference lines."""
 
     title: str
     error: str

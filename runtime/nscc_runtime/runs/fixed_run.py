@@ -16,7 +16,8 @@ from nscc_runtime.sensor import Sensor
 def exposing(
     container: Container, light: Light, sensor: Sensor, effects: Selection, request: Request
 ) -> Exposing:
-    """Return how frames are exposed: by the emulator without effects, else by the reference."""
+    """Return how frames are exposed, as a function of light and frame number: by the emulator
+    without effects, else by the reference."""
     if request.effects.noiseless:
         from nscc_runtime.emulator.loops import expose_pixels
 

@@ -392,7 +392,8 @@ def _electrons(request: _Request, values: NDArray[np.float32]) -> Light:
 
 
 def _still(request: _Request, read: Callable[[], Stored]) -> PlacedLight:
-    """Return the light of a still picture on the array, scaled to the exposure."""
+    """Return the light of a still picture on the array, scaled to the exposure. `read` is the
+    picture as stored."""
     _refuse(request, "a still has no frame rate", "fps")
     request.check_exposure()
     stored, colours = read()

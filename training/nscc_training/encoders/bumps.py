@@ -301,7 +301,8 @@ class Start(Bump):
 
 
 class StartStop(Bump):
-    """Class d: one bump from start to stop, at least a slot long."""
+    """Class d: one bump in each frame, which opens at the boundary `start` and closes at `stop`,
+    at least a slot later."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         """Begin with all pixels open in slot 0."""

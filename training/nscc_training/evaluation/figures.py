@@ -137,7 +137,9 @@ def _shot_of(
     effects: str,
     seed: int,
 ) -> _Shot:
-    """Expose a scene, or the built-in scene, and reconstruct it with a run; return the images."""
+    """Expose a scene, or the built-in scene, and reconstruct it with a run; return the images.
+    `still` decides whether it is a still or a clip, and `effects` and `seed` are those of the
+    emulated chip."""
     setup = folder.setup
     if found_scene is None:
         like = run_capture(folder.path)

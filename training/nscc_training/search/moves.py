@@ -159,7 +159,8 @@ def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 
 def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.bool_]:
-    """Shift, lengthen or shorten shutters, or flip one slot; all of them still open."""
+    """Shift, lengthen or shorten all shutters in time, or flip one slot of them, at random; a
+    shutter that would never open stays as it is."""
     kind = generator.integers(4)
     beside = np.roll(opened, int(generator.choice((-1, 1))), axis=0)
     if kind == 0:

@@ -112,7 +112,7 @@ def _reads(values: Values) -> Sequence[Path]:
 
 def _capture(values: Values, threads: int) -> Figures:
     """Expose a scene with the program of a point, and return mean, saturation, and predicted and
-    measured errors."""
+    measured errors. `threads` are those of the simulation."""
     from nscc.containers import with_pixels
     from nscc.words.readout import converter_of
     from nscc_runtime import capture

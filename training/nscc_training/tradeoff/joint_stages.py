@@ -150,7 +150,6 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
     def planning() -> PlannedScene:
         """Return the scene for a plan. Its light has no stored sums, because computing them is
         part of the frame's time."""
-        # A scene without stored sums: computing them is part of the frame's time.
         light = unknown(bench.light)
         return planning_of(container, bench.sensor, light, request.device_seed)
 

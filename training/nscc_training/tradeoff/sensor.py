@@ -45,9 +45,11 @@ SLOTS, SLOT_US = 16, 125.0
 
 
 def sensor_study(options: Mapping[str, Any]) -> Study:
-    """Return the study of shutters on a chip, given the options of `nscc tradeoff sensor` by name.
+    """Return the study of what shutters and readouts reach on a chip: PSNR against the shortest
+    slot, and against readout time.
 
-    Raises Rejected for an unknown target, and NS0811 for a folder without scenes."""
+    `options` are those of `nscc tradeoff sensor` by name. Raises Rejected for an unknown target,
+    and NS0811 for a folder without scenes."""
     points, target = sensor_points(options), load_target(options["target"], Path()).name
     if any(point.case == "clips" for point in points):
         points += readout_points(options)
