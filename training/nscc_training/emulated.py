@@ -1,6 +1,6 @@
 """The emulated sensor as a differentiable table, for training.
 
-The emulator exposes a program once to constant light at many levels. For every place of the tile,
+The emulator exposes a program once to constant light at many levels. For every pixel of the tile,
 the frames give the mean code and its standard deviation over noise and chips. They include gains
 and offsets of words, register compression, dark current, noise and the range of the converter.
 Crosstalk depends on neighbouring pixels, so it is applied to the light, as in the emulator."""
@@ -41,10 +41,10 @@ CHIPS, _FRAMES = 8, 2
 
 @dataclass(frozen=True, eq=False)
 class EmulatedSensor:
-    """The response to constant light at the places (r, c) of a tile.
+    """The response to constant light at the pixels (r, c) of a tile.
 
     `light_e` (K,) increases from 0, in electrons over the frame. `share` (r, c) is the fraction of
-    the frame in which each place was open. `code` and `spread` (K, r, c) are the mean and standard
+    the frame in which each pixel was open. `code` and `spread` (K, r, c) are the mean and standard
     deviation of codes above the ADC's offset, before rounding. `full` (K, r, c) is the fraction of
     pixels marked as saturated. `crosstalk` is the fraction of charge that each of the four
     neighbours receives."""
@@ -72,7 +72,7 @@ class EmulatedSensor:
         saturated pixels.
 
         `exposure_e` (float64) is in electrons of the open slots. Each is looked up at the constant
-        light that gave its place this exposure, also if other slots are open now. Without a
+        light that gave its pixel this exposure, also if other slots are open now. Without a
         generator there is neither noise nor pixel variation. `model` defines the range of codes."""
         open_share = laid(self.share, *exposure_e.shape[-2:]).to(exposure_e)
         steady = exposure_e / open_share.clamp(min=1e-9)
@@ -152,7 +152,7 @@ def emulated_sensor(
     cols).
 
     `effects` and its errors are as for `--effects`. The measurement takes seconds, or half a minute
-    if each place has its own shutter. Fewer `chips` are faster, but sample less of the variation
+    if each pixel has its own shutter. Fewer `chips` are faster, but sample less of the variation
     between chips."""
     chosen = selected(effects)
     assert container.pixel_codes is not None
@@ -210,7 +210,7 @@ def _measured(
         def mean(
             values: NDArray[Any], used: int = len(levels) * width, count: int = len(levels)
         ) -> NDArray[np.float64]:
-            """Return the mean over frames and pixels of a place, (levels, r, c)."""
+            """Return the mean over frames and over the copies of the tile, (levels, r, c)."""
             tiles = values[:, : down * tile[0], :used].astype(np.float64)
             tiles = tiles.reshape(_FRAMES, down, tile[0], count, times, tile[1])
             return np.asarray(tiles.mean(axis=(0, 1, 4)).transpose(1, 0, 2))

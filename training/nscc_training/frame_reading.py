@@ -217,7 +217,8 @@ class Dark:
 
 
 def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
-    """Return the offset of each pixel (rows, cols) minus the mean of its place in the tile."""
+    """Return the offset of each pixel (rows, cols) minus the mean over its copies in other
+    tiles."""
     pattern = np.empty_like(offset)
     for row, col in np.ndindex(tile):
         place = offset[row :: tile[0], col :: tile[1]]

@@ -121,7 +121,7 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
 def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> ProgramFiles:
     """Return the program of codes, with `remark` as a comment at the top.
 
-    Codes for every pixel are stored in the code file, and so are tiles of more than 4096 places,
+    Codes for every pixel are stored in the code file, and so are tiles of more than 4096 pixels,
     repeated over the array, as the compiler requires."""
     packed = codes_bytes(codes) if codes else b""
     lines = [*(f"# {line}" for line in remark.splitlines()), "nsl 1", ""]
@@ -158,7 +158,7 @@ def compiled(
 def begun_with(
     path: Path, spec: ShutterSpec, chip: Chip
 ) -> tuple[dict[str, NDArray[np.int64]], NDArray[np.bool_] | None]:
-    """Return the codes of a program on the places of a tile, and the shutters that it opens for
+    """Return the codes of a program on the pixels of a tile, and the shutters that it opens for
     them, (buckets, N, rows, cols); for pixels that look times and levels, and None.
 
     Raises ValueError for a program with other slots, fields, levels or buckets, or whose pixels are

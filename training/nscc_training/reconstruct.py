@@ -58,7 +58,7 @@ def reconstruct(
 
     `dark` is a frame file of the same program without light, with many repeats. Its mean (offsets
     of words, and dark charge) is subtracted from the frame. A decoder that was trained with effects
-    knows the mean of each place of its tile, so only the deviations from that mean are subtracted.
+    knows the mean of each pixel of its tile, so only the deviations from that mean are subtracted.
 
     Raises Rejected: the errors of `load_run`; NS0819 for a file that is not a frame, for a frame of
     another program or sensor (with `force` a warning, unless its size differs), and for a dark

@@ -121,6 +121,8 @@ class PictureWords:
         return ArrayContents(register, cut_by, dict(zip(digital, planes, strict=True)))
 
     def _propagate(self, op: Op, planes: NDArray[np.uint64], cols: int) -> None:
+        """Run a propagation on packed planes, in place: bits spread to neighbours within the
+        mask, in the directions that are steered."""
         target, digital = self._target, self._digital
         register = digital[op.destinations[0]]
         names = (target.mask_register or "", *STEERING)

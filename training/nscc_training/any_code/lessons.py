@@ -115,7 +115,7 @@ def measured_lesson(
     """Return the ground truth of a lesson, its measurement, and the display's white (batch,).
 
     White is only returned for filmed lessons, whose errors are measured in display encoding. Their
-    full well is set near the light of an always open pixel at the brightest percent of places, as
+    full well is set near the light of an always open pixel at the brightest percent of pixels, as
     in protocol video-v1, so that noise is realistic for short shutters. The full well of a still is
     1; in other lessons some pixels may saturate."""
     light, mask = lesson.light, lesson.mask

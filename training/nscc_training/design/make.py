@@ -80,8 +80,8 @@ def _tables(
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return the tables from which the risk is computed, for each tile of the scene.
 
-    The first is the error of each place's own light by stop (tiles, places, stops). The second is
-    the squared difference between the light of two places (tiles, places, places)."""
+    The first is the error of each pixel's own light by stop (tiles, pixels, stops). The second is
+    the squared difference between the light of two pixels (tiles, pixels, pixels)."""
     peak = peak_of(scene.reshape(-1), number)
     # A scene of one row or column has no tiles: it is repeated.
     scene = np.tile(scene, [2 if side == 1 else 1 for side in scene.shape])

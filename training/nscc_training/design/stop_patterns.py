@@ -52,7 +52,7 @@ class Pattern:
 
 
 def shapes() -> dict[str, Levels]:
-    """Return the level of every place of a tile, by name; 0 is the longest exposure."""
+    """Return the level of every pixel of a tile, by name; 0 is the longest exposure."""
     levels_of_shape = {
         "uniform": np.array([[0]]),
         "checkerboard": np.array([[0, 1], [1, 0]]),

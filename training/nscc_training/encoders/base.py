@@ -68,7 +68,7 @@ def decided(
 
 
 Codes = dict[str, NDArray[np.int64]]
-"""Field values at every place of the tile, by field name, each (rows, cols)."""
+"""Field values at every pixel of the tile, by field name, each (rows, cols)."""
 
 
 class Encoder(nn.Module, ABC):
@@ -144,7 +144,7 @@ class Encoder(nn.Module, ABC):
 
     @abstractmethod
     def start_uniform(self) -> None:
-        """Set the same code at all places."""
+        """Set the same code at all pixels."""
 
     @abstractmethod
     def start_quad(self) -> None:
@@ -309,7 +309,7 @@ class Encoder(nn.Module, ABC):
         return tensors
 
     def quad_ranks(self) -> NDArray[np.int64]:
-        """Return the rank of every place in the 2 x 2 pattern.
+        """Return the rank of every pixel in the 2 x 2 pattern.
 
         Returns
         -------

@@ -36,7 +36,7 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
     `two-phase`: the 2 x 2 pattern, with every other 2 x 2 block later by half a bump, or by as much
     as the frame allows. `staggered`: sixteen start times from the beginning of the frame to the
     last at which a bump fits. `rows`: every other row opens in the second half of the frame.
-    `checker`: every other place does. `overlapping-rows`: as `rows`, with bumps of 11/16 of the
+    `checker`: every other pixel does. `overlapping-rows`: as `rows`, with bumps of 11/16 of the
     frame. `cyclic`: sixteen start times around the frame; a bump that reaches
     the end continues at the beginning."""
     if spec.kind not in _CODES:
@@ -97,7 +97,7 @@ def _bits(spec: ShutterSpec, first: Places, length: int) -> Codes:
 
 
 def _shapes(spec: ShutterSpec, first: Places, length: int) -> Codes:
-    """Return a codebook of bumps with the starts `first`, one for each place of the tile.
+    """Return a codebook of bumps with the starts `first`, one for each pixel of the tile.
 
     Raises ValueError if the codebook has too few rows."""
     begins, row_of_place = np.unique(first, return_inverse=True)
@@ -198,7 +198,7 @@ Tile = NDArray[np.int64]
 def scattered(
     name: str, levels: Tile, tile: tuple[int, int], generator: np.random.Generator
 ) -> Tile:
-    """Return one of `levels` (values,) for each place of a tile, for one of SCATTERED.
+    """Return one of `levels` (values,) for each pixel of a tile, for one of SCATTERED.
 
     The starts are those of L-SVPE (Nguyen, Martel and Wetzstein, "Learning Spatially Varying Pixel
     Exposures for Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around edges.
@@ -209,10 +209,10 @@ def scattered(
 
 
 def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
-    """Return a level index for each place; places of one level keep a distance from each other.
+    """Return a level index for each pixel; pixels of one level keep a distance from each other.
 
-    Each level in turn takes its share of free places, nearest to the points of a Poisson-disc
-    sampler. Each remaining place gets the level whose own places are farthest away."""
+    Each level in turn takes its share of free pixels, nearest to the points of a Poisson-disc
+    sampler. Each remaining pixel gets the level whose own pixels are farthest away."""
     from scipy.stats.qmc import PoissonDisk
 
     rows, cols = tile

@@ -106,7 +106,7 @@ class Bits(_Digits):
 class Codebook(_Digits):
     """K shapes of N digits, and a choice of shape for every pixel of the tile.
 
-    With as many shapes as places, the codebook is as free as class e, with any N. The choice is the
+    With as many shapes as pixels, the codebook is as free as class e, with any N. The choice is the
     largest of K scores of the pixel."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
@@ -125,7 +125,7 @@ class Codebook(_Digits):
         return torch.einsum("rck,kn->nrc", self.chosen(generator, soft), digits)
 
     def chosen(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """Return the weights (rows, cols, K) of the shapes at each place: one-hot unless `soft`."""
+        """Return the weights (rows, cols, K) of the shapes at each pixel: one-hot unless `soft`."""
         scores: Tensor = self.choice
         if soft and self.relaxation == "gumbel" and generator is not None:
             drawn = torch.empty(scores.shape, device=generator.device)
@@ -218,11 +218,11 @@ class Codebook(_Digits):
         self.choose(np.where(again < self.rows, again, rank % self.rows))
 
     def spread(self) -> NDArray[np.int64]:
-        """Return a shape index for each place, using all shapes in turn."""
+        """Return a shape index for each pixel, using all shapes in turn."""
         return np.arange(self.spec.places, dtype=np.int64).reshape(self.spec.tile) % self.rows
 
     def choose(self, rows: NDArray[np.int64]) -> None:
-        """Set scores so that each place chooses the given shape, by a margin that training can
+        """Set scores so that each pixel chooses the given shape, by a margin that training can
         overcome."""
         with torch.no_grad():
             chosen = functional.one_hot(torch.as_tensor(rows), self.rows)

@@ -92,7 +92,7 @@ def _promising(
 ) -> list[Codes]:
     """Return the candidates that are legal and differ from `current`, most promising first.
 
-    The expected gain of a candidate is the sum of `gain` (N, rows, cols) over the slots and places
+    The expected gain of a candidate is the sum of `gain` (N, rows, cols) over the slots and pixels
     that it opens, minus that over those that it closes."""
     ranked = []
     present = setup.encoder.hard()
@@ -107,9 +107,9 @@ def _promising(
 
 
 def expected_gain(setup: TrainingSetup, batch: Batch, step: int) -> Tensor:
-    """Return by how much the loss falls, to first order, if a place opens in a slot.
+    """Return by how much the loss falls, to first order, if a pixel opens in a slot.
 
-    For a slot in which a place is open, the negative value is the gain of closing it. This is
+    For a slot in which a pixel is open, the negative value is the gain of closing it. This is
     -dL/dI times the light of the slot, plus the effect of the code on the decoder. Returns a tensor
     (N, rows, cols) of the present codes' tile."""
     tile = setup.encoder.hard().requires_grad_()

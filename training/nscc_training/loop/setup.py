@@ -133,8 +133,8 @@ class TrainingSetup:
 
         A shutter's offset depends on its words: a pixel that opens after slot 0 subtracts a second
         value. A table of other codes is therefore wrong where few electrons matter. A measurement
-        takes about a second for a tile of 2 x 2 places, and half a minute for hundreds of
-        places."""
+        takes about a second for a tile of 2 x 2 pixels, and half a minute for hundreds of
+        pixels."""
         if not self.settings.sensor.effects:
             return
 

@@ -67,7 +67,7 @@ def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Te
 
 
 def changes_of(shutters: Tensor) -> Tensor:
-    """Return the share of slot boundaries at which the shutter of each place changes."""
+    """Return the share of slot boundaries at which the shutter of each pixel changes."""
     return (shutters[1:] - shutters[:-1]).abs().sum(dim=0) / max(1, len(shutters) - 1)
 
 

@@ -63,7 +63,7 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
     """Return the remaining variance of the light in a window's middle, as a fraction of its
     variance.
 
-    `opened` (N, places) are the shutters in the window."""
+    `opened` (N, pixels) are the shutters in the window."""
     # Covariance of light and measurements (slot, place, measurement), and of measurements.
     covariance = np.einsum("tspq,sq->tpq", alike, opened)
     frame = np.einsum("tp,tpq->pq", opened, covariance)
@@ -104,7 +104,7 @@ def _windows(opened: Values) -> Sequence[Values]:
 
 _INNER = np.abs(np.arange(_WINDOW) - (_WINDOW - 1) / 2) < _STEP / 2
 _MIDDLE = np.flatnonzero(_INNER[:, None] & _INNER)
-"""The places of the middle of a window."""
+"""The pixels of the middle of a window."""
 
 Clip = NDArray[np.floating]
 

@@ -1,4 +1,4 @@
-"""Moves of a search: changes of a tile's codes at many places together."""
+"""Moves of a search: changes of a tile's codes at many pixels together."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ Values = NDArray[np.int64]
 _PERIODS = (1, 2, 4, 8)
 _MOST_AT_ONCE = 4
 SINGLE_SHARE = 0.5
-"""Probability that only the shutter of one place changes."""
+"""Probability that only the shutter of one pixel changes."""
 _REPEATED = 0.25
-"""Probability that a move of many places starts by copying one block over the whole tile."""
+"""Probability that a move of many pixels starts by copying one block over the whole tile."""
 
 
 def moved(
@@ -26,10 +26,10 @@ def moved(
 ) -> Codes:
     """Return codes after one to four random moves, in the form of `Encoder.codes`.
 
-    A `single_share` of the results changes the shutter of one place only. Codes of a codebook
-    include `book`. A move changes one place, a rectangle, all places congruent modulo a period in
+    A `single_share` of the results changes the shutter of one pixel only. Codes of a codebook
+    include `book`. A move changes one pixel, a rectangle, all pixels congruent modulo a period in
     each direction, or every other block. Their shutters shift in time, lengthen,
-    shorten, or take or exchange the codes of neighbouring places. Before that, the tile may become
+    shorten, or take or exchange the codes of neighbouring pixels. Before that, the tile may become
     copies of one of its blocks, each later than the one before. Codes stay legal for the class; a
     move may have no effect."""
     if generator.random() < single_share:
@@ -48,7 +48,7 @@ def moved(
 
 
 def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
-    """Return a random mask (rows, cols) of the places of a tile that move together."""
+    """Return a random mask (rows, cols) of the pixels of a tile that move together."""
     y, x = np.mgrid[: tile[0], : tile[1]]
     kind = generator.integers(4)
     if kind == 0:
@@ -120,7 +120,7 @@ def _starts(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator
 
 
 def _edges(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Return codes of bumps whose start, stop or both are shifted at some places by a random
+    """Return codes of bumps whose start, stop or both are shifted at some pixels by a random
     number of slots."""
     start, stop = codes["start"], codes["stop"]
     by = places * _by(spec.slots, generator)
@@ -136,7 +136,7 @@ def _edges(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator)
 
 
 def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Return codes of free bits that are replaced at some places by changed patterns."""
+    """Return codes of free bits that are replaced at some pixels by changed patterns."""
     n = np.arange(spec.slots, dtype=np.int64).reshape(-1, 1, 1)
     opened = _reshaped((codes["bits"][None] >> n) & 1 == 1, generator)
     bits = np.einsum("n,nrc->rc", np.int64(1) << n[:, 0, 0], opened.astype(np.int64))
@@ -220,7 +220,7 @@ MOVING: dict[str, Callable[[ShutterSpec, Codes, Where, Generator], Codes]] = {
     "e": _bits,
     "codebook": _rows,
 }
-"""The function that changes shutters at some places, by class."""
+"""The function that changes shutters at some pixels, by class."""
 
 _LATER: dict[str, Callable[[ShutterSpec, Codes, Values], Codes]] = {
     "b": _shorter,
