@@ -128,6 +128,7 @@ class ArraysFile:
         return rejected("NS0313", f'"{self.shown}" is damaged: {reason}')
 
     def _unsuitable(self, key: str, reason: str, most: int) -> Rejected:
-        """Return the error (NS0314) for an array that is not `most` integers or fewer."""
+        """Return the error (NS0314) for an array of values other than integers, or of more than
+        `most` integers."""
         message = f'the array `{clipped(key)}` of "{self.shown}" cannot be used: {reason}'
         return rejected("NS0314", message, helps=(f"give at most {most} integers",))

@@ -171,7 +171,7 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
 
 def _too_large(scene: PlannedScene, allowed: Tolerance) -> Names:
     """Return the effects whose noise alone certainly exceeds the tolerance, so that dropping
-    them need not be measured. `allowed` is the tolerance in electrons."""
+    them need not be measured. `allowed` is the tolerance."""
     all_effects, full_e = everything(), scene.sensor.full_well_e
     least_e = {
         effect.name: part.sigma_e(scene.sensor)

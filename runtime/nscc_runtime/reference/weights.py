@@ -52,7 +52,8 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
         return renamed
 
     def __getitem__(self, name: Name) -> Weights:
-        """Return the weights of a register, (weights, lanes), 0 in lanes where none is held."""
+        """Return the weights (lanes, buckets) of a name; they are 0 in the lanes that are not
+        stored."""
         count, lanes, lane_weights = self._held[name]
         if lanes is None:
             return lane_weights
