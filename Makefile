@@ -4,9 +4,11 @@
 # make test-pages what docs, messages and README show, run as it stands
 # make test-site  the site that `make docs` built, in a browser
 # make test-slow  the tests that take minutes
-# make docs       the site in build/site: runs the tutorials, draws the gallery; some minutes
+# make docs       the site in build/site: runs the tutorials, draws the gallery; some minutes.
+#                 NSCC_SITE_URL=https://... adds a picture to previews of links
 # make bench      measure: speed beside numpy, words of logic beside the best known; minutes
 # make vsix      the extension for VS Code in build/nscc.vsix: needs npm
+# make editor    the editor component of the playground page, which the repository keeps: needs npm
 # make mutants    change product code in 40 places, one at a time, and see whether tests notice: an hour
 # make lint       ruff; make types: mypy; make format: put right what ruff can
 # make clean      remove what was built; the environment stays
@@ -28,7 +30,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test quick test-pages test-site test-slow bench docs linkcheck mutants pictures figures vsix lint format types clean
+.PHONY: help demo test quick test-pages test-site test-slow bench docs linkcheck mutants pictures figures vsix editor lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -168,6 +170,9 @@ vsix:
 	cp -R editors/vscode $(OUT)/vscode
 	cp LICENSE $(OUT)/vscode
 	cd $(OUT)/vscode && npm ci --no-audit --no-fund --silent && npm run --silent package -- --out ../nscc.vsix
+
+editor:
+	cd editors/playground && npm ci --no-audit --no-fund --silent && npm run --silent build
 
 clean:
 	rm -rf $(OUT) docs/generated dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

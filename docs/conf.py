@@ -23,6 +23,7 @@ release = version = nscc.__version__
 extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
+    "sphinx.ext.viewcode",
     "myst_nb",
     "sphinx_copybutton",
     "nscc_site",
@@ -71,7 +72,10 @@ linkcheck_timeout = 20
 html_theme = "furo"
 html_title = f"nscc {version}"
 html_logo = html_favicon = "static/logo.svg"
-html_theme_options = {"sidebar_hide_name": False}
+html_theme_options = {"sidebar_hide_name": False, "top_of_page_buttons": ["view"]}
+# Previews of links need the address at which the site will be.
+html_baseurl = os.environ.get("NSCC_SITE_URL", "")
+html_search_scorer = str(DOCS / "nscc_site" / "scorer.js")
 
 # What is copied are commands: neither their prompt nor what they print.
 copybutton_prompt_text = r"\$ |>>> |\.\.\. "
@@ -79,5 +83,4 @@ copybutton_prompt_is_regexp = True
 html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_extra_path = ["static/index.html"]
-html_copy_source = False
 html_show_sphinx = False

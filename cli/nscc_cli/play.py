@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import json
 from contextlib import suppress
-from dataclasses import dataclass, field
 from functools import partial
-from http import HTTPStatus
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from secrets import compare_digest, token_urlsafe
 from threading import Lock
@@ -19,7 +17,7 @@ from nscc.containers import is_compiled
 from nscc.diagnostics.rejection import rejected
 from nscc.syntax.parse import read_source
 from nscc_cli.options import PATH
-from nscc_cli.playground.page_files import SERVER, TYPES, page_file
+from nscc_cli.playground import PAGE
 from nscc_cli.playground.requests import Playground
 from nscc_cli.support import common_command, say_done
 
@@ -27,7 +25,6 @@ _HOST = "127.0.0.1"
 _MOST_BYTES = 1 << 24
 """Size of the largest request: a program and a picture of the array."""
 _HEADERS = {
-    "Connection": "close",
     "Cache-Control": "no-store",
     "Content-Security-Policy": "default-src 'self'; style-src 'self' 'unsafe-inline'; "
     "img-src 'self' blob: data:; form-action 'none'; frame-ancestors 'none'; base-uri 'none'",
@@ -58,10 +55,11 @@ def command(program: Path | None, port: int, no_browser: bool) -> None:
                 helps=("give the .nsl file instead",),
             )
         read_source(program)
-    folder = Path.cwd() if program is None else program.parent
-    pages = _Pages(Playground(folder, program))
+    playground = Playground(Path.cwd() if program is None else program.parent, program)
+    token = token_urlsafe(18)
+    handler = partial(_Handler, playground, Lock(), token)
     try:
-        server = ThreadingHTTPServer((_HOST, port), partial(_Handler, pages))
+        server = ThreadingHTTPServer((_HOST, port), handler)
     except OSError as error:
         raise rejected(
             "NS0796",
@@ -69,8 +67,7 @@ def command(program: Path | None, port: int, no_browser: bool) -> None:
             helps=("leave --port out to use any free port",),
         ) from error
     with server:
-        pages.port = server.server_address[1]
-        address = f"http://{_HOST}:{pages.port}/{pages.token}/"
+        address = f"http://{_HOST}:{server.server_port}/{token}/"
         click.echo(address)
         say_done("Ctrl-C ends it")
         if not no_browser:
@@ -83,90 +80,59 @@ def command(program: Path | None, port: int, no_browser: bool) -> None:
             say_done("")
 
 
-@dataclass
-class _Pages:
-    """What the threads of the server share; requests are answered one after the other."""
+class _Handler(SimpleHTTPRequestHandler):
+    """Answers the requests of one connection, with the lock one at a time, and sends the files of
+    the page. Other pages and computers cannot ask: the address needs the token, and the header
+    `Host` must name this computer."""
 
-    playground: Playground
-    token: str = field(default_factory=lambda: token_urlsafe(18))
-    port: int = 0
-    lock: Lock = field(default_factory=Lock)
+    error_message_format, error_content_type = "%(message)s\n", "text/plain; charset=utf-8"
 
+    def __init__(self, playground: Playground, lock: Lock, token: str, *connection: Any) -> None:
+        """Answer one connection with the page of this playground."""
+        self.playground, self.lock, self.token = playground, lock, token
+        super().__init__(*connection, directory=PAGE.as_posix())
 
-class _Handler(BaseHTTPRequestHandler):
-    """Answers the requests of one connection. Other pages and computers cannot ask: the address
-    needs the token, and the header `Host` must name this computer."""
+    def handle(self) -> None:
+        """Answer, unless the page was closed meanwhile."""
+        with suppress(ConnectionError):
+            super().handle()
 
-    def __init__(self, pages: _Pages, *arguments: Any) -> None:
-        """Answer with these pages."""
-        self.pages = pages
-        super().__init__(*arguments)
-
-    def do_GET(self) -> None:
-        """Send a file of the page, or an error for unknown ones."""
-        name = self._path()
-        if name is None:
-            return
-        if name == "config.json":
-            self._send(json.dumps(SERVER).encode(), TYPES[".json"])
-        elif (data := page_file(name or "index.html")) is not None:
-            self._send(data, TYPES[Path(name or "index.html").suffix])
-        else:
-            self._fail(HTTPStatus.NOT_FOUND, f"the page has no file {name[:60]!r}")
+    def parse_request(self) -> bool:
+        """Read the head of a request, and remove the token from its path; refuse strangers."""
+        if not super().parse_request():
+            return False
+        port = self.connection.getsockname()[1]
+        token, _, name = self.path.removeprefix("/").partition("/")
+        self.path = f"/{name}"
+        is_here = self.headers.get("Host") in (f"{_HOST}:{port}", f"localhost:{port}")
+        if is_here and compare_digest(token.encode(), self.token.encode()):
+            return True
+        self.send_error(403, "open the address that `nscc play` printed")
+        return False
 
     def do_POST(self) -> None:
-        """Answer a request of the page, at most `_MOST_BYTES` of JSON, with JSON."""
-        kind = self._path()
-        if kind is None:
-            return
+        """Answer a request of the page."""
         try:
             length = int(self.headers.get("Content-Length", ""))
-        except ValueError:
-            length = -1
-        if not 0 <= length <= _MOST_BYTES:
-            self._fail(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, f"at most {_MOST_BYTES} bytes")
-            return
-        try:
-            values = json.loads(self.rfile.read(length))
+            values = json.loads(self.rfile.read(length)) if 0 <= length <= _MOST_BYTES else None
         except ValueError:
             values = None
         if not isinstance(values, dict):
-            self._fail(HTTPStatus.BAD_REQUEST, "a request is a JSON object")
+            self.send_error(400, f"a request is a JSON object of at most {_MOST_BYTES} bytes")
             return
-        with self.pages.lock:
-            answer = self.pages.playground.answer(kind, values)
-        self._send(json.dumps(answer).encode(), TYPES[".json"])
+        with self.lock:
+            answer = json.dumps(self.playground.answer(self.path[1:], values)).encode()
+        self.send_response(200)
+        self.send_header("Content-Type", "application/json")
+        self.send_header("Content-Length", str(len(answer)))
+        self.end_headers()
+        self.wfile.write(answer)
+
+    def end_headers(self) -> None:
+        """Add the headers that keep the page and its address to this computer."""
+        for header, value in _HEADERS.items():
+            self.send_header(header, value)
+        super().end_headers()
 
     def log_message(self, *_arguments: Any) -> None:
         """Print nothing for each request."""
-
-    def _path(self) -> str | None:
-        """Return the path below the token; None, and send an error, for strangers."""
-        pages = self.pages
-        hosts = {f"{host}:{pages.port}" for host in (_HOST, "localhost")}
-        token, _, name = self.path.partition("?")[0].removeprefix("/").partition("/")
-        if self.headers.get("Host") in hosts and compare_digest(
-            token.encode(), pages.token.encode()
-        ):
-            return name
-        self._fail(HTTPStatus.FORBIDDEN, "open the address that `nscc play` printed")
-        return None
-
-    def _fail(self, status: HTTPStatus, text: str) -> None:
-        """Answer with an error."""
-        self._send(f"{text}\n".encode(), "text/plain; charset=utf-8", status)
-
-    def _send(self, data: bytes, kind: str, status: HTTPStatus = HTTPStatus.OK) -> None:
-        """Answer with data; do nothing if the page was closed."""
-        with suppress(ConnectionError):  # the page was closed
-            self._write(data, kind, status)
-
-    def _write(self, data: bytes, kind: str, status: HTTPStatus) -> None:
-        """Send a response with this status, content type (`kind`) and data."""
-        self.send_response(status)
-        for header, value in _HEADERS.items():
-            self.send_header(header, value)
-        self.send_header("Content-Type", kind)
-        self.send_header("Content-Length", str(len(data)))
-        self.end_headers()
-        self.wfile.write(data)

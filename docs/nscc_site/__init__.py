@@ -13,10 +13,13 @@ from nscc.examples import contents, examples
 from nscc_site.digest import source_digest
 from nscc_site.docstrings import as_rst
 from nscc_site.gallery import gallery_pages
+from nscc_site.home import home_pages
 from nscc_site.lexer import NslLexer
 from nscc_site.pictures import draw_pictures, pair_pictures
 from nscc_site.playground import offer_playground, write_playground
 from nscc_site.reference import reference_pages
+from nscc_site.results import results_pages
+from nscc_site.sharing import copy_preview, describe
 
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
@@ -33,7 +36,9 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("source-read", offer_notebook)
     app.connect("doctree-read", pair_pictures)
     app.connect("doctree-resolved", offer_playground)
+    app.connect("html-page-context", describe)
     app.connect("build-finished", write_playground)
+    app.connect("build-finished", copy_preview)
     app.connect("autodoc-process-docstring", as_rst)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
@@ -74,6 +79,8 @@ def generate(_app: Sphinx) -> None:
     pages |= reference_pages()
     pages |= gallery_pages(REPOSITORY / "examples")
     pages |= draw_pictures(REPOSITORY)
+    pages |= home_pages()
+    pages |= results_pages()
     for name, content in pages.items():
         path = GENERATED / name
         data = content.encode() if isinstance(content, str) else content

@@ -9,14 +9,14 @@ REPOSITORY = Path(__file__).resolve().parents[2]
 
 
 def source_digest() -> str:
-    """Return the digest of the four packages, the examples, and the generator of the site."""
+    """Return the digest of the four packages, the examples, the results, and the generator of the
+    site."""
     running = sha256()
+    files = [REPOSITORY / "docs/result_pages.py"]
     for folder in ("nscc", "runtime", "training", "cli", "grammars", "examples", "docs/nscc_site"):
-        for path in sorted((REPOSITORY / folder).rglob("*")):
-            if (
-                path.suffix in (".py", ".toml", ".lark", ".nsl", ".md", ".csv")
-                or path.name == "tasks.json"
-            ):
-                running.update(path.relative_to(REPOSITORY).as_posix().encode())
-                running.update(path.read_bytes())
+        files += sorted((REPOSITORY / folder).rglob("*"))
+    for path in files:
+        if path.suffix in (".py", ".toml", ".lark", ".nsl", ".md", ".csv", ".json", ".template"):
+            running.update(path.relative_to(REPOSITORY).as_posix().encode())
+            running.update(path.read_bytes())
     return running.hexdigest()[:16]

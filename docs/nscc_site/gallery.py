@@ -4,17 +4,25 @@ from __future__ import annotations
 
 import io
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from PIL import Image
 
-from nscc.examples import ExampleScene, tasks
+from nscc.examples import ExampleScene, notebook, tasks
 from nscc_runtime.pictures.sheet import THEMES, themed
+from nscc_site.scenes import scene_file
 from nscc_site.tool import block, grid, said
 
-_THUMBNAIL = (440, 330)
-"""Largest width and height of a thumbnail in pixels."""
+_THUMBNAIL, _QUALITY = (360, 270), 75
+"""Largest width and height of a thumbnail in pixels, and its quality as WebP."""
+_SCENES = {
+    "room.hdr": ("hdr_doubling", "class_b_4096", "edges", "local_contrast"),
+    "stars.hdr": ("bright_spots", "grown_regions"),
+    "letters.gif": ("class_d", "motion_in_a_frame", "three_readouts", "deblur"),
+}
+"""Examples that the gallery shows with a scene of its own."""
 
 
 def _kinds(shown: ExampleScene) -> dict[str, str]:
@@ -37,18 +45,25 @@ def gallery_pages(examples: Path) -> dict[str, str | bytes]:
     missing = {path.stem for path in examples.glob("*.nsl")}.difference(*tasks().values())
     if missing:
         raise KeyError(f"the gallery has no task for {', '.join(sorted(missing))}")
+    scenes = {name: scene_file(name) for name in _SCENES}
+    pages |= {f"scenes/{name}": data for name, data in scenes.items()}
+    scene_of = {example: scene for scene, shown_in in _SCENES.items() for example in shown_in}
     for task, programs in tasks().items():
         cards = []
-        for name, shown in programs.items():
+        for name, example in programs.items():
             path = examples / f"{name}.nsl"
+            shown = replace(example, scene=scene_of.get(name, example.scene))
+            pages[f"notebooks/{path.stem}.ipynb"] = _notebook(path, example)
             with TemporaryDirectory() as made:
                 folder = Path(made)
                 for file in examples.iterdir():
                     shutil.copy(file, folder / file.name)
+                for scene, data in scenes.items():
+                    (folder / scene).write_bytes(data)
                 pages |= _pictures(path.name, shown, folder)
                 pages[f"gallery/{name}.md"] = _page(path, shown, folder)
             thumbnails = " ".join(
-                f"[![{what} of {name}](pictures/{name}_{kind}_small_light.png)](gallery/{name}.md)"
+                f"[![{what} of {name}](pictures/{name}_{kind}_small_light.webp)](gallery/{name}.md)"
                 for kind, what in _kinds(shown).items()
             )
             cards.append(f"{thumbnails}\n\n[{name}](gallery/{name}.md): {_remark(path, 1)}")
@@ -86,7 +101,7 @@ def _pictures(program: str, shown: ExampleScene, folder: Path) -> dict[str, str 
             stem = f"pictures/{Path(program).stem}_{kind}"
             pictures[f"{stem}_{name}.png"] = data
             if kind != "shutters":
-                pictures[f"{stem}_small_{name}.png"] = _thumbnail(data)
+                pictures[f"{stem}_small_{name}.webp"] = _thumbnail(data)
     return pictures
 
 
@@ -95,7 +110,7 @@ def _thumbnail(data: bytes) -> bytes:
     picture = Image.open(io.BytesIO(data)).convert("RGB")
     picture.thumbnail(_THUMBNAIL)
     out = io.BytesIO()
-    picture.save(out, "png", optimize=True)
+    picture.save(out, "webp", quality=_QUALITY)
     return out.getvalue()
 
 
@@ -109,9 +124,47 @@ def _remark(path: Path, sentences: int | None = None) -> str:
     return text if sentences is None else text.replace(": ", ". ").partition(". ")[0] + "."
 
 
+def _notebook(path: Path, shown: ExampleScene) -> bytes:
+    """Return a notebook that exposes a built-in scene with a program and reconstructs its light."""
+    name = path.stem
+    cells = [
+        f"!nscc examples {name}",
+        f'import nscc\n\nprogram = nscc.compile("{path.name}")\nprogram',
+        "import nscc_runtime\n\n"
+        f'scene = nscc_runtime.scene("{shown.scene}", exposure={shown.exposure})\n'
+        'frame = nscc_runtime.capture(program, scene, effects="auto")\nframe',
+    ]
+    if shown.reconstruct is not None:
+        cells.append(
+            'frame.save("frame.npz")\n'
+            f"!nscc reconstruct {shown.reconstruct} -o light.npz --png light.png\n\n"
+            'from IPython.display import Image\n\nImage("light.png")'
+        )
+    text = f"# {name}\n\n{_remark(path)}\n\nThis notebook needs nscc with `[run,view]`.\n"
+    return notebook(text + "".join(f"\n```{{code-cell}} ipython3\n{cell}\n```\n" for cell in cells))
+
+
+def _own(program: str, shown: ExampleScene) -> str:
+    """Return the command that exposes a file of the reader's with a program."""
+    own = "clip.mp4" if "motion" in shown.scene or shown.scene.endswith(".gif") else "photo.jpg"
+    return (
+        f"nscc run {program} --scene {own} --fit scale --exposure {shown.exposure} \\\n"
+        "  --effects auto -o frame.npz --png frame.png"
+    )
+
+
 def _page(path: Path, shown: ExampleScene, folder: Path) -> str:
     text, name = path.read_text(), path.stem
     commands = "\n".join(f"$ nscc {command}" for command in _commands(path.name, shown))
+    files = {
+        "program": f"../../../examples/{path.name}",
+        "notebook": f"../notebooks/{name}.ipynb",
+    }
+    if shown.scene in _SCENES:
+        files["scene"] = f"../scenes/{shown.scene}"
+    downloads = ", ".join(
+        f"{{download}}`{Path(file).name} <{file}>` ({kind})" for kind, file in files.items()
+    )
     light = (
         ()
         if shown.reconstruct is None
@@ -130,9 +183,12 @@ def _page(path: Path, shown: ExampleScene, folder: Path) -> str:
             f"![The shutters of {path.name}](../pictures/{name}_shutters_light.png)\n",
             "## Program\n",
             block(text, "nsl"),
+            f"Download: {downloads}.\n",
             block(f"$ nscc examples {name}\n$ nscc check {path.name}", "console"),
             block(said(f"check {path.name}", folder)),
             "The pictures:\n",
             block(commands, "console"),
+            "With a file of your own:\n",
+            block(_own(path.name, shown), "sh"),
         )
     )

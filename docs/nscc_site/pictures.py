@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import csv
-import io
 from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from docutils import nodes
-from PIL import Image
 
 from nscc_runtime.pictures.precision import Point
 from nscc_runtime.pictures.sheet import THEMES, png_of, themed
@@ -56,22 +54,7 @@ def _decoders(repository: Path) -> bytes:
     return png_of(decoder_diagram, StudyResult(tuple(points)), rows[0]["device"])
 
 
-_DEMO_PART = 0.672
-"""Fraction of the height of the sheet of `nscc demo` above its last row."""
-
-
-def _demo(repository: Path) -> bytes:
-    """Draw the sheet of `nscc demo` for the built-in still, without its last row."""
-    with TemporaryDirectory() as made:
-        said(f"demo builtin:hdr -o {made}", repository)
-        sheet = Image.open(Path(made) / "picture_sheet.png")
-        out = io.BytesIO()
-        sheet.crop((0, 0, sheet.width, round(sheet.height * _DEMO_PART))).save(out, "png")
-        return out.getvalue()
-
-
 KEPT: dict[str, Callable[[Path], bytes]] = {
-    "docs/images/demo.png": _demo,
     "docs/images/hdr.png": _shown(
         "run examples/hdr_2x2.nsl --scene builtin:hdr --exposure 1000000 -o OUT.npz --png OUT"
     ),
@@ -99,9 +82,14 @@ def draw_pictures(repository: Path) -> dict[str, str | bytes]:
 
 
 def pair_pictures(app: Sphinx, doctree: nodes.document) -> None:
-    """Show the light or the dark version of a picture, depending on the reader's theme."""
+    """Show the light or the dark version of a picture, depending on the reader's theme.
+
+    Browsers load all pictures when they are needed, but those at the top of the home page at once.
+    """
     for image in [*doctree.findall(nodes.image)]:
         name = image["uri"]
+        if not Path(name).stem.startswith("home_"):
+            image["loading"] = "lazy"
         if name in KEPT:
             name = f"{GENERATED}/{Path(name).stem}_light.png"
         dark = name.replace("_light.", "_dark.")

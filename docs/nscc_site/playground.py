@@ -19,7 +19,7 @@ from docutils import nodes
 
 from nscc.examples import examples
 from nscc.version import __version__
-from nscc_cli.playground.page_files import PAGE
+from nscc_cli.playground import PAGE
 
 if TYPE_CHECKING:
     from sphinx.application import Sphinx
@@ -86,7 +86,8 @@ def write_playground(app: Sphinx, exception: Exception | None) -> None:
         for pattern in _PYODIDE_FILES:
             for path in Path(local).glob(pattern):
                 shutil.copy(path, folder / "pyodide")
-    config = {"engine": "worker", "python": python, "wheel": name}
+    docs = "../docs/language.html"
+    config = {"engine": "worker", "python": python, "wheel": name, "docs": docs}
     (folder / "config.json").write_text(json.dumps(config))
 
 

@@ -26,27 +26,31 @@ _PROTOCOLS = Path(__file__).resolve().parents[2] / "training" / "protocols"
 def reference_pages() -> dict[str, str]:
     """Return all reference pages by their path in `docs/generated`."""
     return {
-        "commands.md": _commands(),
         "effects.md": _effects(),
         "targets.md": _targets(),
         "settings.md": _settings(),
         "protocols.md": _protocols(),
+        **_commands(),
         **_messages(),
     }
 
 
-def _commands() -> str:
-    """Return the page of all commands, each with its usage and a table of its options."""
-    names = [("command", "does")]
-    names += [(f"[{name}](#nscc-{name})", text) for name, text in COMMANDS.items()]
-    parts = ["# Commands\n", "`nscc COMMAND --help` prints the same texts.\n", table(names)]
+def _commands() -> dict[str, str]:
+    """Return the list of all commands, and a page for each with its usage and its options."""
+    rows = [("command", "does")]
+    rows += [(f"[{name}](commands/{name}.md)", text) for name, text in COMMANDS.items()]
+    hidden = "```{toctree}\n:hidden:\n:glob:\n\ncommands/*\n```\n"
+    intro = "`nscc COMMAND --help` prints the same texts.\n"
+    pages = {"commands.md": "\n".join(("# Commands\n", intro, table(rows), hidden))}
     for name in COMMANDS:
         command = group.get_command(click.Context(group), name)
         assert command is not None  # it is in the table
-        parts += [f"## nscc {name}\n", _command(command, f"nscc {name}")]
+        parts = [f"# nscc {name}\n", _command(command, f"nscc {name}")]
         for part, inner in _subcommands(command):
-            parts += [f"### nscc {name} {part}\n", _command(inner, f"nscc {name} {part}")]
-    return "\n".join(parts)
+            parts += [f"## nscc {name} {part}\n", _command(inner, f"nscc {name} {part}")]
+        parts.append("Options of all commands: [](../../commands.md#all-commands).\n")
+        pages[f"commands/{name}.md"] = "\n".join(parts)
+    return pages
 
 
 def _subcommands(command: click.Command) -> list[tuple[str, click.Command]]:

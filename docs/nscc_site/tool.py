@@ -10,8 +10,8 @@ from pathlib import Path
 from nscc_cli.main import main
 
 
-def said(command: str, folder: Path = Path()) -> str:
-    """Run a command (without `nscc`) in `folder`, and return its standard output.
+def run_nscc(command: str, folder: Path = Path()) -> tuple[str, str]:
+    """Run a command (without `nscc`) in `folder`; return its standard output and its messages.
 
     Raises RuntimeError with the whole output if the exit status is not 0.
     """
@@ -20,7 +20,12 @@ def said(command: str, folder: Path = Path()) -> str:
         status = main(shlex.split(command))
     if status != 0:
         raise RuntimeError(f"nscc {command}: status {status}\n{out.getvalue()}{err.getvalue()}")
-    return out.getvalue()
+    return out.getvalue(), err.getvalue()
+
+
+def said(command: str, folder: Path = Path()) -> str:
+    """Run a command as `run_nscc` does, and return its standard output."""
+    return run_nscc(command, folder)[0]
 
 
 def block(text: str, language: str = "text") -> str:

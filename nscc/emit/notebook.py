@@ -81,17 +81,23 @@ def _bars(
     ]
 
 
+def container_chart(container: Container) -> html.Html:
+    """Return the chart of a container's shutters; empty if they depend on the light."""
+    if not (container.has_table and KINDS.of(container).shutters_known):
+        return html.Html()
+    drawn = shutters_of(container)
+    return shutter_chart(drawn.rows, drawn.labels, container.slot_us, container.buckets)
+
+
 def program_card(name: str, container: Container, compiled: Compiled | None) -> str:
     """Return a program's shutters, summary and messages; `compiled` is None for a loaded one."""
-    chart, kind = html.Html(), KINDS.of(container)
-    if container.has_table and kind.shutters_known:
-        drawn = shutters_of(container)
-        chart = shutter_chart(drawn.rows, drawn.labels, container.slot_us, container.buckets)
     if compiled is not None:
         rows: list[tuple[str, str]] = summary_rows(compiled)
     else:
+        kind = KINDS.of(container)
         stored = f"{container.words_stored} stored, {kind.size_text(container)} a frame"
         rows = [*sorted(container.notes.items()), (kind.subject, stored)]
     messages = () if compiled is None else compiled.diagnostics
     text = html.plain(render(messages, "human")) if messages else html.Html()
+    chart = container_chart(container)
     return html.card(name, f"for {container.target.name}", chart, html.table(rows), text)

@@ -17,7 +17,7 @@ CALLED_BY_LIBRARIES = [
     "setup_context", "A_dagger", "A_A_adjoint",  # torch, DeepInverse
     "stdio", "command_class",  # click
     "find_class",  # pickle
-    "do_GET", "do_POST", "log_message",  # http.server
+    "do_POST", "log_message", "error_message_format", "error_content_type",  # http.server
     "thread_type",  # PyAV
     "external_attr", "linkage",  # read by zipfile and llvmlite
 ]  # fmt: skip

@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import pytest
@@ -14,6 +20,7 @@ PAGES = (
     "docs/index.html", "docs/start.html", "docs/language.html", "docs/emulator.html",
     "docs/python.html", "docs/reference/python.html", "docs/generated/gallery.html",
     "docs/generated/gallery/hdr_2x2.html", "docs/generated/commands.html",
+    "docs/generated/commands/run.html", "docs/generated/results.html",
     "docs/generated/effects.html", "docs/tutorials/hdr_photo.html", "docs/tutorials/train.html",
     "docs/tutorials/own_pictures.html", "README.html",
 )  # fmt: skip
@@ -57,6 +64,21 @@ def opened(browser: Any, request: pytest.FixtureRequest) -> Iterator[Any]:
     context.close()
 
 
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *_arguments: Any) -> None:
+        """Print nothing."""
+
+
+@contextmanager
+def http_server(folder: Path) -> Iterator[str]:
+    """Serve a folder, since scripts of pages that are files may not load others."""
+    handler = partial(_Quiet, directory=folder)
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
 LOOKS = [pytest.param((w, s), id=f"{w}-{s}") for w in WIDTHS for s in SCHEMES]
 
 
@@ -81,6 +103,9 @@ def test_pictures_are_there_and_legible(opened: Any) -> None:
     count = 0
     for name in PAGES:
         opened.goto((SITE / name).as_uri())
+        # Those further down are loaded when the reader comes near.
+        opened.evaluate("document.querySelectorAll('img').forEach(e => { e.loading = 'eager'; })")
+        opened.wait_for_function("[...document.images].every(e => e.complete)")
         for source, loaded, dark, light, ground in opened.evaluate(PICTURES):
             count += 1
             assert loaded, f"{name}: {source}"
@@ -137,3 +162,94 @@ def test_gallery_and_notebooks(opened: Any) -> None:
         [link] = opened.evaluate("[...document.querySelectorAll('a.download')].map(e => e.href)")
         assert link.endswith(f"{name}.ipynb")
         assert Path(link.removeprefix("file://")).is_file()
+
+
+@pytest.mark.parametrize("opened", [(1280, "light"), (360, "dark")], indirect=True)
+def test_the_home_page_shows_before_it_explains(opened: Any) -> None:
+    """A pair of pictures of the full width with a slider comes before all other text."""
+    opened.goto((SITE / "docs/index.html").as_uri())
+    compare = opened.locator(".compare")
+    box, column = compare.bounding_box(), opened.locator("article").bounding_box()
+    assert box["width"] == pytest.approx(column["width"], abs=2)
+    assert box["y"] < 500
+    divider = "getComputedStyle(document.querySelector('.compare img + img')).clipPath"
+    half = opened.evaluate(divider)
+    compare.locator("input").fill("20")
+    assert opened.evaluate(divider) != half
+    text = opened.inner_text("article")
+    assert re.search(r"\+[0-9.]+ dB", text)
+    assert "nscc demo builtin:hdr" in text
+    assert "nscc has never run on a real chip" in text
+    links = opened.eval_on_selector_all(".actions a", "all => all.map(e => e.textContent)")
+    assert links == ["Try it in this browser", "Install", "Results"]
+
+
+@pytest.mark.parametrize("opened", [(1280, "light")], indirect=True)
+def test_each_result_has_a_picture_before_the_tables(opened: Any) -> None:
+    opened.goto((SITE / "docs/index.html").as_uri())
+    first_level = opened.eval_on_selector_all(
+        ".sidebar-tree > ul > li > a", "all => all.map(e => e.textContent)"
+    )
+    assert "Results" in first_level
+    opened.goto((SITE / "docs/generated/results.html").as_uri())
+    sections = opened.locator("article section section")
+    titles = [title for title in sections.locator("h2").all_inner_texts() if "Tables" not in title]
+    assert len(titles) >= 5
+    for number in range(len(titles)):
+        assert sections.nth(number).locator("img").count() >= 1
+    assert opened.locator("article table").count() == 0
+
+
+@pytest.mark.parametrize("opened", [(1280, "light")], indirect=True)
+def test_messages_come_last_in_the_search(opened: Any) -> None:
+    """Each message has a page with many words: without an order of their own they come first."""
+    with http_server(SITE) as address:
+        opened.goto(f"{address}/search.html?q=exposure")
+        opened.wait_for_selector("#search-results .search-summary:has-text('found')")
+        opened.wait_for_function("document.querySelectorAll('#search-results li').length > 20")
+        opened.wait_for_timeout(2000)
+        links = opened.eval_on_selector_all(
+            "#search-results li > a", "all => all.map(e => e.getAttribute('href'))"
+        )
+    is_message = ["/messages/" in link for link in links]
+    assert any(is_message)
+    assert is_message == sorted(is_message)
+
+
+@pytest.mark.parametrize("opened", [(1280, "light")], indirect=True)
+def test_pages_have_descriptions_sources_and_files(opened: Any) -> None:
+    """Sharing a link shows a description; pages link to their sources, examples to files."""
+    for name in ("docs/index.html", "docs/start.html", "docs/generated/gallery/edges.html"):
+        opened.goto((SITE / name).as_uri())
+        for tag in ("meta[name=description]", "meta[property='og:description']"):
+            content = opened.get_attribute(tag, "content")
+            assert 20 < len(content) <= 210, f"{name}: {content}"
+        source = opened.evaluate("document.querySelector('a[href*=_sources]').href")
+        assert Path(source.removeprefix("file://")).is_file()
+    downloads = opened.eval_on_selector_all("a.download", "all => all.map(e => e.href)")
+    endings = {Path(link).suffix for link in downloads}
+    assert endings == {".nsl", ".ipynb", ".hdr"}
+    for link in downloads:
+        assert Path(link.removeprefix("file://")).is_file()
+    assert "nscc run edges.nsl --scene photo.jpg" in opened.inner_text("article")
+
+
+@pytest.mark.parametrize("opened", [(360, "light"), (1280, "dark")], indirect=True)
+def test_the_static_playground_starts_python(opened: Any) -> None:
+    """Up to its picture if numpy can be loaded; else the page says what it could not load."""
+    config = json.loads((SITE / "play/config.json").read_text())
+    assert (SITE / "play" / config["wheel"]).stat().st_size < 2_500_000
+    with http_server(SITE / "play") as address:
+        opened.goto(f"{address}/index.html#example=spike")
+        opened.wait_for_function(
+            "/cannot start|runs in this page/.test(document.getElementById('status').textContent)",
+            timeout=120_000,
+        )
+        told = opened.inner_text("#status")
+        if "cannot start" not in told:
+            opened.wait_for_selector("#pictures figure:nth-child(3)", timeout=120_000)
+        else:
+            assert "numpy cannot be loaded from" in told or config["python"] in told
+        width = opened.viewport_size["width"]
+        assert opened.evaluate("document.documentElement.scrollWidth") == width
+        assert "language.html" in opened.get_attribute("#docs", "href")

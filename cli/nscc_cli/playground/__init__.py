@@ -1,1 +1,6 @@
-"""A page to try nscc: the requests of the page, its files, and the pages of the site."""
+"""A page to try nscc: the answers to its requests, and its files."""
+
+from pathlib import Path
+
+PAGE = Path(__file__).with_name("page")
+"""The folder with the files of the page; its `config.json` is that of `nscc play`."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -38,10 +37,8 @@ def traced(
     refuse_planes(container.target, "there are no words to follow", "see the shutters instead")
     row, col = pixel
     reference = Reference.of(container, sensor, effects)
-    seeds = seed, 0
-    rows = range(row, row + 1)
-    scene = scene_of(container, light)
-    fallen = charge_of_rows(scene, sensor, effects, seeds, 0, rows, reference.starts)
+    scene, rows = scene_of(container, light), range(row, row + 1)
+    fallen = charge_of_rows(scene, sensor, effects, (seed, 0), 0, rows, reference.starts)
     watched = _WatchedPixel(
         sensor=sensor,
         seed=seed,
@@ -62,37 +59,30 @@ def traced(
     }
 
 
-@dataclass(eq=False, kw_only=True)
 class _WatchedPixel(ProgramPixels):
-    """A pixel that records its registers after each word."""
-
-    steps: list[dict[str, Any]] = field(default_factory=list)
+    """A pixel that records in `steps` the values of the registers `names` after each word."""
 
     def __post_init__(self) -> None:
         """List the registers that the program uses; their values are recorded after each word."""
         super().__post_init__()
         ops = [word.op for word in self.program.words]
         used = {name for op in ops for name in (*op.sources, *op.destinations)}
-        self.analog = [name for name in self.target.analog_registers if name in used]
-        digital = [name for name in self.target.digital_registers if name in used]
-        self.digital_names = [*digital, "FLAG"]
-        self.names = ["PIX", *self.analog, *self.digital_names]
-        self._start_us = np.concatenate(([0.0], np.cumsum(self.container.slot_us)))
+        registers = *self.target.analog_registers, *self.target.digital_registers
+        self.names = ["PIX", *(name for name in registers if name in used), "FLAG"]
+        self.steps: list[dict[str, Any]] = []
 
     def run_word(self, word: RunningWord) -> None:
         """Run a word, and record boundary, time (us), PIX and registers after it (at most
         `_MOST_STEPS`)."""
         super().run_word(word)
-        if len(self.steps) >= _MOST_STEPS:
-            return
-        electrons = (self.charge, *(self.register[name] for name in self.analog))
-        bits = (self.digital.read(name) for name in self.digital_names)
-        values = [round(float(value[0]), 1) + 0.0 for value in electrons]  # no -0
-        self.steps.append(
-            {
-                "boundary": word.boundary,
-                "us": round(float(self._start_us[word.boundary]) + word.after_us, 3),
-                "word": str(word.op),
-                "values": [*values, *(int(bit[0]) for bit in bits)],
-            }
-        )
+        if len(self.steps) < _MOST_STEPS:
+            us = sum(self.container.slot_us[: word.boundary]) + word.after_us
+            electrons = {"PIX": self.charge, **self.register}
+            values = [
+                round(float(electrons[name][0]), 1) + 0.0  # no -0
+                if name in electrons
+                else int(self.digital.read(name)[0])
+                for name in self.names
+            ]
+            step = {"boundary": word.boundary, "us": round(us, 3), "word": str(word.op)}
+            self.steps.append(step | {"values": values})

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import json
+import re
 from base64 import b64decode, b64encode
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from checkout import ROOT
 
 import nscc
 import nscc_runtime
 from nscc.editing.document import Document
 from nscc.examples import examples, tasks
+from nscc_cli.playground import PAGE
 from nscc_cli.playground.requests import Playground
 
 TILE = """nsl 1
@@ -22,6 +26,7 @@ open when n < stop
 pixels stop = tile [[16, 4]]
 """
 EDGES = examples()["edges"].read_text()
+WHITE = b64encode(np.ones((256, 256), np.float32).tobytes()).decode()
 SETTINGS = {
     "program": TILE,
     "scene": "builtin:hdr",
@@ -49,7 +54,7 @@ def codes(answer: Any) -> list[str]:
 
 def grey(picture: Any) -> Any:
     levels = np.frombuffer(b64decode(picture["grey"]), np.uint8)
-    return levels.reshape(picture["rows"], picture["cols"])
+    return levels.reshape(picture["shape"])
 
 
 def taken(**options: Any) -> nscc_runtime.Capture:
@@ -96,11 +101,10 @@ def test_a_valid_program_has_a_report_a_chart_and_a_map(playground: Playground) 
 @pytest.mark.parametrize("effects", ["none", "auto", "all"])
 def test_a_frame_is_that_of_capture(playground: Playground, effects: str) -> None:
     answer = ask(playground, "frame", effects=effects)
-    light, frame = answer["pictures"]
+    light, frame, merged = answer["pictures"]
     assert np.array_equal(grey(frame), taken(effects=effects).frame[0])
     assert grey(light).min() < 50 < 200 < grey(light).max()
     assert bool(answer["plan"]) == (effects != "none")
-    (merged,) = ask(playground, "merge", effects=effects)["pictures"]
     assert merged["title"] == "merged: frame"
     # Like the light, with the same tone curve.
     error = np.abs(grey(merged).astype(int) - grey(light))
@@ -111,8 +115,6 @@ def test_images_and_planes_are_shown_and_not_merged(playground: Playground) -> N
     answer = ask(playground, "frame", program=EDGES)
     assert [picture["title"] for picture in answer["pictures"]] == ["the light", "plane edge"]
     assert set(np.unique(grey(answer["pictures"][1]))) == {0, 255}
-    assert not answer["merges"]
-    assert codes(ask(playground, "merge", program=EDGES)) == ["NS0542"]
 
 
 @pytest.mark.parametrize("effects", ["none", "all"])
@@ -132,15 +134,16 @@ def test_the_words_of_a_pixel_end_with_the_exposure_of_the_reference(
 
 
 def test_a_pixel_outside_of_the_array_is_refused(playground: Playground) -> None:
-    assert codes(ask(playground, "words", row=256)) == ["NS0796"]
+    for place in ({"row": 256}, {"col": -1}):
+        assert codes(ask(playground, "words", **place)) == ["NS0796"]
 
 
-def test_a_picture_has_its_exposure_at_its_brightest_percent(playground: Playground) -> None:
-    levels = np.zeros((256, 256), np.uint8)
-    levels[:, 100:] = 255
+def test_a_picture_has_the_exposure_where_it_is_white(playground: Playground) -> None:
+    levels = np.zeros((256, 256), np.float32)
+    levels[:, 100:] = 1
     picture = b64encode(levels.tobytes()).decode()
     answer = ask(playground, "frame", picture=picture, exposure_e=16_000.0)
-    light, frame = map(grey, answer["pictures"])
+    light, frame, _ = map(grey, answer["pictures"])
     assert light[0, 0] == 0
     assert light[0, 200] == 255
     # 16000 e over 16 slots: open columns see all of it, the others a quarter.
@@ -148,7 +151,7 @@ def test_a_picture_has_its_exposure_at_its_brightest_percent(playground: Playgro
     offset = int(frame[0, 0])
     assert frame[0, 200] - offset == round(16_000 / steps)
     assert frame[0, 201] - offset == round(4_000 / steps)
-    dark = b64encode(bytes(1 << 16)).decode()
+    dark = b64encode(bytes(4 << 16)).decode()
     assert np.ptp(grey(ask(playground, "frame", picture=dark)["pictures"][1])) == 0
 
 
@@ -158,17 +161,26 @@ def test_a_picture_has_its_exposure_at_its_brightest_percent(playground: Playgro
         {"picture": "AAAA"},
         {"picture": "?"},
         {"scene": "/etc/hostname"},
-        {"exposure_e": -1.0},
-        {"exposure_e": float("nan")},
         {"effects": "some"},
         {"seed": 0.5},
         {"program": 3},
-        {"col": -1},
     ],
     ids=str,
 )
 def test_wrong_requests_are_refused(playground: Playground, changes: dict[str, Any]) -> None:
     assert codes(ask(playground, "frame", **changes)) == ["NS0796"]
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [{"exposure_e": -1.0}, {"exposure_e": float("nan")}, {"exposure_e": 1e300}, {"seed": -1}],
+    ids=str,
+)
+@pytest.mark.parametrize("picture", ["", WHITE], ids=["scene", "picture"])
+def test_impossible_numbers_are_refused(
+    playground: Playground, changes: dict[str, Any], picture: str
+) -> None:
+    assert codes(ask(playground, "frame", picture=picture, **changes))
 
 
 def test_missing_values_and_unknown_kinds_are_refused(playground: Playground) -> None:
@@ -209,3 +221,20 @@ def test_messages_are_those_of_check(playground: Playground, tmp_path: Path) -> 
     listed = Document("program.nsl", broken, tmp_path).checked.diagnostics
     assert codes(ask(playground, "check", program=broken)) == [d.code for d in listed]
     assert codes(ask(playground, "frame", program=broken)) == [d.code for d in listed]
+
+
+def test_the_editor_component_has_the_locked_versions_and_their_licences() -> None:
+    """`make editor` bundles it: a changed lock file without a new bundle is noticed here."""
+    head = (PAGE / "codemirror.js").read_text().partition("\n")[0]
+    licences = (PAGE / "codemirror.LICENSE.txt").read_text()
+    bundled = dict(re.findall(r"([@\w/-]+) ([\d.]+) \(MIT\)", head))
+    lock = json.loads((ROOT / "editors/playground/package-lock.json").read_text())
+    locked = {
+        path.removeprefix("node_modules/"): package.get("version")
+        for path, package in lock["packages"].items()
+    }
+    assert "@codemirror/view" in bundled
+    assert bundled.items() <= locked.items()
+    for name, version in bundled.items():
+        assert f"{name} {version} (MIT)" in licences
+    assert licences.count("Permission is hereby granted") == len(bundled)

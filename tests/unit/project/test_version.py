@@ -30,6 +30,16 @@ def test_the_version_is_stated_once() -> None:
     assert package["version"] == __version__
 
 
+def test_the_installation_is_told_with_one_text() -> None:
+    start = (ROOT / "docs/start.md").read_text()
+    told = start.partition("<!-- install -->")[2].partition("<!-- installed -->")[0]
+    [commands] = re.findall(r"^```sh\n.*?^```$", told, flags=re.MULTILINE | re.DOTALL)
+    assert commands in (ROOT / "README.md").read_text()
+    home = (ROOT / "docs/index.md").read_text()
+    assert "pip install" not in home
+    assert ":start-after: <!-- install -->\n:end-before: <!-- installed -->" in home
+
+
 def test_the_changelog_is_divided() -> None:
     for title, text in versions().items():
         assert text.count("\n") <= VERSION_LINES, title

@@ -30,6 +30,7 @@ class InWorker {
   count = 0;
 
   constructor(config, progress) {
+    this.docs = config.docs;
     this.place = `in this page (Python from ${new URL(config.python, location.href).href})`;
     this.worker = new Worker("worker.js", { type: "module" });
     this.worker.onmessage = ({ data }) => {

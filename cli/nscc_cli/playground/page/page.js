@@ -1,27 +1,25 @@
 // The playground page: an editor, a report, pictures of the emulated chip, and the words of a pixel.
 
 import { startEngine } from "./engine.js";
-import { coloured, offsetOf } from "./colours.js";
-import { greyOfImage, drawGrey, drawMap, bytes, CELLS } from "./pictures.js";
+import { Editor } from "./editor.js";
+import { lightOfImage, drawGrey, drawMap, bytes, CELLS } from "./pictures.js";
 import { readLink, linkOf } from "./link.js";
 import { showTrace } from "./trace.js";
 
 const $ = (id) => document.getElementById(id);
 const QUIET_MS = 400; // after the last key, before the program is checked
-const text = $("text");
 
-let engine, start, saved;
-let messages = []; // of the last check
+let engine, start, saved, editor;
 let array = [256, 256];
 let map, corner; // the shutter of each pixel, and the pixel at the corner of its picture
-let picture = { grey: "", image: null }; // the user's, at the size of the array
+let picture = { light: "", image: null }; // the user's, at the size of the array
 let latest = { check: 0, frame: 0, words: 0 };
 let exposed = false;
 
 const settings = () => ({
-  program: text.value,
+  program: editor.text,
   scene: picture.image ? "" : $("scene").value,
-  picture: picture.grey,
+  picture: picture.light,
   exposure_e: Number($("exposure").value),
   effects: $("effects").value,
   seed: Math.trunc(Number($("seed").value)),
@@ -54,30 +52,20 @@ async function ask(kind, task) {
   }
 }
 
-function paint() {
-  $("colours").replaceChildren(...coloured(text.value, start.words, messages));
-  scrolled();
-}
-
-function scrolled() {
-  $("colours").scrollTo(text.scrollLeft, text.scrollTop);
-}
-
-function showMessages(found) {
-  messages = found;
-  $("messages").replaceChildren(...found.map((message) => {
+function showMessages(messages) {
+  $("messages").replaceChildren(...messages.map((message) => {
     const item = document.createElement("li");
     item.className = message.severity;
     const body = document.createElement("pre");
     body.textContent = message.rendered.trimEnd();
     item.append(body);
-    if (message.location) item.append(button(`line ${message.location.row}`, () => goTo(message)));
+    if (message.location) item.append(button(`line ${message.location.row}`, () => editor.select(message)));
     for (const fix of message.fixes.filter((fix) => fix.location)) {
-      item.append(button(`Fix: ${fix.title}`, () => apply(fix)));
+      item.append(button(`Fix: ${fix.title}`, () => editor.apply(fix)));
     }
     return item;
   }));
-  paint();
+  editor.show(messages);
 }
 
 function button(label, press) {
@@ -85,22 +73,6 @@ function button(label, press) {
   made.textContent = label;
   made.onclick = press;
   return made;
-}
-
-function goTo({ location, end_location: end }) {
-  text.focus();
-  text.setSelectionRange(offsetOf(text.value, location), offsetOf(text.value, end));
-}
-
-function apply(fix) {
-  const [from, to] = [fix.location, fix.end_location].map((place) => offsetOf(text.value, place));
-  text.focus();
-  text.setSelectionRange(from, to);
-  // Unlike setRangeText, this can be undone by the user.
-  if (!document.execCommand("insertText", false, fix.replacement)) {
-    text.setRangeText(fix.replacement, from, to, "end");
-  }
-  check();
 }
 
 async function check() {
@@ -130,7 +102,8 @@ function row(kind, cells) {
 }
 
 async function expose() {
-  if (picture.image) picture.grey = greyOfImage(picture.image, array);
+  if (picture.image) picture.light = lightOfImage(picture.image, array);
+  const begin = performance.now();
   const answer = await ask("frame", "exposing");
   if (!answer) return;
   exposed = Boolean(answer.pictures);
@@ -139,15 +112,10 @@ async function expose() {
     showMessages(answer.messages);
     return;
   }
-  const boxes = answer.pictures.map(figure);
-  $("pictures").replaceChildren(...boxes);
-  $("lines").textContent = [...answer.lines, `exposed in ${answer.ms} ms`].join("\n");
+  $("pictures").replaceChildren(...answer.pictures.map(figure));
+  $("lines").textContent = [...answer.lines, `exposed in ${Math.round(performance.now() - begin)} ms`].join("\n");
   $("plan").hidden = !answer.plan;
   $("plan").querySelector("pre").textContent = answer.plan;
-  if (!answer.merges) return;
-  const number = latest.frame;
-  const merged = await engine.ask("merge", settings());
-  if (number === latest.frame && merged.pictures) $("pictures").append(...merged.pictures.map(figure));
 }
 
 function figure(shown) {
@@ -187,9 +155,9 @@ async function follow() {
 }
 
 async function open(program, scene, exposure) {
-  text.value = program;
+  editor.open(program);
   if (scene) {
-    picture = { grey: "", image: null };
+    picture = { light: "", image: null };
     $("scene").value = scene;
     $("exposure").value = exposure;
   }
@@ -201,7 +169,7 @@ function example(name) {
   if (!found) return false;
   $("example").value = name;
   $("about").textContent = found.about;
-  open(found.text, found.scene, found.exposure_e);
+  open(found.text, found.scene, found.exposure);
   return true;
 }
 
@@ -237,17 +205,17 @@ async function camera() {
 }
 
 async function save() {
-  const answer = await engine.ask("save", { text: text.value, before: saved });
+  const answer = await engine.ask("save", { text: editor.text, before: saved });
   if (answer.messages) showMessages(answer.messages);
   else {
-    saved = text.value;
+    saved = editor.text;
     say(`saved ${answer.saved}`);
   }
 }
 
 function download() {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text.value], { type: "text/plain" }));
+  link.href = URL.createObjectURL(new Blob([editor.text], { type: "text/plain" }));
   link.download = start.file?.name ?? `${$("example").value || "program"}.nsl`;
   link.click();
   URL.revokeObjectURL(link.href);
@@ -279,7 +247,11 @@ async function begin() {
     return;
   }
   engine = await startEngine(say);
+  $("docs").hidden = !engine.docs;
+  $("docs").href = engine.docs ?? "";
   start = await engine.ask("start", {});
+  editor = new Editor($("text"), start.words, changed);
+  $("text").editor = editor; // for scripts
   listExamples();
   $("save").hidden = !start.file;
   say(`nscc ${start.version} runs ${engine.place}`);
@@ -305,20 +277,18 @@ async function openLink() {
 }
 
 let quiet;
-text.oninput = () => {
+function changed() {
   $("example").value = "";
   $("about").textContent = "";
-  messages = [];
-  paint();
   clearTimeout(quiet);
   quiet = setTimeout(check, QUIET_MS);
-};
-text.onscroll = scrolled;
+}
+
 $("example").onchange = ({ target }) => target.value && example(target.value);
 $("expose").onclick = async () => (await check()) && expose();
 for (const id of ["exposure", "effects", "seed"]) $(id).onchange = () => exposed && expose();
 $("scene").onchange = ({ target }) => {
-  picture = { grey: "", image: null };
+  picture = { light: "", image: null };
   if (target.value === "file") $("file").click();
   else if (target.value === "camera") camera();
   else if (exposed) expose();

@@ -7,8 +7,8 @@ const CELL = 16; // of the screen
 
 export const bytes = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
-// The middle of an image, scaled to the array, as grey levels of the sRGB curve in base64.
-export function greyOfImage(image, [rows, cols]) {
+// The middle of an image, scaled to the array, as light in base64 (float32): that of the brightest percent is 1.
+export function lightOfImage(image, [rows, cols]) {
   const canvas = new OffscreenCanvas(cols, rows);
   const context = canvas.getContext("2d");
   const scale = Math.max(cols / image.width, rows / image.height);
@@ -17,17 +17,15 @@ export function greyOfImage(image, [rows, cols]) {
   context.drawImage(image, (cols - width) / 2, (rows - height) / 2, width, height);
   const { data } = context.getImageData(0, 0, cols, rows);
   const linear = (level) => (level <= 0.04045 ? level / 12.92 : ((level + 0.055) / 1.055) ** 2.4);
-  const curve = (light) => (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);
   const table = Float64Array.from({ length: 256 }, (_, level) => linear(level / 255));
-  let grey = "";
-  for (let k = 0; k < data.length; k += 4) {
-    const light = LUMINANCE.reduce((sum, weight, channel) => sum + weight * table[data[k + channel]], 0);
-    grey += String.fromCharCode(Math.round(255 * Math.min(1, curve(light))));
-  }
-  return btoa(grey);
+  const light = new Float32Array(rows * cols).map((_, k) =>
+    LUMINANCE.reduce((sum, weight, channel) => sum + weight * table[data[4 * k + channel]], 0));
+  const white = light.toSorted()[Math.floor((light.length - 1) * 0.99)] || 1;
+  const letters = Array.from(new Uint8Array(light.map((value) => value / white).buffer), (byte) => String.fromCharCode(byte));
+  return btoa(letters.join(""));
 }
 
-export function drawGrey(canvas, { rows, cols, grey }) {
+export function drawGrey(canvas, { shape: [rows, cols], grey }) {
   [canvas.height, canvas.width] = [rows, cols];
   const context = canvas.getContext("2d");
   const image = context.createImageData(cols, rows);

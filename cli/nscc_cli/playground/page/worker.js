@@ -9,7 +9,8 @@ async function start(config) {
   const { loadPyodide } = await import(base + "pyodide.mjs");
   const python = await loadPyodide({ indexURL: base });
   say("loading numpy", 0.45);
-  await python.loadPackage("numpy", { messageCallback: () => {} });
+  await python.loadPackage("numpy", { messageCallback: () => {}, errorCallback: () => {} });
+  if (!python.loadedPackages.numpy) throw new Error(`numpy cannot be loaded from ${base}`);
   say("loading nscc", 0.75);
   const wheel = await fetch(config.wheel);
   if (!wheel.ok) throw new Error(`${config.wheel}: ${wheel.statusText}`);
