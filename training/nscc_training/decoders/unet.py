@@ -58,7 +58,7 @@ class UNet(nn.Module):
         self.last = convolution(widths[0], outputs, 1)
         self.multiple = 2 ** (len(widths) - 1)
         for layer in self.modules():
-            if isinstance(layer, convolution) and layer.bias is not None:
+            if isinstance(layer, convolution) and layer.bias is not None and not layer.bias.is_meta:
                 # He et al. 2015: with another initialisation, the signal fades in this many layers.
                 nn.init.kaiming_normal_(layer.weight, nonlinearity="relu")
                 nn.init.zeros_(layer.bias)
