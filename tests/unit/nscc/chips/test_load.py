@@ -164,7 +164,7 @@ def test_all_that_is_wrong_is_reported_at_its_place(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "data",
     [b"\xff\xfe", b"\0" * 100, b"a = " + b"[" * 900, b"x" * 70_000, b'a = "' + b"\\u" * 99, b""],
-    ids=repr,
+    ids=["utf-16", "zeros", "brackets", "one long line", "backslashes", "empty"],
 )
 def test_no_text_at_all_is_refused(data: bytes, tmp_path: Path) -> None:
     assert {d.code for d in rejected(data, tmp_path)} <= {"NS0232", "NS0234"}
