@@ -224,13 +224,39 @@ class BitWords:
 
     def _emit_word(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
         """Emit a word into a free register, free the bits `used`, and return the register."""
+        in_place = self._in_place(name, used)
+        if in_place is not None:
+            for word in pair("OR" if name == "OR" else "NOR", in_place[0], sources):
+                self.lowering.word(word)
+            self.give(*(bit for bit in used if bit != in_place))
+            return in_place[0]
         target = self.take()
         self.lowering.word(op(name, [target], sources))
         self.give(*used)
         return target
 
+    def _in_place(self, name: str, used: Sequence[Kept]) -> Kept | None:
+        """Return the bit that a pair of words may replace by its result if no register is free."""
+        is_of_version_4 = self.lowering.pictures.is_of_version_4
+        if self.free or not is_of_version_4 or name not in ("OR", "NOR", "NOT"):
+            return None
+        for register, owner in used:
+            if owner is None or self.hand_over(owner):
+                return register, owner
+        return None
+
     def _chosen(self, node: p.ChosenPlane) -> str:
-        """Emit a choice between two bits: the NOR of the two ways in which it is 0."""
+        """Emit a choice between two bits: the NOR of the two ways in which it is 0.
+
+        The longer expression comes first, so that chains of choices need few registers."""
+        sizes = [len([*p.subexpressions(each)]) for each in (node.then, node.otherwise)]
+        if sizes[1] > sizes[0]:
+            otherwise, condition = self.bit(node.otherwise), self.bit(node.condition)
+            other_0 = self._nor([otherwise[0], condition[0]], [otherwise])
+            then = self.bit(node.then)
+            unchosen = self._emit_word("NOT", [condition[0]], [condition])
+            chosen_0 = self._nor([then[0], unchosen], [then, (unchosen, None)])
+            return self._nor([chosen_0, other_0], [(chosen_0, None), (other_0, None)])
         then, condition = self.bit(node.then), self.bit(node.condition)
         unchosen = self._emit_word("NOT", [condition[0]], [])
         chosen_0 = self._nor([then[0], unchosen], [then, (unchosen, None)])

@@ -183,16 +183,32 @@ def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> 
         image.name: (min(0.0, image.start_e), max(most_e, image.start_e))
         for image in pictures.kept_images
     }
-    for _ in range(_MOST_RANGES):
+    widest = container.target.register_min_e, container.target.register_max_e
+    history = [ranges]
+    for number in range(_MOST_RANGES + 2):
         lowering = _lowered_with(container, pictures, synthesis, ranges)
         wider = kept_ranges(lowering, lowering.next_values)
-        if not wider:
-            return lowering
-        ranges |= wider
-    widest = container.target.register_min_e, container.target.register_max_e
-    lowering = _lowered_with(container, pictures, synthesis, ranges | dict.fromkeys(wider, widest))
-    kept_ranges(lowering, lowering.next_values)
+        if not wider or number > _MOST_RANGES:
+            break
+        ranges = ranges | wider
+        history.append(ranges)
+        if number == _MOST_RANGES - 1:  # the limit of ranges that grow by less and less
+            last = [[each[name] for name in wider] for each in history[-3:]]
+            for name, ends in zip(wider, zip(*last, strict=True), strict=True):
+                low, high = map(_limit, *ends)
+                ranges = ranges | {name: (low, high)}
+        elif number == _MOST_RANGES:
+            ranges = ranges | dict.fromkeys(wider, widest)
     return lowering
+
+
+def _limit(first: float, second: float, third: float) -> float:
+    """Return the limit of a geometric sequence (Aitken), a little beyond it; `third` if there is no
+    limit."""
+    step, next_step = second - first, third - second
+    if not 0 < abs(next_step) < abs(step):
+        return third
+    return third + next_step**2 / (step - next_step) * (1 + 1e-6)
 
 
 def _lowered_with(
@@ -341,6 +357,11 @@ def _refusal(
     elif refused.kind in ("planes", "steering") and container.code_registers:
         notes.append(f"pixel codes also occupy registers: {', '.join(container.code_registers)}")
         helps = ["use fewer different pixel codes", *helps]
+    if refused.kind == "planes" and len(program.pictures.reports) > 1:
+        helps.append(
+            "a reported plane keeps its register until the end of the frame: report fewer planes, "
+            "or count one plane in several frames, with a level `param t`"
+        )
     return Diagnostic(
         "NS0535",
         f"`{name}` needs {needed:g} {resource} or more, but {available:g} are available",

@@ -61,7 +61,19 @@ class Writer:
         name, other = (str(name) for name in self.rng.choice(self.images, 2))
         dx, dy = (int(step) for step in self.rng.integers(-7, 8, 2))
         plane = str(self.rng.choice(self.planes))
-        match self.rng.integers(5):
+        level = int(self.rng.integers(1, 9))
+        match self.rng.integers(8):
+            case 5:
+                text = f"max({name}, {other}) / 2 - {level * STEP_E:.3f}e"
+                return text, lambda v, p: np.maximum(v[name], v[other]) / 2 - level * STEP_E
+            case 6:
+                return f"min({name}, {other})", lambda v, p: np.minimum(v[name], v[other])
+            case 7:
+                other = next(each for each in self.images if each != name)
+                text = f"t - {level * STEP_E:.3f}e if {name} < {other} + t else {name} / 2"
+                return text, lambda v, p: np.where(
+                    v[name] < v[other] + p["t"] * STEP_E, (p["t"] - level) * STEP_E, v[name] / 2
+                )
             case 0:
                 return f"{name}[{dx}, {dy}]", lambda v, p: moved(v[name], dx, dy)
             case 1:

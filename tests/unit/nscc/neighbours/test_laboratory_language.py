@@ -244,6 +244,24 @@ def test_images_add_levels_and_take_the_larger_of_two() -> None:
         assert film.reports["sum exposure"][frame] == pytest.approx(e.sum(), rel=1e-12)
 
 
+def test_a_chain_of_choices_writes_in_place_when_no_register_is_free() -> None:
+    text = (
+        "plane p = exposure > 50% plane q = p[1, 0] if y < 64 else p[-1, 0] if y < 128 "
+        "else p[0, 1] if y < 192 else p[0, -1] read q"
+    )
+    words = [op.name for op, _ in picture_words(container_of(HEAD + text))]
+    assert "NOR.write" in words
+
+
+def test_a_kept_image_may_approach_its_range() -> None:
+    text = (
+        "assume exposure <= 50% kernel k = [[1, 2, 1], [2, 4, 2], [1, 2, 1]] / 16 state s : image "
+        "kept image c = exposure - k(exposure) image d = c - s next s = s / 2 + c / 2 read d"
+    )
+    cost = {cost.name: cost for cost in container_of(HEAD + text).pictures.costs}
+    assert cost["d"].peak_gain == pytest.approx(1.75, abs=1e-3)
+
+
 def test_a_value_in_a_register_that_is_used_again_is_another_value() -> None:
     """Three kernels of three absolute values, which are in one register one after the other."""
     sobel = "kernel a = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] / 8 kernel b = [[1, 2, 1], [0, 0, 0], "

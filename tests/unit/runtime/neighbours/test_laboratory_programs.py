@@ -286,6 +286,20 @@ def test_temporal_contrast_gives_the_events_of_the_numpy_model(name: str) -> Non
     assert events > 0
 
 
+def test_an_event_camera_sends_noise_only_with_effects() -> None:
+    """A still scene at 40 % of a full well. The rate falls with the level."""
+    light = np.full((5, 4, SIDE, SIDE), 3000.0, np.float32)
+    rates = {}
+    for effects, level in (("none", "4%"), ("all", "4%"), ("all", "10%")):
+        film = nscc_runtime.film(
+            program("event_camera"), light, params={"t": level}, effects=effects, seed=1
+        )
+        events = film.planes["on"][2:] | film.planes["off"][2:]
+        rates[effects, level] = events.mean()
+    assert rates["none", "4%"] == 0
+    assert 1e-4 < rates["all", "10%"] < 1e-2 < rates["all", "4%"] < 0.5
+
+
 def test_stabilisation_moves_the_image_as_the_numpy_model_does() -> None:
     light, rng = film_light(4, 9), np.random.default_rng(9)
     offsets = [{"dx": int(dx), "dy": int(dy)} for dx, dy in rng.integers(-32, 33, (FRAMES, 2))]
