@@ -86,7 +86,7 @@ demo: $(BUILT)
 	@echo "  hdr_shutters.png     when its pixels are open, and where"
 	@echo "  motion.png           a fast scene in one frame, every pixel with its own moment"
 	@echo "  motion_shutters.png  when its pixels are open, and where"
-	@echo "  picture_sheet.png    the still through three exposures, and reconstructed;"
+	@echo "  picture_sheet.png    the still through four exposures, and reconstructed;"
 	@echo "                       above it through pixels that look at the light, without a decoder"
 	@echo "  clip_sheet.png       the same of a clip: clip.gif and clip.mp4 move"
 	@echo "nscc demo PHOTO does that with a photo or a clip of yours"

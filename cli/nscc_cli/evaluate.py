@@ -162,7 +162,8 @@ def of(
     geometric exposures) and random, all decoded by merging neighbours; sparse-coding (random,
     decoded by convolutional sparse coding); any (quad, with the decoder for any code); looks-2,
     looks-5, looks-9 (pixels that close at the first look above a level, without a decoder);
-    designed-2, designed-5 (looks and levels designed for each crop).
+    designed-2, designed-5 (looks and levels designed for each crop); bracket (three readouts in one
+    exposure time, merged).
 
     Baselines of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random bits, and the
     reference methods bilinear and thin-out. --shutter chooses other codes for methods that accept

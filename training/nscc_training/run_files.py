@@ -18,7 +18,7 @@ from nscc_training.protocols import load_protocol, packaged
 PROGRAM, CONFIG = "shutter.nsl", "config.resolved.toml"
 WEIGHTS = "decoder.safetensors"
 _SHIPPED = {
-    "hdr": "stills/class-b/128-32-32-2/unet2d/every-effect/seed0",
+    "hdr": "stills/class-b/2x2/unet2d/every-effect/seed0",
     "clip": "clips/class-d/learned-from-2x2/unet2d/every-effect/seed0",
 }
 """Names of the shipped runs, and their folders in training/results/shipped."""

@@ -32,7 +32,7 @@ from nscc_runtime.request import Request
 from nscc_runtime.scenes.picture_files import CLIPS, PICTURES, open_pages, read_frames
 from nscc_runtime.sensor import load_sensor
 from nscc_runtime.simulate import simulate
-from nscc_training.demo.expose import camera
+from nscc_training.design.bracket import camera
 from nscc_training.measures import METRIC_NAMES
 from nscc_training.run_files import run_path
 from nscc_training.scene_files import light_in

@@ -6,19 +6,17 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
-from itertools import accumulate, pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.compiler import compile_file, compile_source
+from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.examples import examples
 from nscc.options import Options
-from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
 from nscc_runtime.effects import selected
@@ -32,10 +30,9 @@ from nscc_runtime.scenes import Fit, PlacedLight, Scene, laid_lights
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener
 from nscc_training.demo.subject import Subject
-from nscc_training.design.bracket import bracket_slots
+from nscc_training.design.bracket import bracket_slots, camera
 from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.scene import best_stop
-from nscc_training.design.text import frame_text
 from nscc_training.run_files import RunCapture, run_capture
 
 RUNS = {True: Path("hdr"), False: Path("clip")}
@@ -276,33 +273,6 @@ def _laid(
             continue
         return laid, exposed
     raise AssertionError("there is an exposure to ask for")
-
-
-def camera(
-    slots: int,
-    slot_us: float,
-    target: str | None = None,
-    frames: int = 1,
-    stop: int | None = None,
-    lengths: Sequence[int] = (),
-) -> Container:
-    """Return the program of an ordinary camera, open until slot `stop`, or one of `frames` after
-    the other, of equal `lengths` or of those in slots.
-
-    Raises Rejected if several frames do not fit the chip."""
-    rules = f"open when n < {stop or slots}\n"
-    ends = [slots * k // frames for k in range(frames + 1)]
-    if lengths:
-        ends = [0, *accumulate(lengths)]
-    if len(ends) > 2:
-        rules = "".join(
-            f"bucket frame{k} open when {first} <= n < {last}\n"
-            for k, (first, last) in enumerate(pairwise(ends), start=1)
-        )
-    text = f"nsl 1\n{frame_text(slots, slot_us)}\n{rules}"
-    compiled = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
-    assert compiled.container is not None
-    return compiled.container
 
 
 def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Listener) -> Taken:

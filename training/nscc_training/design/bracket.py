@@ -3,10 +3,20 @@ without a network."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import accumulate, pairwise
+from pathlib import Path
+
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
+from nscc.compiler import compile_source
+from nscc.options import Options
+from nscc.source import Source
+from nscc.words.container import Container
 from nscc_training.design.chip import DesignChip
+from nscc_training.design.text import frame_text
 
 Picture = NDArray[np.float64]
 
@@ -21,6 +31,33 @@ def bracket_slots(slots: int) -> tuple[int, ...]:
     """Return the slots of each readout of an ordinary bracket that fills a frame of `slots`."""
     shorter = [max(1, round(slots * length / sum(_BRACKET))) for length in _BRACKET[:-1]]
     return *shorter, max(1, slots - sum(shorter))
+
+
+def camera(
+    slots: int,
+    slot_us: float,
+    target: str | Target | None = None,
+    frames: int = 1,
+    stop: int | None = None,
+    lengths: Sequence[int] = (),
+) -> Container:
+    """Return the program of an ordinary camera, open until slot `stop`, or one of `frames` after
+    the other, of equal `lengths` or of those in slots.
+
+    Raises Rejected if several frames do not fit the chip."""
+    rules = f"open when n < {stop or slots}\n"
+    ends = [slots * k // frames for k in range(frames + 1)]
+    if lengths:
+        ends = [0, *accumulate(lengths)]
+    if len(ends) > 2:
+        rules = "".join(
+            f"bucket frame{k} open when {first} <= n < {last}\n"
+            for k, (first, last) in enumerate(pairwise(ends), start=1)
+        )
+    text = f"nsl 1\n{frame_text(slots, slot_us)}\n{rules}"
+    compiled = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
+    assert compiled.container is not None
+    return compiled.container
 
 
 def merged_bracket(

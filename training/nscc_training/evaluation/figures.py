@@ -24,7 +24,8 @@ from nscc_runtime.scenes import Scene as Shown
 from nscc_runtime.scenes import laid_lights
 from nscc_runtime.simulate import simulate
 from nscc_training.demo import BUILTIN
-from nscc_training.demo.expose import RUNS, camera
+from nscc_training.demo.expose import RUNS
+from nscc_training.design.bracket import camera
 from nscc_training.encoders import make_encoder
 from nscc_training.evaluation.runs import seen_of
 from nscc_training.light_on_array import light_on_array

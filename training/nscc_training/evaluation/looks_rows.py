@@ -1,8 +1,8 @@
-"""The methods of hdr-v1 whose pixels look at their light, without a decoder.
+"""The methods of hdr-v1 without a decoder: pixels that look at their light, and a bracket.
 
 The programs are compiled and their words run on the emulator, with the protocol's noise and
 comparator noise, or with other effects. The `designed` methods design a program for each crop
-(`nscc design`)."""
+(`nscc design`). The bracket has three readouts in one exposure time."""
 
 from __future__ import annotations
 
@@ -21,11 +21,13 @@ from nscc.options import Options
 from nscc.program.looking import level_steps
 from nscc.source import Source
 from nscc.words.container import Container
-from nscc_runtime import capture
+from nscc_runtime import Capture, capture
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
+from nscc_runtime.response import response_of
 from nscc_runtime.sensor import Sensor, load_sensor
+from nscc_training.design.bracket import bracket_slots, camera, merged_bracket
 from nscc_training.design.chip import DesignChip
 from nscc_training.design.looking import LookModel, LookSchedule
 from nscc_training.design.scene import histogram
@@ -53,7 +55,8 @@ ROWS: dict[str, tuple[tuple[int, ...], float]] = {
 The last exposure ends with the frame."""
 DESIGNED = {"designed-2": 2, "designed-5": 5}
 """The number of exposures of each designed method."""
-LOOKING = (*ROWS, *DESIGNED)
+BRACKET = "bracket"
+UNDECODED = (*ROWS, *DESIGNED, BRACKET)
 
 _EFFECTS = "full_well,shot,adc_noise,comparator_noise"
 
@@ -72,10 +75,11 @@ def evaluate_looks(
     changes: Sequence[str] = (),
     scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a method of LOOKING on a folder of panoramas, and its arrays by name.
+    """Return the result of a method of UNDECODED on a folder of panoramas, and its arrays by name.
 
-    `effects` replace the protocol's noise and comparator noise; `changes` are sensor values, as for
-    `nscc run`. Programs are designed for the sensor without these changes."""
+    `effects` replace the protocol's noise and comparator noise, and then the readout has the noise
+    of the chip; `changes` are sensor values, as for `nscc run`. Programs are designed for the
+    sensor without these changes."""
     protocol, scorer = load_protocol("hdr-v1"), scorer or Scorer()
     files = files_of(protocol, folder)
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
@@ -89,7 +93,11 @@ def evaluate_looks(
         register_min_e=-well,
         adc_bits=int(protocol["adc_bits"]),
     )
-    noise_settings = f"adc_noise_lsb={float(protocol['read_noise_lsb'])}", "spread_noise_lsb=0.0"
+    noise_settings = (
+        ()
+        if effects
+        else (f"adc_noise_lsb={float(protocol['read_noise_lsb'])}", "spread_noise_lsb=0.0")
+    )
     program = _programs(name, target, load_sensor(target, None, noise_settings))
     sensor = load_sensor(target, None, (*noise_settings, *changes))
     chosen = selected(effects or _EFFECTS)
@@ -101,11 +109,15 @@ def evaluate_looks(
             """Return the light that the pixels measure of a scene; nothing is decoded, so the
             time is 0."""
             seeds = 1000 * seed + index, 0
-            return looked_light(program(crop), crop.light_e, sensor, chosen, seeds), 0.0
+            measure = bracket_light if name == BRACKET else looked_light
+            return measure(program(crop), crop.light_e, sensor, chosen, seeds), 0.0
 
         return scorer.scored(shown, decode)
 
-    if name in DESIGNED:
+    method: dict[str, Any]
+    if name == BRACKET:
+        method = {"slots": [*bracket_slots(SLOTS)]}
+    elif name in DESIGNED:
         method = {"exposures": DESIGNED[name], "designed": "for each crop by its own light"}
     else:
         looks, percent = ROWS[name]
@@ -131,13 +143,39 @@ def looked_light(
     seeds: tuple[int, int],
 ) -> NDArray[np.float64]:
     """Return the light in electrons that pixels which look measure of `light_e`."""
+    readings = _still_capture(container, light_e, sensor, effects, seeds).told
+    return merged_image(readings[LIGHT], readings[DEVIATION]) * float(container.slot_s.sum())
+
+
+def bracket_light(
+    container: Container,
+    light_e: NDArray[Any],
+    sensor: Sensor,
+    effects: Selection,
+    seeds: tuple[int, int],
+) -> NDArray[np.float64]:
+    """Return the light in electrons that an ordinary bracket measures of `light_e`."""
+    taken = _still_capture(container, light_e, sensor, effects, seeds)
+    response = response_of(container, sensor, effects)
+    exposure_e = response.electrons(taken.frame) * response.gain
+    open_share = container.table.shutters[0].mean(axis=-1)
+    chip = DesignChip(container.target, sensor, effects)
+    return merged_bracket(exposure_e, open_share, taken.saturated, chip)
+
+
+def _still_capture(
+    container: Container,
+    light_e: NDArray[Any],
+    sensor: Sensor,
+    effects: Selection | str,
+    seeds: tuple[int, int],
+) -> Capture:
+    """Return the frame of constant light, in electrons over the frame."""
     slot_s = container.slot_s
-    frame_s = float(slot_s.sum())
-    light = Light.of_still((light_e / frame_s).astype(np.float32), slot_s)
-    readings = capture(
+    light = Light.of_still((light_e / float(slot_s.sum())).astype(np.float32), slot_s)
+    return capture(
         container, light, sensor=sensor, effects=effects, seed=seeds[0], device_seed=seeds[1]
-    ).told
-    return merged_image(readings[LIGHT], readings[DEVIATION]) * frame_s
+    )
 
 
 def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolScene], Container]:
@@ -145,6 +183,9 @@ def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolSc
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words
+    if name == BRACKET:
+        readouts = camera(SLOTS, 125.0, target, lengths=bracket_slots(SLOTS))
+        return lambda _: readouts
     chip = DesignChip.of(target, sensor)
 
     def words_for(crop: ProtocolScene) -> Container:

@@ -22,7 +22,7 @@ from nscc_training.data import load_scenes
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.decoder_building import flops, parameter_count
 from nscc_training.evaluation.baselines import BASELINES, evaluate_baseline
-from nscc_training.evaluation.looks_rows import LOOKING, evaluate_looks
+from nscc_training.evaluation.looks_rows import UNDECODED, evaluate_looks
 from nscc_training.evaluation.results import (
     Scored,
     Scorer,
@@ -294,14 +294,14 @@ def evaluate(
 
     `subject` is a baseline, a run folder, or a run that comes with nscc. `trust_code` is as in
     `load_run`, `skip_seen` as in `evaluate_run`. `effects` and `changes` apply to runs and to
-    pixels that look. `codes` names other shutters for a baseline (`named_codes`).
+    methods without a decoder. `codes` names other shutters for a baseline (`named_codes`).
 
     Raises Rejected: NS0806 for the protocol, NS0810 for an unknown subject, NS0840 for codes and
     NS0841 for effects that the subject does not support, NS0811 for a folder without suitable data,
     and the errors of `load_run` and `evaluate_run`."""
     chosen = load_protocol(protocol)
-    known = (*BASELINES.get(chosen.name, ()), *(LOOKING if chosen.still else ()))
-    if subject in LOOKING and chosen.still:
+    known = (*BASELINES.get(chosen.name, ()), *(UNDECODED if chosen.still else ()))
+    if subject in UNDECODED and chosen.still:
         _refuse_codes(codes, subject)
         return evaluate_looks(subject, data, seed, effects, changes, scorer)
     if subject in known:

@@ -20,7 +20,8 @@ from nscc_runtime.light import Light
 from nscc_runtime.pictures.precision import Panel, Point, PointReading, precision_diagram
 from nscc_training.any_code.decode import decoded_clip
 from nscc_training.any_code.frames import exposed_frame
-from nscc_training.demo.expose import CLIPS, camera
+from nscc_training.demo.expose import CLIPS
+from nscc_training.design.bracket import camera
 from nscc_training.experiments.engine import Figures
 from nscc_training.experiments.study import Study, StudyPoint, StudyResult
 from nscc_training.experiments.study_table import refusals_text, table_text

@@ -20,7 +20,8 @@ from nscc_runtime.scenes import Scene  # noqa: E402
 from nscc_training import made_scenes  # noqa: E402
 from nscc_training.any_code.decode import always_open, joined  # noqa: E402
 from nscc_training.demo import Settings, demo  # noqa: E402
-from nscc_training.demo.expose import CLIPS, camera  # noqa: E402
+from nscc_training.demo.expose import CLIPS  # noqa: E402
+from nscc_training.design.bracket import camera  # noqa: E402
 from nscc_training.measured import Measured  # noqa: E402
 
 DATA = Path(os.environ.get("NSCC_DATA", ROOT / "../shared/data"))

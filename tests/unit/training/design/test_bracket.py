@@ -7,8 +7,7 @@ import pytest
 
 from nscc.chips.load import builtin_target
 from nscc_runtime.sensor import default_sensor
-from nscc_training.demo.expose import camera
-from nscc_training.design.bracket import bracket_slots, merged_bracket
+from nscc_training.design.bracket import bracket_slots, camera, merged_bracket
 from nscc_training.design.chip import DesignChip
 
 

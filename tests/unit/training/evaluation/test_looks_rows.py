@@ -1,7 +1,8 @@
-"""Rows of pixels that look under hdr-v1: designs, comparators, and data that is refused."""
+"""Rows without a decoder under hdr-v1: designs, comparators, a bracket, and refused data."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -9,8 +10,13 @@ import numpy as np
 import pytest
 from nscc_command import invoke
 
+from nscc.chips.load import builtin_target
+from nscc.words.container import Container
+from nscc_runtime.effects import selected
+from nscc_runtime.sensor import Sensor, default_sensor
+from nscc_training.design.bracket import camera
 from nscc_training.evaluation import looks_rows
-from nscc_training.evaluation.looks_rows import DESIGNED, evaluate_looks
+from nscc_training.evaluation.looks_rows import DESIGNED, bracket_light, evaluate_looks
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
 
@@ -78,6 +84,41 @@ def test_designs_for_worse_comparators(folder: Path, monkeypatch: pytest.MonkeyP
     for name, (before, bad, good) in unaware.items():
         assert mu_db(name, folder, COMPARATORS, BAD) > max(bad, before - 5)
         assert mu_db(name, folder, COMPARATORS, GOOD) < good
+
+
+@pytest.mark.parametrize(("effects", "share"), [("", 0.0), ("all", 1.0)])
+def test_effects_bring_the_noise_of_the_readout(
+    effects: str, share: float, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sensors = []
+
+    def looked(_: Container, light_e: np.ndarray, sensor: Sensor, *_others: object) -> np.ndarray:
+        sensors.append(sensor)
+        return light_e
+
+    monkeypatch.setattr(looks_rows, "looked_light", looked)
+    evaluate_looks("looks-2", folder, 0, effects)
+    chip = default_sensor(builtin_target("scamp5"))
+    assert chip.spread_noise_lsb > 1
+    assert {s.spread_noise_lsb for s in sensors} == {share * chip.spread_noise_lsb}
+    assert {s.adc_noise_lsb for s in sensors} == {0.65}
+
+
+def test_a_bracket_has_the_noise_of_its_readouts() -> None:
+    """The oracle adds precisions of readouts that are not full, from the sensor's values."""
+    target = replace(builtin_target("scamp5"), rows=64, cols=64)
+    sensor, share = default_sensor(target), np.array([4, 36, 216]) / 256
+    readouts = camera(256, 125.0, target, lengths=(4, 36, 216))
+    effects = selected("full_well,shot,adc_noise,spreading,adc")
+    noise_lsb2 = sensor.adc_noise_lsb**2 + sensor.spread_noise_lsb**2 + 1 / 12
+    for light_e in (3000.0, 100_000.0, 900_000.0):
+        collected = light_e * share
+        variance = (collected + noise_lsb2 * sensor.electrons_per_lsb**2) / share**2
+        precision = (1 / variance)[collected < 28_000].sum()
+        light = np.full((64, 64), light_e)
+        errors = bracket_light(readouts, light, sensor, effects, (1, 0)) - light_e
+        assert errors.std() == pytest.approx(precision**-0.5, rel=0.05)
+        assert abs(errors.mean()) < 0.05 * precision**-0.5 + 0.002 * light_e
 
 
 def test_the_command_needs_panoramas(tmp_path: Path) -> None:
