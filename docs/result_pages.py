@@ -24,7 +24,12 @@ from nscc_training.statistics import bootstrap
 
 EVALUATIONS = Path(__file__).resolve().parents[1] / "training/results/evaluations"
 _WORDS = ("mean", "gain", "value", "row", "against", "verdict", "columns")
-_LABELS = {"psnr_db": "PSNR", "mu_psnr_db": "PSNR-mu", "correct": "right classes"}
+_LABELS = {
+    "psnr_db": "PSNR",
+    "mu_psnr_db": "PSNR-mu",
+    "correct": "right classes",
+    "cross_entropy": "cross-entropy",
+}
 _ITEMS = {"hdr-v1": ("crops", "panoramas"), "deblur-v1": ("views", "panoramas")}
 """What items are, and of which files, by protocol; else windows of clips."""
 _SETTINGS = {
@@ -140,10 +145,11 @@ class Page:
         results = self._results_of(name)
         if not (results and means):
             return f"* {label}, {unit}: {NOT_RUN}"
-        best = max(means, key=lambda other: means[other])
+        sign = -1 if metric == "cross_entropy" else 1  # lower is better
+        best = max(means, key=lambda other: sign * means[other])
         best_name = others[others.index(best) + 1]
         comparison = _compared(self._results_of(best_name), results, metric)
-        low, high = comparison["ci95"] or (0.0, 0.0)
+        low, high = sorted(sign * end for end in comparison["ci95"] or (0.0, 0.0))
         outcome = "better" if low > 0 else "worse" if high < 0 else "not proved better"
         if all(entry["settings"].get("moved") == 0 for entry in results):
             return f"* {label}, {unit}: **not learned**, since no place moved from the start."

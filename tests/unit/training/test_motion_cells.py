@@ -43,8 +43,8 @@ def test_the_shipped_cell_tells_directions_with_every_effect() -> None:
         for film in films
     ]
     right = [name == DIRECTIONS[k] for name, k in zip(told, directions, strict=True)]
-    # Chance is 2 of 16. The cell was trained before the errors of words were fitted to a chip.
-    assert sum(right) >= 8, told
+    # Chance is 2 of 16.
+    assert sum(right) >= 11, told
 
 
 def test_a_decoder_tells_what_is_separable() -> None:
