@@ -58,10 +58,11 @@ def home_pages() -> dict[str, str | bytes]:
 
 
 def _printed() -> str:
-    """Return the line of the demo's output with the results."""
+    """Return the results that the demo prints, one a line, so that phones show all of them."""
     with TemporaryDirectory() as folder:
         _, messages = run_nscc(f"{_COMMAND} -o {folder}")
-    return next(line for line in messages.splitlines() if line.startswith("always open"))
+    results = next(line for line in messages.splitlines() if line.startswith("always open"))
+    return results.replace(", ", "\n")
 
 
 def _preview(before: NDArray[Any], after: NDArray[Any]) -> bytes:
