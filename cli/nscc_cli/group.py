@@ -44,13 +44,12 @@ class LazyGroup(click.Group):
             raise click.NoSuchOption(name, ctx=ctx)
         command = self.get_command(ctx, name)
         if command is None:
+            otherwise = "`nscc --help` lists the commands"
+            if name.endswith((".nsl", ".icw")):
+                otherwise = f"name a command first: `nscc check {shlex.quote(name)}`"
+            helps = meant(name, self.list_commands(ctx), otherwise, "nscc {}")
             if name in SYNONYMS:
-                helps: tuple[str, ...] = (did_you_mean(f"nscc {SYNONYMS[name]}"),)
-            else:
-                helps = meant(name, self.list_commands(ctx), written="nscc {}")
-            if not helps and name.endswith((".nsl", ".icw")):
-                helps = (f"name a command first: `nscc check {shlex.quote(name)}`",)
-            helps = helps or ("`nscc --help` lists the commands",)
+                helps = (did_you_mean(f"nscc {SYNONYMS[name]}"),)
             raise Rejected(Diagnostic("NS0781", f"unknown command '{name}'", helps=helps), status=2)
         if not gc.isenabled():  # `main` turned the collector off during the imports
             gc.freeze()
