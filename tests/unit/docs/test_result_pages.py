@@ -23,7 +23,7 @@ from nscc_training.evaluation.results import (  # noqa: E402
 )
 from nscc_training.run_files import shipped_evaluations  # noqa: E402
 from nscc_training.sweep.grid import read_grid  # noqa: E402
-from result_pages import Page  # noqa: E402
+from result_pages import EVALUATIONS, NOT_RUN, Page  # noqa: E402
 
 RESULTS = ROOT / "training/results"
 LEARNED = "clips/class-d/learned-from-2x2/unet2d/noise-alone"
@@ -250,3 +250,12 @@ def test_codes_of_a_run_whose_weights_are_not_there(tmp_path: Path) -> None:
     found = json.loads(done.out)
     told = json.loads((run / "result.json").read_text())
     assert found["settings"]["words_per_slot"] == told["words_per_slot"]
+
+
+def test_every_result_of_the_sites_page_is_stored() -> None:
+    template = (ROOT / "docs/nscc_site/results.template").read_text()
+    charts = template.count("```chart ")
+    filled = Page(EVALUATIONS).filled(template)
+    assert charts == 5
+    assert "{{" not in filled
+    assert NOT_RUN not in filled
