@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.loop import Bytes, Floats, Ints, Words, Written, compiled, inlined, loop, record
 
-BUS, COMPARE, BITS, NEIGHBOURS = range(4)
+BUS, COMPARE, BITS, NEIGHBOURS, PROPAGATION = range(5)
 _NONE, _SOME, _ALL = range(3)
 _ZERO, _ONE = np.uint64(0), np.uint64(1)
 _FULL = np.uint64(0xFFFF_FFFF_FFFF_FFFF)
@@ -378,6 +378,56 @@ def _look(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: 
 
 
 @compiled
+def _propagate(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words) -> None:
+    """Set bits in the mask that are connected with a 1 by at most `divisor` steps.
+
+    The operands are those of `_look`, which writes to the bus, and the mask."""
+    for _ in range(word.divisor):
+        for y in range(shape.rows):
+            _look(shape, word, operands, planes, y)
+        changed = _ZERO
+        for y in range(shape.rows):
+            bits = plane_of(shape, operands[word.operands + 3], y)
+            mask = plane_of(shape, operands[word.operands + 3 * word.sources], y)
+            near = plane_of(shape, operands[word.operands], y)
+            for g in range(shape.plane_words):
+                grown = planes[near + g] & planes[mask + g] & ~planes[bits + g]
+                planes[bits + g] |= grown
+                changed |= grown
+        if changed == _ZERO:
+            return
+
+
+@compiled
+def _run_rows(
+    shape: ArrayShape,
+    words: OfArrayWords,
+    first: int,
+    stop: int,
+    operands: Ints,
+    values: Floats,
+    marks: Bytes,
+    planes: Words,
+    marked: Ints,
+) -> None:
+    """Run words without propagations, as `run_words` does."""
+    for step in range(shape.rows + words[stop - 1].lag if stop > first else 0):
+        for w in range(first, stop):
+            word = words[w]
+            y = step - word.lag
+            if y < 0 or y >= shape.rows:
+                continue
+            if word.kind == BUS:
+                _bus(shape, word, operands, values, marks, planes, y, marked)
+            elif word.kind == COMPARE:
+                _compare(shape, word, operands, values, planes, y)
+            elif word.kind == NEIGHBOURS:
+                _look(shape, word, operands, planes, y)
+            else:
+                _write_bits(shape, word, operands, planes, y)
+
+
+@compiled
 def run_words(
     shape: ArrayShape,
     words: OfArrayWords,
@@ -393,21 +443,14 @@ def run_words(
 
     A row goes through all words while it is in the cache. A word runs `lag` rows behind the first
     word: the neighbouring rows that it reads are then complete, and no earlier word still needs the
-    rows that it overwrites."""
-    for step in range(shape.rows + words[stop - 1].lag if stop > first else 0):
-        for w in range(first, stop):
-            word = words[w]
-            y = step - word.lag
-            if y < 0 or y >= shape.rows:
-                continue
-            if word.kind == BUS:
-                _bus(shape, word, operands, values, marks, planes, y, marked)
-            elif word.kind == COMPARE:
-                _compare(shape, word, operands, values, planes, y)
-            elif word.kind == NEIGHBOURS:
-                _look(shape, word, operands, planes, y)
-            else:
-                _write_bits(shape, word, operands, planes, y)
+    rows that it overwrites. A propagation waits for all rows."""
+    begin = first
+    for w in range(first, stop):
+        if words[w].kind == PROPAGATION:
+            _run_rows(shape, words, begin, w, operands, values, marks, planes, marked)
+            _propagate(shape, words[w], operands, planes)
+            begin = w + 1
+    _run_rows(shape, words, begin, stop, operands, values, marks, planes, marked)
 
 
 @loop

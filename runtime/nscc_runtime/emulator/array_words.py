@@ -21,6 +21,7 @@ _KINDS = {
     WordEffect.FLAG_DIGITAL: loop.BITS,
     WordEffect.DIGITAL: loop.BITS,
     WordEffect.DIGITAL_NEIGHBOURS: loop.NEIGHBOURS,
+    WordEffect.PROPAGATION: loop.PROPAGATION,
 }
 _FLAGS = (WordEffect.FLAG_ALL, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ANALOG)
 Operand = tuple[int, int, int]
@@ -109,7 +110,7 @@ class ArrayWords:
             first,
             len(sources),
             len(destinations),
-            row.divisor,
+            self.target.propagation_pixels if effect is WordEffect.PROPAGATION else row.divisor,
             effect is WordEffect.FLAG_ALL or (row.inverted and row.phase is not Phase.WRITE),
             resets and self.target.reset_honours_flag == "no",
             any(down for *_, down in (*sources, *destinations)),
@@ -124,6 +125,10 @@ class ArrayWords:
         if effect in (WordEffect.BUS, WordEffect.FLAG_ANALOG):
             read = [self._analog(name) for name in op.sources if name != "IN"]
             return read, [self._analog(name) for name in op.destinations]
+        if effect is WordEffect.PROPAGATION:
+            steering = [(self.digital[name], *step) for name, step in STEERING.items()]
+            named = self._digital(("bus", op.destinations[0]))
+            return [*named, *steering], self._digital((self.target.mask_register or "",))
         if effect is WordEffect.DIGITAL_NEIGHBOURS:
             named = self._digital((op.destinations[0], op.sources[0]))
             return [*named, *((self.digital[name], *step) for name, step in STEERING.items())], []
