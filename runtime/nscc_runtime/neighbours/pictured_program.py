@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.operations import STEERING, Op, WordEffect
+from nscc.operations import Op
 from nscc.record import Record
 from nscc.words.container import Container, state_registers
 from nscc.words.legality import picture_words
@@ -28,7 +28,7 @@ from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.host_setting import HostSetting
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels, propagated
+from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.neighbours.plane_summary import PlaneSummary, reported, summary_of
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.sensor import default_sensor
@@ -59,23 +59,13 @@ class PictureWords:
     def __init__(self, target: Target, words: Iterable[tuple[Op, int | None]]) -> None:
         """Translate words to tables for the compiled loop; each word has the value of IN set before
         it."""
-        self._target, self._parts = target, list[ArrayWords | Op]()
-        self._digital = ArrayWords(target).digital
+        self._target, self._table = target, ArrayWords(target)
         in_e, words_with_in = 0.0, list[tuple[Op, float]]()
         for op, level in words:
             in_e = in_e if level is None else level * target.electrons_per_step
-            if op.operation.effect is WordEffect.PROPAGATION:  # needs all rows at once
-                self._add_part(words_with_in)
-                self._parts.append(op)
-                words_with_in = []
-            else:
-                words_with_in.append((op, in_e))
-        self._add_part(words_with_in)
-
-    def _add_part(self, words: Sequence[tuple[Op, float]]) -> None:
-        table = ArrayWords(self._target)
-        table.append(words)
-        self._parts.append(table)
+            words_with_in.append((op, in_e))
+        self._table.append(words_with_in)
+        self._words, self._operands = self._table.table
 
     def run(
         self,
@@ -88,12 +78,13 @@ class PictureWords:
 
         Before the words, registers hold `exposed` (electrons) with the marks `exposed_by`, and the
         bits of `code`, all (pixels,). All other registers hold 0."""
-        (rows, cols), names, digital = shape, self._target.analog_registers, self._digital
-        length, last = cols + 1, len(names) * (rows + 1)
+        (rows, cols), table, names = shape, self._table, self._target.analog_registers
+        length, last, digital = cols + 1, len(names) * (rows + 1), table.digital
+        array = table.shape(rows, cols, length, len(names), RANGE_BIT)
         # Groups of 64 pixels may extend beyond the last row.
         values = np.zeros((last + 5) * length + 64)
         marks = np.zeros(values.shape, np.uint8)
-        planes = np.zeros((len(digital), rows, -(-cols // 64)), np.uint64)
+        planes = np.zeros((len(digital), rows, array.plane_words), np.uint64)
         register, cut_by = (
             dict(zip(names, inner.reshape(-1, rows + 1, length)[:, :-1, :cols], strict=True))
             for inner in (values[length:][: last * length], marks[length:][: last * length])
@@ -103,32 +94,16 @@ class PictureWords:
             cut_by[name][:] = exposed_by[name].reshape(shape)
         for name, plane in code.items():
             planes[digital[name]] = packed(plane.reshape(shape))
-        marked = np.array([any(by.any() for by in exposed_by.values())], np.int64)
-        for part in self._parts:
-            if isinstance(part, Op):
-                self._propagate(part, planes, cols)
-                continue
-            words, operands = part.table
-            run_array_words(
-                shape=part.shape(rows, cols, length, len(names), RANGE_BIT),
-                words=words,
-                operands=operands,
-                values=values,
-                marks=marks,
-                planes=planes,
-                marked=marked,
-            )
+        run_array_words(
+            shape=array,
+            words=self._words,
+            operands=self._operands,
+            values=values,
+            marks=marks,
+            planes=planes,
+            marked=np.array([any(by.any() for by in exposed_by.values())], np.int64),
+        )
         return ArrayContents(register, cut_by, dict(zip(digital, planes, strict=True)))
-
-    def _propagate(self, op: Op, planes: NDArray[np.uint64], cols: int) -> None:
-        """Run a propagation on packed planes, in place: bits spread to neighbours within the
-        mask, in the directions that are steered."""
-        target, digital = self._target, self._digital
-        register = digital[op.destinations[0]]
-        names = (target.mask_register or "", *STEERING)
-        mask, *chosen = (unpacked(planes[digital[name]], cols) for name in names)
-        bits = unpacked(planes[register], cols)
-        planes[register] = packed(propagated(bits, mask, chosen, target.propagation_pixels))
 
 
 Told = dict[str, NDArray[Any]]
