@@ -240,10 +240,10 @@ class _Writer:
         self.gates.nor(state, [state, scratch])
 
     def _planes_of(self, covered: _Covered, index: int) -> tuple[list[str], bool]:
-        """Return planes whose OR is a part of at most one cube, or its inverse (true)."""
+        """Return planes whose OR is a part of at most one cube, or its inverse (true).
+
+        `_advance` has given the planes of a cube the polarity of a NOR."""
         planes = [literal for cube in covered.cubes[index] for literal in cube]
-        if len(planes) > 1:
-            self.segments += self.standing.turn(tuple(planes))
         # Of several planes, the OR is the inverse of the cube.
         low = len(planes) > 1 or any(self.standing.inverted[p] == value for p, value in planes)
         return [f"p{plane}" for plane, _ in planes], low ^ covered.inverted[index]

@@ -42,7 +42,8 @@ class Held(Record):
     """A register that holds a value times `sign`; the value lies in `low` to `high` electrons.
 
     `name` is the image or bucket, or None for an intermediate result that is read once. `variance`
-    is the variance of the value's error, in units of the variance of one word's error."""
+    is the variance of the value's error, in units of the variance of one word's error. If
+    `register` is IN, the value is equal in all pixels, and `level` is what IN has."""
 
     register: str
     sign: int
@@ -50,6 +51,7 @@ class Held(Record):
     high: float
     name: str | None = None
     variance: float = 0.0
+    level: Level = None
 
     def scaled(self, up: Fraction, down: Fraction) -> tuple[float, float]:
         """Return the range of the value after a convolution whose positive weights sum to `up` and

@@ -465,14 +465,15 @@ class Lowering(RegisterEmitter):
         return Held(register, sign, low, high, variance=variance)
 
     def _value_or_level(self, node: p.Value) -> Held:
-        """Return the register of a value; for a level "IN", with the level as its name."""
+        """Return the register of a value, or IN with its level if the value is one."""
         terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
         if not terms:
-            return Held("IN", 1, 0.0, 0.0, "0 ")
+            return Held("IN", 1, 0.0, 0.0, level=0)
         if len(terms) > 1 or not isinstance(terms[0][1], p.Uniform) or terms[0][0].denominator > 1:
             return self.value(node)
         factor, param = int(terms[0][0]), terms[0][1].param
-        return Held("IN", 1, *self._steps_range(factor, param), f"{factor} {param}")
+        level: Level = (param, factor) if param else factor
+        return Held("IN", 1, *self._steps_range(factor, param), level=level)
 
     def _copy(self, register: str, sign: int, value: Held) -> None:
         """Emit the word that writes a value, or a level, times `sign`."""
@@ -480,10 +481,9 @@ class Lowering(RegisterEmitter):
             assert value.sign == -sign
             self.word(op("bus", [register], [value.register]))
             return
-        factor, param = (value.name or "").split(" ", 1)
-        steps = -sign * int(factor)
-        level: Level = (param, steps) if param else steps
-        self.word(op("bus", [register], ["IN"] if steps else []), level if steps else None)
+        level = value.level
+        signed = (level[0], -sign * level[1]) if isinstance(level, tuple) else -sign * (level or 0)
+        self.word(op("bus", [register], ["IN"] if signed else []), signed or None)
 
 
 def merged(node: p.Value, kernels: Mapping[str, p.Weights]) -> tuple[Weights, p.Value]:
