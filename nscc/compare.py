@@ -103,7 +103,7 @@ def compared_text(chips: Sequence[OnChip]) -> str:
 
 
 def compared_json(chips: Sequence[OnChip]) -> list[dict[str, Any]]:
-    """Return the comparison as JSON values; unknown values are null."""
+    """Return the comparison of `chips` as JSON values; unknown values are null."""
     return [
         {
             "target": chip.target.name,
@@ -144,7 +144,7 @@ def _sent(chip: OnChip) -> str:
 
 
 def _mean_rate(chip: OnChip) -> str:
-    """Return the peak data rate and the mean rate over a frame as text."""
+    """Return the peak data rate of `chip` and its mean rate over a frame as text."""
     if not chip.sent_bits:
         return _sent(chip)
     assert chip.bits_per_us is not None

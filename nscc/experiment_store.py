@@ -168,7 +168,7 @@ class ExperimentStore:
         return [Timing(*row) for row in rows]
 
     def get(self, name: str) -> Any | None:
-        """Return a measurement, or None if it is not stored."""
+        """Return the measurement `name`, or None if it is not stored."""
         rows = self._execute(
             "SELECT value FROM measurement WHERE experiment = ? AND name = ?", self._of, name
         )

@@ -63,7 +63,7 @@ def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
 
 
 def file_sha256(path: Path) -> str:
-    """Return the SHA-256 of a file in hexadecimal, read block by block."""
+    """Return the SHA-256 of the file `path` in hexadecimal, read block by block."""
     from hashlib import file_digest
 
     with open(path, "rb") as file:
@@ -128,7 +128,8 @@ def write_back(path: Path, data: Product) -> None:
 
 
 def write_new(products: Mapping[Path, Product]) -> None:
-    """Write files as `write_together` does; raise Rejected (NS0788, status 2) if a file exists."""
+    """Write `products` as `write_together` does; raise Rejected (NS0788, status 2) if one of the
+    files exists."""
     for path in products:
         if path.exists():
             raise rejected(

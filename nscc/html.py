@@ -86,7 +86,8 @@ def picture(png: bytes, caption: str, width: int) -> Html:
 
 
 def drawing(width: float, height: float, shapes: Iterable[str], title: str) -> Html:
-    """Return an SVG of this size in pixels, which shrinks with the page."""
+    """Return an SVG of `shapes`, `width` x `height` pixels, which shrinks with the page and is
+    named `title` for screen readers."""
     return Html(
         f"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {width:g} {height:g}' "
         f"role='img' style='width:100%;max-width:{width:g}px;height:auto' "

@@ -99,7 +99,8 @@ def _count(mnemonic: Mnemonic) -> str:
 
 
 def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -> Op:
-    """Return a word of the operation `row`; raise OperandError for invalid operands."""
+    """Return a word of the operation `row` from `sources` to `destinations`; raise OperandError for
+    invalid operands."""
     analog = row.analog
     writable = ANALOG_WRITE if analog else DIGITAL_WRITE
     readable = ANALOG_SOURCES if analog else DIGITAL_SOURCES

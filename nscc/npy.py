@@ -121,7 +121,8 @@ def _array(stream: IO[bytes], name: str, most_bytes: int, before_bytes: int = 0)
 
 @contextmanager
 def _damage_of(name: str) -> Iterator[None]:
-    """Turn the dozen types that zipfile and numpy raise for damaged files into InvalidArrays."""
+    """Turn the dozen types that zipfile and numpy raise for the damaged array `name` into
+    InvalidArrays."""
     try:
         yield
     except (InvalidArrays, MemoryError):

@@ -265,7 +265,8 @@ def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ())
 
 @lru_cache(maxsize=1 << 12)
 def _op(name: str, destinations: tuple[str, ...], sources: tuple[str, ...]) -> Op:
-    """Return the operation `name` with these registers; raise ValueError for an unknown name."""
+    """Return the operation `name` from `sources` to `destinations`; raise ValueError for an unknown
+    name."""
     row = BY_NAME.get(name)
     if row is None:
         raise ValueError(f"no operation {name!r}")

@@ -432,7 +432,8 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
 
 
 def _compiled(values: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
-    """Return the result of all passes. If the program does not fit, words and proof are None."""
+    """Return the results `values` of all passes, by the name of the pass, with `messages`. Unless
+    the program `fits`, words and proof are None."""
     names = ("schedule", "words", "prove")
     layout, container, proof = (values[name] if fits else None for name in names)
     tree, program = values["parse"].tree, values["program"]

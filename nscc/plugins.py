@@ -66,7 +66,8 @@ def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
 
 
 def unusable(group: Group, name: str, reason: str) -> Rejected:
-    """Return the error (NS0905) for an added object that nscc cannot use, for `reason`."""
+    """Return the error (NS0905) that the object `name` of an installed package, an entry point of
+    `group`, cannot be used, because of `reason`."""
     kind = group.removeprefix("nscc.").removesuffix("s")
     return rejected(
         "NS0905",

@@ -271,7 +271,8 @@ class ShutterProgram:
         return self.compiled, self.options
 
     def _product(self, kind: str, out: Path, ending: str) -> dict[Path, bytes]:
-        """Return the contents of the product `kind` and of the files that belong to it, by path."""
+        """Return the contents of the product `kind` and of the files that belong to it, by path;
+        `out` is the product's path and ends in `ending`."""
         if kind == "icw":
             return {out: to_bytes(self.container)}
         if kind == "asm":

@@ -19,7 +19,7 @@ class _Calibrate(CommonCommand):
     """The command `calibrate`, whose option `--dark` accepts several files."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Parse the arguments after rewriting `--dark a b` as `--dark a --dark b`."""
+        """Parse `args` after rewriting `--dark a b` as `--dark a --dark b`."""
         spread_args: list[str] = []
         taking, first = False, False
         for arg in args:

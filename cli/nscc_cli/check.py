@@ -67,7 +67,8 @@ def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
 
 
 def _loader_notes(compiled: Compiled) -> list[Diagnostic]:
-    """Return notes about loaders that cannot take a program; none if it may not fit the chip."""
+    """Return notes about loaders that cannot take the program `compiled`; none if it may not fit
+    the chip."""
     if compiled.container is None:
         return []
     program = compiled.program
@@ -99,7 +100,8 @@ def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
 
 
 def _mend(path: Path, options: dict[str, Any]) -> None:
-    """Apply all safe fixes to a file repeatedly, because one error may hide another."""
+    """Apply all safe fixes to the file `path` repeatedly, because one error may hide another.
+    `options` are those of the command."""
     from nscc.diagnostics.message import mended
     from nscc.files import write_back
     from nscc.syntax.parse import read_source

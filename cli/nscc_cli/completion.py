@@ -66,7 +66,7 @@ class RunPath(click.Path):
         self.more = further_names
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
-        """Return the run folders and names that begin with the incomplete text."""
+        """Return the run folders and names that begin with the text `incomplete`."""
         from nscc_training.run_files import shipped_runs
 
         names = [n for n in (*self.more, *shipped_runs()) if n.startswith(incomplete)]

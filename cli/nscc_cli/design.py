@@ -187,7 +187,8 @@ def _scene_lights(
 def _moving(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any], parts: int
 ) -> list[NDArray[np.float64]]:
-    """Return each scene's light in electrons, (at most `parts` intervals, rows, cols)."""
+    """Return each scene's light in electrons, (at most `parts` intervals, rows, cols). `options`
+    are those of the command."""
     slots = options["slots"]
     starts = sorted({slots * part // parts for part in range(parts)})
     return [

@@ -91,7 +91,8 @@ def serve(**options: Any) -> None:
 
 
 def _report(error: Exception) -> None:
-    """Print why a frame failed; the protocol tells the host only that it failed."""
+    """Print the `error` by which a frame failed; the protocol tells the host only that it
+    failed."""
     if isinstance(error, Rejected):
         support.show(error.diagnostics)
     else:

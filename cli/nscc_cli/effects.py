@@ -107,7 +107,8 @@ def costs() -> str:
 
 
 def details(name: str, sensor: Sensor) -> str:
-    """Describe one effect and its parameters; raise NS0756 if the effect is unknown."""
+    """Return the description of the effect `name` and its parameters, with the values of `sensor`;
+    raise Rejected (NS0756) if the effect is unknown."""
     from nscc_runtime.effects import named
 
     effect = named(name)

@@ -115,7 +115,8 @@ def _of_nscc(filename: object) -> bool:
 
 
 def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ...], str]:
-    """Save a reproducer with a traceback; return the notes and the help that name its file."""
+    """Save a reproducer with the traceback `trace`, the command line `arguments` and its input
+    files. Return the notes and the help that name its file."""
     versions = f"nscc {__version__}\nPython {sys.version}\n{platform.platform()}\n"
     members = {
         "command.txt": "\n".join(["nscc", *arguments, ""]).encode(errors="replace"),
@@ -139,7 +140,8 @@ def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ..
 
 
 def _save(data: bytes) -> str | None:
-    """Save the reproducer in the current or temporary folder; return its path, None on failure."""
+    """Save the reproducer `data` in the current or temporary folder; return its path, None on
+    failure."""
     import tempfile
 
     from nscc.files import write_whole
@@ -175,7 +177,8 @@ def _is_file(path: Path) -> bool:
 
 
 def _content(path: Path) -> bytes:
-    """Return the content of a file for a fault report, or a line that says why it is not copied."""
+    """Return the content of the file `path` for a fault report, or a line that says why it is not
+    copied."""
     try:
         size = path.stat().st_size
         if size > _MOST_BYTES:

@@ -86,7 +86,8 @@ def run_capture_of(
 
 
 def parse_keep(text: str) -> tuple[str, ...]:
-    """Return the names in `--keep`; raise NS0739 for an unknown name."""
+    """Return the names in `text`, the value of `--keep`; raise Rejected (NS0739) for an unknown
+    name."""
     from nscc_runtime.frame_file import KEEP
 
     names = tuple(name.strip() for name in text.split(",") if name.strip())
@@ -183,7 +184,8 @@ def _picture(
 def summary(
     container: Container, frame: Frame, files: Sequence[Path], *, alike: bool, colours: bool = False
 ) -> str:
-    """Describe each bucket of the first frame and each file; `alike`: all frames are identical."""
+    """Describe each bucket of the first frame, and name the written `files`. `alike`: all frames
+    are identical; `colours`: they are of red, green and blue light."""
     from nscc_runtime.run_messages import frame_lines
 
     lines = frame_lines(container, frame)

@@ -27,7 +27,7 @@ class LazyGroup(click.Group):
         return [*COMMANDS, *self._usable_added()]
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Import and return the command with this name, or None if it is unknown."""
+        """Import and return the command `cmd_name`, or None if it is unknown."""
         if cmd_name not in COMMANDS:
             return added_by_packages().get(cmd_name)
         module = import_module(f"nscc_cli.{MODULES.get(cmd_name, cmd_name)}")
@@ -38,7 +38,8 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Return the command named by the first argument, and the arguments after it."""
+        """Return the command named by the first of `args`, and the arguments after it. Raises
+        Rejected (NS0781) for an unknown command."""
         name = args[0]
         if name.startswith("-"):
             raise click.NoSuchOption(name, ctx=ctx)
@@ -57,7 +58,8 @@ class LazyGroup(click.Group):
         return name, command, args[1:]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """List nscc's commands by task without importing them, then those of other packages."""
+        """Write nscc's commands by task to `formatter` without importing them, then those of other
+        packages."""
         width = max(map(len, COMMANDS))
         for title, lines in GROUPS.items():
             with formatter.section(title):

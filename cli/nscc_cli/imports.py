@@ -122,7 +122,7 @@ def import_network(model: Path, out: Path, frame_us: float, target: str) -> None
 def _place(
     _context: click.Context, _option: click.Parameter, value: str | None
 ) -> tuple[int, int] | None:
-    """Return the row and the column of the text R,C; raise BadParameter for another text."""
+    """Return the row and the column of `value`, a text R,C; raise BadParameter for another text."""
     if value is None:
         return None
     row, _, col = value.partition(",")

@@ -97,7 +97,8 @@ class Server(LanguageServer):
 
 
 def _checked(document: Text) -> tuple[Diagnostic, ...]:
-    """Return the diagnostics of `nscc check`; a failure of nscc becomes a diagnostic as well."""
+    """Return the diagnostics of `nscc check` for `document`; a failure of nscc becomes a diagnostic
+    as well."""
     try:
         return document.checked.diagnostics
     except Exception as error:
@@ -138,7 +139,8 @@ def _is_no_refusal(record: logging.LogRecord) -> bool:
 
 
 def _take_texts(server: Server) -> None:
-    """Register handlers for opened, changed and closed texts, and for changed files beside them."""
+    """Register handlers with `server` for opened, changed and closed texts, and for changed files
+    beside them."""
 
     @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
     def did_open(params: types.DidOpenTextDocumentParams) -> None:
@@ -155,7 +157,7 @@ def _take_texts(server: Server) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)
     def did_close(params: types.DidCloseTextDocumentParams) -> None:
-        """Forget a closed text and remove its diagnostics in the editor."""
+        """Forget the closed text that `params` names, and remove its diagnostics in the editor."""
         uri = params.text_document.uri
         server.documents.pop(uri, None)
         server.versions.pop(uri, None)
@@ -175,7 +177,7 @@ def _take_texts(server: Server) -> None:
 
 
 def _hover(document: Document, at: Positions, params: types.HoverParams) -> types.Hover | None:
-    """Return the hover text at a position of the text, or None."""
+    """Return the hover text at the position in `params`, or None."""
     hover_text = hover(document, at.offset(params.position))
     if hover_text is None:
         return None
@@ -212,7 +214,7 @@ def _hints(
 def _definition(
     document: Document, at: Positions, params: types.DefinitionParams
 ) -> types.Location | None:
-    """Return where the name at a position is declared, or None."""
+    """Return where the name at the position in `params` is declared, or None."""
     mention = mention_at(document, at.offset(params.position))
     definition = mention and declaration(document, mention)
     if not definition:
@@ -223,7 +225,8 @@ def _definition(
 def _references(
     document: Document, at: Positions, params: types.ReferenceParams
 ) -> list[types.Location]:
-    """Return all uses of the name at a position, with its declaration if the editor asks for it."""
+    """Return all uses of the name at the position in `params`, with its declaration if the editor
+    asks for it."""
     mention = mention_at(document, at.offset(params.position))
     mentions = alike(document, mention) if mention else []
     uri, also_declaration = params.text_document.uri, params.context.include_declaration
@@ -234,7 +237,8 @@ def _references(
 def _fixes(
     document: Document, at: Positions, params: types.CodeActionParams
 ) -> list[types.CodeAction]:
-    """Return the fixes that apply in a range, and one action that applies all safe fixes."""
+    """Return the fixes that apply in the range of `params`, and one action that applies all safe
+    fixes; only actions of the kinds that the editor asks for."""
     uri, only = params.text_document.uri, params.context.only
     actions = [
         values.quick_fix(diagnostic, fix, document, uri)

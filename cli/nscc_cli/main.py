@@ -30,7 +30,8 @@ INTERRUPTED = 130
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run `nscc` with these arguments (by default those of the process); return the exit status."""
+    """Run `nscc` with the arguments `argv` (by default those of the process); return the exit
+    status."""
     if argv is None:
         # Imported objects are permanent: searching them for garbage takes a tenth of `check`. The
         # group turns the collector on again when the command's module is imported.
@@ -147,7 +148,8 @@ def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
 
 
 def _invoke(arguments: list[str], session: Session) -> int:
-    """Run the command and return its exit status; a command that returns None has status 0."""
+    """Run the command in `arguments` and return its exit status; a command that returns None has
+    status 0."""
     import click
 
     from nscc_cli.group import group

@@ -46,7 +46,7 @@ def section(title: str, *options: Callable[[Any], Any]) -> Callable[[Command], C
     """Combine several options into one decorator; `--help` lists them under this title."""
 
     def add(function: Command) -> Command:
-        """Add the options to a command, and list them below this title in its help."""
+        """Add the options to the command `function`, and list them below this title in its help."""
         known = list(getattr(function, "__click_params__", ()))
         function = together(*options)(function)
         for parameter in function.__click_params__:  # type: ignore[attr-defined]  # of click
@@ -80,7 +80,8 @@ def chosen_names(
 def some_option(
     name: str, names: Sequence[str], metavar: str, text: str, default: str | None = None
 ) -> Callable[..., Any]:
-    """Return an option that takes a comma-separated choice of `names`, by default all."""
+    """Return the option `name` that takes a comma-separated choice of `names`, by default all.
+    `text` is its help."""
     return option(
         name,
         callback=chosen_names(names),
@@ -167,7 +168,7 @@ build_options = section(COMPILE, declared(Options))
 
 
 def _tone(_context: Context, _option: Parameter, name: str | None) -> str | None:
-    """Return the name of a tone curve after checking it, even if nothing is drawn with it."""
+    """Return the tone curve `name` after checking it, even if nothing is drawn with it."""
     if name is not None:
         from nscc_runtime.pictures.tone import check_tone
 
@@ -212,7 +213,8 @@ tradeoff_options = section(
 
 
 def repeats_option(default: int) -> Callable[..., Any]:
-    """Return the option `--repeats`: how often each measurement is repeated."""
+    """Return the option `--repeats`: how often each measurement is repeated, `default` times if it
+    is missing."""
     return option(
         "--repeats",
         type=COUNT,
@@ -223,7 +225,8 @@ def repeats_option(default: int) -> Callable[..., Any]:
 
 
 def scenes_option(text: str) -> Callable[..., Any]:
-    """Return the option `--scene` that may be repeated, as the argument `scenes`."""
+    """Return the option `--scene` with the help `text`. It may be repeated; the argument is
+    `scenes`."""
     return section(
         SCENE,
         option("--scene", "scenes", type=SCENE_NAME, multiple=True, metavar="SCENE", help=text),

@@ -77,7 +77,8 @@ def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str,
 
 
 def _is_mask(path: Path) -> bool:
-    """Return whether a file is a mask (.npy, .mat, .npz with `mask`), not an .npz of codes."""
+    """Return whether the file `path` is a mask (.npy, .mat, .npz with `mask` only), not an .npz of
+    codes."""
     if path.suffix.lower() != ".npz" or not path.is_file():
         return path.suffix.lower() in (".npy", ".mat")
     from zipfile import BadZipFile, ZipFile

@@ -123,7 +123,8 @@ def _uri(source: Source, document: Text) -> str:
 
 
 def quick_fix(message: Diagnostic, fix: Fix, document: Document, uri: str) -> types.CodeAction:
-    """Convert a fix into a code action; safe fixes are marked as preferred."""
+    """Return `fix` of `message` as a code action on the text `uri`; safe fixes are marked as
+    preferred."""
     positions = Positions(document.text)
     return types.CodeAction(
         fix.title,

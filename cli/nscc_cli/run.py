@@ -55,7 +55,8 @@ _SIMULATION = (
 def _refuse_tolerance_max(
     _context: click.Context, _option: click.Parameter, value: str | None
 ) -> None:
-    """Raise a usage error for an option that earlier versions had."""
+    """Raise a usage error if the option `--tolerance-max`, which earlier versions had, has a
+    `value`."""
     if value is not None:
         raise click.UsageError(
             "nscc run no longer has --tolerance-max: use --tolerance, which limits the RMS error; "
@@ -260,7 +261,8 @@ _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
 
 def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
-    """Expose a frame on the device at `options["place"]` and write the emulator's files."""
+    """Expose a frame of `program` on the device at `options["place"]`, and write the emulator's
+    files with the arrays `keep`."""
     from nscc.words.readout import converter_of
     from nscc_runtime.device.captured_frames import exposed
     from nscc_runtime.device.device_chip import DeviceChip
@@ -326,7 +328,8 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
 
 
 def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> None:
-    """Raise NS0770 if the user gave options that have no meaning for a device."""
+    """Raise Rejected (NS0770) if the user gave options that have no meaning for the device at
+    `place`. `scene` and `keep` are the values of these options."""
     of_port = ("baud", "repeat", "scene") if place.startswith(HOST) else ()
     refused_options = given_options((*_MEANINGLESS, *of_port, *(() if scene else _SCENE)))
     if not scene:

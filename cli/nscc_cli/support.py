@@ -48,7 +48,8 @@ class NumberRange(click.FloatRange):
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float:
-        """Return the number within the range; raise BadParameter for other text, and for NaN."""
+        """Return `value` as a number within the range; raise BadParameter for other text, and for
+        NaN."""
         converted = float(super().convert(value, param, ctx))
         if converted != converted:
             self.fail(f"{value!r} is not a number.", param, ctx)
@@ -157,7 +158,8 @@ def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
 
 
 def _denied(diagnostic: Diagnostic) -> Diagnostic:
-    """Return a warning as an error, for `--deny-warnings`; other diagnostics stay as they are."""
+    """Return `diagnostic`, a warning, as an error, for `--deny-warnings`; other diagnostics stay as
+    they are."""
     if diagnostic.severity is not Severity.WARNING:
         return diagnostic
     notes = (*diagnostic.notes, "a warning, treated as an error because of --deny-warnings")
@@ -200,7 +202,7 @@ class CommonCommand(click.Command):
         ]
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Parse the arguments; every usage error names the command, so that its help is found."""
+        """Parse `args`; every usage error names the command, so that its help is found."""
         try:
             return super().parse_args(ctx, args)
         except click.UsageError as error:
@@ -208,7 +210,7 @@ class CommonCommand(click.Command):
             raise
 
     def option_sections(self, ctx: click.Context) -> dict[str, list[tuple[str, str]]]:
-        """Return the options and their help texts, by section title."""
+        """Return the options of the command in `ctx` and their help texts, by section title."""
         sections: dict[str, list[tuple[str, str]]] = {}
         for param in self.get_params(ctx):
             record = param.get_help_record(ctx) if isinstance(param, click.Option) else None
@@ -223,7 +225,7 @@ class CommonCommand(click.Command):
                 formatter.write_dl(records)
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the command while its input files are protected from being overwritten."""
+        """Run the command of `ctx` while its input files are protected from being overwritten."""
         with inputs_kept():
             for param in self.params:
                 if not isinstance(param.type, OutPath):
@@ -289,7 +291,8 @@ class Subcommands(CommonCommand, click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Return the subcommand named by the first argument, and the arguments after it."""
+        """Return the subcommand named by the first of `args`, and the arguments after it. Raises
+        Rejected (NS0781) for an unknown name."""
         name = args[0]
         if name in self.commands or name.startswith("-"):
             return super().resolve_command(ctx, args)
@@ -380,7 +383,8 @@ def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> 
 
 
 def bar_line(label: str, item_count: int, total: int | None, elapsed_s: float) -> str:
-    """Return a progress line: a bar and the remaining time if `total` is known, else a count."""
+    """Return a progress line after `item_count` of `total` items and `elapsed_s` seconds: a bar and
+    the remaining time, or a count if `total` is unknown."""
     if not total:
         return f"{label}: {item_count}, {elapsed_s:.0f} s"
     share = min(item_count / total, 1.0)

@@ -13,7 +13,7 @@ _KINDS = ("compile", "limits", "emulate", "train", "evaluate", "design")
 
 
 def _print_part(context: click.Context, _option: click.Parameter, kind: str | None) -> None:
-    """Print an example table for a kind of points, and exit."""
+    """Print an example table for points of this `kind`, and exit."""
     if kind is not None and not context.resilient_parsing:
         from nscc_training.sweep.grid import part_text
 

@@ -26,7 +26,8 @@ _TIME = re.compile(r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)")
 def _checked_times(
     _context: click.Context, _option: click.Parameter, values: tuple[str, ...]
 ) -> tuple[str, ...]:
-    """Check the times and remove duplicates."""
+    """Return the times `values` without duplicates; raise BadParameter for an invalid or zero
+    time."""
     for value in values:
         if not _TIME.fullmatch(value):
             raise click.BadParameter(f"invalid time '{value}': write 10us, 1.5ms, 800ns or 2s")
@@ -106,7 +107,8 @@ def command(
 
 
 def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool) -> str:
-    """Compute the limits of a chip by compiling programs, and return them as text or JSON."""
+    """Compute the limits of `target` for each length of `slots` by compiling programs at this
+    `level`, and return them as text or JSON."""
     from nscc.limits.survey import Limit, limits_json, limits_text, survey
     from nscc.options import Options
 

@@ -179,7 +179,8 @@ def emulator(program: Path | None, **options: Any) -> int:
 
 
 def _refuse(container: Container) -> None:
-    """Raise NS0750 for a program without plans, and NS0828 for pixels that look."""
+    """Raise Rejected if `container` has no plans (NS0750), or if its pixels look at their light
+    (NS0828)."""
     from nscc_runtime.planless import refuse_planless
 
     refuse_planless(container, "nscc tradeoff emulator")
@@ -214,7 +215,8 @@ def _container(
 def _scenes(
     container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
 ) -> list[NamedLight]:
-    """Return the light of each scene, with the shortest unique name."""
+    """Return the light of each scene in `options`, with its shortest unique name. Prints `messages`
+    and those of the scenes."""
     from nscc_runtime.scenes import scene_light
     from nscc_training.tradeoff.emulator import SCENES, NamedLight
 
@@ -238,7 +240,8 @@ def _scenes(
 def _numbers(
     quantity: str, least: int, most: int, none: bool = True
 ) -> Callable[..., tuple[int, ...]]:
-    """Return a callback for distinct numbers, separated by commas; with `none` also that word."""
+    """Return a callback that parses distinct numbers from `least` to `most`, separated by commas;
+    with `none` also that word. `quantity` names them in messages."""
 
     def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
         """Return the integers in the option's text, sorted; raise BadParameter outside `least`

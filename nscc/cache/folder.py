@@ -46,7 +46,8 @@ def forget_refusal() -> None:
 
 
 def is_own(path: Path) -> bool:
-    """Return whether a file or folder belongs to this user, and nobody else may write to it."""
+    """Return whether the file or folder `path` belongs to this user, and nobody else may write to
+    it. False if it does not exist."""
     try:
         return not foreign(os.stat(path))
     except OSError:
@@ -54,7 +55,7 @@ def is_own(path: Path) -> bool:
 
 
 def foreign(status: os.stat_result) -> str:
-    """Return why a file or folder is not safe; an empty text if it is."""
+    """Return why a file or folder with this `status` is not safe; an empty text if it is."""
     if status.st_uid != os.geteuid():
         return "belongs to another user"
     others = stat.S_IWGRP | stat.S_IWOTH

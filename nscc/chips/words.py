@@ -82,7 +82,7 @@ class OwnWords(Kind):
 
 
 def words_toml(rows: Iterable[Operation]) -> list[str]:
-    """Return the lines of a target file that define these words."""
+    """Return the lines of a target file that define the words `rows`."""
     lines = []
     for row in rows:
         lines += ["", "[[words]]", *(f"{key} = {written(v)}" for key, v in _plain(row).items())]

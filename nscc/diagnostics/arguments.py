@@ -40,7 +40,8 @@ def require_type(call: str, name: str, value: object, kind: type, made_by: str) 
 
 
 def as_array(call: str, name: str, value: object, dtype: type | None = None) -> NDArray[Any]:
-    """Return an argument as an array of `dtype`; raise WrongArgument if numpy cannot convert it."""
+    """Return `value`, the argument `name` of the function `call`, as an array of `dtype`. Raises
+    WrongArgument if numpy cannot convert it."""
     try:
         return np.asarray(value, dtype)
     except (RuntimeError, TypeError, ValueError) as error:

@@ -33,7 +33,8 @@ def names() -> dict[str, str]:
 
 
 def render(diagnostics: Sequence[Diagnostic], form: Format, color: bool = False) -> str:
-    """Return diagnostics as text that ends in a line break; `json` has one object per line."""
+    """Return diagnostics in the format `form` as text that ends in a line break; `json` has one
+    object per line. `color` applies to the long format."""
     if form == "json":
         return "".join(_json(d) for d in diagnostics)
     if form == "short":
@@ -151,7 +152,8 @@ def _labelled(
 
 
 def _helps(diagnostic: Diagnostic) -> list[str]:
-    """Return the help lines: helps, fixes that no help quotes, and numbered ways out."""
+    """Return the help lines of `diagnostic`: helps, fixes that no help quotes, and numbered ways
+    out."""
     helps_text = "".join(diagnostic.helps)
     fixes = [fix.title for fix in diagnostic.fixes if f"`{fix.replacement}`" not in helps_text]
     helps = [*diagnostic.helps, *fixes]
@@ -185,7 +187,8 @@ def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, st
 
 
 def _visible(text: str) -> str:
-    """Replace tabs by blanks and unprintable characters by `?`, so that columns can be counted."""
+    """Return `text` with tabs replaced by blanks and unprintable characters by `?`, so that columns
+    can be counted."""
     if text.isascii() and text.isprintable():
         return text
     with suppress(UnicodeError):

@@ -151,7 +151,8 @@ class OutlineEntry(Record):
 
 
 def outline(document: Document) -> list[OutlineEntry]:
-    """Return the named statements, the frame and the rule, in the order of the text."""
+    """Return the named statements of `document`, its frame and its rule, in the order of the
+    text."""
     entries = []
     for statement in document.parsed[0].statements:
         if not isinstance(statement, _IN_OUTLINE):

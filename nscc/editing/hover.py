@@ -288,7 +288,8 @@ def hints(document: Document) -> Iterator[Hint]:
 
 
 def frame_cost(document: Document) -> str | None:
-    """Return the cost of a frame in sentences, with the distribution of words over slots."""
+    """Return the cost of a frame of `document` in sentences, with the distribution of words over
+    slots; None if the program does not compile."""
     compiled = _compiled(document)
     if compiled is None:
         return None

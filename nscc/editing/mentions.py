@@ -86,7 +86,8 @@ class Mention(Record):
 
 
 def mentions(document: Document) -> list[Mention]:
-    """Return all names in a text in order, except names of targets and of arrays in files."""
+    """Return all names in the text of `document` in order, except names of targets and of arrays in
+    files."""
     tokens, kinds = document.tokens, document.tokens.kinds
     listed = []
     for index, kind in enumerate(kinds):

@@ -46,7 +46,8 @@ def program_text(program: Program) -> str:
 
 
 def _frame_text(frame: SlotGrid) -> str:
-    """Return the number and the lengths (us) of the slots; at most 16 lengths are listed."""
+    """Return the number and the lengths (us) of the slots of `frame`; at most 16 lengths are
+    listed."""
     total = f"{sum(frame.slot_us):g} us in all"
     slots = counted(len(frame.slot_us), "slot")
     if frame.equal:
@@ -100,7 +101,8 @@ def print_tree(file: File, source: Source) -> str:
 
 
 def _print(node: Node, source: Source, indent: str, lines: list[str]) -> None:
-    """Append the lines of a syntax tree to `lines`; fields that are nodes follow, indented."""
+    """Append the syntax tree `node` to `lines`: its type, place in `source` and plain fields after
+    `indent`. Fields that are nodes follow, indented further."""
     row, column = source.row_column(node.span.start)
     plain: list[str] = []
     inner: list[Node] = []
@@ -136,7 +138,8 @@ def plan_text(plan: ExposurePlan) -> str:
 
 
 def gates_text(decoding: Decoding, program: Program) -> str:
-    """Return the gates of every demand on virtual registers, and the chip registers of each."""
+    """Return the gates of every demand of `decoding` on virtual registers, and the chip register in
+    which each virtual one lies."""
     solution = decoding.solution
     places = allocate(solution, program.target, program.spared_registers).places
     lines = [f"encoding: {solution.encoding}"]
@@ -160,7 +163,8 @@ def segment_lines(lines: list[str], title: str, segments: Sequence[Sequence[obje
 
 
 def schedule_text(lowered: Lowered) -> str:
-    """Return kernels with their words, and the boundaries that launch them, as text."""
+    """Return the kernels of `lowered` with their words, and the boundaries that launch them, as
+    text."""
     schedule = lowered.schedule
     lines = [
         f"{schedule.words_stored} words stored in {len(schedule.kernels)} kernels, "
@@ -176,7 +180,8 @@ def schedule_text(lowered: Lowered) -> str:
 
 
 def choice_text(choice: Choice) -> str:
-    """Return all lowerings with their costs, best first, and the kernels of the best one."""
+    """Return all lowerings of `choice` with their costs, best first, the reasons of those without,
+    and the kernels of the best one."""
     lines = []
     for lowered in choice.lowerings:
         least, most = lowered.plan.analog_writes
@@ -205,7 +210,8 @@ def plans_text(planned: Planned) -> str:
 
 
 def all_gates_text(gated: Gated) -> str:
-    """Return the gates of every lowering, and the reason for each lowering that has none."""
+    """Return the gates of every lowering in `gated`, and the reason for each lowering that has
+    none."""
     texts = [
         f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program)}"
         for decoding in gated.decodings

@@ -42,7 +42,7 @@ from nscc.operations import Op
 
 
 def network_of(lowered: Lowered) -> nx.DiGraph:
-    """Return the gate network of a program whose shutters depend on the code only."""
+    """Return the gate network of the program `lowered`, whose shutters depend on the code only."""
     solution = lowered.solution
     maker = NetworkMaker(lowered, solution.encoding)
     maker.planes(solution.planes, solution.holders)

@@ -90,7 +90,8 @@ def container_chart(container: Container) -> html.Html:
 
 
 def program_card(name: str, container: Container, compiled: Compiled | None) -> str:
-    """Return a program's shutters, summary and messages; `compiled` is None for a loaded one."""
+    """Return a card of the program `name`: its shutters, summary and messages. `compiled` is None
+    for a program that was loaded."""
     if compiled is not None:
         rows: list[tuple[str, str]] = summary_rows(compiled)
     else:

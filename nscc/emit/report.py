@@ -34,7 +34,8 @@ def subject(program: Program) -> dict[str, Any]:
 
 
 def report(choice: Choice, proof: Proof) -> dict[str, Any]:
-    """Return the build report as JSON values, as `--emit report` writes them."""
+    """Return the build report of the best lowering of `choice` as JSON values, as `--emit report`
+    writes them, with the result of its `proof`."""
     lowered = choice.best
     program, schedule = lowered.program, lowered.schedule
     slots = len(program.frame.slot_us)
@@ -109,7 +110,8 @@ def _priced(lowered: Lowered) -> dict[str, Any]:
 
 
 def _logic(lowered: Lowered) -> dict[str, Any]:
-    """Return the numbers of digital words per frame that decode codes, without refresh."""
+    """Return the numbers of digital words per frame with which `lowered` decodes codes, without
+    refresh, as JSON values."""
     schedule, program = lowered.schedule, lowered.program
     per_kernel = [_digital(kernel) for kernel in schedule.kernels]
     slots = len(program.frame.slot_us)

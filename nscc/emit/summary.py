@@ -13,7 +13,7 @@ from nscc.program.program import Program
 
 
 def summary(name: str, compiled: Compiled) -> str:
-    """Return the text that `nscc check` prints for a valid program."""
+    """Return the text that `nscc check` prints for the valid program `name`."""
     fits = compiled.container is not None
     verdict = (
         f"fits {compiled.program.target.name}" if fits else "passes, unless its words do not fit"
@@ -23,7 +23,7 @@ def summary(name: str, compiled: Compiled) -> str:
 
 
 def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
-    """Return class, codes and costs of a program as rows (label, text)."""
+    """Return class, codes and costs of the program `compiled` as rows (label, text)."""
     program = compiled.program
     table = program.table
     return [
@@ -38,7 +38,8 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
 
 
 def word_rows(compiled: Compiled) -> list[tuple[str, str]]:
-    """Return the rows about the words of a program; empty if it is unknown whether it fits."""
+    """Return the rows (label, text) about the words of `compiled`; empty if it is unknown whether
+    it fits."""
     program, lowered, proof = compiled.program, compiled.lowered, compiled.proof
     if lowered is None or proof is None:
         return []
@@ -66,7 +67,7 @@ def word_rows(compiled: Compiled) -> list[tuple[str, str]]:
 
 
 def _codes_text(program: Program) -> str:
-    """Return how many codes are compiled, and how many others are legal or in use."""
+    """Return how many codes of `program` are compiled, and how many others are legal or in use."""
     count, legal = len(program.table.codes), program.legal_codes
     if program.mode == "fixed":
         excludes_legal_codes = legal is not None and legal > count
@@ -78,7 +79,8 @@ def _codes_text(program: Program) -> str:
 
 
 def word_cost_text(compiled: Compiled) -> str:
-    """Return words a frame, words stored and the shortest possible slot, in two lines."""
+    """Return words a frame, words stored and the shortest possible slot of `compiled`, in two
+    lines."""
     lowered = compiled.lowered
     assert lowered is not None
     target, (stored, executed) = lowered.program.target, _words(compiled)
@@ -104,7 +106,8 @@ def _words(compiled: Compiled) -> tuple[int, int]:
 
 
 def word_frame_text(lowered: Lowered) -> str:
-    """Return the cost of a frame in sentences, with the distribution of words over slots."""
+    """Return the cost of a frame of `lowered` in sentences, with the distribution of words over
+    slots. The last sentence is continued by the caller."""
     schedule, slots = lowered.schedule, lowered.plan.slots
     most = max(lowered.words_per_boundary)
     boundary = lowered.words_per_boundary.index(most)

@@ -164,7 +164,8 @@ _HEAD = (
 
 
 def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
-    """Return a table of sizes for each slot length, followed by the reasons."""
+    """Return the `limits` of `target` as a table of sizes for each slot length, followed by the
+    reasons."""
     blocks = [
         f"{target.name} at -O{level}, every legal code compiled; built: compiled and proved; "
         f"the store has {target.store_words} words"
@@ -213,7 +214,8 @@ def _reasons(limit: Limit) -> list[str]:
 
 
 def _trials_text(limit: Limit) -> str:
-    """Return the largest size that fits, and the smaller sizes that did not fit, as text."""
+    """Return the largest size of `limit` that fits, and the smaller sizes that did not fit, as
+    text."""
     if limit.built is None:
         return "no tried size fits"
     count = sum(trial.size <= limit.built.size for trial in limit.trials)
@@ -224,7 +226,8 @@ def _trials_text(limit: Limit) -> str:
 
 
 def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, Any]:
-    """Return the survey as JSON values: sizes, reasons and all trials."""
+    """Return the survey of `target` as JSON values: the sizes of `limits`, their reasons and all
+    trials."""
     return {
         "target": target.name,
         "level": level,

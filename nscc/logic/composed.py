@@ -267,7 +267,10 @@ class _Writer:
         return [self._joined("NOR", [register]) if positive else register]
 
     def _joined(self, name: str, sources: Sequence[str]) -> str:
-        """Add the gate that joins registers, into free scratch or in place of a scratch source."""
+        """Add the gate `name` (OR or NOR) of the registers `sources`, and return its register: free
+        scratch, or a scratch source in place.
+
+        Scratch registers among the sources become free. Raises GaveUp if no register is left."""
         spent = [source for source in dict.fromkeys(sources) if source[0] == "t"]
         target = self.free.pop(0) if self.free else next(iter(spent), None)
         if target is None:
@@ -337,7 +340,7 @@ class _Writer:
 
 
 def _state_and_cover(parts: Sequence[_Planned]) -> tuple[_Counted, _Covered] | None:
-    """Return the counted and the covered part; None if there is not one of each."""
+    """Return the counted and the covered one of `parts`; None if there is not one of each."""
     for first, second in permutations(parts):
         if isinstance(first, _Counted) and isinstance(second, _Covered):
             return first, second
@@ -348,7 +351,8 @@ _Planned = _Counted | _Covered | tuple[Operator, "_Planned", "_Planned"]
 
 
 def _leaves(planned: _Planned) -> Iterator[_Counted | _Covered]:
-    """Yield the parts of a composed rule from left to right: counted ones and covered ones."""
+    """Yield the parts of the composed rule `planned` from left to right: counted ones and covered
+    ones."""
     if isinstance(planned, tuple):
         yield from _leaves(planned[1])
         yield from _leaves(planned[2])

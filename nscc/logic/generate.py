@@ -202,7 +202,7 @@ def solutions(
     fewest = inf
 
     def counted(candidates: Iterable[Solution]) -> Iterator[Solution]:
-        """Yield the solutions, and record the words of the best one."""
+        """Yield the solutions `candidates`, and record in `fewest` the words of the best one."""
         nonlocal fewest
         for solution in candidates:
             fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
@@ -250,7 +250,8 @@ def _checked_solutions(
 
 
 def solution_fault(problem: Problem, machine: Machine, solution: object) -> str | None:
-    """Return why a solution that nscc did not make is invalid; None if it is valid."""
+    """Return why a `solution` of another package is invalid for `problem` and `machine`; None if it
+    is valid."""
     if not isinstance(solution, Solution):
         return f"it is not a Solution, but {type(solution).__name__}"
     hash(solution)  # raises an exception if a part is not hashable: solutions are used as keys

@@ -47,7 +47,8 @@ Rule = RulePart | Composition
 
 
 def composition(problem: Problem) -> Composition | None:
-    """Return the parts of a rule; None for events, and for a rule that is not composed."""
+    """Return the parts of the rule of `problem`; None for events, and for a rule that is not
+    composed."""
     levels_only = all(demand.edge == "open" for demand in problem.demands)
     if not (levels_only and problem.demands and 2 <= len(problem.values) <= _MOST_FIELDS):
         return None

@@ -285,7 +285,8 @@ class _Walker:
         return min(names, key=missed, default=None)
 
     def _gate(self, kind: str, destination: str, sources: Sequence[str]) -> None:
-        """Append an OR or NOR gate and compute the new content of its destination."""
+        """Append a gate of this `kind` (OR or NOR) from `sources` to `destination`, and compute the
+        new content of `destination`."""
         inverted = kind == "NOR"
         (self.gates.nor if inverted else self.gates.or_)(destination, sources)
         self.values[destination] = self._or(sources, inverted)

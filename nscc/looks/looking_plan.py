@@ -135,7 +135,8 @@ def plan_looks(
 
 
 def _moments(machine: StateMachine) -> Iterator[Moment]:
-    """Yield every boundary with comparisons, opening or closing shutters, or resets."""
+    """Yield every boundary of `machine` with comparisons, opening or closing shutters, or
+    resets."""
     # Whether a shutter was open and PIX was not reset, from the frame's start to the stage's, on
     # every path to the node.
     always_open = np.ones((len(machine.behaviour), machine.opens.shape[1]), np.bool_)

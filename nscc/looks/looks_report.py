@@ -28,7 +28,8 @@ def moments_text(plan: LookingPlan) -> str:
 
 
 def looking_gates_text(lowered: LookingLowered) -> str:
-    """Return the words of every boundary on virtual registers, and the chip registers of each."""
+    """Return the words of every boundary of `lowered` on virtual registers, and the chip register
+    in which each virtual one lies."""
     solution, places = lowered.looking, lowered.schedule.allocation.places
     lines = [f"encoding: {solution.encoding.name}"]
     lines += [f"  p{i} in {places[f'p{i}']}: {text}" for i, text in enumerate(solution.holders)]
@@ -44,7 +45,7 @@ def all_gates_text(layouts: Sequence[LookingLowered]) -> str:
 
 
 def looks_report(program: Program) -> dict[str, Any]:
-    """Return the comparisons and states as JSON values, for `--emit report`."""
+    """Return the comparisons and states of `program` as JSON values, for `--emit report`."""
     machine, target = program.machine, program.target
     return {
         "boundaries": list(machine.looks),

@@ -157,7 +157,7 @@ def _schedule(
 
 
 def _setup(plan: LookingPlan) -> Words:
-    """Return words that clear the buckets, reset PIX and store its reset level."""
+    """Return the words that clear the buckets of `plan`, reset PIX and store its reset level."""
     scratch = plan.scratch
     clear = (op("bus", (a,), (scratch,)) for a in plan.bucket_registers)
     level: Words = (op("bus", (scratch,), ("PIX",)), op("bus", (plan.reference,), (scratch,)))
@@ -242,7 +242,7 @@ def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
 
 
 def _analog_writes(plan: LookingPlan) -> tuple[int, int]:
-    """Return the fewest and the most bus words that a pixel executes after the setup."""
+    """Return the fewest and the most bus words that a pixel of `plan` executes after the setup."""
     machine = plan.machine
     least = np.full(len(machine.behaviour), np.iinfo(np.int64).max)
     most = np.zeros(len(machine.behaviour), np.int64)

@@ -140,7 +140,8 @@ def plan_fault(
 
 
 def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: int) -> Diagnostic:
-    """Return the error (NS0502) that no gates were found for any plan, which is not proved."""
+    """Return the error (NS0502) that the search at this `level` found no gates for any plan, which
+    is not proved. `misfits` has the reason of each."""
     available = len(program.target.digital_registers)
     return Diagnostic(
         "NS0502",
@@ -161,7 +162,7 @@ def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: 
 
 
 def _reasons(misfits: Mapping[Lowering, Misfit]) -> list[str]:
-    """Return why each lowering does not fit, with the lowering's name in front."""
+    """Return why each lowering in `misfits` does not fit, with the lowering's name in front."""
     return [
         misfit.reason if misfit.reason.startswith(name) else f"{name}: {misfit.reason}"
         for name, misfit in misfits.items()
@@ -199,7 +200,8 @@ def only_search_can_tell(diagnostic: Diagnostic) -> bool:
 
 
 def as_note(diagnostic: Diagnostic) -> Diagnostic:
-    """Return the note that `nscc check` shows for an unproved error."""
+    """Return the note (NS0503) that `nscc check` shows instead of the unproved error
+    `diagnostic`."""
     message = f"only `nscc build` can decide whether this fits: {diagnostic.message}"
     return replace(
         diagnostic, code="NS0503", message=message, severity=Severity.NOTE, related=(), helps=()
@@ -207,7 +209,8 @@ def as_note(diagnostic: Diagnostic) -> Diagnostic:
 
 
 def _store(lowered: Lowered, level: int) -> Diagnostic:
-    """Return the error (NS0501) that the program needs more words than the controller stores."""
+    """Return the error (NS0501) that `lowered`, compiled at this `level`, needs more words than the
+    controller stores."""
     program, target = lowered.program, lowered.program.target
     stored = lowered.schedule.words_stored
     store = f"all kernels together: {target.store_words} words"
@@ -232,7 +235,8 @@ def _store(lowered: Lowered, level: int) -> Diagnostic:
 
 
 def _fewer_codes(program: Program) -> str:
-    """Return the help to compile only the used codes, or if done already, to use fewer codes."""
+    """Return the help to compile only the used codes of `program`, or if done already, to use fewer
+    codes."""
     if program.mode == "fixed":
         return "use fewer different codes, or shutters with fewer edges"
     if program.pixel_codes is None:
@@ -246,7 +250,8 @@ def _field_span(program: Program) -> Span:
 
 
 def looking_fault(program: Program, reasons: list[str], *, level: int) -> Diagnostic:
-    """Return the error (NS0502) that no encoding of codes and states fits, which is not proved."""
+    """Return the error (NS0502) that the search at this `level` found no encoding of codes and
+    states, for these `reasons`, which is not proved."""
     available = len(program.target.digital_registers)
     states = ", ".join(state.name for state in program.machine.states)
     return Diagnostic(

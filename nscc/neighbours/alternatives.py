@@ -65,7 +65,8 @@ def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
 
 
 def _divisors(node: p.Node, kernels: Mapping[str, p.Weights]) -> Iterator[tuple[str, int]]:
-    """Yield each value that an expression reads with the divisor of the kernel that reads it."""
+    """Yield each value that the expression `node` reads, with the divisor of the kernel that reads
+    it (1 without a kernel)."""
     if isinstance(node, p.Source):
         yield node.name, 1
     elif isinstance(node, p.Filtered | p.Sum):
@@ -81,7 +82,8 @@ def _divisors(node: p.Node, kernels: Mapping[str, p.Weights]) -> Iterator[tuple[
 
 
 def _is_kernel_of_exposure(item: p.Picture, pictures: p.Pictures) -> bool:
-    """Return whether an image only applies a convolution kernel of several taps to an exposure."""
+    """Return whether the image `item` only applies a convolution kernel of several taps to an
+    exposure."""
     if isinstance(item.node, p.Condition):
         return False
     taps, inner = merged(item.node, pictures.weights_by_name)

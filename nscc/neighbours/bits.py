@@ -129,7 +129,8 @@ class BitWords:
         return self._emit_word("MOV", [register], [(register, owner)])
 
     def hand_over(self, name: str) -> bool:
-        """Return whether nothing else reads a plane; its register then belongs to the caller."""
+        """Return whether nothing else reads the plane `name`. If so, it is forgotten here, and its
+        register belongs to the caller."""
         if self.uses[name] != 1:
             return False
         self.uses[name] = 0
@@ -223,7 +224,8 @@ class BitWords:
                 return self._near_bit(node), None
 
     def _emit_word(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
-        """Emit a word into a free register, free the bits `used`, and return the register."""
+        """Emit the word `name` from `sources` into a free register, free the bits `used`, and
+        return the register. Without a free register, a pair of words replaces a used bit."""
         in_place = self._in_place(name, used)
         if in_place is not None:
             for word in pair("OR" if name == "OR" else "NOR", in_place[0], sources):
@@ -236,7 +238,8 @@ class BitWords:
         return target
 
     def _in_place(self, name: str, used: Sequence[Kept]) -> Kept | None:
-        """Return the bit that a pair of words may replace by its result if no register is free."""
+        """Return which of the bits `used` a pair of words may replace by the result of the word
+        `name`; None if a register is free or no bit may be replaced."""
         is_of_version_4 = self.lowering.pictures.is_of_version_4
         if self.free or not is_of_version_4 or name not in ("OR", "NOR", "NOT"):
             return None
@@ -297,7 +300,7 @@ class BitWords:
         lowering.word(op("where", [], sources), (param, level) if param else level or None)
 
     def _above(self, node: p.Comparison) -> str:
-        """Emit a comparison, and return the register of its bit."""
+        """Emit the comparison `node`, and return the register of its bit."""
         lowering = self.lowering
         value = lowering.value(node.value)
         self.compare(node, value)
@@ -343,7 +346,7 @@ class BitWords:
         return self._emit_word("DNEWS1" if outside else "DNEWS0", [register], [])
 
     def steer(self, directions: frozenset[str]) -> None:
-        """Set R1 to R4 in every pixel, which choose the neighbours that DNEWS reads."""
+        """Set R1 to R4 in every pixel, so that DNEWS reads the neighbours in these `directions`."""
         if len(directions) < len(STEERING) or not self.lowering.pictures.is_of_version_4:
             self.lowering.word(op("CLR", list(STEERING)))
         self.lowering.word(op("SET", sorted(directions)))
@@ -447,7 +450,8 @@ class BitWords:
 
 
 def _planes_of_or(node: p.Condition) -> list[p.Condition]:
-    """Return the planes of an `or` that combines planes only; empty for another condition."""
+    """Return the planes of `node`, an `or` that combines planes only; empty for another
+    condition."""
     if isinstance(node, p.Bit):
         return [node]
     if not isinstance(node, p.Joined) or node.op != "or":

@@ -66,7 +66,8 @@ class Emitter(ABC):
     """Words under construction; `now` is the image or plane that they compute."""
 
     def __init__(self, pictures: p.Pictures) -> None:
-        """Begin with a word that sets FLAG in all pixels, so that words act everywhere."""
+        """Begin to emit words for `pictures` with a word that sets FLAG in all pixels, so that
+        words act everywhere."""
         self.pictures = pictures
         self.weights = pictures.weights_by_name
         self.words: list[Leveled] = [(op("all"), None)]

@@ -28,7 +28,8 @@ def without_second_names(pictures: p.Pictures) -> p.Pictures:
 
 
 def with_moves_where_read(pictures: p.Pictures) -> p.Pictures:
-    """Return the same images and planes, in which each reader of a moved image moves it itself."""
+    """Return `pictures` with the same values, in which each reader of a moved image moves it
+    itself."""
 
     def moves(node: p.Node) -> bool:
         """Return whether a node is one pixel of an image with the weight 1, which a reader can

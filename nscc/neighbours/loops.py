@@ -58,7 +58,8 @@ def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
 def _emit_flood(
     lowering: RegisterEmitter, name: str, node: p.RepeatedPlane, step: p.Propagated
 ) -> None:
-    """Emit a flood by propagations, which change the masked register where its mask is 1."""
+    """Emit the flood `node` as the plane `name`, by propagations that change the masked register
+    where the mask of `step` is 1. Raises PictureRefused on chips without them."""
     bits, mask, register = lowering.bits, lowering.target.mask_register, lowering.propagating
     if mask is None or register is None:
         raise PictureRefused("planes", name, 2, 0)
@@ -83,7 +84,8 @@ def _emit_flood(
 
 
 def _start(lowering: RegisterEmitter, name: str, node: p.Node) -> None:
-    """Emit the initial value of a repeated image or plane into a register of its own."""
+    """Emit the initial value `node` of the repeated image or plane `name` into a register of its
+    own."""
     bits = lowering.bits
     if isinstance(node, p.Condition):
         register, owner = bits.bit(node)
@@ -131,7 +133,8 @@ def _emit_steps(lowering: RegisterEmitter, steps: Mapping[str, p.Node], times: p
 
 
 def _emit_step(lowering: RegisterEmitter, steps: Mapping[str, p.Node]) -> dict[str, Held]:
-    """Emit one step of all names at once, and return the new values of images."""
+    """Emit one step of all names in `steps` at once, each with its new value, and return the
+    registers of the new images."""
     bits, begin = lowering.bits, len(lowering.words)
     lowering.loop_registers = {name: bits.planes[name] for name in steps if name in bits.planes}
     locked, locked_planes = [*lowering.held], [*bits.planes]

@@ -125,7 +125,7 @@ class Lowering(RegisterEmitter):
             words = 0
 
     def value(self, node: p.Value) -> Held:
-        """Emit the words that compute an image, and return the register that holds it."""
+        """Emit the words that compute the image `node`, and return the register that holds it."""
         match node:
             case p.Source():
                 return self.held[node.name]
@@ -239,7 +239,8 @@ class Lowering(RegisterEmitter):
         return self._term_by_term(node)
 
     def _term_by_term(self, node: p.Sum) -> Held:
-        """Emit a sum whose terms are computed one after the other, and return its register."""
+        """Emit the sum `node`, whose terms are computed one after the other, and return its
+        register."""
         if not node.terms:
             return self._nothing()
         common = abs(node.terms[0][0])
@@ -253,7 +254,8 @@ class Lowering(RegisterEmitter):
         return self.added(signed_terms)
 
     def _with_level(self, node: p.Sum) -> Held:
-        """Emit a sum with levels. The word that adds the other terms also reads one of them."""
+        """Emit the sum `node`, which contains levels, and return its register. The word that adds
+        the other terms also reads at most two of them."""
         uniform = [(f, term) for f, term in node.terms if isinstance(term, p.Uniform)]
         other = tuple(term for term in node.terms if not isinstance(term[1], p.Uniform))
         terms = [(1, self.value(p.Sum(other)))] if other else []
@@ -271,7 +273,8 @@ class Lowering(RegisterEmitter):
         return self.filtered(whole, {(0, 0): Fraction(1, factor.denominator)})
 
     def _steps_range(self, factor: int, param: str) -> tuple[float, float]:
-        """Return the range in electrons of a multiple of IN; raise `PictureRefused` beyond IN."""
+        """Return the range in electrons of `factor` steps of IN, or of `factor` times the parameter
+        `param`. Raises PictureRefused beyond the range of IN."""
         ends = [factor]
         if param:
             of_param = next(each for each in self.pictures.params if each.name == param)
@@ -465,7 +468,7 @@ class Lowering(RegisterEmitter):
         return Held(register, sign, low, high, variance=variance)
 
     def _value_or_level(self, node: p.Value) -> Held:
-        """Return the register of a value, or IN with its level if the value is one."""
+        """Return the register of the value `node`, or IN with its level if the value is a level."""
         terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
         if not terms:
             return Held("IN", 1, 0.0, 0.0, level=0)

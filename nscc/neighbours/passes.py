@@ -143,7 +143,8 @@ def _shortest(
 def _first_or_best(
     container: Container, ways: Iterable[tuple[Synthesis, Pictures]], *, first: bool
 ) -> tuple[Lowering | None, PictureRefused | None]:
-    """Return the first, or the shortest, lowering that fits, and why the first way does not."""
+    """Return the shortest lowering of `ways` that fits, or with `first` the first one, and why the
+    first way that does not fit is refused."""
     best: Lowering | None = None
     refused: PictureRefused | None = None
     for synthesis, way in ways:
@@ -160,7 +161,7 @@ def _first_or_best(
 
 
 def _with_fewer_registers(pictures: Pictures) -> list[Pictures]:
-    """Return the same images and planes in ways that need fewer registers."""
+    """Return the images and planes of `pictures` in ways that need fewer registers."""
     ways = [] if pictures.repeated else [by_last_use(pictures)]
     if pictures.is_of_version_4:
         moved = with_moves_where_read(pictures)

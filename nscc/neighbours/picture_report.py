@@ -31,7 +31,8 @@ def pictures_us(pictures: Pictures, target: Target) -> float:
 
 
 def picture_report(container: Container) -> dict[str, Any]:
-    """Return the part of `--emit report` about images and planes."""
+    """Return the part of `--emit report` about the images and planes of `container`, as JSON
+    values."""
     pictures = container.pictures
     costs = {cost.name: cost for cost in pictures.costs}
     reach, counts = reaches(pictures), counts_by_name(pictures)
@@ -68,7 +69,7 @@ def with_pictures(report: dict[str, Any], container: Container) -> dict[str, Any
 
 
 def picture_rows(container: Container) -> list[tuple[str, str]]:
-    """Return the rows (label, text) of a summary about images and planes."""
+    """Return the rows (label, text) of a summary about the images and planes of `container`."""
     pictures, target = container.pictures, container.target
     reach = reaches(pictures)
     kinds = {item.name: "plane" if item.is_plane else "image" for item in pictures.items}

@@ -236,7 +236,8 @@ class PictureReplay:
             self.set_unknown(LoopValue(name, pictures.registers.get(name, ""), sign))
 
     def set_unknown(self, value: LoopValue) -> None:
-        """Set a register to the unknown values of a name, which is kept or repeated."""
+        """Set the register of `value` to the unknown values of its name, which is kept or
+        repeated."""
         forms, register = self.forms, value.register
         if register in self.analog:
             sign = Fraction(value.sign)
@@ -370,7 +371,7 @@ class PictureReplay:
             self.analog[name] = Masked(flag, values, self.analog[name]) if masked else values
 
     def _or_sources(self, op: Op) -> Bits:
-        """Return the OR of a word's digital sources."""
+        """Return the OR of the digital sources of `op` at every place."""
         diagrams = self.forms.diagrams
         bits = dict.fromkeys(self.forms.places(), diagrams.zero)
         for name in op.sources:
@@ -393,7 +394,8 @@ class PictureReplay:
         return bits
 
     def _propagate(self, name: str) -> None:
-        """Propagate the bits of a register in the pixels in which the mask register is 1."""
+        """Propagate the bits of the register `name` in the pixels in which the mask register is 1.
+        Raises PictureReplayError unless all four directions are set."""
         true_bit, bits = self.forms.diagrams.one, self.digital[name]
         if any(self.digital[each][at] != true_bit for each in STEERING for at in bits):
             raise PictureReplayError("a propagation does not have all four directions")

@@ -376,7 +376,8 @@ def _best(candidates: list[Ranged], least_peak: int) -> list[Ranged]:
 
 
 def reads_news_once(program: Program) -> bool:
-    """Return whether NEWS is always written again between a neighbour's read and the next read."""
+    """Return whether `program` always writes NEWS again between a neighbour's read and the next
+    read."""
     is_read = False
     for word in program:
         reads = NEIGHBOURS.keys() & word.sources

@@ -141,7 +141,8 @@ def _judge_resets(
 
 
 def shutters_in_the_dark(machine: StateMachine) -> NDArray[np.bool_]:
-    """Return the shutters (behaviours, buckets, N) of pixels whose signals never exceed a level."""
+    """Return the shutters (behaviours, buckets, N) of pixels of `machine` whose signals never
+    exceed a level."""
     nodes = machine.start_nodes()
     shutters = machine.opens[nodes].copy()
     for stage in range(1, machine.stages):
@@ -193,7 +194,8 @@ def most_looks(declared: Declarations, looking: Looking) -> Excess:
 
 
 def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
-    """Return ways to reduce the number of answers of a program whose state machine is too large."""
+    """Return ways to reduce the number of answers of a program whose state machine is too large.
+    `most_senses`: the most senses at one boundary; `states`: the number of its states."""
     helps = []
     if most_senses > 1:
         helps.append("use fewer senses at one boundary: each sense doubles the number of answers")

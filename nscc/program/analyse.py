@@ -102,7 +102,8 @@ def _make_frame(
 
 
 def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int, int]]:
-    """Return the ranges of the fields that a text declares; invalid fields are left out."""
+    """Return the ranges of the fields that the text `source` declares; invalid fields are left out.
+    `base`: the folder of its files."""
     problems = Problems(source)
     declared = gather(parse(source)[0], problems)
     constants = resolve_constants(declared, target, problems)
@@ -113,7 +114,8 @@ def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int
 
 
 def target_of(declared: Declarations, base: Path, problems: Problems) -> Target | None:
-    """Return the chip that a file names; None after reporting why it cannot be loaded."""
+    """Return the chip that `declared` names, or the default one; None after reporting to `problems`
+    why it cannot be loaded."""
     from nscc.chips.load import DEFAULT_NAME, load_target
 
     match declared.target:

@@ -53,7 +53,8 @@ class ArraysFile:
         return sha256(self._data).hexdigest()
 
     def require_sha256(self, stated_sha256: str) -> None:
-        """Raise Rejected (NS0315) if the digest differs from the one that the program states."""
+        """Raise Rejected (NS0315) if `stated_sha256` is not a digest, or if the file's digest
+        differs from it."""
         if len(stated_sha256) != 64 or not all(
             c in "0123456789abcdefABCDEF" for c in stated_sha256
         ):

@@ -84,7 +84,8 @@ def _recognise_rule(
 
 
 def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
-    """Return whether the rule is `bits[I]` with a different bit in every slot."""
+    """Return whether `rule` is `bits[I]`, with `node` as this index, and reads a different bit in
+    every slot."""
     if isinstance(node.index, Name) and node.index.text == "n":
         return True
     fields = {field.name for field in rules.fields}

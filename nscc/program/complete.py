@@ -310,7 +310,7 @@ class Completion:
         return Rejected(self.problems.sorted())
 
     def _fewer_codes(self, mode: Codes) -> list[str]:
-        """Return helps on compiling fewer codes, if that is possible."""
+        """Return helps on compiling fewer codes, if `mode` and the program allow it."""
         if mode != "open" or not self.rules.fields:
             return []
         if self.declared.has_pixels:

@@ -188,7 +188,7 @@ class _Resolver:
         return self.known
 
     def _slots(self, count: int, place: Span) -> None:
-        """Set N; report an error (NS0308) for an invalid number of slots."""
+        """Set N to `count`; report an error (NS0308) at `place` for an invalid number of slots."""
         if 1 <= count <= MOST_SLOTS:
             self._learn("N", Meaning("constant", count))
             return

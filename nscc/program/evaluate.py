@@ -318,7 +318,8 @@ def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tupl
 
 
 def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Value:
-    """Return one bit of a field; long fields are stored in chunks of `CHUNK_BITS` bits."""
+    """Return the bit number `index` of `field`; long fields are stored in `bindings` in chunks of
+    `CHUNK_BITS` bits."""
     bits = bindings[bit_count(node.base.text)].data
     position, faults = _position(node, index, bits, f"{bits} bits")
     if bits <= CHUNK_BITS:
@@ -347,7 +348,8 @@ def bit_count(field: str) -> str:
 
 
 def _digit(node: tree.Index, index: Value, book: NDArray[np.bool_], slot: Value) -> Value:
-    """Return the digit of a codebook row in a slot, bool, broadcast over rows and slots."""
+    """Return the digit of row `index` of the codebook `book` (rows, N) in `slot`, bool, broadcast
+    over rows and slots."""
     row, faults = _position(node, index, book.shape[0], f"{book.shape[0]} rows")
     n = slot.data
     if isinstance(row, int) and isinstance(n, int):

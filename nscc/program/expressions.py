@@ -268,7 +268,8 @@ class _Checker:
             self._error("NS0209", message, base.span, label, helps=helps)
 
     def _compare(self, node: tree.Compare, operand_types: list[Type | None]) -> None:
-        """Check a chain of comparisons: integers, or two booleans with == or !=."""
+        """Check the chain of comparisons `node`: integers, or two booleans with == or !=.
+        `operand_types` are the types of its operands, None for invalid ones."""
         compared = [node.first, *node.later_operands]
         for k, op in enumerate(node.ops):
             first_type, second_type = operand_types[k], operand_types[k + 1]
@@ -324,7 +325,8 @@ class _Checker:
         self._error("NS0208", message, node.span, "", notes=(meaning.note,))
 
     def _unknown(self, node: tree.Name, category: str, known: Iterable[str]) -> None:
-        """Report that a name does not exist, with similar names as suggestions."""
+        """Report that the name `node` does not exist in this `category`, with similar `known` names
+        as suggestions."""
         self.sound = False
         constant = node.text.lower()
         known = (constant,) if constant in ("true", "false") else known

@@ -220,7 +220,10 @@ class PlaneMaker:
         statement: PixelsExpr | PixelsTile | PixelsFromFile,
         beyond: NDArray[np.bool_] | None = None,
     ) -> None:
-        """Add a plane after a range check; `beyond` marks values that int64 cannot represent."""
+        """Add the codes `plane` of `field` to `planes`, if all are within the field's range;
+        otherwise report an error (NS0311) at `statement`.
+
+        `beyond` marks values that int64 cannot represent."""
         outside = (plane < field.low) | (plane > min(field.high, LIMIT))
         if beyond is not None:
             outside |= beyond

@@ -61,7 +61,8 @@ def _inline(book: BookInline, slots: Meaning, problems: Problems) -> Digits | No
 
 
 def _wrong_digit(book: BookInline, problems: Problems) -> bool:
-    """Report the first digit that is not 0 or 1; return whether there was one."""
+    """Report to `problems` the first digit of `book` that is not 0 or 1; return whether there was
+    one."""
     for row in book.rows:
         wrong_digit = next((d for d in row.digits if d not in "01"), None)
         if wrong_digit is not None:

@@ -18,7 +18,7 @@ _OF_A_PLACE = frozenset({"x", "y"})
 
 
 def signed_level(expr: tree.Expr) -> tuple[int, tree.Expr]:
-    """Return the sign (1 or -1) before a level, and the level."""
+    """Return the sign (1 or -1) before the level `expr`, and the level without signs."""
     sign = 1
     while isinstance(expr, tree.Unary) and expr.op == "-":
         sign, expr = -sign, expr.operand

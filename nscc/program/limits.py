@@ -81,7 +81,8 @@ def bits_needed(shutters: int) -> int:
 
 
 def capacity_note(shutters: int) -> str:
-    """Return a note on why fewer registers than `bits_needed` are not enough."""
+    """Return a note that this number of `shutters` needs `bits_needed` registers with any
+    encoding."""
     return (
         f"certain for codes in digital registers: {shutters} shutters need "
         f"{bits_needed(shutters)} registers with any encoding"

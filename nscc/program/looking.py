@@ -110,7 +110,8 @@ class _Maker:
         target: Target | None,
         problems: Problems,
     ) -> None:
-        """Prepare the scopes in which these statements look up names."""
+        """Prepare the scopes in which statements of pixels that look find names: `declared` names
+        and `constants`."""
         self.declared = declared
         self.constants = constants_scope(declared, constants)
         self.scope = next_scope(declared, constants)

@@ -48,7 +48,8 @@ class MachineBuilder:
     """Builds the state machine of checked rules for the compiled codes."""
 
     def __init__(self, rules: Rules, looking: Looking, codes: CodeArray, target: Target) -> None:
-        """Find which answers a pixel must remember: those that rules read after their look."""
+        """Find which answers of the senses in `looking` a pixel must remember: those that `rules`
+        read after their look."""
         self.rules, self.looking, self.codes, self.target = rules, looking, codes, target
         self.looks = looking.looks
         expressions = [*rules.rules, *([looking.reset] if looking.reset else [])]

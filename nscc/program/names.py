@@ -239,7 +239,7 @@ class _Gatherer:
                 assert_never(statement)
 
     def finish(self, file: tree.File) -> None:
-        """Report required statements that are missing, at the first statement."""
+        """Report required statements that are missing, at the first statement of `file`."""
         for name in self.declared.inputs.keys() & self.declared.pixels.keys():
             self.declared.input_starts[name] = self.declared.pixels.pop(name)
         place = file.statements[0].span if file.statements else Span(0, 0)
@@ -263,7 +263,8 @@ class _Gatherer:
             self.problems.error("NS0450", message, place, text, helps=helps)
 
     def _once(self, word: str, first: tree.Statement | None, second: tree.Statement) -> bool:
-        """Return whether this statement is the first of its kind; report an error otherwise."""
+        """Return whether `second` is the first statement with this `word`; otherwise report an
+        error (NS0205) that `first` exists."""
         if first is None:
             return True
         message = f"`{word}` is given twice, but a program has only one"

@@ -37,7 +37,8 @@ class PictureComparer(ABC):
         problems: Problems,
         host: HostValues,
     ) -> None:
-        """Prepare to check comparisons; `counts` collects the ranges of images of integers."""
+        """Prepare to check comparisons of images; `counts` collects the ranges of images of
+        integers."""
         self.host = host
         self.declared, self.constants, self.target = declared, constants, target
         self.kernels, self.problems = kernels, problems
@@ -52,7 +53,8 @@ class PictureComparer(ABC):
         """Raise WrongPicture after reporting if one image is a count and the other is not."""
 
     def _not(self, condition: p.Condition) -> p.Condition:
-        """Return the negation; from version 4 on in the form that needs the fewest words."""
+        """Return the negation of `condition`; from version 4 on in the form that needs the fewest
+        words."""
         if self.declared.version > 3:
             match condition:
                 case p.Inverse(condition=inner):
@@ -141,7 +143,11 @@ class PictureComparer(ABC):
         return p.AboveParam(value, parameter.name, sign)
 
     def _above_steps(self, value: p.Value, steps: int, span: Span) -> p.Condition:
-        """Return a comparison with a level, where a level that the value adds is part of IN."""
+        """Return the comparison of `value` with `steps` of IN; a level that the value adds becomes
+        part of IN.
+
+        Raises WrongPicture after reporting an error (NS0533) at `span` if the value consists of
+        levels only."""
         terms = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)
         levels = {term.param: factor for factor, term in terms if isinstance(term, p.Uniform)}
         if not levels:
@@ -167,7 +173,8 @@ class PictureComparer(ABC):
         return p.Above(value, steps)
 
     def _require_level(self, param: p.HostParam, span: Span) -> None:
-        """Raise WrongPicture after reporting a parameter that is an integer."""
+        """Raise WrongPicture after reporting an error (NS0533) at `span` if `param` is an
+        integer."""
         if param.kind == "integer":
             raise self._report(
                 "NS0533",
@@ -255,7 +262,7 @@ class PictureComparer(ABC):
         return steps
 
     def _is_number(self, expr: tree.Expr) -> bool:
-        """Return whether an expression contains only integers and constants."""
+        """Return whether the expression `expr` contains only integers and constants."""
         match expr:
             case tree.Int():
                 return True

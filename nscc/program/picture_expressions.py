@@ -62,14 +62,14 @@ class Reader(LoopReader):
                 self.counts[name] = counts
 
     def image(self, expr: tree.Expr) -> p.Value | None:
-        """Return the image of an expression; None after reporting an error."""
+        """Return the image of the expression `expr`; None after reporting an error."""
         try:
             return self._image(expr)
         except WrongPicture:
             return None
 
     def condition(self, expr: tree.Expr) -> p.Condition | None:
-        """Return the plane of an expression; None after reporting an error."""
+        """Return the plane of the expression `expr`; None after reporting an error."""
         try:
             return self._condition(expr)
         except WrongPicture:
@@ -145,7 +145,8 @@ class Reader(LoopReader):
         )
 
     def _chosen(self, condition: p.Condition, then: p.Value, otherwise: p.Value) -> p.Value:
-        """Return a choice; from version 4 on, `a if a > b else b` is the larger one of two."""
+        """Return the image `then` where `condition` is true, `otherwise` elsewhere; from version 4
+        on, `a if a > b else b` is the larger one of two."""
         match condition:
             case p.Above(value=value, steps=0) if self.declared.version > 3:
                 negative = picture_sum((Fraction(-1), then), (Fraction(1), otherwise))
@@ -355,7 +356,8 @@ class Reader(LoopReader):
         return kernel.text
 
     def _needs_outside(self, span: Span) -> None:
-        """Report, once for each program, that bits beyond the array are read but not defined."""
+        """Report at `span`, once for each program, that bits beyond the array are read but not
+        defined (NS0534)."""
         if self.outside is not None or self._outside_asked:
             return
         self._outside_asked = True
@@ -439,7 +441,8 @@ def is_power_of_two(number: int) -> bool:
 
 
 def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
-    """Report NS0532, with the nearest power of two and how much the result changes."""
+    """Report at `span` that a pixel cannot divide by `divisor` (NS0532), with the nearest power of
+    two and how much the result changes."""
     helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
     fixes: tuple[Fix, ...] = ()
     if divisor > 0:

@@ -268,7 +268,8 @@ class PictureMaker:
         return self._weights(kernel.name.text, array.tolist(), 1, kernel.path.span)
 
     def _weights(self, name: str, rows: Sequence[Any], divisor: int, span: Span) -> Weights | None:
-        """Return a convolution kernel; None after reporting that it is invalid (NS0530)."""
+        """Return the convolution kernel `name` of `rows` over `divisor`; None after reporting at
+        `span` that it is invalid (NS0530)."""
         fault, helps = _kernel_fault(rows)
         if not fault:
             return Weights(name, tuple(map(tuple, rows)), divisor)
@@ -276,7 +277,8 @@ class PictureMaker:
         return None
 
     def _bad_kernel(self, name: str, fault: str, span: Span, helps: tuple[str, ...] = ()) -> None:
-        """Report that a convolution kernel is not valid (NS0530), because of `fault`."""
+        """Report at `span` that the convolution kernel `name` is not valid (NS0530), because of
+        `fault`."""
         self.problems.error(
             "NS0530",
             f"`{clipped(name)}` is not a valid convolution kernel: {fault}",

@@ -142,7 +142,7 @@ def chunks_of_bits(bits: NDArray[np.integer]) -> list[Plane]:
 
 
 def grouped(names: Sequence[str]) -> dict[str, list[str]]:
-    """Return the columns of a decode table grouped by field name."""
+    """Return the columns `names` of a decode table, grouped by field name."""
     columns_of_field: dict[str, list[str]] = {}
     for name in names:
         columns_of_field.setdefault(whole_name(name), []).append(name)

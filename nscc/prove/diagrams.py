@@ -53,7 +53,7 @@ class Diagrams:
         self.zero, self.one = self.leaf(Fraction(0)), self.leaf(Fraction(1))
 
     def leaf(self, value: Fraction) -> int:
-        """Return the diagram of a constant number; equal numbers give the same diagram."""
+        """Return the diagram of the constant `value`; equal numbers give the same diagram."""
         key = value.as_integer_ratio()  # hashing a Fraction is slow
         number = self._number.get(key)
         if number is None:
@@ -92,7 +92,7 @@ class Diagrams:
         return Fraction(0)
 
     def support(self, node: int) -> frozenset[int]:
-        """Return the numbers of the variables on which a diagram depends."""
+        """Return the numbers of the variables on which the diagram `node` depends."""
         variables = self._support.get(node)
         if variables is None:
             variable, low, high = self._nodes[node]
@@ -169,7 +169,8 @@ class Diagrams:
         return result
 
     def _node(self, variable: int, low: int, high: int) -> int:
-        """Return the node that branches on a variable; the same node for the same branches."""
+        """Return the diagram that is `low` where `variable` is 0 and `high` where it is 1; the same
+        diagram for the same arguments."""
         if low == high:
             return low
         key = (variable, low, high)

@@ -148,7 +148,8 @@ class Sending(Record, eq=False):
 
 
 def late_fault(sending: Sending) -> Diagnostic | None:
-    """Return the error (NS0508) if a slot is shorter than the load time of a plane, else None."""
+    """Return the error (NS0508) if a slot of `sending` is shorter than the load time of a plane,
+    else None."""
     program, target = sending.program, sending.program.target
     slots_us, needed_us = program.frame.slot_us, target.plane_load_us
     # If light waits for the plane, a slot as short as the load time has no light.
@@ -263,7 +264,7 @@ def timed(sending: Sending, job: Job) -> tuple[Sending, Found]:
 
 
 def container_of(sending: Sending) -> Container:
-    """Return the container: no words, and bit planes if the pixels have codes."""
+    """Return the container of `sending`: no words, and bit planes if the pixels have codes."""
     program, target = sending.program, sending.program.target
     names = tuple(bucket.name for bucket in program.buckets)
     used = len(names)

@@ -22,7 +22,8 @@ PLANES_FORMAT = "nscc-planes-1"
 
 
 def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
-    """Return the rows (label, text) that `nscc check` prints after class and codes."""
+    """Return the rows (label, text) about `sending` that `nscc check` prints after class and codes,
+    the last ones about its `proof`."""
     program, target = sending.program, sending.program.target
     slots = len(program.frame.slot_us)
     taps = target.taps[: len(program.buckets)]
@@ -53,7 +54,8 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
 
 
 def cost_text(sending: Sending) -> str:
-    """Return number and size of bit planes and the shortest possible slot, in two lines."""
+    """Return number and size of the bit planes of `sending` and the shortest possible slot, in two
+    lines."""
     return (
         f"  planes {len(sending.loadings)} a frame, {sending.bits_a_frame} bits, "
         f"{rate_text(sending.bits_per_us)} while one loads\n"
@@ -87,7 +89,8 @@ def sending_text(sending: Sending) -> str:
 
 
 def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
-    """Return the build report as JSON values, with the planes instead of words."""
+    """Return the build report of `sending` as JSON values, with the planes instead of words, and
+    the result of its `proof`."""
     program, target = sending.program, sending.program.target
     names = [bucket.name for bucket in program.buckets]
     return {

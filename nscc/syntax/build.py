@@ -120,7 +120,8 @@ def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
 
 
 def _state(span: Span, *children: Any) -> tree.StateRange | tree.StateBit:
-    """Return the node of a state; `children` contains True where the text has the word `kept`."""
+    """Return the node of a state at `span`; `children` contains True where the text has the word
+    `kept`."""
     name, *values = [child for child in children if child is not True]
     is_kept = len(values) + 1 < len(children)
     if len(values) == 1:
@@ -233,7 +234,8 @@ _OF_NODES: dict[str, Callable[..., Any]] = {
 
 
 def _whole_number(text: str, span: Span) -> int:
-    """Return the number; raise Rejected (NS0111) above 2^62 - 1, without converting many digits."""
+    """Return the number `text`; raise Rejected (NS0111) at `span` above 2^62 - 1, without
+    converting many digits."""
     digits = text.lstrip("0")
     value = int(digits or "0") if len(digits) <= 19 else tree.MOST_INTEGER + 1
     if value > tree.MOST_INTEGER:
@@ -246,7 +248,8 @@ def _whole_number(text: str, span: Span) -> int:
 
 
 def _microseconds(text: str, span: Span) -> Fraction:
-    """Return a time such as `125us` in us, exactly; raise Rejected (NS0112) if it is zero."""
+    """Return the time `text`, such as `125us`, in us, exactly; raise Rejected (NS0112) at `span` if
+    it is zero."""
     number = text.rstrip("nums")
     integer_digits, _, decimals = number.partition(".")
     unit_us = _UNIT_US[text[len(number) :]]

@@ -88,7 +88,7 @@ def _bare(value: object) -> object:
 
 
 def _comments(source: Source) -> list[str]:
-    """Return the comments of a text, in order."""
+    """Return the comments of the text `source`, in order."""
     tokens = lex(source)
     spans = [tokens.span(k) for k in range(len(tokens.kinds))]
     gaps = zip(
@@ -313,7 +313,8 @@ def _depths(tokens: Sequence[_Token]) -> list[int]:
 
 
 def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
-    """Return a statement, or a part of one, in lines that fit; continuation lines are indented."""
+    """Return the statement `tokens`, or a part of one, in lines of at most WIDTH columns if
+    possible; they begin with `indent`, and continuation lines are indented further."""
     single_line = indent + _joined(tokens)
     if len(single_line) <= WIDTH:
         return [single_line]

@@ -107,7 +107,10 @@ _ADDED = re.compile(r"[ \t]*([-+,\n#]|$|(when|if|else|and|or|xor)\b)")
 def _of_picture(
     tokens: Tokens, token: Token, statement: str, level: re.Pattern[str]
 ) -> Token | None:
-    """Return the token as statements of version 3 read it, or None if it is the same."""
+    """Return `token` as statements of version 3 read it, or None if it is the same.
+
+    `statement` is the first word of the statement that contains the token, and `level` matches a
+    level such as `6%`."""
     start, text = span_of(token).start, tokens.source.text
     if statement in ("next", "report") and tokens.version < 3:
         return None

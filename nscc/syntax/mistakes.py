@@ -391,7 +391,8 @@ def _choice(tokens: Tokens, at: int, last: int) -> str:
 
 
 def _number_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
-    """Yield hints for token `at`, which starts like a number but is invalid."""
+    """Yield hints for token number `at`, which starts like a number but is invalid. `first`: number
+    of the first token of its statement."""
     text = tokens.text(at)
     if re.fullmatch(r"[0-9]{1,9}\.[0-9]{1,9}", text):
         yield "numbers are integers; only times have decimals, with a unit: 1.6ms"

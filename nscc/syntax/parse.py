@@ -231,7 +231,8 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
 
 
 def _said_twice(source: Source, versions: list[tree.Version]) -> Diagnostic:
-    """Return the error (NS0104) for a second version statement, with a fix that removes it."""
+    """Return the error (NS0104) for the second of `versions`, the version statements of `source`,
+    with a fix that removes it."""
     return Diagnostic(
         "NS0104",
         f"`nsl {versions[0].number.value}` must appear once, at the start",
@@ -284,7 +285,7 @@ def source_of(path: Path, data: bytes) -> Source:
 
 
 def too_large(name: str) -> Diagnostic:
-    """Return the error (NS0103) that a program text exceeds the size limit."""
+    """Return the error (NS0103) that the text of the program `name` exceeds the size limit."""
     return Diagnostic(
         "NS0103",
         f"this program is larger than {MOST_BYTES // 1024} KiB, the largest size of a program",
@@ -294,7 +295,8 @@ def too_large(name: str) -> Diagnostic:
 
 
 def _not_text(path: Path, reason: str) -> Rejected:
-    """Return the error (NS0102) for a file that is not UTF-8 text, with help for its ending."""
+    """Return the error (NS0102) that the file `path` is not UTF-8 text, because of `reason`, with
+    help for its ending."""
     ending = path.suffix.lower()
     message = f"this file is not UTF-8 text: {reason}"
     helps = ("save the program as UTF-8 text; a compiled program ends in .icw",)

@@ -82,7 +82,7 @@ def spelled_value(text: str) -> Any:
 
 
 def written(value: Any) -> str:
-    """Return the TOML spelling of a text, number, boolean, or list of these."""
+    """Return the TOML spelling of `value`: a text, number, boolean, or list of these."""
     if isinstance(value, str):
         return '"' + "".join(map(_character, value)) + '"'
     if isinstance(value, bool):

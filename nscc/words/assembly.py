@@ -134,7 +134,8 @@ def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ())
 
 
 def _is_known(head: Token, known: Mapping[str, Mnemonic], faults: Faults) -> bool:
-    """Return whether a line starts with a directive or instruction; report an error if not."""
+    """Return whether `head` is a directive or one of the `known` instructions; report an error to
+    `faults` if not."""
     name = shown(head.text)
     if head.text.startswith(".") and head.text not in DIRECTIVES:
         helps = meant(head.text, DIRECTIVES, f"there are {', '.join(DIRECTIVES)}")

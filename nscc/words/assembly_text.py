@@ -47,7 +47,8 @@ def read_number(text: str) -> float | None:
 
 
 def read_time_us(text: str) -> float | None:
-    """Return a time such as `125us` in microseconds; None unless it is finite and positive."""
+    """Return the time `text`, such as `125us`, in microseconds; None unless it is finite and
+    positive."""
     from decimal import Decimal
 
     number = text.rstrip("nums")
@@ -153,7 +154,8 @@ def base64_lines(data: bytes) -> list[str]:
 
 
 def read_block_line(text: str) -> str | None:
-    """Read one line of `block_text`, starting at its bar; None if malformed."""
+    """Return the content of `text`, one line of `block_text` that starts at its bar; None if
+    malformed."""
     if text == "|":
         return ""
     if text.startswith("| "):
@@ -164,7 +166,7 @@ def read_block_line(text: str) -> str | None:
 
 
 def read_string(text: str) -> str | None:
-    """Read a JSON string; None if malformed."""
+    """Return the content of `text`, a JSON string; None if malformed."""
     try:
         value = json.loads(text)
     except (ValueError, RecursionError):

@@ -242,7 +242,8 @@ def packed_shutters(
 
 
 def fields_at_pixels(container: Container) -> dict[str, NDArray[np.int64]]:
-    """Return `codes_FIELD` (rows, cols) for each field of the code; empty without `pixel_codes`."""
+    """Return `codes_FIELD` (rows, cols) for each field of the code of `container`; empty without
+    `pixel_codes`."""
     table, pixels = container.table, container.pixel_codes
     if pixels is None:
         return {}
@@ -257,7 +258,7 @@ def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
 
 
 def _period(plane: NDArray[Any]) -> int:
-    """Return the smallest number of rows after which the array repeats; all rows if it does not."""
+    """Return the smallest number of rows after which `plane` repeats; all rows if it does not."""
     for period in range(1, len(plane)):
         # One row excludes most periods; the whole plane is compared only for the others.
         same = np.array_equal(plane[period], plane[0])

@@ -96,7 +96,7 @@ def _common(*numbers: Fraction) -> Fraction:
 
 
 def counts_by_name(pictures: p.Pictures) -> dict[str, CountRange]:
-    """Return the attainable values of the images that are counts, by name."""
+    """Return the attainable values of the images of `pictures` that are counts, by name."""
     known: dict[str, CountRange] = {}
     for item in pictures.items:
         if not isinstance(item.node, p.Condition):

@@ -176,7 +176,8 @@ def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> T
 
 
 def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add a note, a key and a text, to the draft; a second note with this key is a fault."""
+    """Add the note `tokens`, a key and a text, to `draft`; a second note with this key is a
+    fault."""
     key, text = tokens
     if key.text in draft.notes:
         faults.add("NS0719", f"the note {shown(key.text)} appears twice", key.span)
@@ -185,7 +186,8 @@ def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add slot lengths to the draft. A token `x64` repeats the slot before it, 64 slots in all."""
+    """Add the slot lengths `tokens` to `draft`. A token `x64` repeats the slot before it, 64 slots
+    in all."""
     for token in tokens:
         if token.text.startswith("x"):  # the number of slots, starting with the previous slot
             repeats = int(token.text[1:]) - 1
@@ -213,7 +215,8 @@ def _kernel(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> N
 
 
 def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add an instruction given as five 32-bit integers; larger integers are a fault."""
+    """Add the instruction `tokens`, five 32-bit integers, to `draft`; larger integers are a
+    fault."""
     a, b, c, d, e = (int(t.text, 16 if t.text[:2] in ("0x", "0X") else 10) for t in tokens)
     span = head.span.to(tokens[-1].span)
     if max(a, b, c, d, e) >= 1 << 32:
@@ -223,7 +226,8 @@ def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add the launch of kernels at a range of boundaries; an invalid range is a fault."""
+    """Add the launch `tokens`, a range of boundaries and kernels, to `draft`; an invalid range is a
+    fault."""
     place, *kernels = tokens
     instants = read_ranges(place.text, MOST_SLOTS)
     if instants is None:

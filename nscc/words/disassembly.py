@@ -44,7 +44,8 @@ def disassemble(container: Container) -> str:
 
 
 def sections(container: Container) -> dict[str, list[str]]:
-    """Return the lines of each part of the text by its title, in the order of the text."""
+    """Return the lines of each part of the text of `container` by the part's title, in the order of
+    the text."""
     kernels, lines = enumerate(container.kernels), container.source_lines
     parts: dict[str, Iterable[str]] = {
         "target": _head(container),
@@ -140,7 +141,7 @@ def _counted(count: int, word: str, plural: str = "") -> str:
 
 
 def _times(slot_us: Sequence[float]) -> Iterator[str]:
-    """Yield `.wait` lines with the slot lengths; equal lengths are written as a count."""
+    """Yield `.wait` lines with the slot lengths `slot_us`; equal lengths are written as a count."""
     at, pending = 0, ""
     for index in range(1, len(slot_us) + 1):
         if index < len(slot_us) and slot_us[index] == slot_us[at]:
@@ -169,7 +170,8 @@ def _kernel(container: Container, number: int) -> Iterator[str]:
 
 
 def _schedule(container: Container) -> Iterator[str]:
-    """Yield one line for each distinct list of kernels, with all its boundaries."""
+    """Yield one line for each distinct list of kernels that `container` launches, with all its
+    boundaries."""
     at_instant: dict[int, list[int]] = {}
     for launch in container.launches:
         at_instant.setdefault(launch.instant, []).append(launch.kernel)
@@ -182,7 +184,7 @@ def _schedule(container: Container) -> Iterator[str]:
 
 
 def _readouts(container: Container) -> Iterator[str]:
-    """Yield the lines that name the buckets and the register and gain of each."""
+    """Yield the lines that name the buckets of `container`, and the register and gain of each."""
     yield f".bucket {' '.join(map(name_text, container.buckets))}"
     for readout in container.readouts:
         bucket = name_text(readout.bucket)
@@ -209,7 +211,8 @@ def _table(container: Container) -> Iterator[str]:
 
 
 def _machine(container: Container) -> Iterator[str]:
-    """Yield the comparisons as comments, then the state machine and the levels of IN as data."""
+    """Yield the comparisons of `container` as comments, then its state machine and levels of IN as
+    data; nothing without a state machine."""
     machine, step_e = container.machine, container.target.electrons_per_step
     if not machine.stages:
         return
@@ -226,7 +229,8 @@ def _machine(container: Container) -> Iterator[str]:
 
 
 def _pictures(container: Container) -> Iterator[str]:
-    """Yield the words of images and planes as comments, then all of them as data."""
+    """Yield the words of the images and planes of `container` as comments, then all of them as
+    data; nothing without outputs."""
     pictures, target = container.pictures, container.target
     if not pictures.outputs:
         return

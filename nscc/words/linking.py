@@ -174,7 +174,8 @@ def _check_complete(draft: Draft, faults: Faults) -> None:
 
 
 def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int:
-    """Return the index of a name; report an unknown name and return 0."""
+    """Return the index of `token` in `names`, which are of this `kind`; report an unknown name to
+    `faults` and return 0."""
     index = names.get(token.text)
     if index is not None:
         return index
@@ -184,7 +185,8 @@ def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int
 
 
 def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
-    """Return the index of each name in order; a name that occurs twice is a fault."""
+    """Return the index of each of the names `tokens` in order; a name that occurs twice is reported
+    to `faults`."""
     names: dict[str, int] = {}
     for token in tokens:
         if token.text in names:
@@ -219,7 +221,8 @@ def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
 def _readouts(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[Readout, ...]:
-    """Return the readouts with names checked: each bucket is read out exactly once."""
+    """Return the readouts of `draft` with their names checked: each of `buckets` must be read out
+    exactly once. Reports other readouts to `faults`."""
     registers = {name: i for i, name in enumerate(target.analog_registers)}
     known = {name: i for i, name in enumerate(buckets)}
     readouts, read = [], set()

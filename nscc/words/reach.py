@@ -41,7 +41,8 @@ class Reach(NamedTuple):
         )
 
     def margin(self, shape: tuple[int, int]) -> NDArray[np.bool_]:
-        """Return the pixels of an array (rows, cols) that depend on pixels beyond the array."""
+        """Return the pixels of an array with this `shape` (rows, cols) that depend on pixels beyond
+        the array."""
         rows, cols = shape
         margin = np.ones(shape, np.bool_)
         margin[self.up : max(0, rows - self.down), self.left : max(0, cols - self.right)] = False
@@ -63,7 +64,8 @@ class RegisterReaches:
         bits_known: bool = False,
         before: Mapping[str, Reach] = MappingProxyType({}),
     ) -> None:
-        """Compute the reach of all registers after these words."""
+        """Compute the reach of all registers of `target` after `words`; the other arguments are
+        described with the class."""
         self.target, self.bits_known = target, bits_known
         self.reach: dict[str, Reach] = {**before}
         self._constant: dict[str, bool] = {}

@@ -47,7 +47,8 @@ def _names(kind: str, names: Sequence[str]) -> Iterator[str]:
 
 
 def _time_faults(container: Container) -> Iterator[str]:
-    """Yield what is wrong with slots and buckets: their number, lengths (us) and names."""
+    """Yield what is wrong with slots and buckets of `container`: their number, lengths (us) and
+    names."""
     if not 1 <= container.slots <= MOST_SLOTS:
         yield f"it has {container.slots} slots, but 1 to {MOST_SLOTS} are allowed"
     for index, length in enumerate(container.slot_us):
@@ -60,7 +61,7 @@ def _time_faults(container: Container) -> Iterator[str]:
 
 
 def _table_faults(container: Container) -> Iterator[str]:
-    """Yield what is wrong with the decode table: shapes, types and indices."""
+    """Yield what is wrong with the decode table of `container`: shapes, types and indices."""
     table = container.table
     yield from _names("field", table.fields)
     codes, shutters = len(table.codes), len(table.shutters)
@@ -82,7 +83,8 @@ def _table_faults(container: Container) -> Iterator[str]:
 
 
 def _kernel_faults(container: Container) -> Iterator[str]:
-    """Yield what is wrong with kernels and launches: words, sizes, indices and order."""
+    """Yield what is wrong with kernels and launches of `container`: words, sizes, indices and
+    order."""
     yield from _names("kernel", [kernel.name for kernel in container.kernels])
     stored = 0
     for kernel in container.kernels:
@@ -130,7 +132,8 @@ def _register_faults(container: Container) -> Iterator[str]:
 
 
 def _pixel_faults(container: Container) -> Iterator[str]:
-    """Yield what is wrong with the pixel codes: shape, type, or a code that does not exist."""
+    """Yield what is wrong with the pixel codes of `container`: shape, type, or a code that does not
+    exist."""
     pixels, target = container.pixel_codes, container.target
     if pixels is not None:
         shape = target.rows, target.cols
@@ -221,7 +224,8 @@ def _loop_faults(container: Container) -> Iterator[str]:
 
 
 def _text_faults(container: Container) -> Iterator[str]:
-    """Yield which free texts contain a lone surrogate, which cannot be stored as UTF-8."""
+    """Yield which free texts of `container` contain a lone surrogate, which cannot be stored as
+    UTF-8."""
     for place, text in (
         ("its program's source", "".join(container.source_lines)),
         ("a note", "".join(note_text for note in container.notes.items() for note_text in note)),

@@ -38,7 +38,7 @@ def layout_of(kind: type, sizes: Mapping[str, int]) -> list[StoredArray]:
 
 @cache
 def _arrays_of(kind: type) -> list[tuple[str, np.dtype[Any], list[str]]]:
-    """Return the name, type and dimensions of each array of a record class."""
+    """Return the name, type and dimensions of each array of the record class `kind`."""
     arrays = []
     for name, hint in get_type_hints(kind, include_extras=True).items():
         if get_origin(hint) is Annotated:

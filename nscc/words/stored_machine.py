@@ -99,7 +99,8 @@ def stored_machine(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> 
 
 
 def machine_data(container: Container) -> bytes:
-    """Return the block of assembly text: the record, the machine's arrays, and the levels of IN."""
+    """Return the machine of `container` as a block of assembly text: the record, the machine's
+    arrays, and the levels of IN."""
     levels = tuple(launch.level for launch in container.launches)
     record = replace(stored_machine(container.machine, container.state_planes), levels=levels)
     text = to_json(record).encode("ascii")

@@ -72,7 +72,8 @@ def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
 
 
 def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator[str]:
-    """Yield the errors of a container's planes, each as part of a sentence."""
+    """Yield the errors of the planes in `stream`, each as part of a sentence, for a chip `target`
+    and a program of `slots` slots and `buckets` buckets."""
     sizes = {"slots": slots, "rows": target.rows, "row_bytes": -(-target.cols // 8)}
     if wrong := list(array_faults(stream, sizes)):
         yield wrong[0]

@@ -267,7 +267,7 @@ def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
 
 
 def _png(image: NDArray[np.uint8]) -> bytes:
-    """Return a picture, RGB or grey, as PNG bytes."""
+    """Return an `image` (rows, cols) of grey or (rows, cols, 3) of RGB as PNG bytes."""
     import cv2
 
     _, data = cv2.imencode(

@@ -27,7 +27,8 @@ def modules(package: str) -> Iterator[str]:
 
 
 def compile_for_web(out: Path) -> None:
-    """Write the loops of the emulator to a WebAssembly library. Takes a minute and a half."""
+    """Compile the loops of the emulator to the WebAssembly library `out`. Takes a minute and a
+    half."""
     with TemporaryDirectory() as folder:
         objects, entries = [], []
         for module in modules("nscc_runtime"):

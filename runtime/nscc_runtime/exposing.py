@@ -186,7 +186,8 @@ def captures(
     plans.expect(range(count))
 
     def run(number: int, program: Any, light: Any) -> Capture:
-        """Capture frame `number` of the series; then let later frames use its plan."""
+        """Capture frame `number` of the series, of `program` and `light`; then let later frames use
+        its plan, even after an error."""
         try:
             turn = Turn(plans, number, frames=count)
             return capture(program, light, threads=1, turn=turn, **options)

@@ -136,7 +136,7 @@ def converted(
 
 
 def check_adc(target: Target) -> None:
-    """Raise Rejected (NS0742) for an ADC with more bits than a frame file supports."""
+    """Raise Rejected (NS0742) if the ADC of `target` has more bits than a frame file supports."""
     if target.adc_bits > _MOST_BITS:
         raise rejected(
             "NS0742",
@@ -274,7 +274,8 @@ def meta(
 
 
 def image_unit(container: Container) -> dict[str, float]:
-    """Return how many electrons one count stands for, for each image of counts that is read out."""
+    """Return, for each image of counts that `container` reads out, how many electrons one count
+    stands for."""
     from nscc.words.counts import counts_by_name
 
     pictures = container.pictures
@@ -335,7 +336,8 @@ class FrameFile:
         return cls(frame, meta, kept_arrays, slots, progress)
 
     def write(self, file: IO[bytes]) -> None:
-        """Write the archive, light slot by slot and repeats block by block, to limit memory."""
+        """Write the archive to `file`, light slot by slot and repeats block by block, to limit
+        memory."""
         with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
             for key in ("frame", "exposure_e", "valid"):
                 _write_array(archive, key, getattr(self.frame, key))
@@ -367,7 +369,8 @@ def _write_entry(
     dtype: np.dtype[Any],
     blocks: Iterator[NDArray[Any]],
 ) -> None:
-    """Write an array as the entry KEY.npy: row-major, little-endian, dated 1980."""
+    """Write an array with `shape` and `dtype` as the entry KEY.npy of `archive`: row-major,
+    little-endian, dated 1980. `blocks` yields its values in order."""
     little = dtype.newbyteorder("<")
     entry = zipfile.ZipInfo(f"{key}.npy")
     entry.external_attr = 0o600 << 16

@@ -34,7 +34,8 @@ class HostSetting(Record, eq=False):
         return cls({param.name: param.start for param in container.pictures.params}, {})
 
     def plain(self, container: Container) -> dict[str, float]:
-        """Return the values of parameters for `meta`: levels in electrons, integers as they are."""
+        """Return the values of the parameters that `container` declares, as `meta` stores them:
+        levels in electrons, integers as they are."""
         unit_e = container.target.electrons_per_step
         return {
             param.name: self.params[param.name] * (unit_e if param.kind == "level" else 1)
@@ -101,7 +102,8 @@ def _params(container: Container, values: Mapping[str, Any]) -> dict[str, int]:
 
 
 def _number(param: HostParam, value: Any, target: Target) -> int:
-    """Return the value of a parameter as words use it; raise Rejected if it is invalid."""
+    """Return `value` for the parameter `param` as words use it: a level in steps of `target`, or an
+    integer. Raises Rejected for other types and outside the parameter's range."""
     unit_e = target.electrons_per_step if param.kind == "level" else 1.0
     ends = [
         f"{end * unit_e:g}{'e' if param.kind == 'level' else ''}" for end in (param.low, param.high)

@@ -47,7 +47,8 @@ def looked_response(
 
 
 def _paths_by_outcome(container: Container, paths: Paths) -> dict[tuple[int, ...], list[int]]:
-    """Return for each end of a frame (see `looked_response`) the segments of one path to it."""
+    """Return for each end of a frame (see `looked_response`) the numbers of the segments in `paths`
+    of one path to it."""
     machine = container.machine
     bits = start_bits(container)
     nodes = int(machine.first[1])

@@ -192,7 +192,8 @@ class ObjectFile:
         return machine_code.object_code(self.name, self.folders, self.build)
 
     def build(self, for_web: bool = False) -> bytes:
-        """Compile the loops to object code for this processor, or for WebAssembly."""
+        """Compile the loops to object code for this processor, or with `for_web` for
+        WebAssembly."""
         from nscc_runtime.loop_types import signature
 
         loops = (

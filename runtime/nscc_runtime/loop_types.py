@@ -32,7 +32,7 @@ extending.lower_builtin(operator.getitem, Records, types.Integer)(_record)
 
 
 def signature(parameters: Iterable[LoopParameter | ArrayGroup]) -> Any:
-    """Return the numba signature of a loop."""
+    """Return the numba signature of a loop with these `parameters`, which returns nothing."""
     parameter_types = []
     for parameter in parameters:
         kinds = [_type(array.kind, array.record is not None) for array in parameter.arrays]
@@ -42,7 +42,8 @@ def signature(parameters: Iterable[LoopParameter | ArrayGroup]) -> Any:
 
 
 def _type(kind: np.dtype[Any], is_record: bool) -> Any:
-    """Return the numba type of a parameter: a record, an array of records, or a pointer."""
+    """Return the numba type of a parameter of type `kind`: a record if `is_record`, else an array
+    of records or a pointer."""
     numba_type = numba.from_dtype(kind)
     if is_record:
         return numba_type

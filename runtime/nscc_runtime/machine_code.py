@@ -44,7 +44,7 @@ def folders(module: str) -> tuple[Path, ...]:
 
 
 def can_keep(places: Sequence[Path]) -> bool:
-    """Return whether object files can be stored in at least one of these folders."""
+    """Return whether object files can be stored in at least one of the folders `places`."""
     return any(
         place.name != _BESIDE or os.access(place if place.exists() else place.parent, os.W_OK)
         for place in places
@@ -184,7 +184,8 @@ def name(stem: str, sources: Iterable[str]) -> str:
 
 
 def _own_root(text: str) -> str:
-    """Return LLVM code in which the processor's square root replaces calls of the C library."""
+    """Return the LLVM code `text` with calls of the C library's square root replaced by the
+    processor's."""
     for name, kind, intrinsic in (("sqrt", "double", "f64"), ("sqrtf", "float", "f32")):
         text, calls = re.subn(rf"^declare {kind} @{name}\(.*\n", "", text, flags=re.MULTILINE)
         declared = f"declare {kind} @llvm.sqrt.{intrinsic}({kind}"

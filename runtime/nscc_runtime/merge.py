@@ -133,7 +133,8 @@ def _box(values: NDArray[Any], readout: BucketReadout) -> Field:
 
 
 def _spread(inside: Field, readout: BucketReadout) -> Field:
-    """Return for each pixel the value of its window; pixels at the edge use the nearest window."""
+    """Return for each pixel the value of its window in `readout`, from the values `inside` of all
+    complete windows; pixels at the edge use the nearest window."""
     for axis, width in enumerate(readout.window):
         first = np.arange(readout.frame.shape[axis]) - width // 2
         inside = np.take(inside, np.clip(first, 0, inside.shape[axis] - 1), axis)

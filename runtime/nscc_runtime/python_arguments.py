@@ -142,7 +142,8 @@ def _container(value: object) -> Container | None:
 
 
 def _array(call: str, light: object) -> NDArray[Any]:
-    """Return an array from an array, list or CPU tensor. Raises WrongArgument for other objects."""
+    """Return `light` as an array, from an array, list or CPU tensor; masked values become NaN.
+    Raises WrongArgument for other objects; `call` names the caller in it."""
     if isinstance(light, np.ndarray) or hasattr(light, "__array__") or isinstance(light, Sequence):
         # Masked values are rejected like NaN.
         mask = np.ma.getmask(light)

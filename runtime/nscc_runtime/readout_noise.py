@@ -70,7 +70,8 @@ class ReadoutNoise:
 def _readout_noise(
     sensor: Sensor, effects: Selection, device_seed: int, shape: tuple[int, int]
 ) -> ReadoutNoise:
-    """Return the errors of a readout that these effects cause, in converter codes."""
+    """Return the errors of a readout of `shape` (rows, cols) that these `effects` cause, in
+    converter codes: noise, its weights down a column, fixed pattern and common noise."""
     noisy, common = effects.acting("converter"), effects.acting("common")
     weights = np.eye(1, WEIGHTS)[0]
     for shared in effects.at("columns"):

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 
 
 def eaten(frame: Frame) -> Diagnostic | None:
-    """Return the warning that light lowered reset levels (black suns); None without such pixels."""
+    """Return the warning (NS0793) that light lowered reset levels (black suns) in pixels of
+    `frame`; None without such pixels."""
     bit, marked = marks()["level"].bit, frame.saturated_by
     pixels = np.bitwise_or.reduce(marked, axis=tuple(range(marked.ndim - 2))) & bit
     count = int(np.count_nonzero(pixels))
@@ -146,7 +147,7 @@ def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
 
 
 def saturation_text(saturated_by: NDArray[np.uint8]) -> str:
-    """Return how many pixels of an array are saturated, and by what, as text."""
+    """Return how many pixels of `saturated_by` are saturated, and by what, as text."""
     text = f"{np.count_nonzero(saturated_by)} of {saturated_by.size} pixels saturated"
     counts = {m.name: np.count_nonzero(saturated_by & m.bit) for m in marks().values()}
     named = ", ".join(f"{name} {count}" for name, count in counts.items() if count)

@@ -134,7 +134,8 @@ def _simulated(
 def _planned(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
-    """Simulate by a plan that is made here, read from a file, or passed in the request."""
+    """Simulate `light` by a plan that is made here, read from a file, or passed in the `request`.
+    Tells `listener` the timings, progress and warnings."""
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.execution.block_loop import run_blocks
     from nscc_runtime.planning.audit import audit
@@ -204,7 +205,8 @@ def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: boo
 
 
 def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
-    """Return the only frame, or all `repeat` frames as one with a leading axis."""
+    """Return the only frame of `frames_made`, or all `repeat` frames as one with a leading axis.
+    Reports progress to `listener`."""
     frames = listener.progress(frames_made, "exposing", repeat or 1)
     if repeat:
         return gathered(frames, repeat)

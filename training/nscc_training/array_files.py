@@ -253,7 +253,8 @@ Axis = Literal["first", "last"]
 
 
 def ambiguous_axes(path: Path, shape: tuple[int, ...]) -> Rejected:
-    """Return the error (NS0845) for a mask whose axes can be read in two ways."""
+    """Return the error (NS0845) that the mask in file `path` can be read in two ways; `shape` is
+    its three axes."""
     first, middle, last = shape
     return rejected(
         "NS0845",
@@ -272,7 +273,8 @@ def is_square_tile(shape: tuple[int, ...]) -> bool:
 
 
 def refused(path: Path, reason: str, note: str = "") -> Rejected:
-    """Return the error (NS0845) for a file without a usable mask and measurement."""
+    """Return the error (NS0845) that the file `path` has no usable mask and measurement, because of
+    `reason`."""
     return rejected(
         "NS0845",
         f"'{path}' cannot be used: {reason}",

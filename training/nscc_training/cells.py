@@ -104,7 +104,11 @@ class PixelCell(nn.Module):
         level: float = 0.5,
         outside: int = 0,
     ) -> None:
-        """Raise ValueError for settings that a program cannot have."""
+        """Build a cell with random weights, thresholds of 0 and the given settings. Raises
+        ValueError for settings that a program cannot have.
+
+        `kernel` and `pool` are odd sizes in pixels, `level` is the light that sets a bit, in parts
+        of a full well, and `outside` is the bit beyond the array."""
         super().__init__()
         for name, value, low, high, step in (
             ("kernel", kernel, 3, MOST_KERNEL, 2),

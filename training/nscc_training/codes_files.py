@@ -97,7 +97,8 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
 
 
 def _path(call: str, value: object) -> Path:
-    """Return the path of a code file; raise Rejected (NS0805) for another ending."""
+    """Return the argument `value` of the function `call` as the path of a code file. Raises
+    Rejected (NS0805) unless it ends in .npz or .mat."""
     path = path_of(call, value)
     if path.suffix.lower() not in (".npz", ".mat"):
         raise rejected(

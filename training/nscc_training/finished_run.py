@@ -316,7 +316,8 @@ _WIDTH, _HEIGHT, _LEFT, _TOP, _BELOW = 350.0, 130.0, 66.0, 20.0, 20.0
 
 
 def curve_chart(curves: Mapping[str, NDArray[np.float64]]) -> html.Html:
-    """Return charts of the validation PSNR and of the training loss over the steps."""
+    """Return charts of the validation PSNR (or share of right answers) and of the training loss in
+    `curves` over the steps."""
     val = curves["split"] == 1
     metric = "correct" if "correct" in curves else "psnr_db"
     return html.side_by_side(
@@ -331,7 +332,8 @@ def curve_chart(curves: Mapping[str, NDArray[np.float64]]) -> html.Html:
 def _chart(
     title: str, steps: NDArray[np.float64], values: NDArray[np.float64], colour: str
 ) -> html.Html:
-    """Return the chart of one curve with its range at the axes; empty without finite values."""
+    """Return the chart `title` of `values` over `steps`, with its range at the axes; empty without
+    finite values."""
     known = np.isfinite(values)
     steps, values = steps[known], values[known]
     if not len(values):

@@ -52,7 +52,8 @@ class FrameRead:
 
 
 def read_frame(path: Path) -> FrameRead:
-    """Read a frame file with one exposure, or one per colour; raise Rejected (NS0819)."""
+    """Return the frame in file `path`, which has one exposure, or one per colour. Raises Rejected
+    (NS0819) for other files."""
     file = frame_arrays(path)
     frame, saturated, stored_shutters = file.frame, file.saturated, file.shutter
     in_colours = "colours" in file.meta and frame.shape[:1] == (len(COLOURS),)
@@ -69,7 +70,8 @@ def read_frame(path: Path) -> FrameRead:
 
 
 def refuse_missing(path: Path) -> None:
-    """Raise Rejected (NS0819) for a missing file, before slow packages are imported."""
+    """Raise Rejected (NS0819) if the file `path` cannot be opened, before slow packages are
+    imported."""
     try:
         path.open("rb").close()
     except OSError as error:
@@ -84,7 +86,8 @@ def by_colour(values: Array, in_colours: bool) -> Array:
 
 
 def frame_arrays(path: Path) -> FrameRead:
-    """Return the arrays of a frame file, shutters unpacked; raise Rejected (NS0819)."""
+    """Return the arrays of the frame file `path`, with shutters unpacked; without `saturated` none
+    is marked. Raises Rejected (NS0819) for other files."""
     reads(path)
     try:
         arrays, meta = read_frame_arrays(path, _READ.__contains__)

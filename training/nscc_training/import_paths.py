@@ -21,7 +21,11 @@ def is_import_path(text: str) -> bool:
 
 
 def imported(text: str, role: str) -> Any:
-    """Import the object `module:name`; raise Rejected (NS0812) if that fails."""
+    """Return the class or function that `text`, `module:name`, names; the current folder is
+    searched too.
+
+    Raises Rejected (NS0812) if the import fails or the object cannot be called; `role` names its
+    use in the message."""
     module, _, name = text.partition(":")
     current_folder = str(Path.cwd())
     added = current_folder not in sys.path
@@ -52,7 +56,8 @@ def imported(text: str, role: str) -> Any:
 
 @contextmanager
 def own_code(text: str, role: str) -> Iterator[None]:
-    """Convert exceptions of user code in the `with` block into Rejected (NS0822)."""
+    """Convert exceptions of user code in the `with` block into Rejected (NS0822), except lack of
+    memory. `text` and `role` name the code in the message."""
     try:
         yield
     except Rejected:

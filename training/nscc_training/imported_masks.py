@@ -128,7 +128,8 @@ def import_mask(
 
 
 def read_binary_mask(path: Path) -> Floats:
-    """Read a binary mask; raise Rejected (NS0847) for values other than 0 and 1."""
+    """Return the binary mask in file `path`; raise Rejected (NS0847) for values other than 0 and
+    1."""
     mask = read_mask(path)
     count = int(np.count_nonzero((mask != 0) & (mask != 1)))
     if count:

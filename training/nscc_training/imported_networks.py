@@ -55,7 +55,8 @@ def import_network(
 
 
 def read_cell(path: Path) -> PixelCell:
-    """Read a cell from a state dict (.pt, .pth) or an .onnx file; raise Rejected (NS0851)."""
+    """Return the cell in file `path`: a state dict (.pt, .pth) or an .onnx file. Raises Rejected
+    (NS0851) for others."""
     suffix = path.suffix.lower()
     if suffix not in (".pt", ".pth", ".onnx"):
         raise refused(path, "its name does not end in .pt, .pth or .onnx")
@@ -170,7 +171,8 @@ def _state(path: Path, graph: Any) -> dict[str, Tensor]:
 
 
 def _check_frames(path: Path, model: Any, cell: PixelCell) -> None:
-    """Raise Rejected (NS0851) if the graph and the cell differ for random frames."""
+    """Raise Rejected (NS0851) if the ONNX graph `model` of file `path` and `cell` differ for random
+    frames, or if its inputs have other shapes."""
     from onnx.reference import ReferenceEvaluator
 
     shapes = [
@@ -269,7 +271,8 @@ def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
 
 
 def loaded_state(path: Path, data: bytes) -> dict[str, Tensor]:
-    """Return the tensors of a file of `torch.save`; raise Rejected (NS0851) for another file."""
+    """Return the tensors in `data`, the content of a file `path` of `torch.save`; raise Rejected
+    (NS0851) for another file."""
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             unpacked = sum(entry.file_size for entry in archive.infolist())
@@ -292,7 +295,8 @@ _CLASS = re.compile(r"(?:GLOBAL|global) ([\w.]+)")
 
 
 def _why_no_state(data: bytes, error: Exception) -> tuple[str, str]:
-    """Return why a file is not a state dict, and a note with the remedy."""
+    """Return why `data`, which torch refused with `error`, is not a state dict, and a note with the
+    remedy."""
     named = _CLASS.search(str(error))
     if data.startswith(b"version https://git-lfs"):
         return "it is a pointer of Git LFS, not the file itself", "`git lfs pull` fetches the file"
@@ -308,7 +312,7 @@ def _why_no_state(data: bytes, error: Exception) -> tuple[str, str]:
 
 
 def refused(path: Path, reason: str, note: str = "") -> Rejected:
-    """Return the error (NS0851) for a file that is not a cell."""
+    """Return the error (NS0851) that the file `path` is not a cell, because of `reason`."""
     return rejected(
         "NS0851",
         f"'{path}' cannot be imported: {reason}",

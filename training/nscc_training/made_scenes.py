@@ -70,7 +70,8 @@ def moving_texture(
 
 
 def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float64]:
-    """Return noise with the spectrum of natural scenes and a given standard deviation."""
+    """Return noise (size, size) with the spectrum of natural scenes, mean 0 and standard deviation
+    spread / 2."""
     frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size)[None, :])
     frequency[0, 0] = 1.0
     white = np.fft.rfft2(generator.standard_normal((size, size)))

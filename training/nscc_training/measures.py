@@ -29,7 +29,8 @@ _METRIC_TEXTS = {"psnr_db": "{:.2f} dB", "ssim": "SSIM {:.4f}", "correct": "{:.1
 
 
 def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
-    """Raise Rejected (NS0802) unless both arrays have one shape that metrics support."""
+    """Raise Rejected unless `truth` and `result` have one shape that metrics support (NS0802) and
+    values whose squares are finite (NS0804)."""
     if truth.shape != result.shape:
         raise rejected(
             "NS0802",
@@ -82,7 +83,8 @@ def measures(
 
 
 def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -> dict[str, Any]:
-    """Return the metrics of a frame of a clip as JSON values."""
+    """Return PSNR and SSIM of `result`, one frame of a clip, against `truth` as JSON values.
+    `data_range`: the largest value."""
     return {
         "psnr_db": decibels(metrics.psnr(truth, result, data_range)),
         "ssim": metrics.ssim(truth, result, data_range),
@@ -153,7 +155,7 @@ def measure_files(
 
 
 def measures_text(values: Mapping[str, Any]) -> str:
-    """Return the metrics of `measure_files` as text, one per line."""
+    """Return the metrics `values` of `measure_files` as text, one per line."""
     rows = [
         ("PSNR", "psnr_db", " dB"),
         ("PSNR of the mean error", "psnr_of_mean_mse_db", " dB"),

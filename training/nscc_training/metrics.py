@@ -152,7 +152,8 @@ class FrameScores:
 
 
 def frame_scores(mses: Iterable[float], data_range: float) -> FrameScores:
-    """Return the scores of frames with these mean square errors."""
+    """Return the scores of frames with the mean square errors `mses`; `data_range` is the largest
+    value, which defines PSNR."""
     errors = [float(mse) for mse in mses]
     scores = [psnr_of_mse(mse, data_range) for mse in errors]
     finite = [score for score in scores if math.isfinite(score)]
@@ -199,7 +200,8 @@ def ssim(truth: Array, result: Array, data_range: float) -> float:
 
 
 def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.float64]:
-    """Return the SSIM of every window, (rows - 10, cols - 10), in float64."""
+    """Return the SSIM of `truth` and `result` (rows, cols) in every window, (rows - 10, cols - 10),
+    in float64. `data_range`: the largest value."""
     x, y = truth.astype(np.float64), result.astype(np.float64)
     # Subtract a common offset: variances do not depend on it, but their rounding errors do.
     base = 0.5 * (float(x.mean()) + float(y.mean()))
@@ -217,7 +219,8 @@ def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.flo
 
 
 def _blur(picture: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the means of all complete windows, with Gaussian weights, (rows - 10, cols - 10)."""
+    """Return the means of all complete windows of `picture` (rows, cols), with Gaussian weights,
+    (rows - 10, cols - 10)."""
     offsets = np.arange(WINDOW) - WINDOW // 2
     weights = np.exp(-0.5 * (offsets / SIGMA) ** 2)
     weights /= weights.sum()
@@ -260,7 +263,8 @@ def temporal_error(truth: Array, result: Array, data_range: float) -> float:
 
 
 def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
-    """Return both as arrays; raise WrongArgument unless they are finite numbers of one shape."""
+    """Return `truth` and `result` as arrays; raise WrongArgument unless they are finite numbers of
+    one shape."""
     first = as_array("a metric", "the truth", truth)
     second = as_array("a metric", "the reconstruction", result)
     if first.shape != second.shape or {first.dtype.kind, second.dtype.kind} - {*"buif"}:

@@ -21,7 +21,8 @@ def one_line(error: object, most: int = 200) -> str:
 
 
 def why_no_arrays(error: InvalidArrays | OSError) -> str:
-    """Return why a file could not be read as an .npz of named arrays."""
+    """Return why a file could not be read as an .npz of named arrays, from the `error` that was
+    raised."""
     if isinstance(error, OSError):
         missing = isinstance(error, FileNotFoundError)
         return "the file does not exist" if missing else (error.strerror or str(error)).lower()
@@ -29,7 +30,8 @@ def why_no_arrays(error: InvalidArrays | OSError) -> str:
 
 
 def is_out_of_memory(error: Exception) -> bool:
-    """Return whether memory is exhausted, on the GPU or on the host, without torch."""
+    """Return whether `error` says that memory is exhausted, on the GPU or on the host. Does not
+    import torch."""
     return isinstance(error, MemoryError) or (
         isinstance(error, RuntimeError)
         and (type(error).__name__ == "OutOfMemoryError" or "DefaultCPUAllocator" in str(error))
@@ -43,7 +45,8 @@ def unreadable(code: str, message: str, error: Exception, help_text: str) -> Rej
 
 
 def invalid_setting(key: str, reason: object) -> Rejected:
-    """Return the refusal (NS0815) of a value of a training configuration."""
+    """Return the error (NS0815) that the value of `key` in a training configuration is invalid,
+    because of `reason`."""
     return rejected(
         "NS0815",
         f"invalid setting {key}: {' '.join(str(reason).split())}",

@@ -146,7 +146,8 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
 def compiled(
     files: ProgramFiles, chip: Chip, *, level: int = 1, every_code: bool = False
 ) -> Compiled:
-    """Compile and prove a program, with `every_code` for all codes that its class allows."""
+    """Compile and prove the program in `files` for `chip` at optimisation `level`; with
+    `every_code` for all codes that its class allows."""
     with tempfile.TemporaryDirectory() as folder:
         if files.codes:
             (Path(folder) / CODES_FILE).write_bytes(files.codes)
@@ -226,7 +227,8 @@ def words_per_slot(compiled_program: Compiled) -> float:
 
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
-    """Return all codes (codes, fields) that class and `require` allow, or raise Rejected."""
+    """Return all codes (codes, fields) that the class of `spec` and its `require` allow on `chip`.
+    Raises Rejected if there is an error in them."""
     source = Source("shutter.nsl", program(spec, {}, chip).text)
     tree, problems = parse(source)
     if any(problem.severity is Severity.ERROR for problem in problems):
@@ -252,7 +254,7 @@ _RULES = {
 
 
 def _rules(spec: ShutterSpec) -> list[str]:
-    """Return the statements that declare the code's fields and the buckets."""
+    """Return the statements that declare the fields of the code and the buckets of `spec`."""
     *fields, opened = _RULES[spec.kind]
     if spec.buckets == 1:
         return [*fields, opened]

@@ -107,7 +107,8 @@ def likelihoods(classes: Sequence[str], scores: NDArray[np.float32]) -> dict[str
 
 
 def _decoded(folder: RunFolder, frame: Path, force: bool, dark: Path | None) -> Reconstruction:
-    """Decode the frame file with a run, as `reconstruct` does."""
+    """Decode the file `frame` with the run `folder`, as `reconstruct` does; `dark` is a file of
+    dark frames."""
     read, begin = read_frame(frame), working_s()
     dark_frames = None if dark is None else read_dark(dark, folder.setup.buckets)
     light, messages = reconstructed(folder, read, str(frame), dark_frames, force=force)
@@ -155,7 +156,8 @@ def reconstructed(
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
-    """Yield reasons to believe that the frame was exposed with other shutters than the run's."""
+    """Yield the reasons to believe that the frame `read` was exposed with other shutters than the
+    run's."""
     if read.shutter is not None:
         hard = shutters_at(folder.setup, read.frame.shape[-2:]).numpy().astype(bool)
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
@@ -200,7 +202,8 @@ def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 
 def _trained_sensor(folder: RunFolder) -> str:
-    """Return the digest of the sensor that the run was trained for; empty if it is not stated."""
+    """Return the digest of the sensor that the run `folder` was trained for; empty if it is not
+    stated."""
     try:
         capture = tomllib.loads((folder.path / CAPTURE_FILE).read_text("utf-8"))
     except (OSError, ValueError):

@@ -149,7 +149,8 @@ def chosen_for_clip(measured: Measured[NDArray[Any]]) -> tuple[Method, str]:
 
 
 def merged_still(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
-    """Return the light (rows, cols) of a batch of one, merged over neighbourhoods."""
+    """Return the light (rows, cols) of `measured`, a batch of one still, merged over neighbourhoods
+    with the inverse of its variance as weight."""
     value, mask = measured.value[0].astype(np.float64), measured.mask[0, :, 0]
     opened, full = mask > 0, measured.saturated[0]
     light = np.where(opened, value / np.where(opened, mask, 1), 0)
@@ -199,7 +200,8 @@ def reconstruct_any(
 def _light(
     coded: CodedFrame, still: bool, method: Method, progress: Progress
 ) -> NDArray[np.float32]:
-    """Return electrons over the frame (rows, cols), or per slot (N, rows, cols)."""
+    """Return the light of the frame `coded` by `method`: electrons over the frame (rows, cols) of a
+    `still`, else electrons per slot (N, rows, cols)."""
     measured = coded.still() if still else coded.clip()
     if still and method == "merge":
         return merged_still(measured)
@@ -215,7 +217,8 @@ def _light(
 def _clip(
     measured: Measured[NDArray[Any]], method: Method, progress: Progress
 ) -> NDArray[np.float32]:
-    """Return the clip (N, rows, cols) of a batch of one, by the network or by GAP-TV."""
+    """Return the clip (N, rows, cols) of `measured`, a batch of one, by the network or by
+    GAP-TV."""
     if method != "network":
         return gap_tv_clip(measured)
     from nscc_training.any_code.decode import decoded_clip
@@ -345,7 +348,10 @@ def reconstruct_measurement(
     method: Method | None = None,
     progress: Progress = unseen,
 ) -> Reconstruction:
-    """Reconstruct the clip (K * slots, rows, cols), in the unit of the measurement per slot."""
+    """Reconstruct the clip (K * slots, rows, cols) of `measurement`, in its unit per slot.
+
+    `noise` gives the variance of each value. Without `method`, the network or GAP-TV is chosen from
+    the first of the K measurements."""
     begin, reason = working_s(), ""
     given, method = method, method_for(still=False, method=method)
     # The decoders are made for masks up to 1.

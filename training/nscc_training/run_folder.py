@@ -116,7 +116,8 @@ def run_codes(path: Path) -> Encoder:
 
 
 def _refuse_code(path: Path, settings: RunSettings) -> None:
-    """Raise Rejected (NS0823) if loading the run would execute code that is not nscc's."""
+    """Raise Rejected (NS0823) if the `settings` of the run `path` name code that is not nscc's,
+    which loading would execute."""
     named = {"decoder": [settings.decoder.name], "loss": settings.loss.name.split("+")}
     code = [
         f"its {role} is `{name.strip()[:100]}`"
@@ -155,7 +156,8 @@ def _check_whole(path: Path, result: dict[str, Any]) -> None:
 
 
 def _no_run(path: Path, reason: str) -> Exception:
-    """Return the error (NS0818) for a folder that is not a finished run."""
+    """Return the error (NS0818) that the folder `path` is not a finished run, because of
+    `reason`."""
     return rejected(
         "NS0818",
         f"'{path}' is not a finished run of nscc train",

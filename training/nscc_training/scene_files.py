@@ -94,7 +94,7 @@ def light_in(stored: NDArray[Any], colours: Transfer | Colours) -> NDArray[np.fl
 
 
 def frames_in(path: Path) -> Iterable[NDArray[Any]]:
-    """Yield the stored frames of a clip; white is 1 in float frames."""
+    """Return the stored frames of the clip `path`; white is 1 in float frames."""
     if path.suffix.lower() != ".mat":
         return read_frames(path)
     key, stored = read_mat(path, lambda _shape: None)

@@ -254,7 +254,7 @@ def differentiable_capture(
 
 
 def check_light(light: Tensor) -> None:
-    """Raise ValueError for values that are complex, negative or not finite."""
+    """Raise ValueError if values of `light` are complex, negative or not finite."""
     if light.is_complex():
         reason = "light is complex, but must contain real values: the electrons of each slot"
         raise ValueError(reason)

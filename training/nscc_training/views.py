@@ -190,7 +190,7 @@ def _is_drawn(name: str) -> bool:
 
 
 def _json(path: Path) -> dict[str, Any]:
-    """Return the object in a JSON file; raise Rejected (NS0801) if it is none."""
+    """Return the object in the JSON file `path`; raise Rejected (NS0801) for another file."""
     try:
         document = json.loads(read_whole(path))
     except (OSError, ValueError, RecursionError) as error:
@@ -201,7 +201,7 @@ def _json(path: Path) -> dict[str, Any]:
 
 
 def _nothing_to_view(path: Path, reason: str) -> Rejected:
-    """Return the error (NS0801) for a file that cannot be drawn."""
+    """Return the error (NS0801) that the file `path` cannot be drawn, because of `reason`."""
     return rejected(
         "NS0801",
         f"cannot view '{path}': {' '.join(reason.split())[:200]}",
@@ -219,7 +219,8 @@ _ELSEWHERE = "with another sensor or exposure"
 
 
 def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
-    """Draw a run's training curves, and its scores under changed conditions."""
+    """Return a sheet of the training curves of the run `path`, and of its scores in `result` under
+    changed conditions."""
     with open(path / "metrics.csv", encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
     changes, metric = _changes(result), _metric(result)
@@ -245,7 +246,8 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
 
 
 def result_sheet(values: dict[str, Any], title: str) -> Figure:
-    """Draw the scores of a run (`robustness`) or an evaluation (`items`), worst first."""
+    """Return a sheet, under `title`, of the scores in `values`: of a run (`robustness`) or an
+    evaluation (`items`), worst first."""
     changes, metric = _changes(values), _metric(values)
     if changes:
         figure, (axes,) = panels(1, _PANEL, 1)
@@ -273,7 +275,8 @@ def result_sheet(values: dict[str, Any], title: str) -> Figure:
 
 
 def sensor_sheet(path: Path) -> Figure:
-    """Draw the response of a sensor to uniform light in one slot, and its standard deviation."""
+    """Return a sheet of the response of the sensor file `path` to uniform light in one slot, and of
+    its standard deviation."""
     target = load_target(DEFAULT_NAME, Path())
     sensor = load_sensor(target, path)
     electrons = np.geomspace(10.0, 3 * sensor.full_well_e, target.cols)

@@ -136,7 +136,8 @@ class Playground:
         return answer
 
     def _words(self, settings: PageSettings) -> dict[str, Any]:
-        """Return the words of a frame and the registers of one pixel, as `traced` does."""
+        """Return the words of a frame exposed with `settings` and the registers of its chosen
+        pixel, as `traced` does. Raises Rejected for a pixel outside the array."""
         taken = self._capture(replace(settings, row=0, col=0))
         rows, cols = taken.container.target.rows, taken.container.target.cols
         if not (0 <= settings.row < rows and 0 <= settings.col < cols):
@@ -147,7 +148,8 @@ class Playground:
         return traced(taken.container, taken.light, sensor, effects, pixel, settings.seed)
 
     def _frame(self, settings: PageSettings) -> dict[str, Any]:
-        """Return the pictures of a frame, merged light included, its description and its plan."""
+        """Return the pictures of a frame exposed with `settings`, merged light included, its
+        description and its plan, as JSON values."""
         taken = self._capture(replace(settings, row=0, col=0))
         buckets = taken.container.buckets_read
         # The electrons that pixels which are always open would collect.
@@ -170,7 +172,8 @@ class Playground:
         return {"pictures": pictures, "lines": frame_lines(taken.container, taken), "plan": plan}
 
     def _opened(self, text: str) -> Document:
-        """Return the document of a program; raise Rejected if it names files elsewhere."""
+        """Return the document of the program `text`; raise Rejected if it names files outside of
+        its folder."""
         document = Document(self.file.name if self.file else "program.nsl", text, self.folder)
         folder = self.folder.resolve()
         for statement in document.parsed[0].statements:
@@ -200,7 +203,8 @@ class Playground:
 
 
 def _picture(text: str, shape: tuple[int, int]) -> NDArray[np.float32]:
-    """Return the light (rows, cols) of a user's picture."""
+    """Return the light of a user's picture, float32 in base64, as an array of `shape` (rows, cols).
+    Raises Rejected for another length."""
     try:
         return np.frombuffer(b64decode(text, validate=True), "<f4").reshape(shape)
     except ValueError as invalid:

@@ -70,7 +70,8 @@ def call_text(call: Call) -> str:
 
 
 def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
-    """Return the lines of a kernel that is recorded inline at its first run and launched."""
+    """Return the lines of a kernel of these `calls`, which is recorded inline at its first run and
+    launched."""
     return [
         f"{indent}scamp5_kernel_begin();",
         *(f"{indent}    {call_text(call)}" for call in calls),

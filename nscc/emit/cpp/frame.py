@@ -115,7 +115,8 @@ def kernel_us(kernel: StoredKernel, target: Target) -> Fraction:
 
 
 def _setup_us(container: Container) -> Fraction:
-    """Return the time from the first word to the end of the reset that begins the exposure."""
+    """Return the time in us from the first word of a frame to the end of the reset that begins the
+    exposure."""
     target = container.target
     elapsed = setup = Fraction(0)
     for launch in container.launches:

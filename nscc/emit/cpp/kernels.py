@@ -222,7 +222,8 @@ def _macro(window: tuple[Op, ...]) -> Call | None:
 
 
 def _single(operation: Op) -> Call | None:
-    """Return the library call for one word, or None if the library has none for its operands."""
+    """Return the library call for the word `operation`, or None if the library has none for its
+    operands."""
     if operation.operation.phase is not Phase.WHOLE:
         return None
     if len(operation.sources) > MOST_SOURCES.get(operation.name, len(operation.sources)):

@@ -251,7 +251,8 @@ def _name(program: Program) -> str:
 
 
 def _time_text(container: Container, schedule: LaunchSchedule) -> str:
-    """Return the sentence on when the exposure begins and ends, and how long words take (us)."""
+    """Return the sentence on when the exposure of `schedule` begins and ends, and how long words
+    take (us)."""
     target = container.target
     return (
         f"the exposure begins {schedule.begin_us} us after the frame's first word and ends "
@@ -264,7 +265,8 @@ def _time_text(container: Container, schedule: LaunchSchedule) -> str:
 
 
 def _readout_text(container: Container) -> str:
-    """Return how converter codes map to electrons: spread over all codes, or as they are."""
+    """Return how converter codes of `container` map to electrons: spread over all codes, or as they
+    are."""
     target = container.target
     if not container.buckets_read:
         return "images and planes"

@@ -117,7 +117,7 @@ class FrameContext:
         return disjunction ^ self.everything if item.inverted else disjunction
 
     def legal(self, item: GateOp) -> bool:
-        """Return whether the machine has a word, or a pair of words, for an operation."""
+        """Return whether the machine has a word, or a pair of words, for the operation `item`."""
         count = len(item.sources)
         if item.destination == self.flag:
             limit = self.machine.where_sources
@@ -272,7 +272,10 @@ def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
 
 
 def states_before(frame: FrameContext, items: Sequence[Item]) -> list[tuple[Content, ...]]:
-    """Return the state before every item, and after the last; raise Illegal for an invalid item."""
+    """Return the contents of all registers before each of `items`, and after the last.
+
+    Raises Illegal for an operation that the machine lacks or that reads unknown contents, for a
+    demand that FLAG does not meet, and for code planes that changed."""
     state = list(frame.start)
     states = []
     for item in items:

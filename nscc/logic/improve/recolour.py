@@ -39,7 +39,8 @@ def recoloured(frame: FrameContext, items: Sequence[Item]) -> list[Item] | None:
 
 
 def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], list[int]]:
-    """Return all values, initial ones first, and for each item the index of its result."""
+    """Return all values that registers hold while `items` run, initial ones first, and for each
+    item the index of its result (-1 for checks)."""
     values = [_Value(-1, -1) for _ in range(frame.flag + 1)]
     holds = list(range(frame.flag + 1))
     written = []
@@ -80,7 +81,8 @@ class _Painter:
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], values: list[_Value], written: list[int]
     ) -> None:
-        """Begin with each initial value in its own register; later values have no register yet."""
+        """Begin with each initial value in its own register; the `values` that items write have no
+        register yet."""
         self.frame, self.items = frame, items
         self.values, self.written = values, written
         self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)

@@ -253,7 +253,8 @@ class Rewriter:
             self.changed |= 1 << register
 
     def _insert(self, item: GateOp) -> bool:
-        """Append a new operation and update the contents; return False if its result is unknown."""
+        """Append the operation `item` and update the contents; return False, without a change, if
+        its result is unknown."""
         value = self.frame.value(item, self.state)
         if value is None:
             return False

@@ -189,7 +189,8 @@ def _exhausted(run: TrackedRun) -> list[Item]:
 
 
 def _sweep(run: TrackedRun) -> None:
-    """Repeat removal of operations and register allocation until a round saves no word."""
+    """Remove operations of `run` and allocate its registers again, in rounds, until a round saves
+    no word."""
     words = run.words() + 1
     while run.words() < words:
         words = run.words()
@@ -198,7 +199,8 @@ def _sweep(run: TrackedRun) -> None:
 
 
 def _recolour(run: TrackedRun) -> None:
-    """Allocate the registers again, and keep the result if it has fewer words and is legal."""
+    """Allocate the registers of `run` again, and keep the result if it has fewer words and is
+    legal."""
     items = recoloured(run.frame, run.items)
     if items is not None and run.frame.total(items) < run.words():
         with suppress(Illegal):

@@ -50,7 +50,8 @@ def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> 
     reasons = {id(level): reason for level, reason in curve.left_out}
 
     def points(levels: tuple[LevelMoments, ...]) -> list[dict[str, Any]]:
-        """Return moments of each level as JSON values, whether it was used, and if not why."""
+        """Return the moments of each of these `levels` as JSON values, with `used` and, if the fit
+        left the level out, the reason."""
         return [
             {
                 "exposure_s": level.exposure_s,
@@ -67,7 +68,7 @@ def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> 
         ]
 
     def plain(value: Quantity | ParameterChoice) -> dict[str, Any]:
-        """Return a record as JSON values, with its standard error under its full name."""
+        """Return the fields of `value` as JSON values; its `se` is named "standard_error"."""
         return {
             "standard_error" if k == "se" else k: field_value
             for k, field_value in asdict(value).items()

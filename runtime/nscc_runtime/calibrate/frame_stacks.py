@@ -267,7 +267,10 @@ def _pictures(path: Path) -> NDArray[Any]:
 
 
 def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
-    """Return codes (K, rows, cols). Raises Rejected (NS0757) for other values."""
+    """Return the codes `values` of the array `key` of file `name` as (K, rows, cols).
+
+    Raises Rejected (NS0757) for other shapes, types that are not numbers, and values that are not
+    integers from 0 to `top_code`."""
     if values.ndim == 2:
         values = values[None]
     if values.ndim != 3 or 0 in values.shape or min(values.shape[1:]) < 2:

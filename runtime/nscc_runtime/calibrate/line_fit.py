@@ -105,7 +105,8 @@ def root(variance: float, error: float) -> tuple[float, float]:
 
 
 def surface(values: Map, good_mask: Mask) -> Map:
-    """Return the quadratic surface (rows, cols), with six parameters, fitted to the good pixels."""
+    """Return the quadratic surface (rows, cols) with six parameters that fits the `values` of the
+    pixels in `good_mask` with the least squared error."""
     rows, cols = values.shape
     x, y = np.meshgrid(np.linspace(-1, 1, cols), np.linspace(-1, 1, rows))
     terms = np.stack([np.ones_like(x), x, y, x * y, x * x, y * y], axis=-1)

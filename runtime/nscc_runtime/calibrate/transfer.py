@@ -214,7 +214,8 @@ def _too_few(judged: Sequence[tuple[LevelMoments, str]], limit: float) -> Reject
 
 
 def _no_transfer(why: str) -> Rejected:
-    """Return the error (NS0759) that noise does not increase with light."""
+    """Return the error (NS0759) that noise does not increase with light; `why` completes its
+    message."""
     return rejected(
         "NS0759",
         f"the noise of the flats does not increase with their mean: {why}",

@@ -53,7 +53,10 @@ def device_meta(
     container: Container | None,
     light: Light | None = None,
 ) -> dict[str, Any]:
-    """Return the meta of a frame just exposed by `chip`, with no seeds, plan and audit (None)."""
+    """Return the `meta` of the `frame` that `chip` just exposed with `sensor`.
+
+    `container` and `light` are the program and the scene, None if unknown. Seeds, plan and audit
+    are None, because a device has none."""
     info = chip.link.host.info
     assert info is not None  # known since the frame was received
     origin = Provenance(chip.label.hex(), sensor, seed=None, device_seed=None, fidelity="device")

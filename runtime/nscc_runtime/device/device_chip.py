@@ -151,7 +151,8 @@ class DeviceChip:
         return self._shot(container.target, container, program)
 
     def capture_held(self, target: Target) -> Shot:
-        """Capture one frame of the program on the device. Raises NS0771 if it has no program."""
+        """Capture one frame of the program that the device holds, decoded for `target`. Sets
+        `label` to the program's. Raises Rejected (NS0771) if the device has no program."""
         info = self.info()
         self.label = info.label
         if info.state not in (LoaderState.READY, LoaderState.EXPOSING):

@@ -171,7 +171,8 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
 
 
 def no_program(port: str) -> Rejected:
-    """Return the error (NS0771) that the device has no program, with how to upload one."""
+    """Return the error (NS0771) that the device at `port` has no program, with how to upload
+    one."""
     return rejected(
         "NS0771",
         f"the device at '{port[:200]}' holds no program",
@@ -180,7 +181,8 @@ def no_program(port: str) -> Rejected:
 
 
 def states_lost(port: str) -> Rejected:
-    """Return the error (NS0774) that the kept states of the previous frame were lost."""
+    """Return the error (NS0774) that the device at `port` lost the kept states of the previous
+    frame."""
     return rejected(
         "NS0774",
         f"the device at '{port[:200]}' lost the kept states of its pixels",

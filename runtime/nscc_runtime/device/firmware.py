@@ -175,7 +175,8 @@ class Firmware:
     """The process of the loader. Its jobs arrive as records and run on `chip`."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
-        """Start the firmware as a process. `chip` executes the words that it sends to its board."""
+        """Start the firmware by `command` as a process with pipes. `chip` executes the words that
+        it sends to its board, recorded as words of `target`."""
         self.chip, self.target = chip, target
         self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         assert self._process.stdin is not None
@@ -263,7 +264,8 @@ class RunningFirmware(Firmware):
     """A loader in real time behind a non-blocking file descriptor."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
-        """Start the firmware; the port is not open yet, and no frame is being exposed."""
+        """Start the firmware by `command`, without a port and with no frame being exposed. `chip`
+        executes words of `target`."""
         super().__init__(command, target, chip)
         self._line = -1
         self._unsent = b""
@@ -316,7 +318,8 @@ class Process(RunningFirmware):
     """The loader compiled for this machine, behind its own pseudo-terminal."""
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
-        """Start the firmware and open its pseudo-terminal; raise NotStarted if this fails."""
+        """Start the firmware `loader` and open its pseudo-terminal; raise NotStarted if this fails.
+        `chip` executes its words."""
         try:
             super().__init__([str(loader.path), "--pty"], loader.target, chip)
             self.port = self._named()

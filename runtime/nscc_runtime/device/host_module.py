@@ -160,7 +160,7 @@ def _call(name: str, function: Callable[[], Any]) -> Any:
 
 
 def _failed(message: str, *notes: str) -> Rejected:
-    """Return the error (NS0795) for a host module that cannot be used."""
+    """Return the error (NS0795) `message` about a host module that cannot be used, with `notes`."""
     return rejected(
         "NS0795",
         message,

@@ -199,7 +199,8 @@ def _bytes_of(path: Path) -> bytes:
 
 
 def _picture(path: Path, data: bytes) -> NDArray[np.uint8]:
-    """Return the 8-bit picture (rows, cols) of a file; raise Rejected (NS0794) for others."""
+    """Return the 8-bit picture (rows, cols) that the content `data` of file `path` holds; colour
+    with three equal channels counts as grey. Raises Rejected (NS0794) for other arrays."""
     values = _values(path, data)
     if values.ndim == 3 and values.shape[2] in (3, 4):
         grey = values[..., 0]
@@ -220,7 +221,8 @@ def _picture(path: Path, data: bytes) -> NDArray[np.uint8]:
 
 
 def _values(path: Path, data: bytes) -> NDArray[Any]:
-    """Return the array of a .npy, .csv or picture file; raise Rejected if it cannot be read."""
+    """Return the array of a .npy or .csv file with the content `data`, or of the picture file
+    `path`. Raises Rejected if it cannot be read."""
     suffix = path.suffix.lower()
     if suffix == ".npy":
         try:

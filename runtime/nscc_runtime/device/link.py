@@ -53,7 +53,8 @@ class SerialLink:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        """Close the port; after an exception, first stop the device, for at most `_GOODBYE_S`."""
+        """Close the port. If an exception of type `kind` ends the block, first stop the device, for
+        at most `_GOODBYE_S`."""
         if self._port is not None and kind is not None and self.host.info is not None:
             with suppress(Exception):
                 until = monotonic() + _GOODBYE_S

@@ -309,7 +309,7 @@ FRAME = Struct("<QI")
 
 
 def info_text(info: Info, status: Status) -> str:
-    """Return a loader's description, one property per line."""
+    """Return the description `info` of a loader and its `status` as text, one property per line."""
     state = (
         LoaderState(info.state).name.lower() if info.state in set(LoaderState) else str(info.state)
     )
@@ -331,7 +331,8 @@ def info_text(info: Info, status: Status) -> str:
 
 
 def info_json(info: Info, status: Status) -> str:
-    """Return a loader's description as JSON, with digests in hexadecimal."""
+    """Return the description `info` of a loader and its `status` as JSON, with digests in
+    hexadecimal."""
     values = {**asdict(info), "status": asdict(status)}
     for name in ("target", "program", "label"):
         values[name] = values[name].hex()

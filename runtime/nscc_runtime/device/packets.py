@@ -58,7 +58,8 @@ class Packet:
 
 
 def unpacked(stuffed_bytes: bytes) -> Packet | None:
-    """Return the packet whose bytes stood between two zero bytes; None if it is damaged."""
+    """Return the packet in `stuffed_bytes`, which stood between two zero bytes; None if it is
+    damaged."""
     plain = unstuffed(stuffed_bytes)
     if plain is None or not OVERHEAD <= len(plain) <= _LARGEST:
         return None

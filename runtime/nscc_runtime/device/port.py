@@ -50,7 +50,8 @@ class Port:
         return data
 
     def write(self, data: bytes) -> int:
-        """Write bytes and return how many were accepted. Raises PortGone if the port is lost."""
+        """Write `data` and return how many of its bytes were accepted. Raises PortGone if the port
+        is lost."""
         try:
             return os.write(self.fileno(), data)
         except BlockingIOError:

@@ -64,7 +64,8 @@ NAMES = {
 
 
 def parse_faults(text: str) -> LineFaults:
-    """Parse a list of faults such as EXAMPLE. Raises NS0769 (status 2) for other texts."""
+    """Return the faults of a line from a `text` such as EXAMPLE. Raises Rejected (NS0769, status 2)
+    for other texts."""
     values: dict[str, Any] = {}
     for item in text.split(","):
         name, _, value = (piece.strip() for piece in item.partition("="))
@@ -102,7 +103,8 @@ def _value(name: str, text: str) -> float | int:
 
 
 def _invalid_faults(problem: str, *helps: str) -> Rejected:
-    """Return the error (NS0769) for an invalid `--fault`."""
+    """Return the error (NS0769) that `--fault` has this `problem`; without `helps`, the help is
+    EXAMPLE."""
     return rejected(
         "NS0769",
         f"--fault: {problem}",
@@ -226,7 +228,8 @@ class Terminal:
         return data
 
     def write(self, data: bytes) -> int:
-        """Write bytes and return how many were accepted."""
+        """Write `data` and return how many of its bytes were accepted: 0 if the terminal is
+        full."""
         try:
             return os.write(self.fd, data)
         except BlockingIOError:

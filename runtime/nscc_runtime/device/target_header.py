@@ -151,7 +151,8 @@ def _operations(target: Target) -> Iterator[str]:
 
 
 def _registers(target: Target) -> Iterator[str]:
-    """Yield the C++ table of registers: their bits as source and destination, and their kind."""
+    """Yield the lines of the C++ table of registers: the bits of each register as source and
+    destination, its kind, and whether `target` has it."""
     word_masks = masks()
     known = {*target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT"}
     known |= NEIGHBOURS.keys() if target.sees_neighbours else set()

@@ -370,7 +370,8 @@ class _Fetcher:
             self.asked[self.host.send(PacketKind.READ, read.pack())] = request
 
     def _lose(self, sequences: list[int]) -> None:
-        """Give these requests up, so that their chunks are requested again in smaller packets."""
+        """Give up the requests with these `sequences`, so that their chunks are requested again in
+        smaller packets. Counts them in `host.resent`."""
         for sequence in sequences:
             self.given_up[sequence] = self.asked.pop(sequence)
             self.host.resent += 1

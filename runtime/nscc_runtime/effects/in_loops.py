@@ -16,7 +16,7 @@ from nscc_runtime.noise.keys import base
 
 
 def switches(effects: Selection) -> dict[str, int]:
-    """Return for each switch of the compiled loop whether its effect is selected, 1 or 0."""
+    """Return for each switch of the compiled loop 1 if its effect is among `effects`, else 0."""
     return {
         loop.switch: int(effect in effects)
         for effect, loop in _in_loops()

@@ -19,7 +19,8 @@ from nscc_runtime.noise import key, normals, uniforms
 
 
 def _of_scamp(value: float) -> Default:
-    """Return a default for chips with registers, and 0 for other chips, which were not measured."""
+    """Return a default that is `value` for chips with registers, and 0 for other chips, which were
+    not measured."""
 
     def default(target: Target, _values: Mapping[str, float]) -> float:
         """Return the default on chips with logic; 0 on others."""

@@ -65,7 +65,8 @@ def register(effect: Effect) -> None:
 
 
 def _clashes(effect: Effect) -> list[str]:
-    """Return the conflicts of a complete declaration with the registered effects."""
+    """Return the conflicts of `effect`, whose declaration is complete, with the registered effects,
+    as texts that say what the effect needs."""
     known = {
         row.name: row for other_effect in _registered.values() for row in other_effect.parameters
     }

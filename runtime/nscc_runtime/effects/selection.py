@@ -189,7 +189,7 @@ def named(name: str) -> Effect:
 
 
 def _invalid_selection(message: str, help_text: str) -> Rejected:
-    """Return the error (NS0756) for an invalid `--effects`."""
+    """Return the error (NS0756) `message` for an invalid `--effects`, with `help_text`."""
     return rejected(
         "NS0756",
         message,

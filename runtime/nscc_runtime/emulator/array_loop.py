@@ -106,7 +106,8 @@ def clear_flag_outside(shape: ArrayShape, planes: Words, y: int) -> None:
 
 @compiled
 def _flagged(shape: ArrayShape, planes: Words, y: int) -> int:
-    """Return in how many pixels of a row FLAG is 1: `_NONE`, `_SOME` or `_ALL`."""
+    """Return in how many pixels of row `y` FLAG is 1: `_NONE`, `_SOME` or `_ALL`. `planes`: 64
+    pixels in each number."""
     flag, full = plane_of(shape, shape.flag, y), shape.cols // 64
     any_bits, unset_bits = _ZERO, _ZERO
     for g in range(full):
@@ -172,7 +173,10 @@ def _source(shape: ArrayShape, word: ArrayWord, operands: Ints, y: int, s: int) 
 def _two_terms(
     shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, planes: Words, y: int
 ) -> tuple[int, int, float]:
-    """Return two rows and a constant whose sum is that of a word's sources in row y."""
+    """Return the starts of two rows in `values`, and a constant in electrons, whose sum is the sum
+    of a word's sources in row `y`.
+
+    With more than two sources, the scratch rows `shape.part` and `shape.total` are overwritten."""
     a, b = _source(shape, word, operands, y, 0), _source(shape, word, operands, y, 1)
     initial_e = word.in_e
     for s in range(2, word.sources):
@@ -242,7 +246,8 @@ def _store(
     planes: Words,
     marked: Ints,
 ) -> None:
-    """Set row y of a register to the row at `source` where FLAG is 1."""
+    """Set row `y` of `register` to the row that starts at `source` in `values`, where FLAG is 1.
+    Copy the saturation marks too, if `marked[0]` says that there are any."""
     out, flag = row_of(shape, register, y), plane_of(shape, shape.flag, y)
     state = _ALL if word.everywhere else _flagged(shape, planes, y)
     _add(shape, values, out, source, 0, 1.0, 0.0, planes, flag, state)
@@ -261,7 +266,8 @@ def _bus(
     y: int,
     marked: Ints,
 ) -> None:
-    """Write minus the sum of the sources, over the divisor, to the destinations."""
+    """Write minus the sum of the sources in row `y`, over the divisor, to the destinations where
+    FLAG is 1, with saturation marks."""
     first, total = word.operands + 3 * word.sources, shape.total
     halves = word.divisor & (word.divisor - 1) == 0  # so that a factor is exact
     flag, state = plane_of(shape, shape.flag, y), _ALL
@@ -301,7 +307,8 @@ def _bus(
 def _compare(
     shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, planes: Words, y: int
 ) -> None:
-    """Set FLAG to 1 where a sum is above 0; with `obeys_flag`, only where FLAG was 1."""
+    """Set FLAG in row `y` of `planes` to 1 where the sum of the sources is above 0; with
+    `shape.obeys_flag`, only where FLAG was 1."""
     a, b, initial_e = _two_terms(shape, word, operands, values, planes, y)
     flag = plane_of(shape, shape.flag, y)
     for g in range(shape.plane_words):
@@ -315,7 +322,8 @@ def _compare(
 
 @compiled
 def _write_bits(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: int) -> None:
-    """Write the OR of the sources, or its inverse, to the destinations."""
+    """Write the OR of the sources in row `y` of `planes`, or its inverse, to the destinations. The
+    masked register changes only where its mask is 1."""
     first, bus = word.operands, plane_of(shape, shape.bus, y)
     flip = _FULL if word.inverted else _ZERO
     a = plane_of(shape, operands[first] if word.sources else shape.zero, y)
@@ -410,7 +418,8 @@ def _run_rows(
     planes: Words,
     marked: Ints,
 ) -> None:
-    """Run words without propagations, as `run_words` does."""
+    """Run words `first` to `stop` - 1, which contain no propagation, row by row: each word runs
+    `lag` rows behind the first one, so that rows stay in the cache."""
     for step in range(shape.rows + words[stop - 1].lag if stop > first else 0):
         for w in range(first, stop):
             word = words[w]

@@ -89,7 +89,7 @@ def check_program(container: Container) -> None:
 
 
 def check_codes(container: Container) -> None:
-    """Raise Rejected (NS0741) for a program without pixel codes."""
+    """Raise Rejected (NS0741) if the program of `container` has no pixel codes."""
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",

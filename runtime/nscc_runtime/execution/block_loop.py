@@ -102,7 +102,11 @@ def _draw(
     count: int,
     state: PixelState,
 ) -> None:
-    """Draw the normal numbers of word number w: its read or reset, comparison or destinations."""
+    """Draw normal numbers for word number `w`, for its read or reset, its comparison and each of
+    its destinations, into `state.normals`.
+
+    The numbers of the pixels first + state.running[:count] depend on `keys`, the frame and `places`
+    only."""
     running, normals, frame = state.running, state.normals, sizes.frame
     if word.resets and switches.reset_errors:
         _drawn(bits(keys.resets, frame, np.uint64(w)), places, first, running, count, normals, 0)
@@ -130,7 +134,8 @@ def _fall(
     state: PixelState,
     block: BlockScratch,
 ) -> None:
-    """Add to PIX the charge that is collected until a word ends."""
+    """Add to PIX the charge that the pixels state.running[:count] collect until `word` ends, which
+    is in stretch number `stretch`. Advances `block`."""
     pixels = sizes.charged
     for j in range(count):
         i = state.running[j]

@@ -151,7 +151,11 @@ def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgr
 
 
 def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProgram:
-    """Return a program whose segments end with comparisons; all pixels have the same stretches."""
+    """Return the program of pixels that look: its segments are those of `paths`, which end with
+    comparisons.
+
+    All pixels have the same stretches, which begin where words run, or with `every_slot` at all
+    boundaries."""
     assert container.pixel_codes is not None
     slots, shape = container.slots, container.pixel_codes.shape
     bounds = range(slots + 1) if every_slot else (word.boundary for word in paths.words)
@@ -225,7 +229,8 @@ def readouts_of(container: Container) -> Readouts:
 
 
 def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numbers:
-    """Return the parameters of the effects for the compiled loop; 0 for effects that are off."""
+    """Return the parameters of `effects` for the compiled loop, with the values of `sensor`; 0 for
+    effects that are off."""
     mark = effects.marking("registers")
     return Numbers(
         least_lost=mark.least_e(sensor) if mark else 0.0,

@@ -268,7 +268,8 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
 
 
 def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
-    """Return the pixels at `places`, followed by their other neighbours if they exchange charge."""
+    """Return the pixels at `places`; if the scene `exchanges` charge, their other neighbours
+    follow, and `beside` gives the four neighbours of each."""
     shape, effects, sensor = scene.program.lane.shape, scene.effects, scene.sensor
     beside = np.full((len(places), 4), -1, np.int32)
     every = places

@@ -56,7 +56,11 @@ def _beside(
     away: Floats,
     total: Floats,
 ) -> None:
-    """Add to total[bucket, i] the charge from one neighbour minus the charge given to it."""
+    """Add to total[bucket, i], for pixel first + i, the charge from the neighbour in one
+    `direction` minus the charge given to it.
+
+    `away`: deviation of the count of number `draw` from its mean, by pixel. The weights say how
+    much of it this bucket of the pixel, or of the neighbour, collects."""
     rows, cols, pixels = adding.rows, adding.cols, adding.pixels
     row, begin, end = first // cols, first, stop
     step = -cols
@@ -88,7 +92,11 @@ def _counted(
     away: Floats,
     total: Floats,
 ) -> None:
-    """Set total[b, i] to the deviation of the exposure of pixel first + i due to counts."""
+    """Set total[bucket, i] to the deviation of the exposure of pixel first + i from its mean, due
+    to counts of photons.
+
+    `away` (draws, pixels) has the deviations of counts; `own_weights` and `neighbour_weights` say
+    how much of them each bucket collects."""
     for bucket in range(adding.buckets):
         at = bucket * BLOCK - first
         for p in range(first, stop):

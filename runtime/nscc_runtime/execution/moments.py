@@ -404,7 +404,8 @@ def _neighbour_weights(
 
 
 def _word_errors(program: AnalysedProgram, effects: Selection) -> Values:
-    """Return the errors of words as factors of normal numbers, (draws, buckets, lanes); cached."""
+    """Return the errors of words under `effects` as factors of normal numbers, (draws, buckets,
+    lanes); cached in the `program`."""
 
     def make() -> Values:
         """Return the standard deviations (e) of all word errors by draw, bucket and lane.

@@ -53,7 +53,8 @@ class AnalysedProgram:
 
     @classmethod
     def of(cls, container: Container, sensor: Sensor) -> AnalysedProgram:
-        """Analyse a program. Raises Rejected (NS0442) if its words open no shutters."""
+        """Return the analysis of the program of `container` on a chip with `sensor`. Raises
+        Rejected (NS0442) if its words open no shutters."""
         check_program(container)
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")

@@ -100,7 +100,8 @@ class _RegisterState:
     column, of the fixed error. `covariance` (lanes, rows, rows): covariance of their noise."""
 
     def __init__(self, program: AnalysedProgram, lanes: int, stretches: int) -> None:
-        """Begin with all registers at 0, and with the variance of each kind of word error."""
+        """Begin with all registers of these `lanes` at 0 in every one of the `stretches`, and with
+        the variance of each kind of word error."""
         self._container, sensor, effects = program.container, program.sensor, everything()
         self.names = (*self._container.target.analog_registers, "IN", "PIX", "level")
         self.pix, self._level = len(self.names) - 2, len(self.names) - 1
@@ -115,7 +116,8 @@ class _RegisterState:
             self._variance[errors.at] += errors.sigma_e(sensor) ** 2
 
     def reset(self, in_lane: NDArray[np.bool_]) -> None:
-        """Reset PIX in these lanes: its charge is 0 and its level has the noise of a reset."""
+        """Reset PIX where `in_lane` is true: its charge becomes 0, and its level has the variance
+        of a reset."""
         self._write(
             np.flatnonzero(in_lane), [self.pix, self._level], np.zeros(len(self.names)), 0.0
         )

@@ -102,7 +102,8 @@ def _light_of_slot(
 def _exchanged(
     sizes: Laying, light: LightMatrix, sites: Sites, start: int, stop: int, i: int, own: float
 ) -> float:
-    """Return the light of a slot that pixel i collects after crosstalk; `own`: before."""
+    """Return the light of slots `start` to `stop` - 1 that pixel `i` collects after crosstalk, in
+    electrons; `own` is its light before."""
     flow = 0.0
     for side in range(NEIGHBOURS if sizes.exchanged > 0.0 else 0):
         other = sites.beside[NEIGHBOURS * i + side]

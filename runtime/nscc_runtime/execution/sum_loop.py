@@ -133,7 +133,10 @@ def _gather_smeared(
     lit: Floats32,
     gathered: Floats,
 ) -> None:
-    """Add the light of frames k to k + count - 1 after crosstalk to `gathered`."""
+    """Add the light of frames `k` to k + count - 1 after crosstalk to gathered[:stop - first], for
+    pixels `first` to `stop` - 1.
+
+    `share` is the charge that each pixel exchanges; `lit` is scratch memory."""
     pixels = sizes.rows * sizes.cols
     for first_frame in range(0, count, TOGETHER):
         together = min(TOGETHER, count - first_frame)
@@ -159,7 +162,11 @@ def _add_alike(
     gathered: Floats,
     out: Floats,
 ) -> None:
-    """Add `alike` frames from k on, which have equal weights, to all sums."""
+    """Add frames `k` to k + alike - 1, which have equal weights, to all sums `out`, for pixels
+    `first` to `stop` - 1.
+
+    `table` has the weight of each sum, frame and lane; `lit_sums` says which sums contain a frame.
+    `lit` and `gathered` are scratch memory."""
     pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
     for smeared in range(2):
         begin, end = sizes.smeared * smeared, sizes.sums if smeared else sizes.smeared

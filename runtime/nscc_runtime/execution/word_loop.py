@@ -29,7 +29,8 @@ PIX in the level of a reset."""
 
 @inlined
 def begin(switches: Switches, state: PixelState, i: int) -> None:
-    """Empty the registers of pixel i of a block at the start of a frame."""
+    """Set the registers of pixel number `i` of a block to 0, without saturation, as at the start of
+    a frame."""
     for register in range(switches.registers + 2):
         at = register * BLOCK + i
         state.value[at], state.since_s[at] = 0.0, 0.0
@@ -40,7 +41,8 @@ def begin(switches: Switches, state: PixelState, i: int) -> None:
 
 @inlined
 def fill(switches: Switches, numbers: Numbers, state: PixelState, at: int, charge_e: float) -> None:
-    """Add charge to the PIX at index `at`."""
+    """Add `charge_e` electrons to the PIX at index `at`; if wells are limited, PIX stops at the
+    full well and is marked as saturated."""
     total = state.value[at] + charge_e
     if switches.holds and total > numbers.well:
         total = numbers.well
@@ -52,7 +54,8 @@ def fill(switches: Switches, numbers: Numbers, state: PixelState, at: int, charg
 def reset(
     switches: Switches, numbers: Numbers, word: LoopWord, count: int, state: PixelState
 ) -> None:
-    """Reset PIX; the error of pixel j is state.normals[j]."""
+    """Reset PIX of the pixels state.running[:count] at the time of `word`; with reset errors, the
+    error of pixel number j is made from state.normals[j]."""
     for j in range(count):
         i = state.running[j]
         at = switches.registers * BLOCK + i
@@ -110,7 +113,8 @@ def add(
 def compare(
     switches: Switches, numbers: Numbers, count: int, state: PixelState, normals: int
 ) -> None:
-    """Add the comparator's errors to state.total; its noise is state.normals[normals + j]."""
+    """Add the comparator's offset and noise to state.total[:count]; the noise of pixel number j is
+    made from state.normals[normals + j]."""
     if switches.compares_off:
         for j in range(count):
             state.total[j] += state.offset[state.running[j]]

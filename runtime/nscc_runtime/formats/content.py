@@ -261,7 +261,8 @@ _COLUMNS, _MOST = 4, 16
 
 
 def content_sheet(content: Content, title: str) -> Figure:
-    """Draw a picture, or up to sixteen frames of a clip, with a note that names the tone curve."""
+    """Return a sheet of a picture, or of up to sixteen frames of a clip, under `title`, with a note
+    that names the tone curve."""
     from nscc_runtime.pictures.images import Image, image_sheet
 
     shown = [*content.shown]

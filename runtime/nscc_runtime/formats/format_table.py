@@ -19,7 +19,7 @@ from nscc_runtime.formats.content import Arrays, Content
 
 
 def npz(content: Content) -> bytes:
-    """Return an .npz file of all arrays by name; equal arrays give equal bytes."""
+    """Return an .npz file of all arrays of `content` by name; equal arrays give equal bytes."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_STORED) as archive:
         for name, values in content.arrays.items():
@@ -30,7 +30,8 @@ def npz(content: Content) -> bytes:
 
 
 def npy(content: Content) -> Product:
-    """Return a function that writes an .npy file of the main array to a stream."""
+    """Return a function that writes an .npy file of the main array of `content` to a stream, which
+    may be a pipe."""
     first = content.main or (lambda: next(iter(content.arrays.values())))
 
     def write(file: IO[bytes]) -> None:
@@ -42,7 +43,8 @@ def npy(content: Content) -> Product:
 
 
 def mat(content: Content) -> bytes:
-    """Return a compressed MATLAB file of version 5; time is the last axis."""
+    """Return a compressed MATLAB file (version 5) of the benchmark arrays of `content`, or of all
+    its arrays; time is the last axis."""
     from scipy.io import savemat
 
     arrays: Arrays = content.arrays if content.benchmark is None else content.benchmark()

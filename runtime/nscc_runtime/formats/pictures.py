@@ -17,7 +17,8 @@ from nscc_runtime.scenes.picture_files import quiet
 
 
 def png(content: Content) -> bytes:
-    """Return a .png file of 8 bits per sample; the text chunk Description names the tone curve."""
+    """Return a .png file of the single picture of `content`, 8 bits per sample; its text chunk
+    Description names the tone curve."""
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 
@@ -42,7 +43,8 @@ def pfm(content: Content) -> bytes:
 
 
 def tiff(content: Content) -> bytes:
-    """Return a .tiff file of float32, lossless; a clip has one page per frame."""
+    """Return a lossless .tiff file of float32 of the light of `content`; a clip has one page per
+    frame. Raises OSError if OpenCV cannot write it."""
     import cv2
 
     if not content.moving:
@@ -55,7 +57,8 @@ def tiff(content: Content) -> bytes:
 
 
 def exr(content: Content) -> bytes:
-    """Return an OpenEXR file of float32, lossless; grey light is the channel Y."""
+    """Return a lossless OpenEXR file of float32 of the light of `content`; grey light is the
+    channel Y."""
     import OpenEXR
 
     light = np.ascontiguousarray(_light(content))
@@ -119,7 +122,8 @@ def gif(content: Content) -> bytes:
 
 
 def mp4(content: Content) -> bytes:
-    """Return a lossy .mp4 file; odd sizes are padded for codecs. Raises OSError without a codec."""
+    """Return a lossy .mp4 file of the clip `content`; odd sizes are padded to even ones for codecs.
+    Raises OSError without a codec."""
     with quiet():
         import cv2
 

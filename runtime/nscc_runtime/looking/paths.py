@@ -128,7 +128,10 @@ class _PathReplay:
     def __init__(
         self, container: Container, starts: Mapping[str, Bits], retention_us: float
     ) -> None:
-        """Begin with one path segment for each combination of bits at the start of a frame."""
+        """Begin with one path segment for each combination of bits in `starts`, the known registers
+        at the start of a frame.
+
+        A register forgets its bit `retention_us` microseconds after it was written."""
         self.container, self.target = container, container.target
         self.starts = self.segments = len(next(iter(starts.values()))) if starts else 1
         unknown = np.full(self.starts, UNKNOWN)
@@ -184,7 +187,8 @@ class _PathReplay:
             self._answered(acts)
 
     def _answered(self, is_asked: Bits) -> None:
-        """Continue every lane with the answer 0, and also with 1 where the comparison is made."""
+        """Continue every lane with the answer 0, and also with the answer 1 where `is_asked` is 1.
+        Raises Pathless if `is_asked` is unknown in a lane."""
         if (is_asked == UNKNOWN).any():
             raise Pathless("a comparison is made where FLAG is unknown")
         all_lanes = np.arange(len(is_asked))

@@ -154,7 +154,8 @@ class ArrayPixels(WordPixels):
         self.register[name], self.cut_by[name] = value, by
 
     def _neighbour_values(self, op: Op) -> None:
-        """Run DNEWS: write the OR of the bits of those neighbours that the pixel chooses."""
+        """Run the DNEWS word `op`: write the OR of the bits of those neighbours that the pixel
+        chooses by its steering registers."""
         source, outside, digital = op.sources[0], op.operation.inverted, self.digital
         found = np.zeros(len(self.places), np.bool_)
         bits = digital.read(source) == 1

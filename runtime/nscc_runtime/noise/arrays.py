@@ -17,7 +17,8 @@ RATE_CAP = 1e12
 
 
 def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
-    """Return one uniform number per pixel strictly inside (0, 1), an odd multiple of 2**-53."""
+    """Return one uniform number inside (0, 1) for each of these `pixels`, an odd multiple of 2**-53
+    that depends on `key` and the pixel's place only."""
     from nscc_runtime.noise.noise_loops import Draws, fill_uniforms
 
     places, out = _places(pixels), np.empty(np.shape(pixels))

@@ -208,7 +208,7 @@ class DataFlow:
 
 
 def _draw_kernel(axes: Axes, kernel: p.Weights) -> None:
-    """Draw weights as numbers in cells: blue if positive, red if negative."""
+    """Draw the weights of `kernel` as numbers in cells: blue if positive, red if negative."""
     limit = 1.6 * max(abs(weight) for row in kernel.rows for weight in row) or 1
     axes.imshow(kernel.rows, cmap="RdBu", vmin=-limit, vmax=limit, alpha=0.7, aspect="auto")
     axes.set_title(

@@ -141,7 +141,8 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
 
 
 def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None:
-    """Draw boundaries as bands, alternately shaded, with the numbers of boundaries and kernels."""
+    """Draw a band for each boundary of the nodes `shown`, alternately shaded, with the numbers of
+    boundaries and kernels. `first`: the column at the left edge."""
     nodes, top, bottom = score.network.nodes, -0.5, len(score.row) - 0.5
     boundaries = list(dict.fromkeys(nodes[node]["boundary"] for node in score.column))
     for boundary, group in groupby(shown, key=lambda node: nodes[node]["boundary"]):

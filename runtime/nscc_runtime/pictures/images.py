@@ -74,7 +74,8 @@ def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None 
 
 
 def frame_sheet(readouts: Sequence[BucketReadout], title: str) -> Figure:
-    """Draw, for every bucket, the frame as read out and the tone-mapped light."""
+    """Return a sheet under `title` that shows, for each of the `readouts`, the codes as read out
+    and the tone-mapped light."""
     rows = []
     for readout in readouts:
         light, usable = light_estimate(readout)

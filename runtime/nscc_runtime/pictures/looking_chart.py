@@ -250,7 +250,8 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
 
 
 def _draw_times(axes: Axes, container: Container, courses: Courses) -> None:
-    """Draw the total open time against light, and the states that are read."""
+    """Draw the total open time against light for each bucket, and beside it the values of the
+    states that are read."""
     machine = container.machine
     slot_us = np.array(container.slot_us)
     scale, name = unit(float(slot_us.sum()))

@@ -128,7 +128,11 @@ class PointReading:
 def precision_diagram(
     problems: Sequence[Panel], title: str, note: str, reading: PointReading
 ) -> Figure:
-    """Draw panels with common scales of time and error. Raises ValueError without points."""
+    """Return a figure of time against error with one panel for each of `problems`, all with common
+    scales, under `title` and above `note`.
+
+    `reading` says on which line a point lies and which times it has. Raises ValueError without
+    points."""
     from matplotlib.lines import Line2D
 
     points = [point for panel in problems for point in panel.points]

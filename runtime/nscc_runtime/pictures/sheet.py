@@ -90,7 +90,7 @@ def theme() -> Theme:
 
 @contextmanager
 def themed(chosen: Theme) -> Iterator[None]:
-    """Draw and save the pictures of a with block in these colours."""
+    """Draw and save the pictures of a `with` block in the colours of `chosen`."""
     before = _current.set(chosen)
     try:
         yield
@@ -143,7 +143,7 @@ _MARGIN = 0.15
 
 
 def _settings(chosen: Theme) -> dict[Any, Any]:  # matplotlib lists every key as a type
-    """Return the settings of matplotlib for a theme."""
+    """Return the settings of matplotlib for the theme `chosen`."""
     return {
         "figure.dpi": DPI,
         "savefig.dpi": "figure",
@@ -215,7 +215,8 @@ def png_of(draw: Callable[P, Figure], *args: P.args, **options: P.kwargs) -> byt
 
 
 def blank(width: float, height: float) -> Figure:
-    """Return a figure of a size in inches, rounded to dots, without window and global state."""
+    """Return a figure of `width` x `height` inches, rounded to dots, without a window and global
+    state."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -234,7 +235,8 @@ def panels(count: int, size: tuple[float, float], columns: int) -> tuple[Figure,
 
 
 def place(figure: Figure, x_inches: float, y_inches: float, width: float, height: float) -> Axes:
-    """Return axes at a position in inches from the figure's top left corner."""
+    """Add axes of `width` x `height` inches to `figure`, `x_inches` and `y_inches` from its top
+    left corner, and return them."""
     across, down = figure.get_size_inches()
     box = [_round_to_dots(value) for value in (x_inches, y_inches, width, height)]
     return figure.add_axes(

@@ -109,7 +109,8 @@ def unit(us: float) -> tuple[float, str]:
 def _draw_chart(
     axes: Axes, container: Container, rows: NDArray[np.bool_], row_colours: Field
 ) -> None:
-    """Draw bars of open time, in the colours of the map or of several buckets."""
+    """Draw the open time of each shutter as a bar. `rows`: (shutters, buckets, slots).
+    `row_colours`: the colour of each shutter in the map, used if there is one bucket."""
     from matplotlib.colors import to_rgb
 
     count, lanes, slots = rows.shape
@@ -184,7 +185,11 @@ class _Map:
 
 
 def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Map, ...]:
-    """Return maps of the array, and of the smallest repeating tile of codes, or of a corner."""
+    """Return maps of the pixel codes of `container` in the `colours` of its shutters: of the whole
+    array, and of the smallest repeating tile or of a corner.
+
+    A program without pixel codes has no map; an array of one pixel, or without fields, has only the
+    first."""
     codes = container.pixel_codes
     if codes is None:
         return ()
@@ -206,7 +211,8 @@ def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Ma
 
 
 def _draw_map(axes: Axes, drawing: _Map) -> None:
-    """Draw a map, with the field values in each cell, one per line."""
+    """Draw a map into `axes`, with the field values in each cell, one per line, if the cells are
+    large enough."""
     from matplotlib.colors import to_hex
     from matplotlib.ticker import MaxNLocator
 

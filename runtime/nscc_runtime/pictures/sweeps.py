@@ -69,7 +69,8 @@ class _Scale:
         return float(self.names.index(str(value)) if self.names else value)
 
     def lay(self, axes: Axes, axis_name: str) -> None:
-        """Apply the scale, with its limits and ticks, to the axis "x" or "y" of a panel."""
+        """Apply the scale, with its limits and ticks, to the axis `axis_name` ("x" or "y") of a
+        panel."""
         if self.logarithmic:
             axes.set(**{f"{axis_name}scale": "log"})
         axes.set(**{f"{axis_name}lim": (self.low, self.high)})
@@ -81,7 +82,8 @@ class _Scale:
 
 
 def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
-    """Draw all panels, with one colour per name of lines. Raises ValueError without points."""
+    """Return a figure of all `panels` that have points, with one colour per name of lines, under
+    `title` and above `note`. Raises ValueError without points."""
     from matplotlib.lines import Line2D
 
     filled_panels = [panel for panel in panels if any(panel.lines.values())]

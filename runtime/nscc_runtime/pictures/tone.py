@@ -68,7 +68,8 @@ def srgb_of_linear(values: Field) -> Field:
 
 
 def _logarithmic(relative: Field) -> Callable[[Field], Field]:
-    """Return log(1 + b x) / log(1 + b), with b such that the median is a middle grey."""
+    """Return the curve log(1 + b x) / log(1 + b), with b such that the median of `relative` light
+    becomes a middle grey."""
     middle = min(float(np.median(relative)), 1.0)
     low, high = 0.0, 30.0
     for _ in range(40):
@@ -80,7 +81,8 @@ def _logarithmic(relative: Field) -> Callable[[Field], Field]:
 
 
 def _reinhard(relative: Field) -> Callable[[Field], Field]:
-    """Return Reinhard's global operator (SIGGRAPH 2002) with a white point, for an sRGB screen."""
+    """Return Reinhard's global operator (SIGGRAPH 2002) with a white point, for an sRGB screen and
+    the geometric mean of `relative` light."""
     lit = relative[relative > 0]
     scale = _KEY / float(np.exp(np.mean(np.log(lit)))) if lit.size else 1.0
 

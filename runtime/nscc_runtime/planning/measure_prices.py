@@ -129,7 +129,8 @@ def _frame_ns(scene: PlannedScene, effects: Selection) -> float:
 
 
 def _least_s(run: Callable[[], object], rounds: int = _ROUNDS) -> float:
-    """Return the processor seconds of the fastest round, after a warm-up round."""
+    """Return the processor seconds of the fastest of `rounds` calls of `run`, after one more call
+    to warm up."""
     run()
     seconds = []
     for _ in range(rounds):

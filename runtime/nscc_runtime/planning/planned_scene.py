@@ -280,7 +280,8 @@ def _state_registers(container: Container) -> list[str]:
 
 
 def _kept_bits(container: Container) -> int:
-    """Return the mask of the kept states in the bits of `SampledExposures.endings`."""
+    """Return a mask of the bits of `SampledExposures.endings` that belong to states which
+    `container` keeps between frames."""
     if not container.keeps_states:
         return 0
     names = {state.name for state in container.machine.states if state.is_kept}

@@ -162,7 +162,8 @@ def _within(tolerance: Tolerance, shown: str) -> Tolerance:
 
 
 def _malformed(shown: str) -> Rejected:
-    """Return the error (NS0746) for a tolerance that is not a number with a unit."""
+    """Return the error (NS0746) for a tolerance, `shown` as given, that is not a number with a
+    unit."""
     return rejected(
         "NS0746",
         f"a tolerance must be a number above 0 with its unit, not {shown}",

@@ -130,7 +130,8 @@ class Reference:
             )
 
         def run(part_rows: range, fallen: Fallen) -> Marked:
-            """Run the program in some rows, and store the final bits of their registers."""
+            """Run the program in the rows `part_rows` with the charge `fallen`. Return its readouts
+            with marks, and store the final bits of registers in `final_planes`."""
             array_rows = slice(part_rows.start, part_rows.stop)
             pixels = ProgramPixels(
                 sensor=self.sensor,

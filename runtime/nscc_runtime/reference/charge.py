@@ -96,7 +96,8 @@ class _Slots(Slots):
 
     @remembered
     def electrons(self, light: Light) -> Charge:
-        """Return the electrons of each interval of slots, (intervals, rows, cols)."""
+        """Return the electrons that `light` gives in each interval of slots, (intervals, rows,
+        cols)."""
         shape = len(self.starts), len(self.places) // light.shape[1], light.shape[1]
         out = np.zeros(shape)
         for interval, (start, stop) in enumerate(pairwise([*self.starts, light.slots])):

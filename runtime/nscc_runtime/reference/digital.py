@@ -53,7 +53,7 @@ class Digital:
         self.bits[name], self.written_us[name] = value.astype(np.int8), self.now_us
 
     def run(self, op: Op) -> None:
-        """Execute a word that is neither analog nor a comparison."""
+        """Execute the word `op`, which is neither analog nor a comparison."""
         match op.operation.effect:
             case WordEffect.FLAG_ALL:
                 self.write("FLAG", np.ones_like(self.bits["FLAG"]))
@@ -90,7 +90,8 @@ class Digital:
             self.written_us[name] = np.where(guard == 0, before_us, self.now_us)
 
     def _or_sources(self, op: Op) -> Bits:
-        """Return the OR of a word's sources: 1 if any is 1, else unknown if any is unknown."""
+        """Return the OR of the sources of `op`: 1 if any is 1, else unknown if any is unknown, else
+        0."""
         any_bit = np.zeros_like(self.bits["FLAG"])
         for name in op.sources:
             value = self.read(name)

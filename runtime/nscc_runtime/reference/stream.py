@@ -66,7 +66,8 @@ def expose_stream(
         )
 
     def run(part_rows: range, fallen: Fallen) -> Marked:
-        """Expose some rows and return the charge of the taps, with saturation marks."""
+        """Expose the rows `part_rows` with the charge `fallen`, and return the charge of the taps,
+        with saturation marks."""
         pixels = _Taps(
             sensor=sensor,
             seed=seeds[0],
@@ -143,7 +144,8 @@ class _Taps(Pixels):
         return charge, marked
 
     def _read_out(self, tap_charge: Values) -> Values:
-        """Apply reset level, gain and read errors to the charge of each tap, in place."""
+        """Apply reset level, gain, read errors and readout to `tap_charge` (taps, pixels) in place,
+        and return it."""
         for tap, readout in enumerate(self.container.readouts):
             level = np.zeros(len(self.places))
             for change in self.effects.at("resets"):

@@ -30,7 +30,8 @@ _ANALOG = WordEffect.BUS, WordEffect.RESET_PIX, WordEffect.FLAG_ANALOG
 
 
 def opens_no_shutters(problem: str) -> Rejected:
-    """Return the error NS0442 for programs whose sensor effects the reference cannot simulate."""
+    """Return the error NS0442 that the reference cannot simulate sensor effects of a program;
+    `problem` begins its message."""
     return rejected(
         "NS0442",
         f"{problem}, and sensor effects are defined by shutters",

@@ -40,7 +40,8 @@ class Marks:
     def __init__(
         self, effects: Selection, sensor: Sensor, registers: Iterable[str], pixels: int
     ) -> None:
-        """Begin without saturation: no mark and no lost electrons in any register."""
+        """Begin with `pixels` pixels without saturation: no mark and no lost electrons in any of
+        the `registers`."""
         self.effects, self.sensor = effects, sensor
         self.mark = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
         self.full = {name: np.zeros(pixels, np.uint8) for name in registers}

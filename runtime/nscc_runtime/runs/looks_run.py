@@ -21,7 +21,10 @@ class LooksRun(RunKind):
     def exposing(
         self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
     ) -> Exposing:
-        """Return how to expose frames of pixels that look, and the loop that is compiled first."""
+        """Return how to expose frames of pixels that look, and the loop that is compiled first.
+
+        Without noise, the words are executed by blocks of pixels; otherwise frames are drawn from
+        the planned `effects`."""
         from nscc_runtime.execution.block_loop import run_blocks
         from nscc_runtime.looked_frames import frames
         from nscc_runtime.noise.noise_loops import fill_normals

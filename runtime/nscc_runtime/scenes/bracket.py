@@ -179,7 +179,8 @@ def _exif_factors(path: Path) -> tuple[float, float | None, float | None]:
 
 
 def _refused(message: str, help_text: str) -> Rejected:
-    """Return the error (NS0777) for photos that `--bracket` cannot merge."""
+    """Return the error (NS0777) `message` for photos that `--bracket` cannot merge, with
+    `help_text`."""
     return rejected(
         "NS0777",
         message,

@@ -117,7 +117,8 @@ def _pine(x: Field, y: Field, stem: float, tip: float, pixel: float) -> Field:
 
 
 def _hut(x: Field, y: Field, pixel: float) -> Field:
-    """Return how much of each pixel a hut with a roof covers, 0..1."""
+    """Return how much of each pixel a hut with a roof covers, 0..1, (rows, cols). `x`, `y`:
+    positions of columns and rows, 0..1; `pixel`: the width of a pixel."""
     roof = np.abs(x - 0.81)[None, :] * 0.7 + 0.755 - y[:, None]
     walls = _box(x, y, (0.765, 0.855, 0.78, 0.9), pixel)
     eaves = _box(x, y, (0.745, 0.875, 0.74, 0.80), pixel)
@@ -201,7 +202,8 @@ def _clip_share(spec: str, text: str) -> float:
 
 
 def _electrons(spec: str, text: str) -> float:
-    """Return the electrons of `builtin:flat:E`; raise Rejected for an invalid number."""
+    """Return the electrons that `text` names in the scene `spec`, `builtin:flat:E`. Raises Rejected
+    for an invalid number."""
     return _number(
         text,
         lambda electrons: 0.0 <= electrons < 1e38,

@@ -63,7 +63,8 @@ def frames(count: int, rows: int, cols: int, share: float = 1.0) -> NDArray[np.f
 
 
 def _wall(x: Field, y: Field) -> Picture:
-    """Return a brick wall lit from one side."""
+    """Return a brick wall lit from one side, (rows, cols). `x`, `y`: positions of columns and
+    rows."""
     course = np.floor(y * 16.0)
     along = x[None, :] * 7.0 + 0.5 * (course % 2)[:, None]
     brick = np.floor(along)
@@ -152,7 +153,8 @@ def _ball(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel
 
 
 def _spark(picture: Picture, x: Field, y: Field, phase: float, half: Point) -> None:
-    """Draw a point of light on a loop into `picture`, in place; arguments as for `_train`."""
+    """Add a point of light, at the position `phase` (0..1) of a closed loop, to `picture` in place;
+    other arguments as for `_train`."""
     cx, cy = 0.75 * half[0] * turn(phase)[0], -0.25 + 0.17 * turn(2.0 * phase)[1]
     rows, cols = _span(y, cy - 0.09, cy + 0.09), _span(x, cx - 0.09, cx + 0.09)
     r2 = (x[cols] - cx)[None, :] ** 2 + (y[rows] - cy)[:, None] ** 2

@@ -100,7 +100,7 @@ def _on_curve(values: NDArray[Any], curve: Curve, white: float | None) -> NDArra
 
 
 def pq_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Convert PQ signals (0..1) to linear light (0..1, where 1 is 10 000 cd/m2)."""
+    """Convert PQ signals `values` (0..1) to linear light (0..1, where 1 is 10 000 cd/m2)."""
     m1, m2 = 2610 / 16384, 2523 / 4096 * 128
     c1, c2, c3 = 3424 / 4096, 2413 / 4096 * 32, 2392 / 4096 * 32
     power = np.clip(values, 0, 1) ** (1 / m2)
@@ -108,7 +108,8 @@ def pq_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def hlg_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Convert HLG signals to the linear light of the scene; 0 stays 0, 1 stays 1."""
+    """Convert HLG signals `values` (0..1) to the linear light of the scene; 0 stays 0, 1 stays
+    1."""
     a, b, c = 0.17883277, 0.28466892, 0.55991073
     signal = np.maximum(values, 0)
     bright = (np.exp((np.maximum(signal, 0.5) - c) / a) + b) / 12

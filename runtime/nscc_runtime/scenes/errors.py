@@ -16,7 +16,8 @@ Path_or_name = Path | str
 
 
 def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) -> Rejected:
-    """Return the error NS0732 for an undecodable file; `reason` is the text of its reader."""
+    """Return the error NS0732 that the file `name` cannot be decoded; `reason` is the text of its
+    reader."""
     words = " ".join(str(reason).split())[:200]
     ending = Path(str(name)).suffix.lower()
     notes = (f"the reader says: {words}",) if words else ()
@@ -39,7 +40,8 @@ def size(shape: Sequence[int]) -> str:
 
 
 def clamped(name: str, count: int, total: int, low: float) -> Diagnostic:
-    """Return the warning NS0740 for `count` pixels of a picture slightly below 0."""
+    """Return the warning NS0740 that `count` of the `total` pixels of the picture `name` were
+    slightly below 0; `low` is the lowest."""
     return Diagnostic(
         "NS0740",
         f"{count} of {total} pixels of '{name}' were negative and were set to 0",

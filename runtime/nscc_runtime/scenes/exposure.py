@@ -64,7 +64,7 @@ def checked_white(white: float | None) -> float | None:
 
 
 def needed(name: Path_or_name) -> ExposureLevel:
-    """Raise Rejected (NS0737) for a scene without a unit and without an exposure."""
+    """Raise Rejected (NS0737), because the scene `name` has neither a unit nor an exposure."""
     raise rejected(
         "NS0737",
         f"--exposure is missing: the scene '{name}' has no scale in electrons",

@@ -35,7 +35,8 @@ _NEAR = 3e-3
 
 
 def of_profile(data: bytes) -> Stated:
-    """Return the colours of an ICC profile. Notes say which profile is used, or why it is not."""
+    """Return the colours that the ICC profile `data` states. Its notes say which profile is used,
+    or why it is not; a damaged one raises nothing."""
     from PIL import ImageCms
 
     weights: Weights = _SRGB_D50
@@ -143,7 +144,8 @@ _UNSPECIFIED = (0, 2)
 
 
 def of_numbers(primaries: int, transfer: int) -> Stated:
-    """Return the colours of two numbers of ITU-T H.273, with notes on what is unusual."""
+    """Return the colours of the numbers `primaries` and `transfer` of ITU-T H.273, with notes on
+    what is unusual."""
     weights, notes = _weighted(_PRIMARIES.get(primaries))
     curve = _CURVES.get(transfer)
     if isinstance(curve, float):
@@ -215,7 +217,8 @@ def of_adobe_rgb() -> Stated:
 
 
 def _png_numbers(path: Path) -> tuple[int, int] | None:
-    """Return primaries and transfer of a PNG file's chunk cICP, which Pillow does not read."""
+    """Return primaries and transfer from the chunk cICP of the PNG file `path`, which Pillow does
+    not read; None without the chunk."""
     with open(path, "rb") as file:
         if file.read(8) != b"\x89PNG\r\n\x1a\n":
             return None

@@ -54,7 +54,7 @@ def timed(pages: Pages) -> Pages:
 
 
 def _even(durations_s: NDArray[np.float64]) -> bool:
-    """Return whether these frame durations are equal, up to the rounding of a clock."""
+    """Return whether the frame durations `durations_s` are equal, up to the rounding of a clock."""
     shortest, difference_s = float(durations_s.min()), float(np.ptp(durations_s))
     if difference_s > _CLOCK_S + _SLACK:
         return False
@@ -64,7 +64,8 @@ def _even(durations_s: NDArray[np.float64]) -> bool:
 
 
 def _edges(durations_s: NDArray[np.float64]) -> tuple[Fraction, ...]:
-    """Return the starts of the frames, and the end, in units of the shortest duration."""
+    """Return the starts of frames with these `durations_s`, and the end, as fractions in units of
+    the shortest duration."""
     steps = durations_s / durations_s.min()
     edges = [Fraction(0)]
     for step in steps.tolist():
@@ -80,7 +81,8 @@ def from_frame(edges: Edges, first: int) -> Edges:
 
 
 def evenly(frames: Iterator[Any], edges: Edges) -> Iterator[Any]:
-    """Yield the frame of each step: a frame is shown from the step nearest to its start."""
+    """Yield the frame of each step of equal length: a frame is shown from the step nearest to its
+    start in `edges`. Without `edges`, every frame is one step."""
     if edges is None:
         yield from frames
         return

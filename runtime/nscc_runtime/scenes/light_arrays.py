@@ -29,7 +29,7 @@ _WIDEST_NUMBER = 8
 
 
 def is_hdf5(path: Path) -> bool:
-    """Return whether a file is HDF5 (MATLAB 7.3), also behind a block of other data."""
+    """Return whether the file `path` is HDF5 (MATLAB 7.3), also behind a block of other data."""
     with open(path, "rb") as file:
         for start in _USER_BLOCKS:
             file.seek(start)
@@ -159,7 +159,8 @@ Check = Callable[[tuple[int, ...]], None]
 
 
 def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:
-    """Raise Rejected (NS0733) unless the type is of real numbers."""
+    """Raise Rejected (NS0733) unless `dtype`, the type of array `key` of file `name`, is of real
+    numbers."""
     if dtype.kind in "uif":
         return
     kinds = {"b": "true/false", "c": "complex", "O": "pickled objects", "U": "text", "S": "text"}
@@ -207,7 +208,8 @@ def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, 
 def _refuse_other_axes(
     name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]
 ) -> None:
-    """Raise Rejected (NS0733) for light with the axes of other tools: time or colour last."""
+    """Raise Rejected (NS0733) if light of this `shape` has the axes of other tools: time or colour
+    last. `need`: (rows, cols) of the array."""
     count = shape[-1] if len(shape) in (3, 4) else 0
     if shape[-3:-1] != need or tuple(shape[-2:]) == need:
         return
@@ -254,7 +256,8 @@ def read_light(path: Path, check: Check) -> NDArray[np.float32]:
 
 
 def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
-    """Return the error NS0733 for a file without the array of a scene."""
+    """Return the error NS0733 that the file `path`, whose arrays are `have`, has none of the arrays
+    `keys` of a scene."""
     shown = ", ".join(repr(name[:40]) for name in sorted(have)[:12]) or "nothing"
     further = f" and {len(have) - 12} more" if len(have) > 12 else ""
     names = " or ".join(f"'{key}'" for key in keys)

@@ -301,7 +301,7 @@ def _load_path(request: _Request, path: Path) -> PlacedLight:
 
 
 def _folder(request: _Request, path: Path) -> PlacedLight:
-    """Return the clip of a folder, with the notes of its first file."""
+    """Return the light of the folder `path` as a clip, with the notes of its first file."""
     from nscc_runtime.scenes.picture_folders import files_of, read_folder
 
     files = files_of(path, request.scene.skip, request.warn)

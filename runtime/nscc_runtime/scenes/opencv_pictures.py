@@ -24,7 +24,8 @@ _PNG_BITS_AT = 24
 
 
 def png_pages(path: Path) -> Pages:
-    """Open a PNG: by OpenCV for 16 bits per sample, else by Pillow, which composes animations."""
+    """Open the PNG file `path`: by OpenCV for 16 bits per sample, else by Pillow, which composes
+    animations."""
     pages = pillow_pages(path)
     if _head(path)[_PNG_BITS_AT] <= 8 or pages.durations_s is not None:
         return pages
@@ -32,7 +33,7 @@ def png_pages(path: Path) -> Pages:
 
 
 def pfm_pages(path: Path) -> Pages:
-    """Return the one picture of a PFM file; raise ValueError if its size is not stated."""
+    """Return the one picture of the PFM file `path`; raise ValueError if its size is not stated."""
     match = _PFM.match(_head(path))
     if match is None:
         raise ValueError("its head does not state its size")
@@ -40,7 +41,8 @@ def pfm_pages(path: Path) -> Pages:
 
 
 def radiance_pages(path: Path) -> Pages:
-    """Open a Radiance file. A comment may look like the line with the size: the largest counts."""
+    """Open the Radiance file `path`. A comment may look like the line with the size, so the largest
+    size counts. Raises ValueError without a size."""
     sizes = [(int(lines), int(count)) for lines, count in _RADIANCE.findall(_head(path))]
     if not sizes:
         raise ValueError("its head does not state its size")

@@ -149,7 +149,8 @@ def read_picture(path: Path) -> NDArray[Any]:
 
 
 def only_picture(path: Path, pages: Pages) -> NDArray[Any]:
-    """Return the only picture of a file. Raises Rejected (NS0732) for a file of several."""
+    """Return the only picture among the `pages` of the file `path`. Raises Rejected (NS0732) for a
+    file of several."""
     if pages.count != 1:
         raise unsupported(
             path,

@@ -86,7 +86,8 @@ def pixels(image: Any, upright: bool = True) -> NDArray[np.uint8]:
 
 
 def _durations_s(path: Path, numbers: range) -> NDArray[np.float64]:
-    """Return the durations of the frames in seconds; 0 for frames that cannot be read."""
+    """Return the durations in seconds of the frames with these `numbers` in the file `path`; 0 for
+    frames that cannot be read."""
     from PIL import Image
 
     durations_s = np.zeros(len(numbers))
@@ -135,7 +136,8 @@ def _register_heif() -> None:
 
 
 def avif_pages(path: Path) -> Pages:
-    """Open an AVIF. Its numbers of H.273 are read by FFmpeg, because Pillow does not tell them."""
+    """Open the AVIF file `path`. FFmpeg reads its numbers of H.273, because Pillow does not return
+    them."""
     pages = pillow_pages(path)
     if pages.stated.colours is not None:
         return pages

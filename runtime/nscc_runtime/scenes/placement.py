@@ -170,7 +170,10 @@ class Placement:
 def placement_of(
     fit: Fit, picture: tuple[int, int], window: Window, name: Path_or_name
 ) -> Placement:
-    """Return the placement of a picture (R, C). Raises Rejected (NS0734) for too many pieces."""
+    """Return where a `picture` of (rows, cols) lies on the array of `window`, by `fit`: cropped, in
+    tiles or scaled down.
+
+    Raises Rejected (NS0734) if the picture `name` has too many pixels for tiles."""
     array = (window.rows, window.cols)
     if fit == "crop":
         return Placement(fit, picture, array, array)

@@ -19,7 +19,8 @@ def smooth(low: float, high: float, values: Field) -> Field:
 
 
 def hashed(x: NDArray[np.int64], y: NDArray[np.int64], seed: int) -> Field:
-    """Return a pseudo-random number in [0, 1) for every pair of integers."""
+    """Return a pseudo-random number in [0, 1) for every pair of integers of `x` and `y`, another
+    one for each `seed`."""
     h = (x * 374761393 + y * 668265263 + seed * 1442695041) & 0xFFFFFFFF
     h = ((h ^ (h >> 13)) * 1274126177) & 0xFFFFFFFF
     h = ((h ^ (h >> 15)) * 2246822519) & 0xFFFFFFFF
@@ -45,7 +46,8 @@ def noise(x: Field, y: Field, seed: int) -> Field:
 
 
 def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
-    """Return noise in [0, 1) at `octaves` scales, each half as large and half as strong."""
+    """Return noise in [0, 1), (len(y), len(x)), at `octaves` scales, each half as large and half as
+    strong."""
     total = np.zeros((len(y), len(x)))
     strength, sum_of_strengths = 1.0, 0.0
     for octave in range(octaves):

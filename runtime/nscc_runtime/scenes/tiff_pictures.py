@@ -121,7 +121,8 @@ def tiff_pages(path: Path) -> Pages:
 
 
 def _directories(path: Path) -> tuple[bytes, list[Tags]]:
-    """Return the first two bytes of the file, which name its byte order, and its directories."""
+    """Return the first two bytes of the TIFF file `path`, which name its byte order, and its
+    directories. Raises ValueError without pages, UnsupportedPicture for big-endian BigTIFF."""
     from PIL.TiffImagePlugin import ImageFileDirectory_v2
 
     directories: list[Tags] = []
@@ -192,7 +193,8 @@ def _of_one_channel(pages: list[_Page]) -> tuple[list[_Page], tuple[Note, ...]]:
 
 
 def _check_samples(page: _Page) -> None:
-    """Raise UnsupportedPicture for samples that are not decoded to red, green, blue or grey."""
+    """Raise UnsupportedPicture if the samples of `page` are not decoded to red, green, blue or
+    grey."""
     kind, bits = page.samples
     photometric = int(page.tags.get(_PHOTOMETRIC) or 0)
     if photometric in _LABS or (photometric == _CMYK and bits > 8):
@@ -207,7 +209,8 @@ def _check_samples(page: _Page) -> None:
 
 
 def _picture(path: Path, byte_order: bytes, page: _Page) -> NDArray[Any]:
-    """Return one page of a TIFF file; raise ValueError if its size differs from its tags."""
+    """Return one `page` of the TIFF file `path`; raise ValueError if its size differs from its
+    tags."""
     kind, bits = page.samples
     picture = _by_pillow(path, page) if bits <= 8 else None
     if picture is None:

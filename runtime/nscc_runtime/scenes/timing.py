@@ -121,7 +121,8 @@ def with_motion(
 
 
 def check_fps(fps: float) -> Fraction:
-    """Return the rate as the exact fraction of its decimals. Raises NS0739 outside 1e-6 .. 1e9."""
+    """Return the frame rate `fps` as the exact fraction of its decimals. Raises Rejected (NS0739)
+    outside 1e-6 .. 1e9."""
     if 1e-6 <= fps <= 1e9:
         return Fraction(repr(float(fps)))
     raise rejected(
@@ -155,7 +156,8 @@ def too_short(
 
 
 def only_frame(name: Path_or_name, stored: Iterator[Any], first: int) -> Any:
-    """Return frame number `first` of a clip as a still. Raises NS0735 if the clip is shorter."""
+    """Return frame number `first` of the clip `stored`, named `name`, as a still. Raises Rejected
+    (NS0735) if the clip is shorter."""
     have = 0
     for have, picture in enumerate(stored, 1):
         if have > first:

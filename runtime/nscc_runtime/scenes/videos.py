@@ -164,7 +164,8 @@ def _notes(timing: _Timing, interlaced: bool, pixel: Fraction) -> tuple[Note, ..
 
 
 def _frames(path: Path, pixel: Fraction) -> Iterator[NDArray[Any]]:
-    """Yield pictures until decoding fails. Raises ValueError if there is no picture."""
+    """Yield the pictures of the video `path` until decoding fails, rotated as it says, with its
+    `pixel` aspect made square. Raises ValueError if there is no picture."""
     import av
     import cv2
 

@@ -25,7 +25,8 @@ def schema() -> Schema[Parameter]:
 
 @cache
 def schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
-    """Return the schema of these parameters. Raises ValueError if two have the same name."""
+    """Return the schema of sensor files with the parameters `rows`. Raises ValueError if two have
+    the same name."""
     return Schema(
         "sensor",
         rows,
@@ -58,7 +59,8 @@ def read_sensor(path: Path) -> bytes:
 
 
 def parse_sensor(target: Target, data: bytes, name: str, changes: Changes = ()) -> Sensor:
-    """Return the sensor of a file's bytes; `name` is for messages. Raises like `load_sensor`."""
+    """Return the sensor of the file content `data` with `changes`, completed with defaults of
+    `target`; `name` is for messages. Raises like `load_sensor`."""
     file_sensor_values, problems, _ = file_values(schema(), data, name)
     if isinstance(changes, Mapping):
         changed, wrong_too = schema().read(changes)

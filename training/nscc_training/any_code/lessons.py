@@ -102,7 +102,8 @@ class LessonSet(Dataset[Lesson]):
 
 
 def noisy(clip: Tensor, generator: torch.Generator) -> tuple[Tensor, Tensor]:
-    """Return clips with noise, and the standard deviation of the noise (batch,)."""
+    """Return the clips `clip` (batch, T, rows, cols) with Gaussian noise, and its standard
+    deviation (batch,), which is drawn for each clip."""
     low, high = _NOISE
     sigma = low + (high - low) * uniform(clip, generator, clip.shape[:1])
     drawn = torch.randn(clip.shape, generator=generator, device=generator.device).to(clip)
@@ -221,7 +222,8 @@ def _searched_tile() -> Mask:
 
 
 def _searched_mask(generator: Generator, frames: int, size: int) -> Mask:
-    """Return the searched code (slots, size, size), randomly shifted, rotated and reversed."""
+    """Return the searched code (frames, size, size), repeated over the patch and randomly shifted,
+    rotated and reversed in time."""
     tile = np.rot90(_searched_tile(), int(generator.integers(4)), axes=(1, 2))
     tile = tile[:: int(generator.choice((1, -1)))]
     row, col = generator.integers(8, size=2)

@@ -125,7 +125,8 @@ def blurred(picture: Tensor) -> Tensor:
 
 
 def largest_gain(filters: Tensor, mask: Tensor) -> float:
-    """Return a bound of the largest eigenvalue of the masked sum times its adjoint."""
+    """Return an upper bound of the largest eigenvalue of A A^T, where A convolves each map with its
+    filter of `filters`, adds them up and multiplies by `mask`. Found by power iteration."""
     picture = mask.clone()
     gain = 1.0
     for _ in range(12):

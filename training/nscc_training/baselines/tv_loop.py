@@ -176,7 +176,8 @@ def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) ->
 
 
 def tv_denoised_arrays(clips: NDArray[Any], weight: float, iterations: int, time: float) -> Clip:
-    """Return clips (batch, T, rows, cols), each denoised as `tv_denoise` does."""
+    """Return `clips` (batch, T, rows, cols), each denoised as `tv_denoise` does with `weight` and
+    `iterations`; `time` is the weight of differences between frames."""
     image = np.ascontiguousarray(clips, np.float32)
     field = np.zeros((3, *image.shape), np.float32)
     out = np.empty_like(image)

@@ -222,7 +222,8 @@ def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
 
 
 def _read(path: Path, kind: _Kind) -> list[SourceScene]:
-    """Return the scenes of a file: one, or the clips of a panorama or a photograph."""
+    """Return the scenes of the file `path` for training of this `kind`: one, or the clips of camera
+    movements over a panorama or a photograph."""
     digest = file_sha256(path)
     suffix = path.suffix.lower()
     if suffix not in PICTURES:
@@ -278,7 +279,8 @@ def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
 
 
 def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
-    """Return a generator for each clip made of a file; file and seed determine it."""
+    """Return a generator for each clip made of the file with this `digest`; file and seed determine
+    its numbers."""
     return [
         np.random.default_rng([kind.seed, DrawStream.CAMERA_PATHS, int(digest[:8], 16), index])
         for index in range(kind.settings.paths)
@@ -300,7 +302,8 @@ def _clip_light(
 
 
 def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> SourceScene:
-    """Return the scene; raise Rejected (NS0811) if training cannot use it."""
+    """Return the scene `name` of `light`: (rows, cols), or (frames, rows, cols) for clips. Raises
+    Rejected (NS0811) if training cannot use it."""
     patch, reason = kind.settings.patch, ""
     if light.dtype.kind not in "uifb":
         reason = f"its light is {light.dtype}, not real numbers"

@@ -21,7 +21,7 @@ class Classifier(nn.Module):
     logarithms of likelihoods, up to a constant that all classes share. Frames may have any size."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, _size: str) -> None:
-        """Build a convolutional network; `channels` are the widths of its levels."""
+        """Build a convolutional network for `task`; `channels` are the widths of its levels."""
         super().__init__()
         self.slots, self.sees_code = task.slots, task.sees_code
         layers: list[nn.Module] = []
@@ -57,7 +57,8 @@ def relative(values: Tensor, weight: Tensor) -> Tensor:
 
 
 def _convolution(inputs: int, outputs: int, stride: int) -> list[nn.Module]:
-    """Return a 3 x 3 convolution with batch normalisation and ReLU."""
+    """Return a 3 x 3 convolution from `inputs` to `outputs` channels, with batch normalisation and
+    ReLU."""
     return [
         nn.Conv2d(inputs, outputs, 3, padding=1, stride=stride, bias=False),
         nn.BatchNorm2d(outputs),

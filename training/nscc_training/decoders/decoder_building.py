@@ -104,7 +104,8 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
 
 
 def _check_guess(name: str, guesses: bool, task: DecoderTask) -> None:
-    """Raise ValueError if the task asks for a first guess that this decoder does not make."""
+    """Raise ValueError if `task` asks for a first guess that the decoder `name` does not make, or
+    that lacks the code. `guesses`: whether the decoder can make one."""
     if task.guess is not None and not guesses:
         takers = " and ".join(decoder.name for decoder in DECODERS.values() if decoder.guesses)
         raise ValueError(f"decoder.guess applies to {takers}, not to {name}")

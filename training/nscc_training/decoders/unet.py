@@ -41,7 +41,8 @@ class UNet(nn.Module):
         self.pool = nn.AvgPool2d(2) if dimensions == 2 else nn.AvgPool3d(2)
 
         def double(channels: int, width: int) -> nn.Module:
-            """Return two 3-wide convolutions, each followed by ReLU."""
+            """Return two convolutions of size 3, from `channels` to `width` and to `width`
+            channels, each followed by ReLU."""
             return nn.Sequential(
                 convolution(channels, width, 3, padding=1),
                 nn.ReLU(inplace=True),
@@ -67,7 +68,8 @@ class UNet(nn.Module):
             self.to(memory_format=torch.channels_last_3d)  # type: ignore[call-overload]
 
     def forward(self, x: Tensor) -> Tensor:
-        """Map an input (batch, inputs, [N,] rows, cols) to (batch, outputs, [N,] rows, cols)."""
+        """Map `x` (batch, inputs, [N,] rows, cols) to (batch, outputs, [N,] rows, cols). Sizes need
+        not be multiples of the network's: the edges are repeated and cut."""
         sizes = x.shape[2:]
         # Repeat the edge pixels up to the next multiple.
         margins = [margin for size in reversed(sizes) for margin in (0, -size % self.multiple)]
@@ -94,7 +96,7 @@ class _Convolution3d(nn.Conv3d):
     processors with AVX512-BF16."""
 
     def forward(self, x: Tensor) -> Tensor:
-        """Convolve in float32 where bfloat16 is slow: volumes of two frames on a CPU."""
+        """Convolve `x`, in float32 where bfloat16 is slow: volumes of two frames on a CPU."""
         if x.device.type != "cpu" or x.shape[2] != 2:
             return super().forward(x)
         with torch.autocast("cpu", enabled=False):

@@ -30,7 +30,8 @@ class Unrolled(nn.Module):
     tv_iterations = 0
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
-        """Build a denoiser and a step size for each stage; `size` chooses the number of stages."""
+        """Build a denoiser with these `channels` and a step size for each stage; `size` chooses the
+        number of stages."""
         super().__init__()
         self.slots = task.slots
         self.steps = nn.Parameter(torch.ones(_STAGES[size]))

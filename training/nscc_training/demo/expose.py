@@ -276,7 +276,8 @@ def _laid(
 
 
 def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Listener) -> Taken:
-    """Return dark frames, with noise independent of the scene's."""
+    """Return frames of a dark scene from the program `container`, with noise that is independent of
+    the scene's."""
     night = laid_lights(Scene("builtin:dark"), container.slot_us, container.target)
     seed = settings.seed + DARK_SEED
     request = Request(selected("auto"), seed=seed, repeat=DARK_FRAMES)

@@ -138,7 +138,8 @@ def _method(exposed_scene: Exposed, settings: Settings) -> Method:
 def _commands(
     exposed_scene: Exposed, settings: Settings, files: tuple[Path, ...]
 ) -> tuple[str, ...]:
-    """Return the commands that do the same as the demo, step by step."""
+    """Return the commands that do the same as the demo, step by step. `files`: the files that the
+    demo wrote, in its order."""
     scene = exposed_scene.scene
     program = (
         quote(files[3].as_posix()) if exposed_scene.run is None else f"--like {exposed_scene.run}"

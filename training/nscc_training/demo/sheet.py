@@ -181,7 +181,8 @@ class Shown:
 
 
 def demo_sheet(shown: Shown) -> Figure:
-    """Draw the sheet; its headline compares the best reconstruction with an ordinary camera."""
+    """Return the sheet of the demo's results; its headline compares the best reconstruction with an
+    ordinary camera."""
     name = shown.exposed_scene.scene.name
     results = [(shown.psnr_db, shown.how)]
     if shown.looked_db is not None:
@@ -199,7 +200,7 @@ def demo_sheet(shown: Shown) -> Figure:
 
 
 def _readout(shown: Shown) -> Image:
-    """Return the image of the coded readout; of several readouts, the last."""
+    """Return the panel of the coded readout of `shown`; of several readouts, the last."""
     exposed_scene, last = shown.exposed_scene, shown.exposed_scene.readouts - 1
     codes = fitted("srgb", np.array([0.0]), float(exposed_scene.container.target.top_code))
     title = "readout" if last == 0 else f"the last of {readouts_text(exposed_scene.readouts)}"
@@ -219,7 +220,8 @@ def _tone(shown: Shown) -> str:
 
 
 def _still_rows(shown: Shown) -> list[list[Image]]:
-    """Return the panel rows for a still: truth and ordinary camera; pixels that look; the run."""
+    """Return the rows of panels of a still: truth and ordinary camera, pixels that look, and the
+    run with an ordinary bracket."""
     truth, light = shown.fitted(shown.truth), shown.fitted(shown.light)
     rows = [
         [
@@ -255,7 +257,8 @@ def _still_rows(shown: Shown) -> list[list[Image]]:
 
 
 def _clip_rows(shown: Shown) -> list[list[Image]]:
-    """Return the panel rows for a clip: camera, readout, shutters; truth, reconstruction, burst."""
+    """Return the rows of panels of a clip: camera, readout, shutters; then `_MOMENTS` frames of
+    truth, reconstruction, error and burst."""
     exposed_scene = shown.exposed_scene
     moments = np.linspace(0, len(shown.truth) - 1, _MOMENTS).round().astype(int)
     truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
@@ -309,7 +312,8 @@ def _time(seconds: float) -> str:
 
 
 def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Image]:
-    """Return the pictures of one row of the sheet; `note` is written below the first."""
+    """Return one row of panels, each of `frames` below its title; `note` is written below the
+    first."""
     return [
         Image(_fit(frame), title, note if k == 0 else "")
         for k, (frame, title) in enumerate(zip(frames, titles, strict=True))
@@ -317,7 +321,8 @@ def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Im
 
 
 def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = False) -> Image:
-    """Return a panel of the differences between displayed grey levels, as colours."""
+    """Return a panel of the differences between the grey levels of `truth` and `light`, as colours;
+    `quiet` leaves out its title and scale."""
     difference = np.abs(truth.astype(np.float64) - light)
     if difference.ndim == 3:
         difference = difference.mean(axis=-1)
@@ -351,7 +356,7 @@ def _shutters(shown: Shown) -> Image:
 
 
 def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Return values 0..1 as colours (viridis), uint8 RGB."""
+    """Return the values of `scale`, 0..1, as colours of viridis: uint8, with a last axis of RGB."""
     from matplotlib import colormaps
 
     colours = np.asarray(colormaps["viridis"](np.clip(scale, 0, 1)))[..., :3]

@@ -189,7 +189,10 @@ class LookModel:
         return LookSchedule(tuple(at), steps), worth
 
     def _after(self, at: list[int], rows: list[int], k: int, curve: Curve) -> Values:
-        """Return the error (groups, offsets) of a pixel that is open after look k."""
+        """Return the expected error (groups, offsets) of a pixel that is still open after look `k`.
+
+        `at` has the slots of the looks and `rows` their levels: row rows[j] of `closed(at[j])` is
+        the share of pixels that look j closes."""
         exposure_errors = self.exposure_errors(curve)
         error = np.repeat(exposure_errors[:, -1:], _OFFSETS, axis=1)
         for number in range(len(at) - 1, k, -1):

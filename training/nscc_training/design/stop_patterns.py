@@ -149,7 +149,11 @@ def _merged(
     pattern: Pattern,
     slots: int,
 ) -> Values:
-    """Return the light over the frame that merging reconstructs from a pattern."""
+    """Return the light over the frame (rows, cols) that merging reconstructs from a pattern of
+    stops.
+
+    `frames` has, for each stop, the exposure (e) of the whole array with this stop, and which
+    pixels saturate."""
     rows, cols = next(iter(frames.values()))[0].shape
     stops = over_array(pattern.stops, rows, cols)
     exposed, saturated = np.zeros((rows, cols)), np.zeros((rows, cols), bool)

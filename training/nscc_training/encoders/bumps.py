@@ -275,7 +275,8 @@ class Start(Bump):
     """Class c: one bump of a fixed length, opening at 0..N - length."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
-        """Begin with all bumps at slot 0; raise ValueError if the length does not fit the frame."""
+        """Begin with all bumps at slot 0; raise ValueError if the length in `spec` does not fit the
+        frame."""
         if spec.length is None or not 1 <= spec.length <= spec.slots:
             raise ValueError(
                 f"class c needs the length of its bumps, 1 to {spec.slots} slots, not {spec.length}"

@@ -235,7 +235,8 @@ def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Genera
 
 
 def _non_adjacent(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
-    """Return random level indices that differ from those of the eight neighbours, if possible."""
+    """Return random indices below `count` for the pixels of a `tile` (rows, cols), which differ
+    from those of their eight neighbours if possible. The tile wraps around."""
     rows, cols = tile
     chosen = np.full(tile, -1, np.int64)
     for row, col in generator.permutation(np.argwhere(chosen < 0)).tolist():

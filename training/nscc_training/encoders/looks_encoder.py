@@ -87,7 +87,8 @@ class LooksEncoder(Encoder):
         }
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
-        """Set times and levels; raise ValueError if they are out of range or not in order."""
+        """Set the times `at` and levels of `codes`; raise ValueError if they are out of range, or
+        if the times do not increase."""
         limits = {"at": (1, self.spec.slots - 1), "level": (1, self.most)}
         at, level = self.checked(codes, limits)
         if not bool((at[0, 1:] > at[0, :-1]).all()):

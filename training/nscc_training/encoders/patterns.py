@@ -110,7 +110,8 @@ class Codebook(_Digits):
     largest of K scores of the pixel."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
-        """Begin with open shutters in all rows, and choices spread over the rows."""
+        """Begin with open shutters in all rows, and choices spread over the rows. Raises ValueError
+        if `spec` has no rows."""
         super().__init__(spec, relaxation)
         if spec.rows is None or spec.rows < 1:
             raise ValueError(f"a codebook of {spec.rows} rows")
@@ -230,7 +231,8 @@ class Codebook(_Digits):
 
 
 def quarters(slots: int) -> NDArray[np.bool_]:
-    """Return four shutters (N, 4), each open in a quarter of the frame, in at least one slot."""
+    """Return four shutters (slots, 4), each open in one quarter of the frame, and for at least one
+    slot."""
     n = np.arange(slots)[:, None]
     first = np.minimum(np.arange(4) * slots // 4, slots - 1)
     last = np.maximum((np.arange(4) + 1) * slots // 4, first + 1)

@@ -196,7 +196,8 @@ def _worth(light_e: Field) -> float:
 
 
 def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
-    """Return rows of shutter images: random codes, the 2 x 2 tile, the run's codes."""
+    """Return for each of the `runs` (key: whether it decodes stills) a row of pictures of shutters:
+    random codes drawn with `seed`, the 2 x 2 tile and the run's codes."""
     rows = []
     for still, folder in runs.items():
         spec, row = folder.setup.encoder.spec, []

@@ -103,7 +103,8 @@ def evaluate_looks(
     chosen = selected(effects or _EFFECTS)
 
     def decoded(shown: Sequence[ProtocolScene | None]) -> list[Scored]:
-        """Return the scores of scenes whose pixels look at their light, exposed on the emulator."""
+        """Return the scores of the scenes `shown`, whose pixels look at their light, exposed on the
+        emulator."""
 
         def decode(crop: ProtocolScene, index: int) -> tuple[NDArray[np.float64], float]:
             """Return the light that the pixels measure of a scene; nothing is decoded, so the
@@ -154,7 +155,9 @@ def bracket_light(
     effects: Selection,
     seeds: tuple[int, int],
 ) -> NDArray[np.float64]:
-    """Return the light in electrons that an ordinary bracket measures of `light_e`."""
+    """Return the light in electrons (rows, cols) that an ordinary bracket measures of `light_e`.
+
+    The frame has these `effects`; `seeds` are those of noise and of the device."""
     taken = _still_capture(container, light_e, sensor, effects, seeds)
     response = response_of(container, sensor, effects)
     exposure_e = response.electrons(taken.frame) * response.gain
@@ -170,7 +173,8 @@ def _still_capture(
     effects: Selection | str,
     seeds: tuple[int, int],
 ) -> Capture:
-    """Return the frame of constant light, in electrons over the frame."""
+    """Return the frame that `container` exposes of the constant light `light_e`, in electrons over
+    the frame; `seeds` are those of noise and of the device."""
     slot_s = container.slot_s
     light = Light.of_still((light_e / float(slot_s.sum())).astype(np.float32), slot_s)
     return capture(
@@ -179,7 +183,8 @@ def _still_capture(
 
 
 def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolScene], Container]:
-    """Return a function that gives a crop's program: the method's, or its own design."""
+    """Return a function from a crop to its program: the same for all crops if method `name` is a
+    row or the bracket, else a design for this crop."""
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words

@@ -144,7 +144,7 @@ def _of_truth(loop: Callable[..., NDArray[np.float32]], captured: CapturedScene)
 
 
 def _merged(captured: CapturedScene) -> Light:
-    """Return the light that merging neighbours estimates from a frame of a still."""
+    """Return the light that merging neighbours estimates from the frame `captured` of a still."""
     model = captured.model
     assert model is not None
     noise_e = model.adc_noise_lsb * model.electrons_per_lsb

@@ -122,7 +122,8 @@ class Scorer:
         reconstructions: dict[str, Array] = {}
 
         def execute(tasks: Iterable[_SceneTask]) -> Iterator[Done]:
-            """Decode and score each scene; the reconstructions are stored by the scene's key."""
+            """Decode and score the scene of each of the `tasks`; store the reconstruction in
+            `reconstructions` by the task's key."""
             for task in tasks:
                 result_e, seconds = decode(task.scene, task.index)
                 _refuse_non_finite(result_e, task.scene.file.name)
@@ -277,7 +278,8 @@ def result_of(
 
 
 def read_result(path: Path) -> dict[str, Any]:
-    """Read a result of `nscc evaluate`; raise Rejected (NS0807) for a file that is not a result."""
+    """Return the result of `nscc evaluate` in file `path`; raise Rejected (NS0807) for a file that
+    is not a result."""
     try:
         document = json.loads(read_whole(path))
         if isinstance(document, dict) and document.get("schema") == SCHEMA:
@@ -471,7 +473,8 @@ def _scene_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
 
 
 def _class_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return a line for each class, with the class for which it is most often mistaken."""
+    """Return a line for each class among `items`: how often it was decoded correctly, and the class
+    for which it is most often mistaken."""
     lines = []
     for label in dict.fromkeys(item["class"] for item in items):
         decoded = Counter(item["decoded"] for item in items if item["class"] == label)

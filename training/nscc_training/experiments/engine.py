@@ -57,7 +57,7 @@ Executor = Callable[[Iterable[SomeTask]], Iterator[Done]]
 
 
 def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
-    """Return all stored rows by key, with the text of infinity and NaN as numbers again."""
+    """Return all rows of `store` by key, with the text of infinity and NaN as numbers again."""
     return {
         key: PointRow(key, **{**row, "figures": _numbers(row["figures"])})
         for key, row in store.values().items()
@@ -86,7 +86,8 @@ def results(
         def claimed(
             claimed_tasks: list[SomeTask] = claimed_tasks, waiting: Sequence[SomeTask] = waiting
         ) -> Iterator[SomeTask]:
-            """Yield the tasks that no other process computes and whose result is not stored yet."""
+            """Yield those tasks of `waiting` that no other process computes and whose result is not
+            stored yet. Appends every task that this process claimed to `claimed_tasks`."""
             for task in waiting:
                 if store.claim(task.key):
                     claimed_tasks.append(task)

@@ -60,7 +60,8 @@ def csv_of(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
 
 
 def refusals_text(refused: Sequence[Refused]) -> list[str]:
-    """Return a line for each reason why settings of a method have no point."""
+    """Return a line for each method and reason in `refused`, with the settings that have no
+    point."""
     settings: dict[tuple[str, str], list[str]] = {}
     for refusal in refused:
         name = ", ".join(filter(None, (refusal.case, refusal.method)))

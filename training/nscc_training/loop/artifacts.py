@@ -100,7 +100,7 @@ def artifacts(
 
 
 def environment(setup: TrainingSetup) -> dict[str, Any]:
-    """Return the versions that results depend on; host, time and paths are left out."""
+    """Return the versions that results of `setup` depend on; host, time and paths are left out."""
     return {
         "nscc": __version__,
         "python": platform.python_version(),
@@ -152,7 +152,7 @@ def capture_toml(setup: TrainingSetup) -> str:
 
 
 def _exposure(setup: TrainingSetup) -> str:
-    """Return a sentence on how brightly the training exposes scenes."""
+    """Return a sentence on how brightly the training of `setup` exposes scenes."""
     if setup.still:
         low, high = sorted(setup.settings.data.saturated)
         share = f"{100 * low:g}" if low == high else f"{100 * low:g} to {100 * high:g}"
@@ -280,7 +280,8 @@ def _purpose(setup: TrainingSetup) -> str:
 
 
 def _card(setup: TrainingSetup, scenes: Scenes, result: dict[str, Any]) -> str:
-    """Return the text of the model card: scores, data, settings and limits of a run."""
+    """Return the text of the model card of a run: the scores in `result`, the data of `scenes`, the
+    settings of `setup`, and limits."""
     settings, metrics = setup.settings, setup.protocol.metrics
     metric, score_name = metrics[0], METRIC_NAMES[metrics[0]]
 

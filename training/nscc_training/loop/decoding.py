@@ -33,7 +33,7 @@ Arrays = NDArray[Any]
 
 
 def container_of(setup: TrainingSetup) -> Container:
-    """Compile the program of a run's present shutters."""
+    """Compile the present shutters of `setup` and return their program."""
     container = programs.compiled(
         programs.program_of(setup.encoder, setup.chip), setup.chip
     ).container

@@ -318,7 +318,8 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
 
 
 def _loss(names: str) -> Loss:
-    """Return the sum of the losses named, separated by "+"; raise Rejected for an unknown name."""
+    """Return the sum of the losses in `names`, separated by "+"; raise Rejected (NS0815) for an
+    unknown name."""
     losses: list[Loss] = []
     for name in map(str.strip, names.split("+")):
         if not is_import_path(name) and name not in LOSSES:

@@ -83,7 +83,7 @@ def _other_settings_digest(settings: RunSettings) -> str:
 
 
 def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
-    """Return copies of the parameters of encoder and decoder, by name."""
+    """Return copies of the parameters and buffers of encoder and decoder of `setup`, by name."""
     return {
         f"{name}.{key}": _copied(value)
         for name, module in (("encoder", setup.encoder), ("decoder", setup.decoder))
@@ -211,7 +211,8 @@ def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor])
 
 
 def _refused(path: Path, reason: str) -> Exception:
-    """Return the error (NS0816) that training cannot resume from a checkpoint."""
+    """Return the error (NS0816) that training cannot resume from the checkpoint `path`, because of
+    `reason`."""
     return rejected(
         "NS0816",
         f"training cannot resume from '{path}'",

@@ -170,7 +170,8 @@ def _of_codes(
 
 
 def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int) -> Tensor:
-    """Return the mean loss over all `stages` that decode coded stills."""
+    """Return the mean loss of `decoder` over all `stages` that decode the coded stills of `lesson`;
+    `generator` draws their noise."""
     with torch.no_grad():
         truth, measured, _ = measured_lesson(lesson, generator)
         start = started_still(measured)
@@ -179,7 +180,8 @@ def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, sta
 
 
 def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
-    """Return the difference of two clips; with `shown` as white, in display encoding."""
+    """Return `clip` minus `truth`; with `shown` (batch,), the light displayed as white, both are
+    first display-encoded."""
     if shown is None:
         return clip - truth
     level = shown.reshape(-1, 1, 1, 1)

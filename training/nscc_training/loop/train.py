@@ -352,7 +352,11 @@ def batch_of(run: TrainingRun, drawn: Exposures) -> Batch:
 
 
 def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
-    """Take one step; return its mean loss on this process's share of the batch."""
+    """Take one training step and return its mean loss on this process's share of the batch.
+
+    `drawn` is what the data loader drew: a batch, or a Lesson for the decoder for any code. Changes
+    the parameters of decoder and encoder, learning rates, and at the start of a cycle also the
+    codes."""
     setup, settings = run.setup, run.setup.settings
     anneal(setup, step)
     set_rates(run.state.optimizers, settings, step)

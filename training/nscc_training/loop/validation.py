@@ -128,7 +128,8 @@ def by_chip(
 
 
 def _loss(setup: TrainingSetup, scene: ProtocolScene, result_e: NDArray[Any]) -> float:
-    """Return the loss of a decoder's result for a scene; light above the peak is clipped."""
+    """Return the loss of a decoder's result `result_e` for `scene`; truth and result are clipped at
+    the peak of the light."""
     if setup.classes:
         scores, truth = (torch.from_numpy(values)[None] for values in (result_e, scene.truth_e))
         return float(setup.loss(scores, truth))

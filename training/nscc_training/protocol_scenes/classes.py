@@ -59,7 +59,8 @@ def class_windows(
     labels = [class_of(path, classes) for path in files]
 
     def of_class(path: Path, index: int) -> Iterator[ProtocolScene | Unusable]:
-        """Yield the windows of a clip, with the class of its folder."""
+        """Yield the windows of the clip `path`, number `index` of its protocol, with the class of
+        its folder."""
         for window in windows(path, protocol):
             if isinstance(window, ClipWindow):
                 window = with_class(window, labels[index], classes)
@@ -74,7 +75,8 @@ def class_folders(folder: Path) -> Path:
 
 
 def class_of(path: Path, classes: Sequence[str]) -> str:
-    """Return the class of a file; raise Rejected (NS0811) if its folder is not named after one."""
+    """Return which of `classes` the file `path` belongs to: the name of its folder. Raises Rejected
+    (NS0811) for another name."""
     name = path.parent.name
     if name not in classes:
         raise rejected(
@@ -106,7 +108,8 @@ def moving_texture(
 def _moving_textures(
     classes: Sequence[str], protocol: Protocol, seed: int
 ) -> Iterator[ClassWindow | Unusable]:
-    """Yield synthetic windows of moving textures, determined by the seed."""
+    """Yield synthetic windows of moving textures with their class, as many as `protocol` says;
+    `seed` determines them."""
     for index in range(int(protocol["procedural"])):
         generator = np.random.default_rng([seed, DrawStream.EVALUATION_SCENES, index])
         sides = int(protocol["frames"]), int(protocol["size"])

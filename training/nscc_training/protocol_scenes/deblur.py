@@ -38,7 +38,8 @@ class DeblurMoment(ProtocolScene):
         return np.asarray(clip_e[int(self.protocol["moment"])] * len(clip_e))
 
     def scores(self, result_e: Picture) -> dict[str, Any]:
-        """Return PSNR, SSIM and mu-law PSNR of one slot's light; a clip is cut to this slot."""
+        """Return PSNR, SSIM and mu-law PSNR of one slot's light `result_e` (rows, cols), in
+        electrons; a clip is cut to this slot."""
         result = self.moment_e(result_e) if result_e.ndim == 3 else result_e
         pair = on_unit_range(self.truth_e, result, self.peak_e)
         mu_db = metrics.mu_psnr(*pair, 1.0, self.protocol["mu"])
@@ -63,7 +64,8 @@ def moments(path: Path, index: int, protocol: Protocol) -> Iterator[DeblurMoment
 def exposed_moment(
     path: Path, number: int, clip: Picture, protocol: Protocol
 ) -> DeblurMoment | Unusable:
-    """Return a view, whose median of light over the frame is the protocol's mid grey."""
+    """Return view `number` of the file `path`: `clip` scaled so that the median of its light over
+    the frame is the protocol's mid grey. Unusable if half of it is dark."""
     grey = float(np.median(clip.sum(axis=0)))
     if not (np.isfinite(clip).all() and grey > 0):
         return Unusable(path.name, {"view": number}, "half of it is dark")

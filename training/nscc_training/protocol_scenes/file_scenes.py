@@ -63,7 +63,8 @@ def scenes_in(
     A file that cannot be read is `Unusable`, with its error."""
 
     def scenes_of(path: Path, index: int) -> Iterable[ProtocolScene | Unusable]:
-        """Return the scenes of one file, as the protocol defines them."""
+        """Return the scenes of the file `path`, number `index` of its folder, as the protocol
+        defines them."""
         if protocol.name == "hdr-v1":
             return crops(path, protocol, fraction)
         if protocol.name == "deblur-v1":
@@ -77,7 +78,8 @@ def scenes_in(
 def readable(
     candidates: Iterable[ProtocolScene | Unusable],
 ) -> Iterator[ProtocolScene]:
-    """Yield the usable scenes; raise Rejected for a file that cannot be read."""
+    """Yield the usable scenes among `candidates`; raise Rejected (status 2) for a file that cannot
+    be read."""
     for scene in candidates:
         if isinstance(scene, ProtocolScene):
             yield scene
@@ -97,7 +99,8 @@ def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = 
 
 
 def kinds_in(data: Path) -> list[Kind]:
-    """Return which kinds of scenes a folder contains; raise Rejected (NS0811) if there are none."""
+    """Return which kinds of scenes the folder `data` contains; raise Rejected (NS0811) if there are
+    none."""
     endings: dict[Kind, Sequence[str]] = {"clips": CLIPS, "stills": ENDINGS}
     all_endings = [ending for kind in KINDS for ending in endings[kind]]
     expected = "such files, or leave --data out to use synthetic scenes"
@@ -138,7 +141,8 @@ def some_scenes(
 
 
 def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unusable:
-    """Return a procedural still or clip, exposed as hdr-v1 or video-v1 defines."""
+    """Return procedural still or clip number `index`, exposed as `protocol` (hdr-v1 or video-v1)
+    defines; `seed` determines it."""
     generator = np.random.default_rng([seed, DrawStream.EVALUATION_SCENES, index])
     name = Path(f"made-{index}")
     if protocol.still:

@@ -29,7 +29,8 @@ class Crop(ProtocolScene):
         return float(np.percentile(self.light_e, self.protocol["normalise_percentile"]))
 
     def scores(self, result_e: Picture) -> dict[str, Any]:
-        """Return PSNR, SSIM, mu-law and PU21 PSNR, also of saturated and of dark pixels alone."""
+        """Return PSNR, SSIM, mu-law and PU21 PSNR of `result_e`, in electrons, and PSNR of the
+        saturated and of the dark pixels alone, with their share."""
         truth_e, protocol = self.light_e, self.protocol
         truth, result = on_unit_range(truth_e, result_e, self.peak_e)
         well_e = float(protocol["full_well_e"])
@@ -57,7 +58,8 @@ def light_of(path: Path, protocol: Protocol) -> Picture:
 def crops(
     path: Path, protocol: Protocol, fraction: float | None = None
 ) -> Iterator[Crop | Unusable]:
-    """Yield the crops of a panorama, in order; `Unusable` for crops that cannot be exposed."""
+    """Yield the crops of the panorama `path`, in order; `Unusable` for crops that cannot be
+    exposed. `fraction`: the part of a crop's pixels that saturates."""
     light = light_of(path, protocol)
     if light.shape != tuple(protocol["panorama"]):
         reason = f"{light.shape}, not {tuple(protocol['panorama'])}"
@@ -69,7 +71,8 @@ def crops(
 def crops_of(
     path: Path, light: Picture, protocol: Protocol, fraction: float | None = None
 ) -> Iterator[Crop | Unusable]:
-    """Yield the crops of a picture from left to right, in its middle rows."""
+    """Yield the crops of the picture `light` from left to right, in its middle rows. `fraction`:
+    the part of a crop's pixels that saturates."""
     size = min(int(protocol["crop_size"]), *light.shape)
     first_row = (light.shape[0] - size) // 2
     for first_col in range(0, light.shape[1] - size + 1, size):

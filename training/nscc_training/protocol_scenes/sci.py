@@ -48,7 +48,7 @@ class SciClip(ProtocolScene):
         raise NotImplementedError("frames of this protocol are scored one by one")
 
     def items(self, result_e: NDArray[Any]) -> list[Item]:
-        """Return the scores of each frame of the clip."""
+        """Return the scores of each frame of the reconstruction `result_e`."""
         top = float(self.protocol["data_range"])
         pairs = enumerate(zip(self.truth_e, self.result(result_e), strict=True))
         return [
@@ -58,7 +58,8 @@ class SciClip(ProtocolScene):
 
 
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
-    """Read the clip in a `.mat` file; raise Rejected (NS0809) if it is not a benchmark clip."""
+    """Return the clip in the `.mat` file `path`; raise Rejected (NS0809) if it is not a clip of the
+    benchmark `protocol`."""
     try:
         arrays = mat_arrays(path, ["orig", "mask", "meas"])
     except FileNotFoundError:
@@ -98,7 +99,8 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
 
 
 def _unusable(path: Path, reason: str) -> Exception:
-    """Return the error (NS0809) for a file that is not a clip of the benchmark."""
+    """Return the error (NS0809) that the file `path` is not a clip of the benchmark, because of
+    `reason`."""
     return rejected(
         "NS0809",
         f"'{path}' is not a clip of the sci8 benchmark",

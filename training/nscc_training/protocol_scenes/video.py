@@ -35,7 +35,8 @@ class ClipWindow(ProtocolScene):
         return self.scale_e
 
     def scores(self, result_e: Clip) -> dict[str, Any]:
-        """Return PSNR, SSIM and the error of differences between frames."""
+        """Return PSNR, SSIM and the error of differences between frames of the clip `result_e`, in
+        electrons."""
         truth, result = (encoded(x / self.scale_e, self.srgb) for x in (self.light_e, result_e))
         errors = [mean_square_error(a, b) for a, b in zip(truth, result, strict=True)]
         frame_summary = metrics.frame_scores(errors, 1.0)
@@ -49,7 +50,8 @@ class ClipWindow(ProtocolScene):
 
 
 def windows(path: Path, protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
-    """Yield the windows of a clip, in order; `Unusable` for windows that cannot be exposed."""
+    """Yield the windows of the clip `path`, in order; `Unusable` for windows that cannot be
+    exposed."""
     known = protocol["transfer"]
     srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
     size = int(protocol["size"])

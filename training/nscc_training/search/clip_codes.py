@@ -85,7 +85,8 @@ class ClipDesign(Design):
 
 
 def clip_codes(slots: int) -> list[ClipCode]:
-    """Return all codes: bumps, mixtures and free bits, in one readout and in two."""
+    """Return all codes for clips of `slots` slots: bumps, mixtures and free bits, in one readout
+    and in two."""
     tiles = {
         name: encoder.hard().numpy() > 0.5 for name, encoder in encoders_by_name(slots).items()
     }

@@ -91,7 +91,8 @@ def _alike(slots: int, speed: float, length: float) -> Values:
 
 
 def _windows(opened: Values) -> Sequence[Values]:
-    """Return small windows of the shutters (N, pixels), evenly spaced over the repeating tile."""
+    """Return small windows (N, pixels) of the shutters `opened` (N, rows, cols), evenly spaced over
+    the repeating tile."""
     _, rows, cols = opened.shape
     origins = [(y, x) for y in range(0, rows, _STEP) for x in range(0, cols, _STEP)]
     stride = -(-len(origins) // _MOST_WINDOWS)

@@ -104,7 +104,8 @@ def _by(slots: int, generator: Generator) -> int:
 
 
 def _stops(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Scale the exposure times of the pixels `places` by a random ratio, by at least one slot."""
+    """Return `codes` in which the exposure times of the pixels `places` are scaled by a random
+    ratio, by at least one slot."""
     stop = codes["stop"]
     ratio = 2.0 ** (generator.choice((-1, 1)) * generator.uniform(0.1, 2))
     stops = np.rint(stop * ratio)
@@ -136,7 +137,8 @@ def _edges(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator)
 
 
 def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Return codes of free bits that are replaced at some pixels by changed patterns."""
+    """Return `codes` of free bits, changed at the pixels `places` to patterns that are drawn from
+    their own."""
     n = np.arange(spec.slots, dtype=np.int64).reshape(-1, 1, 1)
     opened = _reshaped((codes["bits"][None] >> n) & 1 == 1, generator)
     bits = np.einsum("n,nrc->rc", np.int64(1) << n[:, 0, 0], opened.astype(np.int64))
@@ -189,7 +191,8 @@ def _starts_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 
 
 def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Shift bumps by `lag` slots around the frame; a bump that wraps around its end is cut."""
+    """Shift the bumps of `codes` by `lag` slots around the frame; a bump that wraps around its end
+    is cut."""
     before = codes["stop"] - codes["start"] - 1
     start = (codes["start"] + before + lag) % (spec.slots + before) - before
     stop = start + before + 1

@@ -74,7 +74,7 @@ def looks_figures(values: Values) -> Figures:
     named = chip.target if chip.file is None else None
 
     def compiled(slot_us: float) -> Compiled:
-        """Compile the schedule of looks with slots of this length (us)."""
+        """Compile the schedule of looks with slots of `slot_us` microseconds."""
         text = looking_text(looks, SLOTS, slot_us, scenes.target, named, "")
         options = Options(
             level=values["level"], codes="open", lowering="edges", target=chip.file, cache=False
@@ -109,7 +109,8 @@ class BenchScenes:
         return model.best(exposures - 1, "linear")
 
     def figures(self, compiled: Compiled, shutters: Encoder | LookSchedule) -> Figures:
-        """Return the PSNR, averaged over scenes, of a decoder that needs no training."""
+        """Return the words, the shortest slot, and the PSNR, averaged over scenes, that `shutters`
+        compiled to `compiled` reach with a decoder that needs no training."""
         container = compiled.container
         assert container is not None
         scores = (

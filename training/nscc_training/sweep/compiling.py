@@ -29,7 +29,8 @@ from nscc_training.sweep.point_programs import (
 
 
 def _compile(values: Values, _task: PointTask) -> Figures:
-    """Return the costs of a program: words, registers, shortest slot."""
+    """Return the costs of the program with the settings `values`: words, registers, shortest
+    slot."""
     compiled_program = compiled_of(values)
     build_report = KINDS.of(compiled_program.program).report(compiled_program)
     figures = _common(compiled_program, build_report)
@@ -52,7 +53,7 @@ def _compile(values: Values, _task: PointTask) -> Figures:
 
 
 def _common(compiled_program: Compiled, build_report: Mapping[str, Any]) -> Figures:
-    """Return the results that reports of all chips contain."""
+    """Return the figures that every chip's `build_report` of a program contains."""
     return {
         "program_class": build_report["class"],
         "shutters": build_report["codes"]["shutters"],

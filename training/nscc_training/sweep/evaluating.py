@@ -105,7 +105,8 @@ def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
 
 
 def _result(values: Values) -> dict[str, Any]:
-    """Return the result of an evaluation, as `nscc evaluate` writes it."""
+    """Return the result of the evaluation with the settings `values`, as `nscc evaluate` writes
+    it."""
     from nscc_training.evaluation.baselines import evaluate_sci8
     from nscc_training.evaluation.methods import CLIPS
     from nscc_training.evaluation.runs import evaluate

@@ -50,7 +50,8 @@ def axis(name: str, kind: object, meaning: str, default: object = MISSING) -> Ke
 
 
 def declared_axes(settings: type, *names: str, **defaults: object) -> tuple[Key, ...]:
-    """Return axes of options that fields of a dataclass declare; `defaults` replace theirs."""
+    """Return axes for the options `names` that fields of the dataclass `settings` declare;
+    `defaults` replace their defaults and add options."""
     keys = declared(settings)
     return tuple(
         axis(name, keys[name].kind, keys[name].meaning, defaults.get(name, keys[name].default))
@@ -131,7 +132,8 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
 
 
 def program_files(values: Values) -> Sequence[Path]:
-    """Return the files of a point's program and chip: the text, those that it names, the target."""
+    """Return the files of the point with settings `values`: its program, the files that the program
+    names, and its target."""
     files: list[Path] = []
     if "program" in values:
         files += text_files(Path(values["program"]))
@@ -147,7 +149,8 @@ def text_files(path: Path) -> list[Path]:
 
 
 def target_of(values: Values) -> Target | None:
-    """Return the chip of a point with its changes; None if the program's own chip is used."""
+    """Return the chip that the settings `values` name, with their changes; None if the program's
+    own chip is used."""
     if not values["target"]:
         return None
     changes = {
@@ -157,7 +160,7 @@ def target_of(values: Values) -> Target | None:
 
 
 def compiled_of(values: Values) -> Compiled:
-    """Compile and prove a point's program, without the cache of searches."""
+    """Compile and prove the program of the settings `values`, without the cache of searches."""
     options = Options(
         level=values["level"],
         codes=values["codes"],
@@ -185,7 +188,7 @@ def _source(values: Values) -> tuple[Source, Path]:
 
 
 def encoder_of(values: Values) -> Encoder:
-    """Return the codes of a point's class."""
+    """Return an encoder with the class, slots, tile and initial codes of the settings `values`."""
     from nscc_training.encoders import ShutterSpec, make_encoder
 
     kind = values["class"]

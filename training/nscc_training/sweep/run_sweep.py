@@ -125,7 +125,8 @@ def sweep(
 
 
 def summary_lines(swept: Swept) -> list[str]:
-    """Return numbers of points, reasons for missing results, and files, as lines."""
+    """Return the result of a sweep as lines: numbers of points, reasons for missing results, and
+    files."""
     columns, count = swept.table.columns, len(swept.table)
     figures = count - swept.misfits - swept.failed
     lines = [
@@ -142,7 +143,8 @@ def summary_lines(swept: Swept) -> list[str]:
 
 
 def failures(swept: Swept) -> Rejected:
-    """Return the error (NS0833) for failed points."""
+    """Return the error (NS0833) for the points of `swept` that failed, with the most frequent
+    reasons."""
     columns = swept.table.columns
     errors = [
         e for e, code in zip(columns["error"], columns["code"], strict=True) if code == FAILED
@@ -205,7 +207,8 @@ def _compute(
     with _executor(how, len(tasks)) as execute:
 
         def checked(tasks: Iterable[PointTask]) -> Iterator[Done]:
-            """Yield results; raise Rejected if a worker runs other code than this process."""
+            """Yield the results of `tasks`; raise Rejected if a worker runs other code than this
+            process."""
             for done in execute(tasks):
                 if done.other_key:
                     raise _other_code(done)
@@ -254,7 +257,8 @@ def _other_code(done: Done) -> Rejected:
 def _without_run(
     task: PointTask, keys: Mapping[GridPoint, str], store: ExperimentStore
 ) -> Done | None:
-    """Return the failure of a task if a run that it names failed, else None."""
+    """Return the failure of `task` if a run that it needs failed, else None. `keys` gives the key
+    in `store` of each run."""
     for run in task.point.after:
         row = store.get(keys[run])
         assert row is not None  # runs are computed first
@@ -306,7 +310,8 @@ def store_in(folder: Path, report: Callable[[str], object] = lambda _text: None)
 
 
 def times_csv(store: ExperimentStore) -> str:
-    """Return the time and worker of each point as CSV; times start with the first point."""
+    """Return the time and worker of each point in `store` as CSV; times start with the first
+    point."""
     timings = store.timings()
     begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
     rows = (

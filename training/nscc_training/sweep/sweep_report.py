@@ -130,7 +130,8 @@ def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any
 
 
 def _misfits(grid: Grid, table: Table) -> html.Html:
-    """Return the points without results, grouped by reason."""
+    """Return the points of `grid` that have a message instead of figures in `table`, grouped by
+    reason; empty if all have figures."""
     together: dict[tuple[str, str], list[str]] = {}
     columns = table.columns
     for point, code, error in zip(grid.points, columns["code"], columns["error"], strict=True):
@@ -164,7 +165,7 @@ def _numbers(values: Sequence[Any]) -> bool:
 
 
 def _short(value: Any) -> str:
-    """Return a cell as short text: numbers with six digits, long texts cut."""
+    """Return the cell `value` as short text: numbers with six digits, long texts cut."""
     if isinstance(value, float):
         return f"{value:.6g}"
     text = " ".join(cell(value).split())

@@ -48,7 +48,8 @@ def _settings(values: Values) -> RunSettings:
 
 
 def _reads(values: Values) -> Sequence[Path]:
-    """Return the configuration and all files and folders that it names, including user modules."""
+    """Return the files and folders on which a training with the settings `values` depends: the
+    configuration and all that it names, including user modules."""
     settings = _settings(values)
     named = [
         settings.shutter.target,
@@ -82,7 +83,8 @@ def _begun_with(path: Path) -> Sequence[Path]:
 
 
 def _train(values: Values, task: PointTask) -> Figures:
-    """Train, and resume if an earlier attempt left a checkpoint."""
+    """Train with the settings `values` in the folder `task.files`, and resume if an earlier attempt
+    left a checkpoint there. Return the scores."""
     import json
 
     import torch

@@ -68,7 +68,10 @@ Decoder = tuple[str, str, Callable[[CapturedScene], Light], str]
 def decoder_study(
     runs: Sequence[RunFolder], settings: DecoderStudySettings, repeats: int, budget_s: float
 ) -> Study:
-    """Return the study of all decoders; raises Rejected as `decoder_points` does."""
+    """Return the study of the decoders of `runs` and of those without training; raises Rejected as
+    `decoder_points` does.
+
+    `repeats` and `budget_s` limit how often, and for how many seconds, each point is timed."""
 
     def text(measured: StudyResult) -> str:
         """Return a table for each unit of error, and the runs that could not be measured."""
@@ -144,7 +147,8 @@ def _points(
 
 
 def score_figures(captures: Sequence[CapturedScene], lights: Sequence[Light]) -> Figures:
-    """Return mean PSNR and SSIM of scenes; infinite PSNR is left out unless all scenes have it."""
+    """Return mean PSNR and SSIM of `lights`, the reconstructions of `captures`; infinite PSNR is
+    left out unless all scenes have it."""
     pairs = zip(captures, lights, strict=True)
     scene_scores = [frames.scene.scores(light) for frames, light in pairs]
     psnr_db = finite_mean(number(scores["psnr_db"]) for scores in scene_scores)
@@ -152,7 +156,7 @@ def score_figures(captures: Sequence[CapturedScene], lights: Sequence[Light]) ->
 
 
 def untrained(kind: Kind) -> list[Decoder]:
-    """Return the decoders that need no training."""
+    """Return the decoders for this `kind` of scenes that need no training."""
     return [
         (name, setting, partial(method.decode, **options), "")
         for name, method in (CLIPS if kind == "clips" else STILLS).items()
@@ -188,7 +192,8 @@ def _network(
 
     @torch.no_grad()
     def run(frames: CapturedScene) -> Light:
-        """Return the light (e) that the network decodes from the first bucket of a capture."""
+        """Return the light (e) that the network decodes from the first bucket of the capture
+        `frames`."""
         frame = setup.model.relative(torch.from_numpy(frames.codes))
         shutters = torch.from_numpy(np.ascontiguousarray(frames.masks[0]))
         with torch.autocast(setup.device.type, torch.bfloat16, enabled=dtype == "bf16"):
@@ -237,7 +242,8 @@ def _learned(
 def _captures(
     protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: DecoderStudySettings
 ) -> tuple[CapturedScene, ...]:
-    """Capture the scenes with a tile of shutters (N, r, c) and the sensor's noise."""
+    """Capture the scenes of `protocol` with a `tile` of shutters (N, r, c) and the noise of
+    `model`. Each scene has its own seed."""
     scenes = some_scenes(protocol, settings.data, settings.count, settings.seed)
     return tuple(
         captured(scene, tile, model, 1000 * settings.seed + k) for k, scene in enumerate(scenes)
@@ -245,7 +251,7 @@ def _captures(
 
 
 def not_measured(folders: Sequence[RunFolder]) -> list[str]:
-    """Return a line that lists the networks for which no run was named."""
+    """Return a line that lists the networks of which no run is among `folders`; none if all are."""
     have = {folder.setup.settings.decoder.name for folder in folders}
     names = [name for name in DECODERS if name not in have and not DECODERS[name].fixed_channels]
     if not names:
@@ -257,7 +263,8 @@ def not_measured(folders: Sequence[RunFolder]) -> list[str]:
 
 
 def decoder_diagram(measured: StudyResult, device: str) -> Figure:
-    """Draw PSNR and SSIM against the time of a scene: a panel a case, a line a decoder."""
+    """Return a diagram of PSNR and SSIM against the time of a scene: a panel a case, a line a
+    decoder. `device` is named in its note."""
     panels = [
         Panel(case, title, [point for point in case_points if point.error_unit == unit])
         for case, group in groupby(measured.points, key=lambda point: point.case)

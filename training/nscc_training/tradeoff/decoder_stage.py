@@ -41,7 +41,8 @@ def decoding(bench: Bench) -> Iterator[StudyPoint]:
 def _point(
     method: str, setting: str, run: Callable[[], Values], truth: Values, loads: str = ""
 ) -> StudyPoint:
-    """Return the point of a decoder; `run` returns an estimate of `truth` (T, rows, cols)."""
+    """Return the point of the decoder `method`; `run` returns an estimate of `truth` (T, rows,
+    cols), and its error is a percentage of the mean light."""
 
     def figures(light: Values) -> Figures:
         """Return the RMS error of decoded light as a percentage of the mean light, over known
@@ -112,7 +113,8 @@ def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
 
 
 def _merged(bench: Bench, capture: Simulated) -> Values:
-    """Return electrons over the frame (1, rows, cols) from merged neighbours."""
+    """Return electrons over the frame (1, rows, cols): neighbours of each readout of `capture`
+    merged, and the mean of the readouts."""
     container = bench.container
     response = response_of(container, bench.sensor, capture.effects)
     estimates = [
@@ -151,7 +153,7 @@ def _of_run(
     chosen = folder.setup.settings.decoder
 
     def run(dtype: str) -> Values:
-        """Return the light that the run's network decodes, in bfloat16 or float32."""
+        """Return the light that the run's network decodes in `dtype`, "bf16" or float32."""
         with torch.autocast(folder.setup.device.type, torch.bfloat16, enabled=dtype == "bf16"):
             decoded = decoded_frame(
                 folder.setup, codes, full, share, (rows.start or 0, cols.start or 0)

@@ -302,7 +302,8 @@ class EmulatorBench:
         return self._first(self._plan(tolerance))
 
     def result(self, measured: StudyResult, gb_per_s: float) -> EmulatorStudy:
-        """Return the results of this scene, in the order of units and methods."""
+        """Return the results of this scene among all `measured`, in the order of units and methods.
+        `gb_per_s`: speed of memory copies, which bounds the time."""
         name = self.scene.name
         points = [point for point in measured.points if point.case == name]
         points.sort(key=lambda p: (p.error_unit != ELECTRONS, _ORDER.index(p.method)))

@@ -40,7 +40,8 @@ _ERRORS = {ELECTRONS: "RMS error, e", studied.LSB: "RMS error after the ADC, LSB
 
 
 def study_diagram(studies: Sequence[EmulatorStudy], times: str, device: str) -> Figure:
-    """Draw the work-precision diagram: for each scene the error in electrons, and in LSB."""
+    """Return the work-precision diagram: for each of `studies` one panel with the error in
+    electrons and one in LSB. `times` and `device` are named in its note."""
     panels = []
     for study in studies:
         for unit, error in _ERRORS.items():
@@ -74,7 +75,8 @@ def study_diagram(studies: Sequence[EmulatorStudy], times: str, device: str) -> 
 
 
 def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
-    """Draw predicted and measured errors against the tolerance. Raises ValueError without plans."""
+    """Return a diagram of predicted and measured errors of all plans in `studies` against the
+    tolerance. Raises ValueError without plans."""
     from matplotlib.lines import Line2D
 
     plans = [

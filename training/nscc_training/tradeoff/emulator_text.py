@@ -31,7 +31,8 @@ def keeps_promise(measured_plan: MeasuredPlan) -> bool:
 
 
 def studies_text(studies: Sequence[EmulatorStudy], gb_per_s: float) -> str:
-    """Return all tables: for each scene the methods, then the plan of its error budget."""
+    """Return all tables: for each of `studies` the methods, then the plan of its error budget.
+    `gb_per_s`: speed of memory copies."""
     tables = [f"memory copies at {gb_per_s:.3g} GB/s, read and written"]
     for study in studies:
         tables += [_methods_text(study), _budget_text(study.budget)]
@@ -74,7 +75,7 @@ def _methods_text(study: EmulatorStudy) -> str:
 
 
 def _setting(measured_plan: MeasuredPlan) -> str:
-    """Return the setting, with its electrons if it has another unit."""
+    """Return the setting of `measured_plan`, with its electrons if it has another unit."""
     plain = measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
     if plain:
         return measured_plan.setting
@@ -91,7 +92,7 @@ def _remark(point: Point, measured_plan: MeasuredPlan | None, beaten: bool) -> s
 
 
 def _budget_text(plan: Plan) -> str:
-    """Return the table of effects with the decision on each and its reason."""
+    """Return the table of effects of `plan`, with the decision on each and its reason."""
     rows = [_BUDGET_HEAD, *(_decision(decision) for decision in plan.decisions)]
     head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
     words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
@@ -99,7 +100,7 @@ def _budget_text(plan: Plan) -> str:
 
 
 def _decision(decision: Decision) -> tuple[str, ...]:
-    """Return the row of one effect in the error budget."""
+    """Return the row of the effect of `decision` in the error budget."""
 
     def number(value: float | None) -> str:
         """Return a number as text, "" for absent effects."""

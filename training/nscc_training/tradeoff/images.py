@@ -53,7 +53,8 @@ def images_study(path: Path, level: int) -> Study:
 
 
 def images_diagram(measured: StudyResult, _device: str) -> Figure:
-    """Draw noise against time: a panel for each image, a line for each kernel."""
+    """Return a diagram of noise against time: a panel for each image of `measured`, a line for each
+    kernel."""
     groups = groupby(measured.points, key=lambda point: point.case)
     panels = [Panel(case, "errors of one word", list(group)) for case, group in groups]
     return precision_diagram(

@@ -50,7 +50,8 @@ class Joint:
     notes: tuple[str, ...] = ()
 
     def advice(self, points: Sequence[Point]) -> dict[str, tuple[Point | None, bool]]:
-        """Return the recommended point of each stage, and whether it reaches the target."""
+        """Return the recommended one of `points` for each stage, None if it has none, and whether
+        it reaches the target."""
         return {
             stage: advised([p for p in points if p.case == stage], self.target_percent)
             for stage in self.request.stages
@@ -100,7 +101,8 @@ def advised(points: Sequence[Point], target_percent: float) -> tuple[Point | Non
 
 
 def joint_text(joint: Joint, measured: StudyResult) -> str:
-    """Return the recommendations as text, then all points of all stages."""
+    """Return the recommendations of `joint` as text, then all points of all stages in
+    `measured`."""
     request = joint.request
     head = (
         f"{request.program.name} on {request.scene.name}: {request.target_error} is "
@@ -129,7 +131,7 @@ def joint_text(joint: Joint, measured: StudyResult) -> str:
 
 
 def si_seconds(time_ms: float) -> str:
-    """Return a time with three digits in a suitable unit: 2.5 us, 31 ms, 1.2 s."""
+    """Return `time_ms` with three digits in a suitable unit: 2.5 us, 31 ms, 1.2 s."""
     time_ms = float(f"{time_ms:.3g}")
     steps = ((1e-3, "us", 1e3), (1.0, "ms", 1.0), (1e3, "s", 1e-3))
     unit, factor = next(

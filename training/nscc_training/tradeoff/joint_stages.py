@@ -78,7 +78,8 @@ def lowering(bench: Bench) -> Iterator[StudyPoint]:
         raise NotMeasured(f"there is one way for {subject}")
 
     def measured(name: str) -> Figures:
-        """Return error, frame time (ms) and number of words of a program with this lowering."""
+        """Return error, frame time (ms) and number of words of the program with the lowering
+        `name`."""
         compiled = bench.compiled(source, lowering=name)
         container = bench.with_codes(compiled)
         return {

@@ -56,7 +56,8 @@ def sensor_study(options: Mapping[str, Any]) -> Study:
         points += readout_points(options)
 
     def text(measured: StudyResult) -> str:
-        """Return the tables of shutters and readouts, and the programs that do not fit."""
+        """Return the tables of shutters and readouts in `measured`, and the programs that do not
+        fit."""
         readouts = [point for point in measured.points if point.case == "readouts"]
         names = ("shutters", "slots", "PSNR, dB"), ("readouts", "count", "PSNR, dB")
         tables = [table_text(shutters_of(measured.points), names[0], ("slot, us", 1e3))]
@@ -181,7 +182,11 @@ def _readouts(method: str, count: int, values: Values) -> Figures:
 def _clip(
     method: str, container: Container, light_e: NDArray[Any], scenes: BenchScenes, index: int
 ) -> NDArray[np.float64]:
-    """Return the reconstruction of a scene's light, in electrons in each of its frames."""
+    """Return the reconstruction of scene number `index`, whose clip is `light_e` (N, rows, cols),
+    in electrons in each of its frames.
+
+    With `method` "coded" the network decodes it; else each frame of a burst is shown for as long as
+    it was open."""
     light = Light.of_clip(light_e.astype(np.float32))
     coded = exposed_frame(container, light, scenes.sensor, scenes.request(index))
     if method == "coded":
@@ -193,7 +198,8 @@ def _clip(
 
 
 def sensor_diagram(points: Sequence[Point], target: str, slot_us: float | None) -> Figure:
-    """Draw PSNR against the shortest slot or at `slot_us`, stills apart from clips."""
+    """Return a diagram of the PSNR of `points` against the shortest slot, or at `slot_us`, with
+    stills and clips in separate panels."""
 
     def names(point: Point) -> tuple[str, str]:
         """Return the panel and line of a point."""

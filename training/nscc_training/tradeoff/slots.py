@@ -18,7 +18,8 @@ from nscc_training.experiments.study import NotMeasured
 
 
 def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
-    """Return the program with these slot lengths; raise ValueError if its text has no frame."""
+    """Return the program `source` with the slot lengths `slot_us`; raise ValueError if its text has
+    no frame."""
     tree, _ = parse(source)
     spans = [s.span for s in tree.statements if isinstance(s, EqualSlots | ListedSlots)]
     if not spans:
