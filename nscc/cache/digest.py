@@ -20,8 +20,9 @@ from nscc.plugins import sources
 
 
 def content(path: Path) -> str:
-    """Return the digest of a file, or of all files of a folder with their names; "" if the path
-    does not exist."""
+    """Return the digest of a file's bytes, or of all files of a folder with their relative names.
+
+    Return "" if the path does not exist or cannot be read."""
     try:
         if path.is_dir():
             files = sorted(entry for entry in path.rglob("*") if entry.is_file())
@@ -34,7 +35,10 @@ def content(path: Path) -> str:
 
 @cache
 def _content(path: Path, _size: int, _mtime_ns: int) -> str:
-    """Return the digest of a file; memoized by path, size and modification time."""
+    """Return the digest of a file's bytes.
+
+    The result is memoized by path, size in bytes and time of the last modification, so that an
+    unchanged file is read once."""
     return file_sha256(path)
 
 
@@ -43,19 +47,21 @@ _DECIDES = (".py", ".toml", ".safetensors")
 
 
 def digest(value: Any) -> str:
-    """Return the digest of a value made of frozen dataclasses, tuples, lists, mappings, arrays and
-    numbers.
+    """Return the digest of a value made of frozen dataclasses, tuples, lists, mappings, arrays,
+    enums, texts and numbers.
 
-    Values of different type or structure have different digests. Raises TypeError for other types,
-    because ignoring a member could give two values the same digest."""
+    Different values have different digests, and so have 1, 1.0 and True. A list and a tuple with
+    equal members have the same digest. Raises TypeError for other types, because ignoring a member
+    could give two values the same digest."""
     return sha256(_token(value, {})).hexdigest()
 
 
 @cache
 def version_digest() -> str | None:
-    """Return the digest of this compiler: its sources, added generators, Python and the libraries.
+    """Return the digest of all that determines a compilation's result besides its input.
 
-    None if sources cannot be read."""
+    These are the sources of nscc and of packages that add encodings, and the versions of Python and
+    numpy. Return None if a source cannot be read."""
     roots = {"": _ROOT}
     for name, module in sources("nscc.encodings").items():
         file = getattr(sys.modules[module.partition(".")[0]], "__file__", None)
@@ -76,9 +82,10 @@ def package_digest(name: str) -> str | None:
 
 
 def _digest_of(roots: Mapping[str, Path]) -> str | None:
-    """Return the digest of source folders and files and of the versions of Python and numpy.
+    """Return the digest of source files and of the versions of Python and numpy.
 
-    None if sources are missing or cannot be read."""
+    `roots` maps a name to a file or a folder. Of a folder, the files that end in `_DECIDES` count.
+    Return None if a root has no such file, or if a file cannot be read."""
     running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
     try:
         for name, root in roots.items():
@@ -103,7 +110,8 @@ def _digest_of(roots: Mapping[str, Path]) -> str | None:
 def _token(value: Any, known: dict[int, bytes]) -> bytes:
     """Return bytes that represent a value in the digest.
 
-    `known` caches the bytes of members by identity, because many members are shared."""
+    `known` maps the id of an array, sequence, mapping or dataclass to its bytes, because many
+    members are shared; this call may add to it. Raises TypeError for other types."""
     if isinstance(value, Enum):
         return f"e{type(value).__name__}.{value.name}".encode()
     if value is None or isinstance(value, bool | float):
@@ -121,9 +129,9 @@ def _token(value: Any, known: dict[int, bytes]) -> bytes:
 def _compound(value: Any, known: dict[int, bytes]) -> bytes:
     """Return the SHA-256 digest of an array, sequence, mapping or dataclass instance: 32 bytes.
 
-    The digest covers the kind of `value`, its number of tokens and each token with its length.
-    `known` caches digests of frozen values by identity, and this call may add to it. Raises
-    TypeError for any other kind of value."""
+    The digest covers the kind of `value`, the number of its members and the token of each member
+    with its length. `known` is the cache of `_token`, to which this call may add. Raises TypeError
+    for any other kind of value."""
     tokens: list[bytes]
     if isinstance(value, np.ndarray | np.generic):
         head = f"a{value.dtype.str}{value.shape}"
@@ -141,6 +149,7 @@ def _compound(value: Any, known: dict[int, bytes]) -> bytes:
         raise TypeError(f"no digest for {type(value).__name__}")
     running = sha256(f"{head}{len(tokens)}".encode())
     for token in tokens:
+        # The length separates the tokens: without it, ("ab", "c") and ("a", "bc") would be alike.
         running.update(f":{len(token)}:".encode())
         running.update(token)
     return running.digest()

@@ -15,10 +15,11 @@ _refusal: list[str] = []
 
 
 def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
-    """Return the cache folder; None if `NSCC_CACHE=off`, or if there is no safe folder.
+    """Return the cache folder, which need not exist; None if `NSCC_CACHE=off` or if it is not safe.
 
     The folder is `NSCC_CACHE_DIR`, else `XDG_CACHE_HOME`/nscc if that is an absolute path, else
-    ~/.cache/nscc. It need not exist. The reason against an unsafe one is kept for `refusal`."""
+    ~/.cache/nscc. `environment` holds these variables; None means those of the process. `refusal`
+    then tells why a folder is not safe."""
     variables = os.environ if environment is None else environment
     if variables.get("NSCC_CACHE", "").lower() == "off":
         return None
@@ -36,18 +37,19 @@ def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
 
 
 def refusal() -> str:
-    """Return why this process has no cache, or an empty text."""
+    """Return why the last call of `cache_folder` found its folder not safe, or an empty text."""
     return "".join(_refusal)
 
 
 def forget_refusal() -> None:
-    """Forget the reason of `refusal`, so that the next command does not say it again."""
+    """Clear the text that `refusal` returns, so that the next command does not print it again."""
     _refusal.clear()
 
 
 def is_own(path: Path) -> bool:
-    """Return whether the file or folder `path` belongs to this user, and nobody else may write to
-    it. False if it does not exist."""
+    """Return whether a file or folder belongs to this user and nobody else may write to it.
+
+    Return False if it does not exist or cannot be examined."""
     try:
         return not foreign(os.stat(path))
     except OSError:
@@ -55,7 +57,10 @@ def is_own(path: Path) -> bool:
 
 
 def foreign(status: os.stat_result) -> str:
-    """Return why a file or folder with this `status` is not safe; an empty text if it is."""
+    """Return why a file or folder is not safe, as the end of a sentence; an empty text if it is.
+
+    It is safe if it belongs to this user and nobody else may write to it. `status` is the result of
+    `os.stat`."""
     if status.st_uid != os.geteuid():
         return "belongs to another user"
     others = stat.S_IWGRP | stat.S_IWOTH
@@ -63,10 +68,11 @@ def foreign(status: os.stat_result) -> str:
 
 
 def _unsafe(folder: Path) -> str:
-    """Return why a folder cannot be the cache; an empty text if it can.
+    """Return why a folder cannot be the cache, as the end of a sentence; an empty text if it can.
 
-    A folder that does not exist is judged by its closest parent: in a folder such as /tmp, nobody
-    can replace what belongs to another user."""
+    A folder that does not exist is judged by its closest existing parent, in which it would be
+    made. A parent with the sticky bit, such as /tmp, is safe: nobody can replace what belongs to
+    another user."""
     if not folder.is_absolute():
         return "is not an absolute path"
     try:

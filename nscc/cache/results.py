@@ -21,31 +21,33 @@ LEAST_LEVEL = 2
 
 @dataclass
 class Results:
-    """The search results of one compilation, in a store.
+    """The solutions of gate searches of one compilation, in a folder that outlives it.
 
-    Results are read from the store only while `trusted` is true, but always written to it. `read`
-    counts the results that came from the store."""
+    Results are read from `store` only while `trusted` is true, but always written to it. `read`
+    counts the solutions that came from the store."""
 
     store: Store
     trusted: bool = field(default=True, init=False)
     read: int = field(default=0, init=False)
 
     def distrust(self) -> None:
-        """Stop reading from the store; every search runs, and its result replaces the
+        """Stop reading from the store: from now on every search runs, and its result replaces the
         stored one."""
         self.trusted, self.read = False, 0
 
     def entry(self, key: str) -> bytes | None:
-        """Return a stored entry, if there is one and the store is trusted."""
+        """Return the bytes stored under a key of `find`; None if there are none or the store is not
+        trusted."""
         return self.store.read(key) if self.trusted else None
 
     def find(
         self, problem: Problem, machine: Machine, level: int, *context: Any
     ) -> tuple[str, Solution | None]:
-        """Return the key of a problem's solution, and the solution if it is stored.
+        """Return the key of a problem's solution, and the solution; None if it is not stored.
 
-        `context` contains everything else that affects the best solution. The key is "" for
-        results that are not cached."""
+        `problem` lists what the gates must compute, `level` is that of `-O`, and `context` contains
+        everything else that affects the best solution. The key is "" for levels below `LEAST_LEVEL`
+        and if the sources cannot be read: such results are not cached."""
         version = version_digest() if level >= LEAST_LEVEL else None
         if version is None:
             return "", None
@@ -55,7 +57,8 @@ class Results:
         return key, known
 
     def keep(self, key: str, best: Solution) -> None:
-        """Store the best solution of a search under the key that `find` returned."""
+        """Store the best solution of a search under the key that `find` returned; do nothing if it
+        is ""."""
         if key:
             self.store.write(key, to_json(best).encode())
 
@@ -67,8 +70,10 @@ def results_of_user() -> Results | None:
 
 
 def _solution(data: bytes | None, problem: Problem, machine: Machine) -> Solution | None:
-    """Return the solution stored in `data`; None if the entry is missing, damaged, or does not
-    solve the problem on this machine."""
+    """Return the solution that the bytes of a cache entry encode.
+
+    Return None if the entry is missing or damaged, or if the solution does not solve the problem
+    with the registers of this machine."""
     if data is None:
         return None
     try:

@@ -33,7 +33,10 @@ _PART_AGE_S = 600.0
 
 
 class Store(Record):
-    """Entries in a folder, which need not exist; no method raises file system errors."""
+    """Entries of bytes by key in a folder, which need not exist.
+
+    `most_bytes` limits their total size. No method raises file system errors: reading then finds
+    nothing, and writing has no effect."""
 
     folder: Path
     most_bytes: int = MOST_BYTES
@@ -41,7 +44,8 @@ class Store(Record):
     def read(self, key: str) -> bytes | None:
         """Return the data stored under `key` (64 hexadecimal digits); None if missing or damaged.
 
-        Reading marks the entry as recently used."""
+        An entry of another user, or one larger than `_LARGEST`, is treated as missing. Reading
+        marks the entry as recently used."""
         path = self.folder / key
         try:
             # Opening a pipe in the entry's place must not block.
@@ -60,8 +64,11 @@ class Store(Record):
         return data
 
     def write(self, key: str, data: bytes) -> None:
-        """Store `data` under `key`; delete least recently used entries if the folder is too
-        large."""
+        """Store `data` under `key`, replacing an earlier entry.
+
+        The least recently used entries are then deleted if the folder is too large. Nothing is
+        stored if the entry exceeds a quarter of `MOST_BYTES` or all of `most_bytes`, or if another
+        thread of this process is writing it."""
         entry = _head(key, data) + b"\n" + data
         if len(entry) > min(_LARGEST, self.most_bytes):
             return
@@ -87,10 +94,11 @@ class Store(Record):
         return sum(status.st_size for _, status in self._files(_ENTRY))
 
     def _make_room(self) -> None:
-        """Delete abandoned partial files and, if the folder exceeds `most_bytes`, old entries.
+        """Delete partial files that a dead process left and, if the entries exceed `most_bytes`,
+        old ones.
 
-        The least recently used entries are deleted first, until the folder is at most `_KEPT_SHARE`
-        of `most_bytes`. Files that cannot be deleted are left."""
+        The least recently used entries are deleted first, until at most `_KEPT_SHARE` of
+        `most_bytes` remains. Files that cannot be deleted are left."""
         now = time.time()
         for path, status in self._files(_PART):
             if now - status.st_mtime > _PART_AGE_S:
@@ -106,8 +114,9 @@ class Store(Record):
             used -= status.st_size
 
     def _files(self, pattern: re.Pattern[str]) -> Iterator[tuple[Path, os.stat_result]]:
-        """Yield the regular files whose names match `pattern`. Files that disappear meanwhile
-        and unreadable folders yield nothing."""
+        """Yield path and status of the regular files whose whole names match `pattern`.
+
+        Files that disappear meanwhile are skipped. A folder that cannot be read yields nothing."""
         try:
             with os.scandir(self.folder) as entries:
                 names = [entry for entry in entries if pattern.fullmatch(entry.name)]
@@ -123,11 +132,12 @@ class Store(Record):
 
 
 def _head(key: str, data: bytes) -> bytes:
-    """Return the first line of an entry: the format, its key and the digest of its `data`."""
+    """Return the first line of an entry, without line break: format, key and SHA-256 of its
+    `data`."""
     return b" ".join((_FORMAT, key.encode(), sha256(data).hexdigest().encode()))
 
 
 def _remove(path: Path) -> None:
-    """Delete a file; do nothing if that is not possible."""
+    """Delete a file; do nothing if it does not exist or cannot be deleted."""
     with suppress(OSError):
         path.unlink()

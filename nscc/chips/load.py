@@ -30,10 +30,11 @@ _MOST_TAPS = 16
 
 
 def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
-    """Yield the contradictions between the keys of [registers] as (key, message, help).
+    """Yield the contradictions between the keys of section [registers] of a target file.
 
-    `registers` maps the keys that could be read to their values. The help is "" if there is none.
-    """
+    `registers` maps the keys without their section to their values; keys that are absent or have
+    errors of their own are left out. Each result is (key, message, help); the help is "" if there
+    is none."""
     for key, known in (("analog", tuple(ANALOG_WRITE)), ("digital", tuple(DIGITAL_WRITE))):
         for message, help_text in islice(_listed(registers.get(key, ()), known), _MOST_TOLD):
             yield key, f"registers.{key} lists {message}", help_text
@@ -58,8 +59,10 @@ def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str
 
 
 def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
-    """Yield the contradictions between the keys of [stream], for a chip with taps, like
-    `contradictions`."""
+    """Yield the contradictions between the keys of section [stream] of a target file, for chips
+    with taps.
+
+    `stream` and the results have the form that `contradictions` describes."""
     taps, drain, gains = map(stream.get, ("taps", "drain", "tap_gain"))
     if taps is not None and len(set(taps)) < len(taps):
         yield "taps", "stream.taps has a name twice", ""
@@ -75,8 +78,10 @@ def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, st
 
 
 def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Yield the errors in a list of registers as (message, help); `known` are the existing
-    registers."""
+    """Yield the errors in a list of registers as (end of a message, help).
+
+    A register must not be listed twice, and must be one of `known`, the registers that instruction
+    words address."""
     for index, name in enumerate(names):
         if name in names[:index]:
             yield f"{shown(name)} twice", "list each register once"
@@ -99,8 +104,9 @@ def builtin_names() -> tuple[str, ...]:
 
 @cache
 def builtin_target(name: str) -> Target:
-    """Return the built-in target `name`, which must exist. Raises ValueError if its table is
-    wrong, which is a fault of nscc."""
+    """Return the built-in target `name`, which must exist.
+
+    Raises ValueError if its table has errors, which is a fault of nscc."""
     values = tomllib.loads((_TABLES / f"{name}.toml").read_text(encoding="utf-8"))
     key_values, problems = schema_of(values.get("kind")).read(values, complete=name == DEFAULT_NAME)
     if problems:
@@ -109,15 +115,18 @@ def builtin_target(name: str) -> Target:
 
 
 def target_names() -> tuple[str, ...]:
-    """Return the names of all targets, the built-in ones first."""
+    """Return the names of all targets: first the built-in ones, then those that installed packages
+    add."""
     return (*builtin_names(), *added_targets())
 
 
 @cache
 def added_targets() -> dict[str, Target]:
-    """Return the targets that installed packages add: each a `Target`, TOML text, or the path of a
-    file. Raises Rejected (NS0905) for other objects, for a name of a built-in target, for a name
-    that differs from the one in the table, and for an invalid table."""
+    """Return the targets that installed packages add, by name.
+
+    A package gives a `Target`, TOML text, or the path of a file. Raises Rejected (NS0905) for other
+    objects, for a name of a built-in target, for a name that differs from the one in the table, and
+    for an invalid table."""
     return {
         name: _added(name, value) for name, value in added("nscc.targets", builtin_names()).items()
     }
@@ -130,12 +139,13 @@ def load_target(
     source: Source | None = None,
     span: Span | None = None,
 ) -> Target:
-    """Return the target that a `target` statement or `--target` names; files are relative to
-    `base`.
+    """Return the target that a `target` statement or `--target` names.
 
-    `source` and `span` are the place of the name, for messages. Raises Rejected: NS0230 for an
-    unknown name, NS0231 (status 2) for an unreadable file, NS0232 to NS0236 for all errors in a
-    file (status 1 if a `source` names it, else 2)."""
+    `name_or_path` is a file, relative to the folder `base`, if it ends in `.toml` or contains a
+    slash. `source` and `span` are the program text and the place of the name in it, for messages;
+    None if the name is an option. Raises Rejected: NS0230 for an unknown name, NS0231 (status 2)
+    for an unreadable file, NS0232 to NS0236 for all errors in a file (status 1 if a `source` names
+    it, else 2)."""
     if name_or_path.endswith(".toml") or "/" in name_or_path or "\\" in name_or_path:
         data = read_target(name_or_path, base, source, span)
         return parse_target(data, name_or_path, status=1 if source else 2)
@@ -161,14 +171,16 @@ def load_target(
 
 
 def target_dict(target: Target) -> dict[str, Any]:
-    """Return the target as JSON values: sections of keys in the order of a file, every key
-    present."""
+    """Return the target as JSON values: {section: {key: value}} in the order of a file.
+
+    Every key is present. Keys without a section stand beside the sections."""
     return schema_of(target.kind).plain(_values(target))
 
 
 def target_from_dict(values: Mapping[str, Any]) -> Target:
-    """Return the inverse of `target_dict`; raise `ValueError` with the first error of invalid
-    values."""
+    """Return the target that the JSON values of `target_dict` describe.
+
+    Raises ValueError with the message of the first error if the values are invalid."""
     key_values, problems = schema_of(values.get("kind")).read(values, complete=True)
     problems += _contradictions(key_values)
     if problems:
@@ -177,7 +189,8 @@ def target_from_dict(values: Mapping[str, Any]) -> Target:
 
 
 def target_toml(target: Target) -> str:
-    """Return a complete, commented target file from which `load_target` reads the same target."""
+    """Return a complete target file with comments, from which `load_target` reads the same
+    target."""
 
     def remark(key: Key) -> str:
         """Return the comment on a key: its meaning and the source of its value."""
@@ -196,10 +209,10 @@ def target_toml(target: Target) -> str:
 def read_target(
     name: str, base: Path, source: Source | None = None, span: Span | None = None
 ) -> bytes:
-    """Return the bytes of a target file, which is looked up in the folder `base`.
+    """Return the bytes of the target file `name`, which is looked up in the folder `base`.
 
     Raises Rejected (NS0231) if it cannot be read. The error marks `span` of `source`, where a
-    program names the file."""
+    program names the file; without them it has no place."""
     try:
         return file_bytes(SCHEMA, base / name, name)
     except Rejected as error:
@@ -213,8 +226,10 @@ def read_target(
 
 
 def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
-    """Parse the TOML text of a target; messages call the file `name`. Raises Rejected with `status`
-    and all errors, NS0232 to NS0236."""
+    """Return the target that the TOML text `data` describes.
+
+    Messages call the file `name`. Raises Rejected with all errors (NS0232 to NS0236) and the exit
+    status `status`."""
     key_values, problems, source = file_values(
         SCHEMA, data, name, status=status, choose=lambda values: schema_of(values.get("kind"))
     )
@@ -225,8 +240,10 @@ def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
 
 
 def _target(key_values: KeyValues) -> Target:
-    """Return the target with these values; missing keys have their default or scamp5's value.
-    Chips without words have empty registers."""
+    """Return the target with the given values, {"section.key": value}.
+
+    Missing keys have their default. If a key has none, its value is that of scamp5. Chips without
+    words ("stream") have no registers: theirs are () and ""."""
     values: dict[str, Any] = {}
     streamed = schema_of(key_values.get("kind")) is not SCHEMA
     for key in keys_of(Target):
@@ -242,13 +259,15 @@ def _target(key_values: KeyValues) -> Target:
 
 
 def _values(target: Target) -> dict[str, Any]:
-    """Return the values of a target by path of their key in the file."""
+    """Return the values of a target as {"section.key": value}."""
     return {key.path: getattr(target, key.attribute) for key in keys_of(Target)}
 
 
 def _contradictions(key_values: KeyValues, source: Source | None = None) -> list[Diagnostic]:
-    """Return an error (NS0236) for each pair of valid keys that contradict each other. `source`
-    is the target file, for the places in messages."""
+    """Return an error (NS0236) for each contradiction between valid values.
+
+    `key_values` is {"section.key": value} without the keys that have errors of their own. `source`
+    is the text of the target file, for the places in messages; None if there is none."""
     streamed = key_values.get("kind") == "stream"
     section, find_contradictions = (
         ("stream", tap_contradictions) if streamed else ("registers", contradictions)
@@ -264,8 +283,10 @@ def _contradictions(key_values: KeyValues, source: Source | None = None) -> list
 
 
 def _added(name: str, value: object) -> Target:
-    """Return the target `name` that a package adds as `value`. `value` is a Target, TOML text or
-    the path of a TOML file. Raises Rejected if it is none of them or has another name."""
+    """Return the target `name` that an installed package adds as `value`.
+
+    `value` is a Target, TOML text or the path of a TOML file. Raises Rejected (NS0905, followed by
+    the errors of its table) if it is none of them, is invalid, or has another name."""
     reason = "its table is wrong"
     diagnostics: tuple[Diagnostic, ...] = ()
     try:

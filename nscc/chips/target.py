@@ -221,22 +221,24 @@ class Target:
 
     @property
     def plane_load_us(self) -> float:
-        """The time to load a bit plane, row by row, in microseconds."""
+        """The time to load a bit plane, in microseconds: `row_load_us` for each row."""
         return self.rows * self.row_load_us
 
     @property
     def gains(self) -> tuple[float, ...]:
-        """The gain of each tap."""
+        """The gain from each tap's charge to the converter, in the order of `taps`; 1 if none is
+        declared."""
         return self.tap_gain or (1.0,) * len(self.taps)
 
     @property
     def electrons_per_step(self) -> float:
-        """Electrons per step of IN."""
+        """Electrons per step of IN: `in_step_e` or, if that is None, `register_max_e` / 127."""
+        # The magnitude of the lowest default value of IN is 127: it then reaches a full register.
         return self.register_max_e / 127 if self.in_step_e is None else self.in_step_e
 
     @property
     def electrons_per_lsb(self) -> float:
-        """Electrons per converter code."""
+        """Electrons per step of the converter."""
         return self.full_well_e * self.wells_read / ((1 << self.adc_bits) - 1)
 
     def level_e(self, value: float, unit: str) -> float:
@@ -264,16 +266,17 @@ class Target:
 
     @property
     def conversion(self) -> Literal["spread", "full", "half"]:
-        """The conversion that is used: `readout`, but "full" if exposures cannot be spread.
+        """The conversion that is used: `readout`, but "full" where exposures cannot be spread.
 
-        Spreading needs a range of IN and of a register that is large enough."""
+        Spreading subtracts a full well with IN. So IN and the registers must reach a full well
+        below 0; see `spread_level`."""
         reached = not self.has_logic or self.spread_level is not None
         return "full" if self.readout == "spread" and not reached else self.readout
 
     @property
     def spread_level(self) -> int | None:
-        """The value of IN, in steps, closest to minus a full well, which spreads exposures over all
-        codes.
+        """The value of IN, in steps, closest to minus a full well. Adding it spreads exposures over
+        all codes.
 
         None if exposures are not spread, or if IN or a register does not reach this value."""
         level = round(-self.full_well_e / self.electrons_per_step)
@@ -283,7 +286,9 @@ class Target:
 
     @property
     def code_bits(self) -> int:
-        """The number of bits of the largest converter code."""
+        """The number of bits of the largest converter code: with `conversion` "half", one less than
+        `adc_bits`."""
+        # With "half", exposures reach only the lower half of the codes.
         return self.adc_bits - (self.conversion == "half")
 
     @property
@@ -293,7 +298,7 @@ class Target:
 
     @property
     def zero_lsb(self) -> float:
-        """The converter code, possibly fractional, of a register without charge."""
+        """The converter code, possibly fractional, of an exposure of 0, with `adc_offset_lsb`."""
         zero = 0.0
         if self.conversion == "full":
             zero = 1 << (self.adc_bits - 1)
@@ -305,7 +310,8 @@ class Target:
 
     @property
     def analog_available(self) -> tuple[str, ...]:
-        """The analog registers that keep a value while other analog words run."""
+        """The analog registers that keep a value while other analog words run: all but
+        `analog_scratch`."""
         return tuple(r for r in self.analog_registers if r != self.analog_scratch)
 
 
@@ -363,5 +369,8 @@ STREAM_SCHEMA = Schema(
 
 
 def schema_of(kind: Any) -> Schema[Key]:
-    """Return the keys of target files of a kind; an unknown kind is treated as "scamp"."""
+    """Return the keys of target files of a kind.
+
+    `kind` is the value of the key `kind`: "stream" for chips without logic. Any other value, also
+    an invalid one, gives the keys of "scamp"."""
     return STREAM_SCHEMA if kind == "stream" else SCHEMA

@@ -51,7 +51,7 @@ _MOST = 32
 
 
 class OwnWords(Kind):
-    """The type of the key `[[words]]`: a list of operations."""
+    """The type of the key `[[words]]` of a target file: a list of operations."""
 
     @property
     def allowed(self) -> str:
@@ -61,8 +61,8 @@ class OwnWords(Kind):
     def read(self, value: Any) -> tuple[Operation, ...]:
         """Return the operations that the `[[words]]` tables of a target file declare.
 
-        Raises ValueError if `value` is not a list of at most `_MOST` tables, if a name exists
-        already, or if a word has the same bits as another word."""
+        Raises ValueError if `value` is not a list of at most `_MOST` tables, if a table is invalid,
+        if a name exists already, or if a word could have the same bits as another word."""
         if not isinstance(value, list) or len(value) > _MOST:
             raise ValueError
         operations: list[Operation] = []
@@ -77,12 +77,12 @@ class OwnWords(Kind):
         return tuple(operations)
 
     def plain(self, value: Any) -> Any:
-        """Return the words as values that TOML can hold."""
+        """Return operations as TOML values: one table for each word, as `read` takes them."""
         return [_plain(row) for row in value]
 
 
 def words_toml(rows: Iterable[Operation]) -> list[str]:
-    """Return the lines of a target file that define the words `rows`."""
+    """Return the lines of a target file that define these operations, without line breaks."""
     lines = []
     for row in rows:
         lines += ["", "[[words]]", *(f"{key} = {written(v)}" for key, v in _plain(row).items())]
@@ -90,8 +90,10 @@ def words_toml(rows: Iterable[Operation]) -> list[str]:
 
 
 def _plain(row: Operation) -> dict[str, Any]:
-    """Return an operation as the table of a target file: only needed keys and values unlike their
-    defaults."""
+    """Return an operation as a `[[words]]` table of a target file.
+
+    The table has the required keys, and of the optional ones those whose value differs from the
+    default."""
     names = {effect: name for name, effect in EFFECTS.items()}
     values = {
         "name": row.name,
@@ -107,8 +109,10 @@ def _plain(row: Operation) -> dict[str, Any]:
 
 
 def _row(values: Any, who: str) -> Operation:
-    """Return the operation that one `[[words]]` table defines; raise `ValueError` with the
-    reason if it is invalid. `who` names the table in the reason."""
+    """Return the operation that one `[[words]]` table defines.
+
+    `who` names the table in messages until its own name is known. Raises ValueError with the reason
+    if the table is invalid."""
     if not isinstance(values, Mapping):
         raise ValueError(f"{who} is not a table of keys")
     if isinstance(values.get("name"), str):
@@ -159,9 +163,10 @@ def _row(values: Any, who: str) -> Operation:
 
 
 def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int, tuple[int, int]]:
-    """Return the numbers of registers that a word writes and reads.
+    """Return how many registers a word writes, and the fewest and most that it reads.
 
-    `written_` and `read` are the values in the file; errors call the word `who`."""
+    `written_` and `read` are the values of `destinations` and `sources` in the file. Raises
+    ValueError, which calls the word `who`, if they do not suit the effect."""
     digital = effect in _DIGITAL
     most = len(DIGITAL_WRITE if digital else ANALOG_WRITE) if effect in _WRITES else 0
     if not _is_integer_within(written_, int(effect in _WRITES), most):
@@ -177,10 +182,11 @@ def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int
 
 
 def _lines(who: str, effect: WordEffect, names: Any) -> tuple[int, ...]:
-    """Return the numbers of the control lines `names` that a word raises, in ascending order.
+    """Return the numbers of the control lines `names` that a word sets besides those of its
+    operands, in ascending order.
 
-    Raises ValueError, with `who` as the name of the word, for unknown lines and lines that belong
-    to operands."""
+    Raises ValueError, which calls the word `who`, for unknown lines and for lines that select an
+    operand."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise ValueError(f"{who} has invalid lines: a list of names is required")
     for name in names:
@@ -192,14 +198,18 @@ def _lines(who: str, effect: WordEffect, names: Any) -> tuple[int, ...]:
 
 
 def _operand_lines(digital: bool) -> frozenset[int]:
-    """Return the control lines that select the registers a word reads and writes."""
+    """Return the numbers of the control lines that select the registers a word reads and writes.
+
+    `digital` chooses between digital and analog registers."""
     reads, writes = (DIGITAL_SOURCES, DIGITAL_WRITE) if digital else (ANALOG_SOURCES, ANALOG_WRITE)
     return frozenset({*(line for name in reads for line in READ_LINES[name]), *writes.values()})
 
 
 def _alike(first: Operation, second: Operation) -> bool:
-    """Return whether two operations can have the same bits: their control lines are equal except
-    for those that choose operands."""
+    """Return whether two operations can have the same bits in a word.
+
+    They can if they have the same clock, equal control lines besides those that select operands,
+    and numbers of destinations and sources that overlap."""
     if first.clock != second.clock:
         return False
     operands = _operand_lines(not first.analog)
@@ -209,12 +219,14 @@ def _alike(first: Operation, second: Operation) -> bool:
 
 
 def _meet(first: tuple[int, int | None], second: tuple[int, int | None]) -> bool:
-    """Return whether two ranges of operand counts overlap; None means no limit."""
+    """Return whether two ranges (fewest, most) of operand counts overlap; `most` None means no
+    limit."""
     return (second[1] is None or first[0] <= second[1]) and (
         first[1] is None or second[0] <= first[1]
     )
 
 
 def _is_integer_within(value: Any, low: int, high: int) -> bool:
-    """Return whether a value is an integer from `low` to `high`; True and False are none."""
+    """Return whether a value is an integer from `low` to `high`, inclusive; True and False are
+    not."""
     return isinstance(value, int) and not isinstance(value, bool) and low <= value <= high

@@ -16,22 +16,28 @@ from nscc.diagnostics.render import render
 
 
 class WrongArgument(Rejected, TypeError, ValueError):
-    """Raised for an invalid argument of a call (NS0789, status 2); also a ValueError and a
-    TypeError."""
+    """The error of an invalid argument of a Python call (NS0789, status 2).
+
+    It is also a ValueError and a TypeError, so that callers can catch what Python code usually
+    raises."""
 
 
 def wrong_argument(
     message: str, *, notes: Sequence[str] = (), helps: Sequence[str] = ()
 ) -> WrongArgument:
-    """Return the exception for an invalid argument; `message` is one sentence."""
+    """Return the exception for an invalid argument, for the caller to raise.
+
+    `message` is one sentence; `notes` are facts and `helps` suggestions, each printed on its own
+    line."""
     return WrongArgument(
         Diagnostic("NS0789", message, notes=tuple(notes), helps=tuple(helps)), status=2
     )
 
 
 def require_type(call: str, name: str, value: object, kind: type, made_by: str) -> None:
-    """Raise WrongArgument unless the argument `name` of `call` is an object of a class;
-    `made_by` tells how to make one."""
+    """Raise WrongArgument unless `value`, the argument `name` of the function `call`, is a `kind`.
+
+    `made_by` is the code that makes such an object, for the help."""
     if not isinstance(value, kind):
         raise wrong_argument(
             f"{call} takes {name} of type {kind.__name__}, not {shown(value)}",
@@ -40,8 +46,10 @@ def require_type(call: str, name: str, value: object, kind: type, made_by: str) 
 
 
 def as_array(call: str, name: str, value: object, dtype: type | None = None) -> NDArray[Any]:
-    """Return `value`, the argument `name` of the function `call`, as an array of `dtype`. Raises
-    WrongArgument if numpy cannot convert it."""
+    """Return `value`, the argument `name` of the function `call`, as a numpy array.
+
+    `dtype` None keeps its own. Raises WrongArgument if numpy cannot convert it; the help names the
+    conversion for torch tensors."""
     try:
         return np.asarray(value, dtype)
     except (RuntimeError, TypeError, ValueError) as error:
@@ -56,8 +64,10 @@ def as_array(call: str, name: str, value: object, dtype: type | None = None) -> 
 
 
 def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
-    """Issue the warnings among the diagnostics as Python warnings, located at the caller's
-    caller."""
+    """Issue the warnings among the diagnostics as Python warnings; ignore the rest.
+
+    `stacklevel` chooses the line that Python shows: 3 is the caller of the function that calls
+    `warn`."""
     for diagnostic in diagnostics:
         if diagnostic.severity is Severity.WARNING:
             warnings.warn(render([diagnostic], "human").rstrip(), stacklevel=stacklevel)
@@ -66,7 +76,8 @@ def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
 def shown(value: object) -> str:
     """Describe a value in a few words: `an array (64, 64) of float32`, `the text 'abc'`, `a list`.
 
-    Arrays are recognised by their attributes, so that no array library is imported."""
+    Long texts are cut. Arrays are recognised by `shape` and `dtype`, so that no array library is
+    imported."""
     if isinstance(value, np.generic):
         value = value.item()
     if value is None or isinstance(value, bool | int | float):
@@ -82,7 +93,9 @@ def shown(value: object) -> str:
 
 
 def path_of(call: str, value: object) -> Path:
-    """Return an argument of `call` as a path; raise WrongArgument for anything else."""
+    """Return `value`, an argument of the function `call`, as a path.
+
+    Raises WrongArgument unless it is a text or a path object without a null character."""
     if isinstance(value, str | os.PathLike):
         path = os.fspath(value)
         if isinstance(path, str) and "\0" not in path:

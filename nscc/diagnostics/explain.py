@@ -38,7 +38,7 @@ def page(code_or_name: str) -> str:
 
 
 def index() -> str:
-    """Return one line for each code, with its name and title."""
+    """Return one line for each diagnostic code: the code, its name and the title of its page."""
     lines = []
     for code, name in names().items():
         with open(PAGES / f"{code}-{name}.md", encoding="utf-8") as file:

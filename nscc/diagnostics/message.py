@@ -16,7 +16,8 @@ MOST_ERRORS = 20
 
 
 def more_errors(count: int, source: Source) -> Diagnostic:
-    """Return the message (NS0190) with the number of errors that are not printed."""
+    """Return the diagnostic (NS0190) that tells how many further errors of a text are not
+    printed."""
     errors = "error" if count == 1 else "errors"
     return Diagnostic("NS0190", f"and {count} more {errors} in the text", source=source)
 
@@ -91,16 +92,17 @@ class Diagnostic:
 
 
 def mended(source: Source, diagnostics: Iterable[Diagnostic]) -> tuple[Source, int]:
-    """Apply the safe fixes of a text's diagnostics; return the text and the number of fixes.
+    """Apply the safe fixes of a text's diagnostics; return the new text and the number of fixes.
 
-    The first safe fix of each diagnostic is used. Of overlapping fixes, the last in the text is
-    applied."""
+    Only the first safe fix of each diagnostic is used, and only diagnostics of this text count. Of
+    overlapping fixes, the last in the text is applied."""
     fixes = []
     for diagnostic in diagnostics:
         sure = [fix for fix in diagnostic.fixes if fix.sure]
         if sure and diagnostic.source is not None and diagnostic.source.text == source.text:
             fixes.append(sure[0])
     text, count, begun = source.text, 0, len(source.text) + 1
+    # From the end of the text, so that the places of the fixes before stay valid.
     for fix in sorted(fixes, key=lambda fix: fix.span.start, reverse=True):
         if fix.span.end <= begun and fix.span.start < begun:
             text = text[: fix.span.start] + fix.replacement + text[fix.span.end :]

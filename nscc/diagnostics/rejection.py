@@ -18,17 +18,19 @@ def rejected(
     status: int = 2,
     **about: Any,
 ) -> Rejected:
-    """Return an exception with one error; by default the exit status is 2 (wrong input).
+    """Return the exception for a single error, for the caller to raise.
 
-    `about` contains further fields of `Diagnostic`."""
+    `status` is the exit status of the command, by default 2 (wrong input). `about` contains further
+    fields of `Diagnostic`."""
     diagnostic = Diagnostic(code, message, notes=tuple(notes), helps=tuple(helps), **about)
     return Rejected(diagnostic, status=status)
 
 
 def unknown_name(code: str, message: str, name: str, known: Sequence[str], listed: str) -> Rejected:
-    """Return the exception for a name that is not in `known`; a note lists the known names.
+    """Return the exception for a name that is not in `known`.
 
-    {} in `message` is replaced by the name, and {} in `listed` by the known names."""
+    `message` contains {} for the name. `listed` is the note with the known names, and contains {}
+    for them. The help suggests the most similar name."""
     return rejected(
         code,
         message.format(name[:60]),

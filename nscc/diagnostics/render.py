@@ -33,8 +33,10 @@ def names() -> dict[str, str]:
 
 
 def render(diagnostics: Sequence[Diagnostic], form: Format, color: bool = False) -> str:
-    """Return diagnostics in the format `form` as text that ends in a line break; `json` has one
-    object per line. `color` applies to the long format."""
+    """Return diagnostics as text that ends in a line break.
+
+    `human` quotes the source lines, `short` has one line for each diagnostic, and `json` one object
+    per line. `color` adds escape sequences for terminals to `human`."""
     if form == "json":
         return "".join(_json(d) for d in diagnostics)
     if form == "short":
@@ -43,8 +45,9 @@ def render(diagnostics: Sequence[Diagnostic], form: Format, color: bool = False)
 
 
 def _place(diagnostic: Diagnostic) -> str:
-    """Return "file:row:column" of a diagnostic; only the file without a label, "" without a
-    source."""
+    """Return "file:row:column" of a diagnostic, counted from 1.
+
+    Without a label, return only the file; without a source, ""."""
     source = diagnostic.source
     if source is None:
         return ""
@@ -90,7 +93,10 @@ def _json(diagnostic: Diagnostic) -> str:
 
 
 def _locations(source: Source | None, at: Label | Fix | None) -> dict[str, dict[str, int]]:
-    """Return the (row, column) of start and end of `at`; empty if `at` has no place in a text."""
+    """Return {"location": .., "end_location": ..}: row and column of the start and end of `at`.
+
+    Rows and columns count from 1; the end is after the last character. The result is empty if there
+    is no source or place."""
     if source is None or at is None:
         return {}
     rows_columns = (source.row_column(offset) for offset in (at.span.start, at.span.end))
@@ -134,9 +140,12 @@ def _labelled(
     margin: int,
     paint: Callable[[str, str], str],
 ) -> list[str]:
-    """Return the source lines of the labels, with marks below them; labels on one line share it.
-    `rows` are the line numbers of the labels, `margin` is the width of the column of line
-    numbers, and `paint` colours a text."""
+    """Return the source lines of the labels, with marks below them; neighbouring labels on one line
+    share it.
+
+    `rows` are the line numbers of the labels. `margin` is the width of the column of line numbers.
+    `paint` returns a text (second argument) in the colour of an escape sequence (first argument).
+    """
     bar = paint(_BLUE, " " * (margin + 1) + "|")
     lines = [bar]
     above = (0, "")
@@ -152,8 +161,8 @@ def _labelled(
 
 
 def _helps(diagnostic: Diagnostic) -> list[str]:
-    """Return the help lines of `diagnostic`: helps, fixes that no help quotes, and numbered ways
-    out."""
+    """Return the lines with help: the helps, the titles of fixes that no help quotes, and numbered
+    ways out."""
     helps_text = "".join(diagnostic.helps)
     fixes = [fix.title for fix in diagnostic.fixes if f"`{fix.replacement}`" not in helps_text]
     helps = [*diagnostic.helps, *fixes]
@@ -166,14 +175,17 @@ def _helps(diagnostic: Diagnostic) -> list[str]:
 
 
 def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, str]:
-    """Return the source line of a label, cut to the terminal's width, and a line with marks and
-    text."""
+    """Return the source line `row`, and a line with marks below the label's place and its text.
+
+    A line longer than `_WIDEST` is cut around the label. `mark` is the character of the marks. Only
+    the first line of a label that spans several is marked."""
     line = source.line(row)
     _, column = source.row_column(label.span.start)
     start = min(column - 1, len(line))
     end = min(max(start + label.span.end - label.span.start, start + 1), max(len(line), start + 1))
     first = 0
     if len(line) > _WIDEST:
+        # A quarter of the width shows what stands before the label.
         first = max(0, min(start - _WIDEST // 4, len(line) - _WIDEST))
         end = min(end, first + _WIDEST)
     before, marked = line[first:start], line[start:end]
@@ -187,8 +199,9 @@ def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, st
 
 
 def _visible(text: str) -> str:
-    """Return `text` with tabs replaced by blanks and unprintable characters by `?`, so that columns
-    can be counted."""
+    """Replace tabs by blanks and unprintable characters by `?`, so that columns can be counted.
+
+    A tab becomes `_TAB` blanks, whatever its column."""
     if text.isascii() and text.isprintable():
         return text
     with suppress(UnicodeError):
@@ -198,7 +211,7 @@ def _visible(text: str) -> str:
 
 
 def _width(text: str) -> int:
-    """Return the number of terminal columns of a text."""
+    """Return the number of terminal columns of a text: wide characters have 2, combining ones 0."""
     if text.isascii():
         return len(text)
     from unicodedata import combining, east_asian_width
@@ -207,10 +220,10 @@ def _width(text: str) -> int:
 
 
 def _one_line(text: str) -> str:
-    """Join the words of a message on one line and remove control characters."""
+    """Join the words of a message on one line, and replace control characters by `?`."""
     return _visible(" ".join(text.split()))
 
 
 def _printable(text: str) -> str:
-    """Remove control characters from a text of several lines."""
+    """Replace control characters in a text of several lines by `?`; line breaks stay."""
     return "\n".join(map(_visible, text.split("\n")))

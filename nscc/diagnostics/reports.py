@@ -22,8 +22,9 @@ def workflow_commands(diagnostics: Iterable[Diagnostic]) -> str:
 
 
 def _annotation(diagnostic: Diagnostic) -> str:
-    """Return a diagnostic as a GitHub workflow command, for example `::error
-    file=..,line=..::text`."""
+    """Return a diagnostic as a GitHub workflow command, such as `::error file=..,line=..::text`.
+
+    Without a label the command names only the file, and without a source no place."""
     name = names().get(diagnostic.code, "")
     properties = {"title": f"{diagnostic.code} {name}".strip()}
     source = diagnostic.source
@@ -44,7 +45,7 @@ def _annotation(diagnostic: Diagnostic) -> str:
 
 
 def sarif(diagnostics: Sequence[Diagnostic]) -> str:
-    """Return a SARIF log of one run; results are in the order of `diagnostics`."""
+    """Return a SARIF log with one run, as JSON text; results are in the order of `diagnostics`."""
     codes = sorted({diagnostic.code for diagnostic in diagnostics})
     rules = [{"id": code, "name": names().get(code, code)} for code in codes]
     driver = {"name": "nscc", "version": __version__, "rules": rules}
@@ -57,8 +58,9 @@ def sarif(diagnostics: Sequence[Diagnostic]) -> str:
 
 
 def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
-    """Return a diagnostic as a SARIF `result` object; `codes` lists the rules, and gives the rule's
-    index."""
+    """Return a diagnostic as a SARIF `result` object.
+
+    `codes` are the codes of the log's rules in their order, which give the rule's index."""
     source = diagnostic.source
     result: dict[str, Any] = {
         "ruleId": diagnostic.code,
@@ -79,7 +81,7 @@ def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
 
 
 def _location(source: Source, label: Label | None) -> dict[str, Any]:
-    """Return a SARIF `location`: the file, and with a label also its region and text."""
+    """Return a SARIF `location`: the file, and with a label its region and its text."""
     place: dict[str, Any] = {"artifactLocation": {"uri": quote(source.name)}}
     if label is None:
         return {"physicalLocation": place}
@@ -103,18 +105,23 @@ def _fix(source: Source, fix: Fix) -> dict[str, Any]:
 
 
 def _region(source: Source, at: Label | Fix) -> dict[str, int]:
-    """Return the SARIF region of a place, counted from 1; its end is after the last character."""
+    """Return the SARIF region of a place; lines and columns count from 1.
+
+    The end is after the last character."""
     (row, column), (end_row, end_column) = map(source.row_column, (at.span.start, at.span.end))
     return {"startLine": row, "startColumn": column, "endLine": end_row, "endColumn": end_column}
 
 
 def full_text(diagnostic: Diagnostic) -> str:
-    """Return the text of a diagnostic without its place, with one line for each part."""
+    """Return all texts of a diagnostic without its place: message, notes, helps, fixes and ways
+    out.
+
+    Each begins on a new line."""
     ways = [f"{i}. {way}" for i, way in enumerate(diagnostic.ways_out, 1)]
     fixes = [fix.title for fix in diagnostic.fixes]
     return "\n".join([diagnostic.message, *diagnostic.notes, *diagnostic.helps, *fixes, *ways])
 
 
 def _escaped(text: str) -> str:
-    """Return a text as a workflow command of GitHub can hold it."""
+    """Return a text with the escapes that GitHub's workflow commands require for %, CR and LF."""
     return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")

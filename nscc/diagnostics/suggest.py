@@ -10,9 +10,10 @@ _LONGEST = 64
 
 
 def closest(name: str, candidates: Iterable[str]) -> str | None:
-    """Return the candidate most similar to `name`, ignoring case; None if none is similar.
+    """Return the candidate most similar to `name`, ignoring case; None if none is similar enough.
 
-    Of equally similar candidates, the alphabetically first is returned."""
+    A candidate that equals a word of `name` (between `-`, `_` or blanks) comes first. Of equally
+    similar candidates, the alphabetically first is returned. `name` itself is never returned."""
     if len(name) > _LONGEST:
         return None
     by_folded: dict[str, str] = {}
@@ -31,6 +32,8 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     by_word = next((by_folded[p] for p in re.split("[-_ ]", folded) if p in by_folded), None)
     if by_word is not None:
         return by_word
+    # One wrong letter of a short name is a large share of it. The ratio is difflib's: 1 for equal
+    # names, 0 for names without a common letter.
     best, least = None, 0.5 if len(folded) <= 3 else 0.65
     for candidate, original in by_folded.items():
         matcher.set_seq1(candidate)
@@ -43,14 +46,15 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
 def meant(
     name: str, candidates: Iterable[str], otherwise: str = "", written: str = "{}"
 ) -> tuple[str, ...]:
-    """Return a help "did you mean ..?" with the closest candidate, formatted by `written`.
+    """Return the help "did you mean ..?" with the candidate most similar to `name`, in a tuple.
 
-    Without a similar candidate, the help is `otherwise`."""
+    `written` is a format for the candidate. Without a similar candidate, the help is `otherwise`;
+    if that is "", the tuple is empty."""
     nearest = closest(name, candidates)
     help_text = did_you_mean(written.format(nearest)) if nearest else otherwise
     return (help_text,) if help_text else ()
 
 
 def did_you_mean(text: str) -> str:
-    """Format the help "did you mean ..?"."""
+    """Return the help "did you mean ..?" for a suggested text."""
     return f"did you mean `{text}`?"

@@ -54,9 +54,10 @@ class Offer(Record):
 
 
 def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
-    """Return the span that a completion replaces, and the completions at `offset`.
+    """Return the span that a completion replaces, and the completions at `offset` (characters).
 
-    Completions are grammar words, visible names, targets, files and the digest of a named file."""
+    Completions are words of the grammar, visible names, targets, files and the digest of a named
+    file. In a comment there are none."""
     before = document.text[:offset]
     tokens = lex(Source(document.name, before))
     end = tokens.span(len(tokens.kinds) - 1).end if tokens.kinds else 0
@@ -92,7 +93,8 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
 
 
 class _Place(Record):
-    """The tokens before a place in the text, and the indices of tokens that start statements."""
+    """The part of a text before the cursor: its tokens, and the indices of tokens that start
+    statements."""
 
     document: Document
     tokens: Tokens
@@ -101,8 +103,8 @@ class _Place(Record):
     def offers(self) -> Iterator[Offer]:
         """Yield all words and names that may stand at the cursor.
 
-        The grammar decides which tokens are possible after the text before the cursor. After an
-        earlier error, every name and the end of the statement count as possible."""
+        The grammar decides which tokens are possible after the statement's tokens before the
+        cursor. If they have an error, a name or the end of the statement counts as possible."""
         kinds = self.tokens.kinds
         if not self.starts:
             yield from (Offer(form, "word", "language and version") for form in FORMS["nsl"])
@@ -140,10 +142,10 @@ class _Place(Record):
                     yield Offer(word, "word", FORMS[word][0])
 
     def _known(self, statement: str, kinds: Collection[str]) -> Iterator[Offer]:
-        """Yield the names that expressions of this statement may use, with their meanings.
+        """Yield the names that expressions of a statement may use, with their meanings.
 
-        `kinds` are the tokens of the statement before the cursor; `sense` has other names after
-        `at`."""
+        `statement` is its first word, `kinds` are its tokens before the cursor: after `at`, a
+        `sense` uses other names. Names that are declared but not allowed here are left out."""
         declared, constants = self.document.declared, self.document.constants
         match statement:
             case "open" | "bucket":
@@ -175,7 +177,10 @@ class _Place(Record):
 
 
 def _files(document: Document, typed: str, ending: str) -> Iterator[Offer]:
-    """Yield files that end in `ending`, and folders, in the folder of the typed path."""
+    """Yield the files that end in `ending`, and the folders, in the folder of the typed path.
+
+    `typed` is the path before the cursor, relative to the document's folder. Hidden files are left
+    out. A folder that cannot be read yields nothing."""
     inside = typed[: typed.rfind("/") + 1]
     try:
         entries = sorted(os.scandir(document.folder / inside), key=lambda entry: entry.name)
@@ -193,7 +198,9 @@ _KERNEL = re.compile(r"^[ \t]*\.kernel[ \t]+(\w+)", re.MULTILINE)
 
 
 class Listing(Record):
-    """Assembly text, possibly unsaved or invalid; fields as in `Document`."""
+    """Assembly text in an editor, possibly unsaved or invalid.
+
+    Messages call it `name`; paths in it are relative to `folder`."""
 
     name: str
     text: str
@@ -201,7 +208,7 @@ class Listing(Record):
 
     @cached_property
     def checked(self) -> CheckResult:
-        """The errors of the assembly text, as `nscc asm` finds them; the container is not kept."""
+        """The errors of the assembly text, as `nscc asm` finds them; `compiled` is always None."""
         try:
             assemble(Source(self.name, self.text), self.folder)
         except Rejected as rejected:
@@ -222,10 +229,11 @@ Text = Document | Listing
 
 
 def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
-    """Return the span that a completion replaces, and the completions at `offset`.
+    """Return the span that a completion replaces, and the completions at `offset` (characters) of
+    assembly text.
 
     At the start of a line, completions are directives and instructions; later they are targets,
-    kernels or registers."""
+    kernels or registers. After `;`, `#` or `|` there are none."""
     line = listing.text[:offset].rpartition("\n")[2]
     typed = match.group() if (match := _TYPED.search(line)) else ""
     before = line[: len(line) - len(typed)]
@@ -236,8 +244,8 @@ def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
 def _offers(listing: Listing, before: list[str]) -> Iterator[Offer]:
     """Yield the completions of a line of assembly text after the words `before`.
 
-    The first word of a line is a directive or a mnemonic; the second is a chip, a kernel or a
-    register."""
+    The first word of a line is a directive or a mnemonic. Later words are a chip after `.target`, a
+    kernel after `.slot`, and else registers."""
     if not before:
         yield from (Offer(name, "word", "a directive") for name in DIRECTIVES)
         known = mnemonics(listing.target.words)

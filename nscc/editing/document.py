@@ -30,7 +30,9 @@ from nscc.syntax.tree import File
 
 
 class CheckResult(Record):
-    """The result of `nscc check`; `compiled` is None if the program has errors."""
+    """The result of `nscc check`.
+
+    `compiled` is None if the program has errors, and for assembly text."""
 
     diagnostics: tuple[Diagnostic, ...]
     compiled: Compiled | None
@@ -38,7 +40,8 @@ class CheckResult(Record):
 
 @dataclass(frozen=True)
 class Document:
-    """A program text, possibly unsaved or invalid.
+    """A program text in an editor, possibly unsaved or invalid, with analyses that are computed
+    once when first used.
 
     Messages call it `name`; paths in it are relative to `folder`."""
 
@@ -69,12 +72,12 @@ class Document:
 
     @cached_property
     def parsed(self) -> tuple[File, tuple[Diagnostic, ...]]:
-        """The tree of the valid statements, and the errors of the others."""
+        """The syntax tree of the valid statements, and the errors of the invalid ones."""
         return parse(self.source)
 
     @cached_property
     def declared(self) -> Declarations:
-        """The declarations of the valid statements."""
+        """The declarations of the valid statements; the errors are in `checked`."""
         return gather(self.parsed[0], self._unheard)
 
     @cached_property
@@ -89,12 +92,12 @@ class Document:
 
     @cached_property
     def books(self) -> Mapping[str, Digits | None]:
-        """The digits (K, N) of every codebook; None for an invalid one."""
+        """The rows of every codebook, (K, N) digits 0 and 1, by name; None for an invalid one."""
         return make_books(self.declared.books, self.constants["N"], self.folder, self._unheard)
 
     @cached_property
     def fields(self) -> Mapping[str, Field | None]:
-        """Every field of the code; None for an invalid one."""
+        """Every field of the code by name; None for an invalid one."""
         scope = constants_scope(self.declared, self.constants)
         return make_fields(self.declared, scope, self.books, self._unheard)
 
@@ -106,12 +109,15 @@ class Document:
 
     @property
     def _unheard(self) -> Problems:
-        """Return a collector of errors that are ignored, because `checked` reports them."""
+        """A new collector of errors that nobody reads, because `checked` reports them."""
         return Problems(self.source)
 
 
 def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]:
-    """Yield the messages and their fixes at `span`: the message or the change touches it."""
+    """Yield the fixes at `span`, each with its diagnostic.
+
+    A fix is at `span` if the text that it changes, or the place that its diagnostic marks, overlaps
+    or touches it."""
     for diagnostic in document.checked.diagnostics:
         if diagnostic.source is None or diagnostic.source.text != document.text:
             continue
@@ -122,8 +128,8 @@ def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]
 
 
 def all_mended(document: Document) -> str | None:
-    """Return the text after applying all safe fixes once, as `nscc check --fix` does; None without
-    fixes."""
+    """Return the text after all safe fixes were applied once, as `nscc check --fix` does; None if
+    there are none."""
     better, count = mended(document.source, document.checked.diagnostics)
     return better.text if count else None
 

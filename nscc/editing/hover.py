@@ -34,10 +34,10 @@ class Hover(Record):
 
 
 def hover(document: Document, offset: int) -> Hover | None:
-    """Return the hover text at `offset`, or None if there is none.
+    """Return the hover text at `offset` (characters); None if there is nothing to say.
 
     It contains the meaning and values of a name, the form of a statement, the cost of the frame or
-    a slot, and the pages of messages."""
+    a slot, and the pages of diagnostics. The span is that of the first of these."""
     texts: list[str] = []
     span: Span | None = None
     for topic in (_name(document, offset), _frame(document, offset), _word(document, offset)):
@@ -53,8 +53,8 @@ def hover(document: Document, offset: int) -> Hover | None:
 
 
 def _name(document: Document, offset: int) -> Hover | None:
-    """Return the hover text of the name at `offset` (characters), or None if there is no known
-    name."""
+    """Return the hover text of the name at `offset` (characters); None if no known name stands
+    there."""
     mention = mention_at(document, offset)
     if mention is None:
         return None
@@ -63,8 +63,10 @@ def _name(document: Document, offset: int) -> Hover | None:
 
 
 def _bucket(document: Document, mention: Mention) -> str | None:
-    """Return the description of a bucket, with the range of its open slots if all shutters are
-    known. `mention` is where its name stands."""
+    """Return the description of a bucket, or None if the program does not declare it.
+
+    `mention` is a place of its name. If all shutters are known, the description has the range of
+    their numbers of open slots."""
     if declaration(document, mention) is None:
         return None
     compiled = document.checked.compiled
@@ -83,10 +85,9 @@ def _bucket(document: Document, mention: Mention) -> str | None:
 
 
 def _meaning(document: Document, mention: Mention) -> str | None:
-    """Return what a name stands for: its kind, and its value or size as far as the program is
-    valid.
+    """Return what a name stands for; None for an unknown name.
 
-    None for an unknown name."""
+    The text has the kind of the name and, as far as the program is valid, its value or size."""
     name, declared = mention.name, document.declared
     if name in declared.lets:
         meaning = document.constants.get(name)
@@ -114,10 +115,11 @@ def _meaning(document: Document, mention: Mention) -> str | None:
 
 
 def _picture(document: Document, name: str) -> str | None:
-    """Return a convolution kernel as a grid, or the cost of an image, a plane or a bucket's
-    readout.
+    """Return the description of a name of version 3 of the language; None for other names and in
+    older versions.
 
-    None for other names and before version 3 of the language."""
+    Such names are parameters, input planes, convolution kernels (shown as a grid), images, planes
+    and buckets. Images and planes have their cost if the program is valid."""
     compiled, declared = document.checked.compiled, document.declared
     if document.tokens.version < 3:
         return None
@@ -155,7 +157,7 @@ def _picture(document: Document, name: str) -> str | None:
 
 
 def _grid(weights: Weights) -> str:
-    """Return the weights of a convolution kernel as a block of text."""
+    """Return the weights of a convolution kernel as a block of Markdown, one line for each row."""
     width = max(len(str(weight)) for row in weights.rows for weight in row)
     lines = [" ".join(f"{weight:>{width}}" for weight in row) for row in weights.rows]
     if weights.divisor > 1:
@@ -164,8 +166,8 @@ def _grid(weights: Weights) -> str:
 
 
 def _field(document: Document, name: str) -> str:
-    """Return the description of a field of the pixel code: its range, and the values that pixels
-    use."""
+    """Return the description of a field of the pixel code: its range and, if codes are given, the
+    values in use."""
     field = document.fields.get(name)
     if field is None:
         return "a field of the pixel code"
@@ -185,7 +187,7 @@ def _field(document: Document, name: str) -> str:
 
 
 def _sense(document: Document, name: str) -> str:
-    """Return the description of a sense (a comparison of the pixel's light), with its
+    """Return the description of a sense (a comparison of the pixel's light with a level), with its
     boundaries."""
     senses = document.looking.senses if document.looking else ()
     sense = next((sense for sense in senses if sense.name == name), None)
@@ -215,8 +217,9 @@ def _state(document: Document, name: str) -> str:
 
 
 def _frame(document: Document, offset: int) -> Hover | None:
-    """Return the cost of the frame, or of the listed slot at `offset`. None if `offset` is not
-    in a `frame` statement."""
+    """Return the cost of the frame, or of the listed slot at `offset`.
+
+    Return None if `offset` is not in a `frame` statement, or if nothing is known about it."""
     for statement in document.parsed[0].statements:
         if not isinstance(statement, tree.EqualSlots | tree.ListedSlots):
             continue
@@ -245,7 +248,9 @@ def _frame(document: Document, offset: int) -> Hover | None:
 
 
 def _word(document: Document, offset: int) -> Hover | None:
-    """Return the syntax of a statement, if `offset` is at its first word."""
+    """Return the forms of the statement whose first word is at `offset`, else None.
+
+    For `open`, the class of the program's shutters comes first if the program is valid."""
     for statement in document.parsed[0].statements:
         start = statement.span.start
         if not start <= offset <= statement.span.end:
@@ -270,8 +275,10 @@ class Hint(Record):
 
 
 def hints(document: Document) -> Iterator[Hint]:
-    """Yield the frame's cost if the program fits, and the value of every `let` that is an
-    expression."""
+    """Yield the texts that an editor shows after statements.
+
+    These are the cost of a frame after `frame`, if the program fits, and the value after each `let`
+    that is not a plain number."""
     for statement in document.parsed[0].statements:
         match statement:
             case tree.EqualSlots() | tree.ListedSlots():
@@ -288,8 +295,8 @@ def hints(document: Document) -> Iterator[Hint]:
 
 
 def frame_cost(document: Document) -> str | None:
-    """Return the cost of a frame of `document` in sentences, with the distribution of words over
-    slots; None if the program does not compile."""
+    """Return a sentence on the words or planes of a frame and the shortest slot that they allow;
+    None if unknown."""
     compiled = _compiled(document)
     if compiled is None:
         return None
@@ -298,7 +305,8 @@ def frame_cost(document: Document) -> str | None:
 
 
 def slot_cost(document: Document, slot: int) -> str | None:
-    """Return a sentence about the words that run before a slot, and their share of the slot."""
+    """Return a sentence on the words or the plane before a slot, and their share of it; None if
+    unknown."""
     compiled = _compiled(document)
     if compiled is None:
         return None
@@ -307,6 +315,6 @@ def slot_cost(document: Document, slot: int) -> str | None:
 
 
 def _compiled(document: Document) -> Compiled | None:
-    """Return the compiled program; None if there is none, or it is unknown whether it fits."""
+    """Return the compiled program; None if it has errors, or it is unknown whether it fits."""
     compiled = document.checked.compiled
     return None if compiled is None or compiled.layout is None else compiled

@@ -22,10 +22,10 @@ class CannotRename(ValueError):
 
 
 def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
-    """Return the places at which the name at `offset` must be replaced by `name`.
+    """Return the places at which the name at `offset` (characters) must be replaced by `name`.
 
-    Raises CannotRename if no declared name is at `offset`, if `name` is invalid or in use, or if an
-    array in a file has the old name."""
+    Raises CannotRename if no declared name is at `offset`, if `name` is invalid or in use, or if
+    the old name is that of an array in a file."""
     old = renameable(document, offset)
     if not _NAME.fullmatch(name):
         raise CannotRename(
@@ -45,7 +45,9 @@ def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
 
 
 def renameable(document: Document, offset: int) -> Mention:
-    """Return the name at `offset` if it can be renamed; raise CannotRename as `renamed` does."""
+    """Return the declared name at `offset`, if it can be renamed.
+
+    Raises CannotRename if no declared name stands there, or if it is that of an array in a file."""
     mention = mention_at(document, offset)
     if mention is None:
         raise CannotRename("there is no name of the program at this place")
@@ -86,8 +88,7 @@ class Mention(Record):
 
 
 def mentions(document: Document) -> list[Mention]:
-    """Return all names in the text of `document` in order, except names of targets and of arrays in
-    files."""
+    """Return all names in a text, in order, except the names of targets and of arrays in files."""
     tokens, kinds = document.tokens, document.tokens.kinds
     listed = []
     for index, kind in enumerate(kinds):
@@ -108,8 +109,9 @@ def mention_at(document: Document, offset: int) -> Mention | None:
 
 
 def alike(document: Document, mention: Mention) -> list[Mention]:
-    """Return all mentions that refer to the same declaration as `mention`, including itself, in
-    order."""
+    """Return all mentions of the same name, including `mention`, in the order of the text.
+
+    The name of a bucket is a different name where buckets have a namespace of their own."""
     identity = (mention.name, mention.kind)
     return [
         candidate

@@ -26,13 +26,14 @@ _WORD = 1 << 64
 
 
 class Family(Record):
-    """A class of shutters at every size.
+    """A class of shutters as programs of every size.
 
-    `text(size, slot)` returns a program without data, for the slot length `slot` in program syntax.
-    `shutters(size)` returns its number of different shutters, `slots(size)` its number of slots.
-    `nested` means that the program for one size includes all smaller sizes, so that all sizes above
-    an impossible size are impossible. `counted_as` describes the count of shutters. `ceiling` is
-    the largest size to compile, for the reason `ceiling_reason`."""
+    `text(size, slot)` returns a program without pixel codes; `slot` is the slot length as written
+    in a program. `shutters(size)` returns its number of different shutters, `slots(size)` its
+    number of slots. `nested` means that the program for one size includes all smaller sizes, so
+    that all sizes above an impossible size are impossible. `counted_as` describes the count of
+    shutters. `least` and `ceiling` are the smallest and largest size to compile, the latter for the
+    reason `ceiling_reason`."""
 
     name: str
     description: str
@@ -70,35 +71,38 @@ def families() -> list[Family]:
 
 
 def stop_rule(first: str) -> str:
-    """Return the rule of class b with stops `first`..N."""
+    """Return the statements of class b: open from slot 0 to a stop of `first`..N."""
     return f"code stop : {first}..N\nopen when n < stop"
 
 
 def start_rule(length: int) -> str:
-    """Return the rule of class c: a bump of `length` slots anywhere in the frame."""
+    """Return the statements of class c: a bump of `length` slots anywhere in the frame."""
     return f"code start : 0..N - {length}\nopen when start <= n < start + {length}"
 
 
 def bump_rule() -> str:
-    """Return the rule of class d: every bump."""
+    """Return the statements of class d: a bump with any start and stop."""
     return (
         "code start : 0..N - 1\ncode stop : 1..N\nrequire start < stop\nopen when start <= n < stop"
     )
 
 
 def bits_rule() -> str:
-    """Return the rule of class e: every pattern of bits."""
+    """Return the statements of class e: every pattern of N bits."""
     return "code bits : bit[N]\nopen when bits[n]"
 
 
 def book_rule(rows: list[str]) -> str:
-    """Return the rule of a codebook with these rows of digits."""
+    """Return the statements of a codebook whose rows are texts of digits 0 and 1."""
     return f"shutters book [{', '.join(rows)}]\ncode id : row of book\nopen when book[id]"
 
 
 def book_text(slot_us: Sequence[float], buckets: Sequence[str], shutters: NDArray[np.bool_]) -> str:
-    """Return a program whose codes `id` are indices into `shutters` (rows, buckets, slots)."""
+    """Return a program whose code `id` is an index into `shutters`, bool (rows, buckets, slots).
+
+    It has a codebook for each bucket, and slots of `slot_us` microseconds."""
     times = ", ".join(f"{Decimal(repr(us)):f}us" for us in slot_us)
+    # Decimal writes 1e-05 without an exponent, which the language does not have.
     lines, rules = ["nsl 1", f"frame slots [{times}]"], []
     for number, name in enumerate(buckets):
         rows = ("".join("1" if is_open else "0" for is_open in row) for row in shutters[:, number])
@@ -112,12 +116,15 @@ def book_text(slot_us: Sequence[float], buckets: Sequence[str], shutters: NDArra
 
 
 def program_text(slots: int, slot: str, rule: str) -> str:
-    """Return a program with equal slots and the given rule."""
+    """Return a program of version 1 with equal slots; `slot` is their length as written, such as
+    "125us"."""
     return f"nsl 1\nframe {slots} slots of {slot}\n{rule}\n"
 
 
 def random_rows(count: int, slots: int) -> list[str]:
-    """Return at most `count` distinct pseudo-random rows of digits, the same on every machine."""
+    """Return `count` distinct pseudo-random rows of digits 0 and 1, the same on every machine.
+
+    If there are fewer than `count` different rows of `slots` digits, return all of them."""
     rows: dict[str, None] = {}
     words = -(-slots // 64)
     number = 0
@@ -145,7 +152,7 @@ def _by_slots(
     counted_as: str,
     least: int = 1,
 ) -> Family:
-    """Return the family of programs with one shutter rule, whose size is the number of slots.
+    """Return the family of programs with the statements `rule`, whose size is the number of slots.
 
     `shutters` gives the number of shutters for a size, and `counted_as` the same as text. `least`
     is the smallest size. The largest size follows from the limit on codes x slots that nscc proves,
@@ -170,8 +177,7 @@ def _by_slots(
 
 
 def _fixed_bump(length: int) -> Family:
-    """Return the family of class c: bumps of `length` slots with any start, one shutter for each
-    start."""
+    """Return the family of class c: bumps of `length` slots, one shutter for each start."""
     return _by_slots(
         f"c len {length}",
         f"a bump of {length} slots, any start 0..N - {length}",

@@ -29,11 +29,11 @@ BUDGET = 40
 
 
 class Limit(Record):
-    """The limit of a family on a target: built, impossible and unknown sizes.
+    """The limit of a family of programs on a target, for slots of length `slot`.
 
-    `built` is the largest trial that fits, or None. Sizes from `impossible` on are proved to be
-    impossible, for `impossible_reason`; None if nothing is proved. `unknown_reason` says why sizes
-    in between are unknown; "" if there are none."""
+    `trials` are ascending. `built` is the largest trial that fits; None if none does. Sizes from
+    `impossible` on are proved to be impossible, for `impossible_reason`; None if nothing is proved.
+    `unknown_reason` says why sizes in between are unknown; "" if there are none."""
 
     family: Family
     slot: str
@@ -45,12 +45,12 @@ class Limit(Record):
 
     @property
     def unknown_from(self) -> int:
-        """Return the smallest size above the largest size that was built."""
+        """The smallest size above the largest size that was built."""
         return self.built.size + 1 if self.built else self.family.least
 
     @property
     def gaps(self) -> tuple[SizeTrial, ...]:
-        """Return the trials below the largest built size that did not fit."""
+        """The trials below the largest built size that did not fit."""
         built = self.built.size if self.built else 0
         return tuple(trial for trial in self.trials if trial.size < built and not trial.fits)
 
@@ -60,7 +60,8 @@ def survey(
 ) -> Generator[SizeTrial, None, list[Limit]]:
     """Yield each trial as it ends; return the limit of every slot length and family.
 
-    Raises Rejected (NS0510) for a chip on which every shutter fits."""
+    `slots` are slot lengths as written in a program, such as "125us". Raises Rejected (NS0510) for
+    a chip without logic, on which every shutter fits."""
     refuse_planes(
         target,
         "--limits does not apply to this chip",
@@ -77,9 +78,10 @@ def survey(
 def limit_of(
     family: Family, target: Target, options: Options, slot: str
 ) -> Generator[SizeTrial, None, Limit]:
-    """Find the limit of one family and slot length, for all legal codes; yield each trial as it
-    ends. `family` is a rule for any number of slots, codes or states; the result says the
-    largest that fits and the smallest impossible one."""
+    """Find the limit of one family for slots of length `slot`, with all legal codes.
+
+    Yield each trial as it ends; return the largest size that fits and the smallest that is proved
+    to be impossible."""
     options = replace(options, target=target, codes="open")
     capacity = impossible_from(family.shutters, target)
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
@@ -102,10 +104,10 @@ def limit_of(
 
 
 def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTrial:
-    """Compile the family's program of one size and return its figures, or the error that decides.
+    """Compile the family's program of one size; return its costs, or the error that prevents it.
 
-    `slot` is the text of the slot length. An error that is certain (data `proved`) is preferred to
-    others."""
+    `slot` is the text of the slot length. If there are several errors, one that no compiler can
+    avoid (`proved` in its data) is returned before others."""
     try:
         source = Source("limits.nsl", family.text(size, slot))
         compiled = run_passes(source, Path(), options)
@@ -133,8 +135,10 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTria
 
 
 def _unknown(limit: Limit) -> str:
-    """Return why sizes between the largest built and the smallest impossible one are unknown, or
-    ""."""
+    """Return why the sizes between the largest built and the smallest impossible one are unknown.
+
+    Return "" if there are no such sizes. The reasons are the nearest trial that failed and the
+    largest size that is tried."""
     family, first = limit.family, limit.unknown_from
     if first > MOST_SLOTS or (limit.impossible is not None and first >= limit.impossible):
         return ""
@@ -164,8 +168,9 @@ _HEAD = (
 
 
 def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
-    """Return the `limits` of `target` as a table of sizes for each slot length, followed by the
-    reasons."""
+    """Return the survey as text: a table for each slot length, followed by the reasons.
+
+    `level` is the optimisation level of all trials."""
     blocks = [
         f"{target.name} at -O{level}, every legal code compiled; built: compiled and proved; "
         f"the store has {target.store_words} words"
@@ -179,8 +184,7 @@ def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
 
 
 def _row(limit: Limit) -> tuple[str, ...]:
-    """Return a row of the table of limits: the largest size built, the smallest impossible size,
-    and costs."""
+    """Return the row of a limit in the table, in the order of `_HEAD`."""
     unit, built = limit.family.unit, limit.built
     impossible = "-" if limit.impossible is None else f"{limit.impossible} {unit}"
     if built is None:
@@ -198,8 +202,8 @@ def _row(limit: Limit) -> tuple[str, ...]:
 
 
 def _reasons(limit: Limit) -> list[str]:
-    """Return the lines that explain a row: which sizes were tried, and why no larger one was
-    built."""
+    """Return the lines that explain a row: the sizes that were built, are impossible, and are
+    unknown."""
     family = limit.family
     lines = [f"  {family.name}: {family.description}", f"    built       {_trials_text(limit)}"]
     if limit.impossible is not None:
@@ -226,8 +230,7 @@ def _trials_text(limit: Limit) -> str:
 
 
 def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, Any]:
-    """Return the survey of `target` as JSON values: the sizes of `limits`, their reasons and all
-    trials."""
+    """Return the survey as JSON values: sizes, reasons and all trials; `level` is that of `-O`."""
     return {
         "target": target.name,
         "level": level,
@@ -289,7 +292,8 @@ class SizeTrial:
 def candidates(count: Count, least: int, most: int) -> list[int]:
     """Return the sizes that a search compiles first, ascending.
 
-    `count(size)` is the number of shutters."""
+    These are `least` and `most`, each last size before the codes need another bit, and powers of
+    two. `count(size)` is the number of shutters, which must not decrease with the size."""
     steps = {least, most}
     bits = 0
     while (size := largest_with(count, 1 << bits, least, most)) < most:
@@ -303,10 +307,12 @@ def candidates(count: Count, least: int, most: int) -> list[int]:
 def explore(
     sizes: list[int], attempt: Callable[[int], SizeTrial], budget: int
 ) -> Generator[SizeTrial, None, dict[int, SizeTrial]]:
-    """Compile the ascending `sizes`, then search beyond the largest that fits.
+    """Compile the ascending `sizes`, then search between the largest that fits and the next that
+    does not.
 
-    Yields at most `budget` trials as they end, and returns all trials by size. Each step tries the
-    next larger size before the middle, because limits often lie where another bit is needed."""
+    Yields at most `budget` trials as they end, and returns all trials by size. The search first
+    tries the size after the largest that fits, because limits often lie where another bit is
+    needed, then the middles. It skips larger sizes after `GIVE_UP_AFTER` failures in a row."""
     trials: dict[int, SizeTrial] = {}
 
     def make(size: int) -> Generator[SizeTrial, None, bool]:
@@ -335,8 +341,8 @@ def explore(
 
 
 def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> int | None:
-    """Return the largest size in `least`..`most` that fits, found by bisection; None if none was
-    found.
+    """Return the largest size in `least`..`most` that fits, found by bisection; None if no tried
+    size fits.
 
     At most `budget` sizes are tried, `most` first. The result is exact if all sizes below a fitting
     size fit and the budget suffices."""

@@ -68,18 +68,19 @@ class WayOut:
 
 
 def ways_out(program: Program, attempt: Attempt, level: int) -> list[WayOut]:
-    """Return similar programs that were compiled and fit, smallest change first.
+    """Return at most `MOST_SHOWN` similar programs that were compiled and fit, smallest change
+    first.
 
-    `level` is the optimisation level of the program that does not fit; each cost names its own
-    level."""
+    `level` is the optimisation level of the program that does not fit. The text of each result
+    names the level at which it was compiled."""
     return list(islice(_candidates(program, attempt, level), MOST_SHOWN))
 
 
 def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOut]:
     """Yield similar programs that fit, in the order in which the error lists them.
 
-    `attempt` compiles a source at an optimisation level and returns None if it does not fit. `most`
-    is the user's optimisation level; searches for fewer slots use at most `QUICK_LEVEL`."""
+    `most` is the user's optimisation level. All but programs with fewer codebook rows are compiled
+    at `QUICK_LEVEL` or below."""
     level = min(most, QUICK_LEVEL)
     if program.mode == "open" and program.pixel_codes is not None:
         lowered = attempt(program.source, "fixed", level)
@@ -98,27 +99,34 @@ def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOu
 
 
 def _way_out(change: str, why: str, lowered: Lowered, level: int, **data: int) -> WayOut:
-    """Return a change of the program that makes it fit, with the words that it then needs."""
+    """Return a change of the program with its cost in words.
+
+    `change` is what the user writes, `why` describes the result, `lowered` is the changed program,
+    compiled at `level`. `data` is added for programs that read the error."""
     words = lowered.schedule.words_total / len(lowered.program.frame.slot_us)
     return WayOut(f"{change:<24}{why}: {words:.3g} words a slot at -O{level}", data)
 
 
 def _source(program: Program, rule: str, slots: int) -> Source:
-    """Return a program with `rule` and `slots` slots of the original's mean length."""
+    """Return a program with the statements `rule` and `slots` slots of the original's mean
+    length."""
     slot_us = sum(program.frame.slot_us) / len(program.frame.slot_us)
+    # A shorter time would be written as 0.000us, which the language refuses.
     return Source("way-out.nsl", program_text(slots, f"{max(slot_us, 0.001):.3f}us", rule))
 
 
 def _book(program: Program, shutters: NDArray[np.bool_]) -> Source:
-    """Return a codebook of `shutters` (rows, buckets, slots) for the same frame and buckets."""
+    """Return a program of the codebook `shutters`, bool (rows, buckets, slots), for the same frame
+    and buckets."""
     buckets = [bucket.name for bucket in program.buckets]
     return Source("way-out.nsl", book_text(program.frame.slot_us, buckets, shutters))
 
 
 def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
-    """Yield the program with the largest codebook, of the rows in use, that fits the same frame.
+    """Yield the program with the largest codebook that fits: the first of the rows in use.
 
-    Nothing for programs without a codebook. `attempt` compiles a source at `level`."""
+    Yield nothing for programs without a codebook or if none fits. `level` is the optimisation
+    level."""
     if program.class_name != "codebook" or len(program.fields) != 1:
         return
     table, slots = program.table, len(program.frame.slot_us)
@@ -127,6 +135,7 @@ def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayO
     registers = len(program.target.digital_registers)
     most = min(rows - 1, max(1, _MOST_DIGITS // digits))
     untried = "" if most == rows - 1 else f" ({most} was the most tried)"
+    # Every shutter needs a different content of the code registers, so more rows cannot fit.
     most = largest_with(
         lambda count: len(np.unique(table.shutter_of_code[:count])), 1 << registers, 1, most
     )
@@ -155,9 +164,11 @@ def _largest(
     attempt: Callable[[Source, Codes], Lowered | None],
     budget: int,
 ) -> tuple[int, Lowered | None, str]:
-    """Return the largest size that fits (`nscc.limits.survey.largest`), its lowered program or
-    None, and a remark if the time ended before all sizes were tried. `source` returns the
-    program text of a size, and `budget` limits the number of compilations."""
+    """Return the largest size in `least`..`most` that fits, as (size, lowered program, remark).
+
+    `source` returns the program text of a size, and `budget` limits the number of compilations. If
+    none fits, the result is (0, None, ""). The remark tells if the time `_MOST_S` ended before all
+    sizes were tried."""
     built: dict[int, Lowered | None] = {}
     begin, remark = process_time(), ""
 
@@ -176,9 +187,10 @@ def _largest(
 
 
 def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
-    """Yield the complete class with the most slots that fit, if that is fewer than the frame's.
+    """Yield the complete class with the most slots that fit, if that is fewer than the frame has.
 
-    A rule of no class is kept as it is written; N in it follows the frame."""
+    A rule of no class is kept as it is written; N in it follows the frame. Yield nothing for
+    codebooks, whose rows have the length of the frame."""
     slots = len(program.frame.slot_us)
     registers = len(program.target.digital_registers)
     least, most = 2, slots - 1
@@ -191,6 +203,7 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
             rule, kept_shutters = start_rule(length), f"every bump of {counted(length, 'slot')}"
         case "d":
             rule, kept_shutters = bump_rule(), "every bump"
+            # n slots have n (n + 1) / 2 bumps, and each needs a different content of the registers.
             most = largest_with(lambda n: n * (n + 1) // 2, 1 << registers, 1, most)
         case "e":
             rule, kept_shutters = bits_rule(), "every shutter"
@@ -208,15 +221,18 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
 
 
 def _shorter(program: Program, slots: int) -> Source:
-    """Return the text of a program with another number of slots; unchanged if none is written."""
+    """Return the program text with `slots` slots; unchanged if its `frame` statement lists slot
+    lengths."""
     text, span = program.source.text, program.frame.span
     frame = re.sub(r"\d+(?=\s+slots?\b)", str(slots), text[span.start : span.end], count=1)
     return Source("way-out.nsl", text[: span.start] + frame + text[span.end :])
 
 
 def _simpler(program: Program) -> Iterator[tuple[Source, str, str]]:
-    """Yield programs of other classes for the same frame as (program, what to write,
-    description)."""
+    """Yield programs of other shutter classes for the same frame.
+
+    Each is (program text, what the user would write, description). They do less than the original:
+    a codebook of few rows, one bump a pixel, or open up to a stop."""
     slots, buckets = len(program.frame.slot_us), [bucket.name for bucket in program.buckets]
     rows = random_rows(_BOOK_ROWS, len(buckets) * slots)
     if slots <= _LONGEST_BOOK and len(rows) < len(program.table.shutters):

@@ -37,10 +37,11 @@ def judge_looking(
     target: Target,
     problems: Problems,
 ) -> None:
-    """Report readouts that do not determine open times (NS0324), unsupported resets (NS0415) and
-    rules that never open (NS0350).
+    """Report faults of a program whose pixels look at their light (statements `sense` and `state`).
 
-    `untold` is from `nscc.program.open_time.with_open_times`."""
+    These are readouts that do not determine open times (NS0324), resets of some pixels only on a
+    chip that cannot (NS0415), and rules that never open (NS0350, a warning). `untold` is the result
+    of `nscc.program.open_time.with_open_times`."""
     if untold is not None:
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)
@@ -82,8 +83,8 @@ def judge_looked_names(
 ) -> None:
     """Note unused senses and states, and states that never change (NS0355).
 
-    An unread sense counts as used if it is the only sense at a look that changes a state or that
-    `looks` counts. `rules` are the rules of shutters."""
+    An unread sense counts as used if it is the only sense at a boundary where a state changes, or
+    that `looks` counts. `rules` are the rules of shutters."""
     read = frozenset[str]().union(
         *(checked.variables for checked in [*rules, *looking.expressions])
     )
@@ -102,6 +103,7 @@ def judge_looked_names(
             continue
         name, place = state.name, declared.states[state.name].name.span
         nexts = {state: step for state, step in looking.nexts.items() if state != name}
+        # A state that only its own `next` reads affects nothing else.
         without_its_own = [*rules, *replace(looking, nexts=nexts).expressions]
         if name not in declared.nexts:
             problems.note(
@@ -117,8 +119,10 @@ def judge_looked_names(
 def _judge_resets(
     statement: tree.Reset, machine: StateMachine, target: Target, problems: Problems
 ) -> None:
-    """Report a boundary at which pixels disagree on a reset, if the chip can only reset all of
-    them."""
+    """Report the first boundary at which only some pixels reset their photodiode (NS0415).
+
+    `target` is a chip that can only reset all pixels. A pixel is any code with any answers so far.
+    """
     for stage in range(machine.stages):
         slots = slice(machine.starts(stage), machine.ends(stage))
         stage_resets = machine.resets[machine.nodes(stage), slots]
@@ -141,11 +145,14 @@ def _judge_resets(
 
 
 def shutters_in_the_dark(machine: StateMachine) -> NDArray[np.bool_]:
-    """Return the shutters (behaviours, buckets, N) of pixels of `machine` whose signals never
-    exceed a level."""
+    """Return the shutters of pixels whose light never exceeds a level: bool (behaviours, buckets,
+    N).
+
+    A behaviour is a set of codes whose pixels act alike for all answers."""
     nodes = machine.start_nodes()
     shutters = machine.opens[nodes].copy()
     for stage in range(1, machine.stages):
+        # Outcome 0: every comparison answers no.
         nodes = machine.steps[nodes, 0]
         slots = slice(machine.starts(stage), machine.ends(stage))
         shutters[:, :, slots] = machine.opens[nodes][:, :, slots]
@@ -153,7 +160,10 @@ def shutters_in_the_dark(machine: StateMachine) -> NDArray[np.bool_]:
 
 
 class Excess(Record):
-    """The largest factor of a machine's size: its place (None for fields), a label, and helps."""
+    """The factor that makes a state machine too large.
+
+    `place` is its statement (None for the fields of the code), `text` the label there, `helps` how
+    to make it smaller."""
 
     place: Span | None
     text: str
@@ -163,10 +173,10 @@ class Excess(Record):
 def largest_part(
     declared: Declarations, looking: Looking, fields: Sequence[str], codes: CodeArray
 ) -> Excess:
-    """Return the largest factor of the number of transitions: codes, states, or levels at one
+    """Return what contributes most to the size of a state machine: codes, states, or levels at one
     boundary.
 
-    `codes` (codes, fields) are the compiled codes, in the order of `fields`. The helps do not
+    `codes` (codes, fields) are the compiled codes, with the names `fields`. The helps do not
     include how to have fewer codes."""
     values = {name: len(np.unique(codes[:, k])) for k, name in enumerate(fields)}
     boundary, levels_of_sense = _busiest(looking, values)
@@ -185,8 +195,10 @@ def largest_part(
 
 
 def most_looks(declared: Declarations, looking: Looking) -> Excess:
-    """Return the sense with the most looks, which multiplies the possible open times most, as
-    the place of an error and its help."""
+    """Return the sense that looks at the most boundaries, as the reason why open times are too
+    many.
+
+    Each look can close a shutter, and so adds possible open times."""
     sense = max(looking.senses, key=lambda candidate: len(candidate.at))
     text = f"looks at {counted(len(sense.at), 'boundary', 'boundaries')}"
     helps = ["use fewer looks, or a state that keeps a shutter closed"]
@@ -194,8 +206,10 @@ def most_looks(declared: Declarations, looking: Looking) -> Excess:
 
 
 def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
-    """Return ways to reduce the number of answers of a program whose state machine is too large.
-    `most_senses`: the most senses at one boundary; `states`: the number of its states."""
+    """Return how to reduce the size of a state machine, as helps of an error.
+
+    `most_senses` is the number of senses at the busiest boundary, `states` the number of combined
+    values of states."""
     helps = []
     if most_senses > 1:
         helps.append("use fewer senses at one boundary: each sense doubles the number of answers")
@@ -216,8 +230,8 @@ def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
 def _state_combinations(looking: Looking, answers: int) -> int:
     """Return an upper bound on the number of combined values of states.
 
-    Kept states start with any value. Other states have one value for each of 2^`answers` histories,
-    but at most the number of values in their ranges."""
+    Kept states start with any value. Other states start with one, so each of 2^`answers` histories
+    of answers leads to one combined value, but at most to all in their ranges."""
     kept_values, reached = (
         prod(state.high - state.low + 1 for state in looking.states if state.is_kept == is_kept)
         for is_kept in (True, False)
@@ -226,10 +240,10 @@ def _state_combinations(looking: Looking, answers: int) -> int:
 
 
 def _busiest(looking: Looking, values: Mapping[str, int]) -> tuple[int, dict[str, int]]:
-    """Return the boundary with most comparisons, and the number of levels that each of its senses
-    compares with.
+    """Return the boundary with most comparisons (the first of equals), and its senses with their
+    numbers of levels.
 
-    `values` is the number of values in use of each field that gives levels."""
+    `values` is the number of values in use of each field, because a field can give the level."""
     levels = {s.name: 1 if s.field is None else values[s.field] for s in looking.senses}
     level_counts = Counter[int]()
     for sense in looking.senses:
@@ -273,12 +287,15 @@ def judge_names(
     books: Books,
     problems: Problems,
 ) -> None:
-    """Warn about fields that no rule reads (NS0352); note unused lets and codebooks (NS0355).
+    """Warn about fields that no rule reads (NS0352); note unused `let` constants and codebooks
+    (NS0355).
 
-    `rules` are all expressions that shutters depend on; a sense's level may also be a field."""
+    `rules` are all expressions on which shutters depend. A field may also give the level of a
+    sense."""
     in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
     in_rules |= {s.level.text for s in declared.senses.values() if isinstance(s.level, tree.Name)}
     for field in fields:
+        # A long bit field has several chunks; only the first has its name.
         if not field.first_bit and field.name not in in_rules:
             place = declared.codes[field.name].name.span
             why = "all its values give the same shutter"
@@ -290,6 +307,7 @@ def judge_names(
         if isinstance(node, tree.Name)
     )
     for name, let in declared.lets.items():
+        # The only mention is the declaration.
         if mentions[name] == 1:
             problems.note("NS0355", f"`{name}` is not used", let.name.span, "not used")
     in_rules_or_fields = {book for rule in rules for book in rule.books}
@@ -301,8 +319,9 @@ def judge_names(
 
 
 def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:
-    """Warn about bumps of fixed length that the end of the frame cuts (NS0354). `shape` is the
-    class of the shutters that were recognised."""
+    """Warn about bumps of fixed length that the end of the frame cuts short (NS0354).
+
+    `shape` is the recognised class of the shutters in `table`."""
     if shape.name == "c" and shape.cut:
         problems.warning(
             "NS0354",

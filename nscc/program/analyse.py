@@ -81,9 +81,9 @@ def analyse(
 def _make_frame(
     statement: EqualSlots | ListedSlots, slots: Meaning, problems: Problems
 ) -> SlotGrid | None:
-    """Return the frame, or None after reporting invalid slot lengths (NS0309).
+    """Return the frame; None if N has an error, or after reporting invalid slot lengths (NS0309).
 
-    `slots` is the meaning of N; if it failed, the result is None without a report."""
+    `slots` is the meaning of N. At most eight lengths are reported."""
     times = (statement.length,) if isinstance(statement, EqualSlots) else statement.lengths
     invalid = [time for time in times if not SHORTEST_US <= time.us <= LONGEST_US]
     for time in invalid[:8]:
@@ -102,8 +102,10 @@ def _make_frame(
 
 
 def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int, int]]:
-    """Return the ranges of the fields that the text `source` declares; invalid fields are left out.
-    `base`: the folder of its files."""
+    """Return the ranges (low, high) of the fields that a text declares, by name.
+
+    Fields with errors are left out. Bit fields of more than 62 bits have one range for each chunk.
+    """
     problems = Problems(source)
     declared = gather(parse(source)[0], problems)
     constants = resolve_constants(declared, target, problems)
@@ -114,8 +116,10 @@ def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int
 
 
 def target_of(declared: Declarations, base: Path, problems: Problems) -> Target | None:
-    """Return the chip that `declared` names, or the default one; None after reporting to `problems`
-    why it cannot be loaded."""
+    """Return the chip that a file names, by default scamp5; None after reporting why it cannot be
+    loaded.
+
+    Files of targets are relative to the folder `base`."""
     from nscc.chips.load import DEFAULT_NAME, load_target
 
     match declared.target:
@@ -133,8 +137,10 @@ def target_of(declared: Declarations, base: Path, problems: Problems) -> Target 
 
 
 def _refuse_looking(declared: Declarations, target: Target, problems: Problems) -> None:
-    """Report the error (NS0510) that this chip has no logic, at the first statement that needs
-    it."""
+    """Report the error (NS0510) that this chip has no logic, and raise Rejected.
+
+    The place is the first statement that needs logic: a sense, a state, a reset or a readout of
+    states."""
     looking = (*declared.senses.values(), *declared.states.values(), *declared.nexts.values())
     statements = [*looking, *([declared.reset] if declared.reset else [])]
     spans = (

@@ -25,14 +25,16 @@ _MOST_KEYS = 4096
 
 
 class ArraysFile:
-    """An open .npz file: its `keys` in stored order, and the `sha256` of the file in hexadecimal.
+    """An .npz file that a program names, read into memory: its `keys` (names of arrays) in stored
+    order.
 
     `shown` is the path as the user wrote it."""
 
     def __init__(self, path: Path, shown: str) -> None:
         """Read the file and list its arrays; `shown` is its path as written in the program.
 
-        Raises Rejected (NS0313) for a file that is missing, too large or not an .npz file."""
+        Raises Rejected (NS0313) for a file that is missing, too large, not an .npz file or lists
+        too many arrays."""
         self.shown = clipped(shown, 80)
         self._data = self._bytes(path)
         try:
@@ -53,8 +55,9 @@ class ArraysFile:
         return sha256(self._data).hexdigest()
 
     def require_sha256(self, stated_sha256: str) -> None:
-        """Raise Rejected (NS0315) if `stated_sha256` is not a digest, or if the file's digest
-        differs from it."""
+        """Check the file's digest against the one that the program states.
+
+        Raises Rejected (NS0315) if the stated digest is invalid or differs."""
         if len(stated_sha256) != 64 or not all(
             c in "0123456789abcdefABCDEF" for c in stated_sha256
         ):
@@ -72,10 +75,10 @@ class ArraysFile:
             raise rejected("NS0315", f"{message}: its SHA-256 differs", notes=notes)
 
     def integers(self, key: str, *, most: int, bools: bool = False) -> NDArray[Any]:
-        """Return the array `key` with an integer dtype (or bool, with `bools`) and at most `most`
-        values.
+        """Return the array `key`, of at most `most` values, with its stored integer dtype.
 
-        Raises Rejected: NS0313 for a damaged file, NS0314 for a missing or unsuitable array."""
+        With `bools`, it may also be of bool. Raises Rejected: NS0313 for a damaged file, NS0314 for
+        a missing or unsuitable array."""
         if key not in self.keys:
             listed = ", ".join(f"`{clipped(k, 30)}`" for k in self.keys[:12]) or "no arrays"
             message, notes = (
@@ -84,6 +87,7 @@ class ArraysFile:
             )
             raise rejected("NS0314", message, notes=notes, helps=meant(key, self.keys))
         try:
+            # An integer has at most 8 bytes.
             arrays, _ = npz_arrays(BytesIO(self._data), key.__eq__, 8 * most)
         except UnsuitableArray as error:
             raise self._unsuitable(key, str(error), most) from error
@@ -102,10 +106,10 @@ class ArraysFile:
         return values
 
     def _bytes(self, path: Path) -> bytes:
-        """Return the content of the file, at most `MOST_FILE_BYTES`; raise Rejected (NS0313) if it
-        cannot be read.
+        """Return the content of the file, at most `MOST_FILE_BYTES`.
 
-        The file counts as an input of the command, which products must not overwrite."""
+        The file is noted as an input of the command, which products must not overwrite. Raises
+        Rejected (NS0313) if it is missing, too large or cannot be read."""
         try:
             if not path.is_file():
                 problem = "is not a file" if path.exists() else "does not exist"
@@ -129,7 +133,7 @@ class ArraysFile:
         return rejected("NS0313", f'"{self.shown}" is damaged: {reason}')
 
     def _unsuitable(self, key: str, reason: str, most: int) -> Rejected:
-        """Return the error (NS0314) for an array of values other than integers, or of more than
-        `most` integers."""
+        """Return the error (NS0314) that the array `key` cannot be used for `reason`; `most` is the
+        most values allowed."""
         message = f'the array `{clipped(key)}` of "{self.shown}" cannot be used: {reason}'
         return rejected("NS0314", message, helps=(f"give at most {most} integers",))

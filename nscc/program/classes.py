@@ -30,10 +30,11 @@ class Recognised(NamedTuple):
 
 
 def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: str) -> Recognised:
-    """Return the class of a program; several buckets must all have the same class, else it is
-    general.
+    """Return the shutter class of a program.
 
-    `basis` describes the codes in `table`."""
+    Several buckets must all have the same class; else the class is "general". `buckets` are their
+    names, and `basis` describes the codes in `table` for the reason, such as "in all codes that the
+    fields allow"."""
     recognised = [
         _recognise_rule(rules, rule, table.shutters[:, k, :], basis)
         for k, rule in enumerate(rules.rules)
@@ -56,9 +57,10 @@ def _recognise_rule(
 ) -> Recognised:
     """Return the shutter class of one rule, with the reason.
 
-    `shutters`, bool (shutters, slots), are those of the rule; `basis` says how they are known.
+    `shutters`, bool (shutters, slots), are those of the rule; `basis` says of which codes.
     Codebooks and free bits are recognised from the rule, other classes from the shutters."""
     if len(rules.rules) > 1:
+        # Shutters of several buckets are distinct together, but perhaps not in this one.
         packed, _ = distinct_rows(np.packbits(shutters, axis=1))
         shutters = np.unpackbits(packed, axis=1, count=rules.slots).view(np.bool_)
     by_shape = _by_shape(shutters, basis)
@@ -84,8 +86,8 @@ def _recognise_rule(
 
 
 def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
-    """Return whether `rule` is `bits[I]`, with `node` as this index, and reads a different bit in
-    every slot."""
+    """Return whether the rule is `bits[I]` with an index I that depends on the slot only and is
+    different in every slot."""
     if isinstance(node.index, Name) and node.index.text == "n":
         return True
     fields = {field.name for field in rules.fields}
@@ -102,7 +104,10 @@ def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
 
 
 def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
-    """Return class a, b, c or d for the distinct `shutters` (K, N), else general."""
+    """Return class a, b, c or d for the distinct `shutters` bool (K, N), else "general".
+
+    Shutters that never open are ignored, except if there are no others. `basis` says of which codes
+    they are, for the reason."""
     slots = shutters.shape[1]
     length = np.count_nonzero(shutters, axis=1)
     opens = length > 0

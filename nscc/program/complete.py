@@ -52,9 +52,11 @@ if TYPE_CHECKING:
 
 @dataclass(eq=False, repr=False)
 class Completion:
-    """The second half of the analysis: codes, shutters and class, from valid declarations.
+    """The second half of the analysis: from valid declarations to codes, shutters, class and
+    warnings.
 
-    `planes` contains the values of every field at every pixel if the file has `pixels`."""
+    `planes` has the value of every field at every pixel if the file has `pixels`, else it is empty.
+    """
 
     problems: Problems
     declared: Declarations
@@ -67,9 +69,10 @@ class Completion:
     pictures: Pictures = NO_PICTURES
 
     def __post_init__(self) -> None:
-        """Find whether pixels have codes, and whether all codes count as used ("open") or only
-        these."""
+        """Find whether pixels have codes (`has_data`), and whether all legal codes are compiled
+        ("open") or only those in use ("fixed")."""
         has_pixels, fields = self.declared.has_pixels, self.rules.fields
+        # Without fields there is one code, which every pixel has.
         self.has_data = has_pixels or not fields
         self.mode: Codes = self.codes if has_pixels and fields else "open"
         self.buckets = tuple(
@@ -111,17 +114,18 @@ class Completion:
         return self._program(table, legal, at_pixel, recognised)
 
     def _ranges(self) -> dict[str, tuple[int, int]]:
-        """Return the ranges of the slot n and of the fields that are numbers."""
+        """Return the ranges (low, high) of the slot n and of the fields that are numbers, by
+        name."""
         fields = [field for field in self.rules.fields if field.bits is None]
         numbers = {field.name: (field.low, field.high) for field in fields}
         return {"n": (0, len(self.frame.slot_us) - 1), **numbers}
 
     def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> Program:
-        """Return the program whose pixels look at their light: with a state machine instead of
+        """Return the program if its pixels look at their light: with a state machine instead of
         fixed shutters.
 
-        `in_use` are the codes of pixels and `at_pixel` their rows, (rows, cols). Raises Rejected
-        for faults of rules or a machine that is too large."""
+        `in_use` are the codes of pixels (codes, fields) and `at_pixel` their rows, (rows, cols).
+        Raises Rejected for faults of rules or a machine that is too large."""
         from nscc.program.machine import MachineBuilder
         from nscc.program.open_time import with_open_times
 
@@ -169,7 +173,8 @@ class Completion:
         """Return the checked program.
 
         `legal` is the number of codes that `require` allows, None if it was not counted. `at_pixel`
-        are the rows of the table that pixels use, (rows, cols)."""
+        (rows, cols) are the rows of `table` that pixels use; `recognised` is the class. `machine`
+        is the state machine if pixels look at their light."""
         target_span = None
         match self.declared.target:
             case tree.TargetByName(name=place) | tree.TargetFromFile(path=place):
@@ -193,8 +198,11 @@ class Completion:
         )
 
     def _require(self, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> None:
-        """Raise Rejected (NS0312) if the code of a pixel violates a `require`; `in_use` are the
-        codes and `at_pixel` each pixel's row."""
+        """Check that `require` allows the code of every pixel.
+
+        `in_use` are the codes (codes, fields) and `at_pixel` each pixel's row, (rows, cols). Raises
+        Rejected (NS0312), which names the first pixel and the first condition that forbids its
+        code."""
         try:
             legal = allowed(self.rules, in_use)
         except (NoValue, TooMuch) as problem:
@@ -225,8 +233,10 @@ class Completion:
         self.problems.stop_on_errors()
 
     def _decode(self, codes: CodeArray, mode: Codes) -> DecodeTable:
-        """Return the decode table of these codes; raise Rejected for faults of the rules or too
-        many codes."""
+        """Return the decode table of these codes; `mode` says whether they are all legal ones
+        ("open").
+
+        Raises Rejected for faults of the rules or too many codes."""
         try:
             return decode(self.rules, codes)
         except (NoValue, TooMuch) as problem:
@@ -237,7 +247,8 @@ class Completion:
     ) -> tuple[CodeArray, NDArray[np.int32]]:
         """Return all codes that `require` allows, and each pixel's row among them, (rows, cols).
 
-        Raises Rejected (NS0317) if there is none."""
+        `in_use` and `at_pixel` are the codes of pixels and their rows. Raises Rejected (NS0317) if
+        no code is allowed, and for faults of `require` or too many codes."""
         try:
             legal = legal_codes(self.rules)
         except (NoValue, TooMuch) as problem:
@@ -257,9 +268,10 @@ class Completion:
         return legal, at_pixel
 
     def _survey(self, table: DecodeTable) -> tuple[DecodeTable, int | None]:
-        """Return a table of all legal codes if there are few, else of the used codes.
+        """Return the table from which the class is determined, and the number of legal codes.
 
-        Also returns the number of legal codes, None if it cannot be determined quickly."""
+        The table has all legal codes if there are few, else it is `table`, the used codes. The
+        number is None if it cannot be determined quickly."""
         rules = self.rules
         total = rules.combinations
         legal = None if rules.requires or total >= UNCOUNTED else total
@@ -276,9 +288,10 @@ class Completion:
         return table, legal
 
     def _refused(self, problem: NoValue | TooMuch, span: Span, mode: Codes = "fixed") -> Rejected:
-        """Report the problem and return the exception with all diagnostics so far.
+        """Report the problem and return the exception with all diagnostics so far, for the caller
+        to raise.
 
-        TooMuch becomes NS0450; NoValue becomes one error for each missing value."""
+        TooMuch becomes NS0450 at `span`; NoValue becomes one error for each missing value."""
         if isinstance(problem, TooMuch):
             reduce_help = "reduce the ranges of the fields, or use fewer slots"
             self.problems.error(
@@ -297,8 +310,10 @@ class Completion:
         return Rejected(self.problems.sorted())
 
     def _too_much_looked(self, problem: TooMuch, excess: Excess) -> Rejected:
-        """Return the error (NS0450) for a state machine that is too large, at the statement that
-        multiplies it most (`excess`)."""
+        """Return the exception (NS0450) for a state machine that is too large, for the caller to
+        raise.
+
+        Its place is the statement that multiplies the size most (`excess`)."""
         self.problems.error(
             "NS0450",
             f"too many codes, states and answers: {problem.message}",
@@ -318,16 +333,16 @@ class Completion:
         return ["add the pixel values: then nscc compiles only the used codes"]
 
     def _limit_span(self) -> Span:
-        """Return the place to change if there are too many codes: the widest field, or the
-        frame."""
+        """Return the place to change if there are too many codes: the field with the widest range,
+        else the frame."""
         if not self.rules.fields:
             return self.frame.count_span
         return max(self.rules.fields, key=lambda f: f.high - f.low).span
 
 
 def _proved(problem: TooMuch) -> dict[str, object]:
-    """Return the data of the error: what is needed and available, and that no search could change
-    it."""
+    """Return the data of an error for programs: what is needed and available, and that no search
+    could help."""
     return {
         "resource": "proof",
         "required": problem.required,

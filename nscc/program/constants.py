@@ -35,8 +35,10 @@ _BOOK = "only rules may use the digits of a codebook"
 
 
 def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """Return the scope of `let`, ranges, counts and tiles: constants; other names have
-    explanations."""
+    """Return the names that `let`, ranges, counts and tiles may use: constants.
+
+    All other names of the program are included as "misplaced", with the explanation for an error.
+    """
     scope = {
         "n": Meaning("misplaced", note=_SLOT),
         "x": Meaning("misplaced", note=_PLACE),
@@ -54,7 +56,9 @@ def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meani
 
 
 def pixels_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """Return the scope of `pixels FIELD = EXPR`: constants, x and y."""
+    """Return the names that `pixels FIELD = EXPR` may use: constants, x and y.
+
+    Other names are included as "misplaced", with the explanation for an error."""
     scope = constants_scope(declared, constants)
     scope.update(x=VARIABLE, y=VARIABLE)
     scope.update(dict.fromkeys(declared.codes, Meaning("misplaced", note=_FIELD_IN_PIXELS)))
@@ -62,7 +66,9 @@ def pixels_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]
 
 
 def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """Return the scope of `require`: constants and fields."""
+    """Return the names that `require` may use: constants and fields.
+
+    Other names are included as "misplaced", with the explanation for an error."""
     scope = constants_scope(declared, constants)
     scope.update(dict.fromkeys(("x", "y"), Meaning("misplaced", note=_PLACE_IN_RULE)))
     for name, statement in declared.codes.items():
@@ -72,14 +78,16 @@ def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning
 
 
 def rule_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """Return the scope of rules: constants, fields, codebooks, the slot n, states and answers."""
+    """Return the names that rules may use: constants, fields, codebooks, the slot n, states and
+    senses."""
     scope = next_scope(declared, constants)
     scope.update(dict.fromkeys(declared.books, Meaning("book")))
     return _without_refused(scope, declared)
 
 
 def next_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """Return the scope of `next` and `reset when`: constants, fields, n, senses, states, looks."""
+    """Return the names that `next` and `reset when` may use: constants, fields, n, senses, states
+    and `looks`."""
     scope = require_scope(declared, constants)
     scope["n"] = VARIABLE
     if declared.version > 1:
@@ -92,14 +100,17 @@ def next_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
 
 
 def at_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """Return the scope of the boundaries of a sense: constants and the boundary n."""
+    """Return the names that the boundaries of a sense may use: constants and the boundary n."""
     scope = constants_scope(declared, constants)
     scope["n"] = VARIABLE
     return _without_refused(scope, declared)
 
 
 def _without_refused(scope: dict[str, Meaning], declared: Declarations) -> dict[str, Meaning]:
-    """Return the scope, changed in place so that names with errors cause no further messages."""
+    """Mark names whose declarations have errors as "failed", so that they cause no further
+    messages.
+
+    The scope is changed and returned."""
     scope.update(dict.fromkeys(declared.refused - PREDEFINED.keys() - {LOOKS}, FAILED))
     return scope
 
@@ -108,8 +119,9 @@ _MOST_CYCLES = 20
 
 
 def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | None:
-    """Return the value of an integer expression of constants; None after reporting an error, in
-    which `role` names the expression."""
+    """Return the value of an integer expression of constants; None after reporting an error.
+
+    `role` names the expression in the error, such as "the start of a range"."""
     checked = check(expr, "integer", scope, problems, role)
     if checked is None:
         return None
@@ -123,9 +135,10 @@ def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | N
 def resolve_constants(
     declared: Declarations, target: Target | None, problems: Problems
 ) -> dict[str, Meaning]:
-    """Return the meaning of N, rows, cols and every let; those with errors are `failed`.
+    """Return the meaning of N, rows, cols and every `let`, by name; those with errors are "failed".
 
-    Reports cycles (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308)."""
+    rows and cols come from `target`. Reports cycles (NS0203) and a number of slots outside
+    1..MOST_SLOTS (NS0308)."""
     return _Resolver(declared, target, problems).run()
 
 
@@ -133,8 +146,8 @@ class _Resolver:
     """Computes the values of all `let` constants and of N, in the order of their dependencies."""
 
     def __init__(self, declared: Declarations, target: Target | None, problems: Problems) -> None:
-        """Collect the expressions of constants; rows and cols come from the target, if it is
-        known."""
+        """Collect the expressions of constants; rows and cols come from the target, and are
+        "failed" without one."""
         self.declared = declared
         self.problems = problems
         self.known: dict[str, Meaning] = {"rows": FAILED, "cols": FAILED, "N": FAILED}
@@ -148,7 +161,9 @@ class _Resolver:
             self.exprs["N"] = (declared.frame.count, declared.frame.count.span)
 
     def run(self) -> dict[str, Meaning]:
-        """Resolve all constants without cyclic dependencies, then report cycles up to a limit."""
+        """Return the meaning of all constants by name; report up to `_MOST_CYCLES` cycles.
+
+        Constants in a cycle, and those that depend on it, are "failed"."""
         self.scope = constants_scope(self.declared, self.known)
         if isinstance(self.declared.frame, ListedSlots):
             self._slots(len(self.declared.frame.lengths), self.declared.frame.span)
@@ -188,7 +203,8 @@ class _Resolver:
         return self.known
 
     def _slots(self, count: int, place: Span) -> None:
-        """Set N to `count`; report an error (NS0308) at `place` for an invalid number of slots."""
+        """Set N to `count`; report an error (NS0308) at `place` if it is not a valid number of
+        slots."""
         if 1 <= count <= MOST_SLOTS:
             self._learn("N", Meaning("constant", count))
             return
@@ -197,7 +213,10 @@ class _Resolver:
         self.problems.error("NS0308", message, place, f"a frame has 1 to {MOST_SLOTS} slots")
 
     def _learn(self, name: str, meaning: Meaning) -> None:
-        """Store the meaning of a name; a refused name is not added to the scope."""
+        """Store the meaning of a name.
+
+        A name whose declaration has an error stays "failed" in the scope, so that its use is not
+        reported."""
         self.known[name] = meaning
         if name not in self.declared.refused or name == "N":
             self.scope[name] = meaning
@@ -221,7 +240,9 @@ class _Resolver:
 
 
 def _cycle(needs: dict[str, list[str]], waiting: dict[str, None]) -> list[str]:
-    """Return a dependency cycle among the `waiting` names, searching from the first."""
+    """Return names that depend on each other in a cycle, found from the first `waiting` name.
+
+    `needs` has the names that each name needs. Every waiting name needs another one."""
     path: dict[str, None] = {}
     name = next(iter(waiting))
     while name not in path:

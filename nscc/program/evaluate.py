@@ -53,8 +53,9 @@ class Value(NamedTuple):
 
 
 def either(a: Faults, b: Faults) -> Faults:
-    """Return the places at which either operand has a fault; a fault of all places wins, the
-    first operand's before the second's."""
+    """Return the faults of an operation on two operands with the faults `a` and `b`.
+
+    A fault of all places wins, that of the first operand before that of the second."""
     if a is None or isinstance(b, Fault):
         return b if a is None or not isinstance(a, Fault) else a
     if b is None or isinstance(a, Fault):
@@ -76,8 +77,10 @@ def faults_where(condition: Data, faults: Faults) -> Faults:
 def guard(
     at_fault: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
 ) -> tuple[Data, Faults]:
-    """Return `data` with the value `harmless` at the places `at_fault`, and the faults at these
-    places."""
+    """Return `data`, and the faults `before` with those at the places `at_fault`.
+
+    There, data are replaced by `harmless`, which causes no further fault or overflow. `fault` makes
+    the error if all places are one."""
     if isinstance(at_fault, np.ndarray):
         if not at_fault.any():
             return data, before
@@ -93,7 +96,10 @@ def _wide(data: Any) -> Any:
 
 
 def _limited(node: Binary, a: Value, b: Value, faults: Faults, data: Data, beyond: Data) -> Value:
-    """Return `data` as a value, with faults where it is `beyond` the limit on integers."""
+    """Return `data`, the result of the operation `node` on `a` and `b`, as a value with its faults.
+
+    `beyond` is true where the result exceeds the limit on integers: these places get a fault
+    (NS0305)."""
 
     def fault() -> Fault:
         """Return the fault (NS0305) of the first value beyond the limit."""
@@ -111,13 +117,15 @@ def _sum(node: Binary, a: Value, b: Value) -> Value:
 
 
 def _product(node: Binary, a: Value, b: Value) -> Value:
-    """Return the product of two values."""
+    """Return the product of two values, with faults where it exceeds 2^62 - 1 in magnitude."""
+    # Compared by division, because the product itself could wrap.
     beyond = np.abs(a.data) > LIMIT // np.maximum(np.abs(b.data), 1, dtype=np.int64)
     return _limited(node, a, b, either(a.faults, b.faults), a.data * b.data, beyond)
 
 
 def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
-    """Return the divisors, with 1 in place of 0, and the faults (NS0302) of those."""
+    """Return the divisors, with 1 in place of 0, and the operands' faults with those of divisors 0
+    (NS0302)."""
     message = "division by zero" if node.op == "/" else "remainder of a division by zero"
     fault = Fault("NS0302", message, node.right.span, "this is 0")
     return guard(b.data == 0, b.data, 1, lambda: fault, either(a.faults, b.faults))
@@ -136,7 +144,8 @@ def _remainder(node: Binary, a: Value, b: Value) -> Value:
 
 
 def _shift(node: Binary, a: Value, b: Value) -> Value:
-    """Return a << b, with faults for shift counts outside 0..61 and results beyond 2^62 - 1."""
+    """Return a << b, with faults for shift counts outside 0..61 (NS0304) and results beyond 2^62 -
+    1."""
 
     def fault() -> Fault:
         """Return the fault (NS0304) of the first invalid shift."""
@@ -164,9 +173,10 @@ Books = Mapping[str, NDArray[np.bool_]]
 
 
 def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
-    """Return the value of `expr`.
+    """Return the value of a checked expression.
 
-    `bindings` contains every variable that it reads, `books` the digits (K, N) of codebooks."""
+    `bindings` contains the values of every variable that it reads, which broadcast with each other.
+    `books` has the digits of codebooks, bool (rows, N)."""
     stack: list[Value] = []
     for node in expr.nodes:
         count = len(operands(node))
@@ -180,7 +190,9 @@ def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
 
 
 class Gap(NamedTuple):
-    """Places without a value: the fault of the first, its indices, and their number."""
+    """Places where an expression has no value.
+
+    `fault` and `place` (array indices) are those of the first, `number` counts them."""
 
     fault: Fault
     place: tuple[int, ...]
@@ -194,7 +206,10 @@ def values_of(
     shape: tuple[int, ...],
     needed: NDArray[np.bool_] | bool = True,
 ) -> tuple[NDArray[Any], Gap | None]:
-    """Return the values of `expr` as an array of `shape`, and which `needed` values are missing."""
+    """Return the values of an expression as an array of `shape`, and where values are missing.
+
+    `bindings` and `books` are those of `evaluate`. A value is missing if it has a fault and is
+    `needed`, bool of `shape` or True for all; None if no value is."""
     value = evaluate(expr, bindings, books)
     data = np.broadcast_to(np.asarray(value.data), shape)
     if value.faults is None:
@@ -278,8 +293,9 @@ def _value(
 
 
 def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
-    """Return `then` where the condition holds and `otherwise` elsewhere, with the faults of the
-    chosen branch."""
+    """Return `then` where the condition holds and `otherwise` elsewhere.
+
+    The faults are those of the condition and, at each place, of the chosen branch."""
     branches = either(
         faults_where(condition.data, then.faults),
         faults_where(condition.data ^ True, otherwise.faults),
@@ -292,15 +308,17 @@ def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
 
 
 def _junction(a: Value, b: Value, conjunction: bool) -> Value:
-    """Return `a and b` or `a or b`; faults of b count only where a does not decide."""
+    """Return `a and b` (if `conjunction`) or `a or b`; faults of b count only where a does not
+    decide."""
     undecided = a.data if conjunction else a.data ^ True
     data = a.data & b.data if conjunction else a.data | b.data
     return Value(data, either(a.faults, faults_where(undecided, b.faults)))
 
 
 def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tuple[Data, Faults]:
-    """Return an index in range; places where it is outside 0..`size` - 1 get a fault (NS0303) and
-    index 0."""
+    """Return an index, with faults (NS0303) where it is outside 0..`size` - 1, and 0 there.
+
+    `size_text` is the size in words, such as "8 bits"."""
 
     def fault() -> Fault:
         """Return the error that names the first index out of range."""
@@ -318,8 +336,10 @@ def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tupl
 
 
 def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Value:
-    """Return the bit number `index` of `field`; long fields are stored in `bindings` in chunks of
-    `CHUNK_BITS` bits."""
+    """Return bit `index` of a bit field, as bool.
+
+    Long fields are stored in chunks of `CHUNK_BITS` bits, which `bindings` has under names of their
+    own."""
     bits = bindings[bit_count(node.base.text)].data
     position, faults = _position(node, index, bits, f"{bits} bits")
     if bits <= CHUNK_BITS:
@@ -329,7 +349,9 @@ def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Va
 
 
 def _bit_of_chunks(chunks: list[Data], position: Data) -> Data:
-    """Return the bit at `position` of fields stored as several numbers; both broadcast."""
+    """Return the bit at `position` of a field that is stored in several numbers, lowest bits first.
+
+    `chunks` and `position` broadcast with each other."""
     if isinstance(position, int):
         return chunks[position // CHUNK_BITS] >> position % CHUNK_BITS & 1 != 0
     shape = np.broadcast_shapes(np.shape(chunks[0]), position.shape)
@@ -342,14 +364,15 @@ def _bit_of_chunks(chunks: list[Data], position: Data) -> Data:
 
 
 def bit_count(field: str) -> str:
-    """Return the binding's name for the number of bits of a bit field (not a name of the
-    language)."""
+    """Return the key under which bindings have the number of bits of a bit field; no name of the
+    language is like it."""
     return f"{field}[]"
 
 
 def _digit(node: tree.Index, index: Value, book: NDArray[np.bool_], slot: Value) -> Value:
-    """Return the digit of row `index` of the codebook `book` (rows, N) in `slot`, bool, broadcast
-    over rows and slots."""
+    """Return the digit of row `index` of a codebook in a slot, as bool.
+
+    `book` is bool (rows, N). Rows and slots broadcast with each other."""
     row, faults = _position(node, index, book.shape[0], f"{book.shape[0]} rows")
     n = slot.data
     if isinstance(row, int) and isinstance(n, int):

@@ -59,8 +59,9 @@ class Checked:
 
 
 def operands(node: tree.Expr) -> tuple[tree.Expr, ...]:
-    """Return the direct subexpressions in evaluation order, without the names of books and bit
-    fields."""
+    """Return the direct subexpressions of a node in evaluation order.
+
+    The name before brackets, of a codebook or bit field, is not an operand."""
     match node:
         case tree.Int() | tree.Bool() | tree.Name():
             return ()
@@ -118,15 +119,15 @@ def nodes_in(statement: tree.Statement) -> Iterator[tree.Node]:
 def check(
     expr: tree.Expr, expected: Type, scope: Scope, problems: Problems, role: str
 ) -> Checked | None:
-    """Return `expr` with its names and types checked, or None after reporting errors.
+    """Return an expression with its names and types checked; None after reporting errors.
 
-    `role` names the expression in messages ("a rule", "the end of a range"). Names that are
-    `failed` in `scope` make the result None without a further report."""
+    `expected` is its type. `role` names it in messages ("a rule", "the end of a range"). Names that
+    are "failed" in `scope` make the result None without a further report."""
     return _Checker(scope, problems).run(expr, expected, role)
 
 
 class _Checker:
-    """Checks one expression and collects the names that it uses. `sound` becomes False at an
+    """Checks one expression and collects the names that it reads; `sound` becomes False at an
     error."""
 
     def __init__(self, scope: Scope, problems: Problems) -> None:
@@ -139,7 +140,7 @@ class _Checker:
         self.books: set[str] = set()
 
     def run(self, expr: tree.Expr, expected: Type, role: str) -> Checked | None:
-        """Return the checked expression, or None after reporting errors.
+        """Return the checked expression; None after reporting errors.
 
         `role` names the expression in messages, for example "a shutter rule"; `expected` is its
         type."""
@@ -206,8 +207,10 @@ class _Checker:
         assert_never(node)
 
     def _name(self, node: tree.Name) -> Type | None:
-        """Return the type of a name, and record it as constant or variable; None after reporting an
-        error."""
+        """Return the type of a name, and record it as constant or variable; None after an error.
+
+        A name that is "failed" gives None without a report. `_Checker._base` handles names before
+        brackets."""
         meaning = self.scope.get(node.text)
         if meaning is None:
             kinds = ("constant", "variable", "failed")
@@ -243,8 +246,10 @@ class _Checker:
         assert_never(meaning.kind)
 
     def _base(self, base: tree.Name) -> None:
-        """Check that a name before brackets is a codebook or a field with bits, and record what
-        it reads; report an error otherwise."""
+        """Check that a name before brackets is a codebook or a bit field, and record that it is
+        read.
+
+        Anything else is reported (NS0209, or as an unknown name)."""
         meaning = self.scope.get(base.text)
         if meaning is None:
             indexable = [k for k, m in self.scope.items() if m.kind == "book" or m.bits]
@@ -268,8 +273,9 @@ class _Checker:
             self._error("NS0209", message, base.span, label, helps=helps)
 
     def _compare(self, node: tree.Compare, operand_types: list[Type | None]) -> None:
-        """Check the chain of comparisons `node`: integers, or two booleans with == or !=.
-        `operand_types` are the types of its operands, None for invalid ones."""
+        """Check a chain of comparisons and report wrong operands.
+
+        `==` and `!=` compare two integers or two booleans; other comparisons need integers."""
         compared = [node.first, *node.later_operands]
         for k, op in enumerate(node.ops):
             first_type, second_type = operand_types[k], operand_types[k + 1]
@@ -291,8 +297,10 @@ class _Checker:
     def _branches(
         self, node: tree.IfElse, then: Type | None, otherwise: Type | None
     ) -> Type | None:
-        """Return the common type of both branches of a conditional; report an error if they
-        differ."""
+        """Return the common type of both branches of `A if C else B`; None after reporting that
+        they differ.
+
+        A branch whose type is unknown (None) has the type of the other."""
         if then is None or otherwise is None:
             return then or otherwise
         if then != otherwise:
@@ -308,8 +316,8 @@ class _Checker:
         nodes: Iterable[tree.Node],
         role: str,
     ) -> None:
-        """Report an error for each operand whose type is known and not `expected`. `role` names the
-        operator."""
+        """Report each operand whose type is known and not `expected`; `role` names the operator in
+        messages."""
         for actual, node in zip(operand_types, nodes, strict=True):
             if actual is not None and actual != expected:
                 message = f"{role} needs {_a(expected)}, not {_a(actual)}"
@@ -329,11 +337,13 @@ class _Checker:
         as suggestions."""
         self.sound = False
         constant = node.text.lower()
+        # `True` of other languages: suggest `true`, which is no name.
         known = (constant,) if constant in ("true", "false") else known
         self.problems.unknown(category, node.text, node.span, known)
 
     def _error(self, code: str, message: str, span: Span, label: str, **details: Any) -> None:
-        """Report an error, after which the expression has no value."""
+        """Report an error and mark the expression as invalid; `details` are further fields of
+        `Diagnostic`."""
         self.sound = False
         self.problems.error(code, message, span, label, **details)
 

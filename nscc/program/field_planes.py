@@ -30,7 +30,11 @@ Plane = NDArray[np.int64]
 
 @dataclass(eq=False, repr=False)
 class PlaneMaker:
-    """Makes the values of all fields at all pixels, or reports why they have none."""
+    """Computes the values of all fields at all pixels (their planes), or reports why that is
+    impossible.
+
+    `base` is the folder of the files that the program names. `target` is None if it could not be
+    loaded."""
 
     declared: Declarations
     fields: Mapping[str, Field | None]
@@ -40,12 +44,12 @@ class PlaneMaker:
     problems: Problems
 
     def make(self) -> dict[str, Plane]:
-        """Return the plane (values at all pixels) of every field, except fields that have errors.
+        """Return the plane of every field by name: its values at all pixels, int64 (rows, cols).
 
-        Empty without `pixels` statements or without a target. Reports fields without pixels
-        (NS0210), values outside their range (NS0311), faults of expressions, tiles that are not
-        rectangular (NS0316) and errors of files (NS0313, NS0314, NS0315). A long bit field has a
-        plane for each of its chunks."""
+        Fields with errors are left out. The result is empty without `pixels` statements or without
+        a target. Reports fields without pixels (NS0210), values outside their range (NS0311),
+        faults of expressions, tiles that are not rectangular (NS0316) and errors of files (NS0313,
+        NS0314, NS0315). A long bit field has a plane for each of its chunks."""
         planes: dict[str, Plane] = {}
         if len(self.fields) > MOST_FIELDS:
             return planes
@@ -88,7 +92,8 @@ class PlaneMaker:
         return planes
 
     def bits(self, condition: Expr) -> NDArray[np.bool_] | None:
-        """Return a condition over x and y at every pixel; None after reporting an error."""
+        """Return a condition over x and y at every pixel, bool (rows, cols); None after reporting
+        an error."""
         return self._values(condition, "boolean", "a plane of x and y")
 
     def _expression(self, statement: PixelsExpr) -> Plane | None:
@@ -98,8 +103,8 @@ class PlaneMaker:
     def _values(self, value: Expr, kind: Type, role: str) -> NDArray[Any] | None:
         """Return the value of an expression over x and y in every pixel, shape (rows, cols).
 
-        None after reporting an error: a wrong type, a fault at some pixel, or more than
-        `WORK_LIMIT` operations."""
+        `kind` is its type and `role` its name in messages. Return None after reporting an error: a
+        wrong type, a fault at some pixel, or more than `WORK_LIMIT` operations."""
         scope = pixels_scope(self.declared, self.constants)
         checked = check(value, kind, scope, self.problems, role)
         if checked is None or self.target is None:
@@ -127,11 +132,11 @@ class PlaneMaker:
         return values
 
     def _tile(self, statement: PixelsTile) -> Plane | None:
-        """Return the values of a tile repeated over the array from its top left corner, (rows,
-        cols).
+        """Return the values of a tile repeated over the array from its top left corner, int64
+        (rows, cols).
 
-        None after reporting an error (rows of different lengths). A tile larger than the array is a
-        warning."""
+        Return None after reporting an error, such as rows of different lengths. A tile larger than
+        the array causes a warning."""
         lines = statement.rows
         widths = {len(row.values) for row in lines}
         if len(widths) != 1 or 0 in widths:
@@ -173,9 +178,10 @@ class PlaneMaker:
         return np.asarray(tile[y[:, None], x[None, :]], dtype=np.int64)
 
     def _file(self, planes: dict[str, Plane], missing: list[str]) -> None:
-        """Read the values of the `missing` fields from the program's file into `planes`.
+        """Read the values of the `missing` fields from the program's file, and add them to
+        `planes`.
 
-        Reports errors at the statement. A file that no field needs is a warning."""
+        Errors are reported at the statement. A file that no field needs causes a warning."""
         statement = self.declared.pixels_file
         assert statement is not None
         if not missing:
@@ -220,10 +226,9 @@ class PlaneMaker:
         statement: PixelsExpr | PixelsTile | PixelsFromFile,
         beyond: NDArray[np.bool_] | None = None,
     ) -> None:
-        """Add the codes `plane` of `field` to `planes`, if all are within the field's range;
-        otherwise report an error (NS0311) at `statement`.
+        """Add the plane of a field to `planes` if all its values are in range; else report NS0311.
 
-        `beyond` marks values that int64 cannot represent."""
+        `beyond` marks pixels whose values do not fit int64; None if all do."""
         outside = (plane < field.low) | (plane > min(field.high, LIMIT))
         if beyond is not None:
             outside |= beyond
@@ -253,7 +258,7 @@ class PlaneMaker:
 
 
 def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: int) -> Span:
-    """Return the span of the text that gives pixel (x, y) its value: an expression, a value of a
+    """Return the place of the text that gives pixel (x, y) its value: an expression, a value of a
     tile, or a file."""
     match statement:
         case PixelsExpr():
@@ -277,8 +282,14 @@ def stored_planes(
     chunk_count: int = 1,
     bits: int | None = None,
 ) -> list[Stored]:
-    """Return the planes of field `name` in a file, as `planes_of` does; raise NS0313, NS0314."""
+    """Return the planes of the field `name` from the array of that name in a file, as `planes_of`
+    does.
+
+    `shape` is (rows, cols) of the pixel array. Raises Rejected (NS0313, NS0314) for a damaged file
+    or an unsuitable array."""
     most = shape[0] * shape[1] * (bits or chunk_count * CHUNK_BITS)
+    # A small array that has too many values is read all the same, for an error that names its
+    # shape.
     stored = file.integers(name, most=max(most, 2**20), bools=True)
     return planes_of(stored, name, shape, chunk_count, bits, f' of "{file.shown}"')
 
@@ -291,12 +302,12 @@ def planes_of(
     bits: int | None = None,
     origin: str = "",
 ) -> list[Stored]:
-    """Return the planes of a field that is stored in `chunk_count` chunks, from the array that
-    defines it.
+    """Return the planes of a field from the array `stored` that defines it, one for each chunk.
 
     The array contains integers (rows, cols), or single bits (rows, cols, K) of a bit field, bit 0
-    first. K is `bits` if given, else at most the bits of all chunks. Raises NS0314 for other
-    arrays."""
+    first. `shape` is (rows, cols). A field has `chunk_count` chunks, and `bits` bits or, if None,
+    as many as the chunks hold. `origin` names the file in messages. Raises Rejected (NS0314) for
+    other arrays."""
     if stored.ndim == 3 and (chunk_count > 1 or bits is not None):
         chunks = chunks_of_bits(_single_bits(stored, name, shape, chunk_count, bits, origin))
         return [(plane, np.zeros(shape, np.bool_)) for plane in chunks]
@@ -318,10 +329,10 @@ def _single_bits(
     bits: int | None,
     origin: str,
 ) -> NDArray[Any]:
-    """Return an array of single bits (rows, cols, bits) as stored.
+    """Return `stored`, an array of single bits (rows, cols, bits), after checking it.
 
-    Raises Rejected (NS0314) if its shape does not fit the array and the field, or if values other
-    than 0 and 1 occur. `origin` names the file in messages."""
+    Raises Rejected (NS0314) if its shape does not fit the pixel array and the field, or if values
+    other than 0 and 1 occur. `origin` names the file in messages."""
     count = stored.shape[2]
     least = bits or (chunk_count - 1) * CHUNK_BITS + 1
     most = bits or chunk_count * CHUNK_BITS
@@ -342,8 +353,8 @@ def _single_bits(
 
 
 def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
-    """Return integers as int64, and bool of the same shape that marks those that do not fit into
-    int64."""
+    """Return integers of any dtype as int64, and a bool array that marks those that int64 cannot
+    hold."""
     beyond = np.zeros(stored.shape, dtype=bool)
     if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:
         beyond = np.asarray(stored > np.uint64(2**63 - 1), dtype=bool)

@@ -28,11 +28,12 @@ Digits = NDArray[np.bool_]
 def make_books(
     books: dict[str, Book], slots: Meaning, base: Path, problems: Problems
 ) -> dict[str, Digits | None]:
-    """Return the digits (K, N) of every codebook, None after reporting an error.
+    """Return the digits of every codebook by name, bool (K, N); None after reporting an error in
+    it.
 
-    `slots` is the meaning of N: if it failed, row lengths are not checked and every book is None.
-    Reports rows of wrong length or with other digits (NS0310) and errors of files (NS0313, NS0314,
-    NS0315)."""
+    `slots` is the meaning of N: if it has an error, row lengths are not checked and every book is
+    None. Files are relative to `base`. Reports rows of wrong length or with other digits (NS0310)
+    and errors of files (NS0313, NS0314, NS0315)."""
     digits_by_book: dict[str, Digits | None] = {}
     for name, book in books.items():
         if isinstance(book, BookInline):
@@ -47,8 +48,9 @@ def make_books(
 
 
 def _inline(book: BookInline, slots: Meaning, problems: Problems) -> Digits | None:
-    """Return the digits of a codebook in the program, bool (rows, slots); None after reporting an
-    error."""
+    """Return the digits of a codebook that is written in the program, bool (rows, N).
+
+    Return None if N has an error, or after reporting an error in the rows."""
     has_errors = _wrong_digit(book, problems) or _wrong_length(book, slots, problems)
     if not book.rows:
         message = f"the codebook `{book.name.text}` has no rows"
@@ -61,8 +63,7 @@ def _inline(book: BookInline, slots: Meaning, problems: Problems) -> Digits | No
 
 
 def _wrong_digit(book: BookInline, problems: Problems) -> bool:
-    """Report to `problems` the first digit of `book` that is not 0 or 1; return whether there was
-    one."""
+    """Report the first row with a character other than 0 and 1; return whether there is one."""
     for row in book.rows:
         wrong_digit = next((d for d in row.digits if d not in "01"), None)
         if wrong_digit is not None:
@@ -73,8 +74,9 @@ def _wrong_digit(book: BookInline, problems: Problems) -> bool:
 
 
 def _wrong_length(book: BookInline, slots: Meaning, problems: Problems) -> bool:
-    """Report the first row that does not have N digits, and the number of such rows; return whether
-    any."""
+    """Report the first row that does not have N digits; return whether there is one.
+
+    `slots` is the meaning of N; if it has an error, nothing is reported."""
     if slots.kind != "constant":
         return False
     wrong_rows = [row for row in book.rows if len(row.digits) != slots.value]
@@ -90,11 +92,11 @@ def _wrong_length(book: BookInline, slots: Meaning, problems: Problems) -> bool:
 
 
 def _from_file(book: BookFromFile, slots: Meaning, base: Path) -> Digits | None:
-    """Return the digits of a codebook in an .npz file, bool (rows, slots).
+    """Return the digits of a codebook in an .npz file, bool (rows, N); None if N has an error.
 
-    None if the number of slots is unknown. Raises Rejected for a missing or changed file (NS0313),
-    a wrong shape (NS0314) or values other than 0 and 1 (NS0310). The array is named by the program
-    or like the codebook; a file with one array needs no name."""
+    The program names the array; else it has the name of the codebook, or is the only one of the
+    file. Raises Rejected for a missing file (NS0313), a changed one (NS0315), a wrong shape
+    (NS0314) or values other than 0 and 1 (NS0310)."""
     file = ArraysFile(base / book.path.value, book.path.value)
     if book.sha256 is not None:
         file.require_sha256(book.sha256.value)
@@ -125,17 +127,18 @@ def make_fields(
     books: Mapping[str, NDArray[np.bool_] | None],
     problems: Problems,
 ) -> dict[str, Field | None]:
-    """Return every declared field, None after an error in it or its codebook.
+    """Return every declared field by name; None after an error in it or its codebook.
 
-    Sets the long bit fields in `declared`. Reports an empty range (NS0306), a bit count outside
-    1..MOST_BITS (NS0307) and `row of` something other than a codebook (NS0209, NS0214)."""
+    Bit fields of more than `CHUNK_BITS` bits are added to `declared.wide`. Reports an empty range
+    (NS0306), a bit count outside 1..MOST_BITS (NS0307) and `row of` something other than a codebook
+    (NS0209, NS0214)."""
     maker = _Maker(declared, scope, books, problems)
     return {name: maker.make(statement) for name, statement in declared.codes.items()}
 
 
 @dataclass(eq=False, repr=False)
 class _Maker:
-    """The inputs for making fields."""
+    """Makes fields from `code` statements; see `make_fields`."""
 
     declared: Declarations
     scope: Scope
@@ -143,7 +146,8 @@ class _Maker:
     problems: Problems
 
     def make(self, statement: CodeRange | CodeBits | CodeRow) -> Field | None:
-        """Return the field that a `code` statement declares; None after reporting an error."""
+        """Return the field that a `code` statement declares; None after an error in it or its
+        codebook."""
         match statement:
             case CodeRange():
                 low = constant(statement.low, self.scope, self.problems, "the start of a range")

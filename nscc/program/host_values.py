@@ -18,7 +18,7 @@ _OF_A_PLACE = frozenset({"x", "y"})
 
 
 def signed_level(expr: tree.Expr) -> tuple[int, tree.Expr]:
-    """Return the sign (1 or -1) before the level `expr`, and the level without signs."""
+    """Return the sign (1 or -1) before a level, and the expression without its minus signs."""
     sign = 1
     while isinstance(expr, tree.Unary) and expr.op == "-":
         sign, expr = -sign, expr.operand
@@ -26,10 +26,10 @@ def signed_level(expr: tree.Expr) -> tuple[int, tree.Expr]:
 
 
 class HostValues:
-    """The parameters and input planes of a file.
+    """The values that the host sets: parameters and input planes of a file.
 
-    `params` by name; `inputs` by name, also of planes of x and y inside other expressions, which
-    have their text as a name."""
+    `params` has the parameters by name. `inputs` has the input planes by name, and also the
+    conditions over x and y inside other expressions, whose name is their text."""
 
     def __init__(
         self,
@@ -39,7 +39,7 @@ class HostValues:
         planes: PlaneMaker,
         problems: Problems,
     ) -> None:
-        """Check the declared parameters and input planes, and report errors.
+        """Check the declared parameters and input planes, and report errors (NS0545).
 
         `planes` computes the initial bits of input planes, which are 0 without a `pixels`
         statement."""
@@ -67,8 +67,9 @@ class HostValues:
             self.inputs[name] = InputPlane(name, 0 if bits is None else packed_bits(bits), True)
 
     def _param(self, name: str, statement: tree.Param) -> HostParam | None:
-        """Return a checked parameter `name`; None after reporting different units, or an invalid
-        range or start (NS0545)."""
+        """Return the checked parameter `name`; None after reporting an error (NS0545).
+
+        Range and start must all be levels or all integers, and IN must reach all levels."""
         parts = (statement.low, statement.high, statement.start)
         kinds = {isinstance(signed_level(part)[1], tree.Amount) for part in parts}
         text = ""
@@ -101,16 +102,17 @@ class HostValues:
 
     @property
     def most_steps(self) -> int:
-        """The most steps of IN in both directions."""
+        """The most steps of IN that are possible in both directions, because levels may be added or
+        subtracted."""
         return min(self.target.in_high, -self.target.in_low)
 
     def _integer(self, expr: tree.Expr) -> int | None:
-        """Return the value of a constant expression; None after an error."""
+        """Return the value of a constant integer expression; None after reporting an error."""
         return constant(expr, self.constants, self.problems, "the range of a parameter")
 
     def _steps(self, expr: tree.Expr) -> int | None:
-        """Return a level in steps of IN, or the value of an integer; None after reporting an
-        error."""
+        """Return a level in steps of IN, rounded, or the value of an integer; None after reporting
+        an error."""
         sign, level = signed_level(expr)
         if not isinstance(level, tree.Amount):
             return self._integer(expr)
@@ -118,15 +120,18 @@ class HostValues:
         return round(electrons / self.target.electrons_per_step)
 
     def level_param(self, expr: tree.Expr) -> tuple[int, HostParam] | None:
-        """Return the sign and the parameter of a level; None for other expressions."""
+        """Return the sign (1 or -1) and the parameter of a level such as `-t`; None for other
+        expressions."""
         sign, level = signed_level(expr)
         param = self.params.get(level.text) if isinstance(level, tree.Name) else None
         return None if param is None else (sign, param)
 
     def number(self, expr: tree.Expr, role: str) -> Times | None:
-        """Return a constant, or an integer parameter plus or minus a constant; None after an error.
+        """Return a constant, or an integer parameter plus or minus a constant; None after reporting
+        an error.
 
-        Here `offset` may be negative, and `most` is the largest number or 0."""
+        `role` names the expression in messages. Its `offset` may be negative; `most` is the largest
+        number that the parameter's range allows, at least 0."""
         found = [name for name in names_in(expr) if name.text in self.declared.params]
         if not found:
             value = constant(expr, self.constants, self.problems, role)
@@ -162,9 +167,10 @@ class HostValues:
         return Times(offset, max(0, most), name, sign)
 
     def plane_of_places(self, expr: tree.Expr, text: str) -> InputPlane | None:
-        """Return the plane of a condition over x and y; None for a condition that needs light.
+        """Return the input plane of a condition over x and y; None for any other condition.
 
-        `text`: its source text, which is its name."""
+        `text` is its source text, which becomes the plane's name. The plane is added to `inputs`,
+        once for each text."""
         known = {*_OF_A_PLACE, "rows", "cols", "N", "min", "max", *self.declared.lets}
         names = {name.text for name in names_in(expr)}
         kinds = (tree.Place, tree.Amount)

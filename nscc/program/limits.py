@@ -46,7 +46,8 @@ MOST_BITS = MOST_SLOTS
 def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
     """Return the number of operations to evaluate `expr` for all values of its variables.
 
-    `sizes` contains the axis (0 or 1) and the length of every variable."""
+    `sizes` has the array axis (0 or 1) and the number of values of every variable. A node costs one
+    operation for each combination of the variables below it."""
     axes: list[frozenset[int]] = []
     lengths = dict.fromkeys((0, 1), 1)
     lengths.update(dict(sizes.values()))
@@ -76,7 +77,7 @@ It does not decrease with the size."""
 
 
 def bits_needed(shutters: int) -> int:
-    """Return the fewest one-bit registers that distinguish this number of shutters."""
+    """Return the fewest one-bit registers whose contents distinguish this number of shutters."""
     return max(0, (shutters - 1).bit_length())
 
 
@@ -90,14 +91,17 @@ def capacity_note(shutters: int) -> str:
 
 
 def largest_with(count: Count, most: int, least: int, ceiling: int) -> int:
-    """Return the largest size in `least`..`ceiling` with at most `most` shutters; least - 1 if none
-    has."""
+    """Return the largest size in `least`..`ceiling` with at most `most` shutters; `least` - 1 if
+    there is none.
+
+    `count(size)` is the number of shutters."""
     return least - 1 + bisect_right(range(least, ceiling + 1), most, key=count)
 
 
 def impossible_from(count: Count, target: Target) -> int | None:
     """Return the smallest size whose shutters the registers of `target` cannot distinguish.
 
-    None if all sizes up to the longest frame are possible."""
+    `count(size)` is the number of shutters. Return None if all sizes up to the longest frame are
+    possible."""
     fits = largest_with(count, 1 << len(target.digital_registers), 1, MOST_SLOTS)
     return fits + 1 if fits < MOST_SLOTS else None

@@ -20,11 +20,12 @@ from nscc.words import machine
 
 
 class CheckedSense(Record, eq=False):
-    """A comparison of `signal` (see `machine.Comparison`) at the boundaries `at`.
+    """A comparison of the pixel's light with a level, at the boundaries `at`.
 
-    The answer is whether the signal is above its level, or below if not `above`. `steps` is the
-    level in steps of IN for each boundary of `at`; None if the `field` of the code gives the level
-    as a converter code."""
+    `signal` is -1 for the light since the reset (`machine.LIGHT`), or the index of a bucket whose
+    exposure is compared. The answer is whether the signal is above its level, or below if not
+    `above`. `steps` is the level in steps of IN for each boundary of `at`; None if the `field` of
+    the code gives the level as a converter code."""
 
     name: str
     signal: int
@@ -36,7 +37,7 @@ class CheckedSense(Record, eq=False):
 
 
 class CheckedNext(Record, eq=False):
-    """The next value of a state at a look, and its condition (None: always)."""
+    """The next value of a state at a boundary with senses, and its condition (None: always)."""
 
     value: Checked
     condition: Checked | None
@@ -44,7 +45,10 @@ class CheckedNext(Record, eq=False):
 
 
 class Looking(Record, eq=False):
-    """The senses, states, resets and readouts on which shutters depend besides code and slot."""
+    """The senses, states, resets and readouts of a program whose pixels look at their light.
+
+    `nexts` has the changes of states by name; `reset` is the condition of `reset when`, if there is
+    one."""
 
     senses: tuple[CheckedSense, ...]
     states: tuple[machine.State, ...]
@@ -58,7 +62,7 @@ class Looking(Record, eq=False):
 
     @property
     def expressions(self) -> list[Checked]:
-        """All checked expressions of `next` and `reset when`."""
+        """All checked expressions of `next` and `reset when`, with the conditions of `next`."""
         expressions = [] if self.reset is None else [self.reset]
         for step in self.nexts.values():
             expressions += [step.value] if step.condition is None else [step.value, step.condition]
@@ -71,12 +75,11 @@ def make_looking(
     target: Target | None,
     problems: Problems,
 ) -> Looking | None:
-    """Return the checked statements of version 2; None if there are none, or after reporting
-    errors.
+    """Return the checked senses, states, changes and resets of a program.
 
-    Reports names that are not states (NS0209, NS0214), levels that the well or IN cannot represent
-    (NS0320, NS0321), senses without a boundary (NS0322), starts outside their range (NS0311) and
-    signals that cannot be compared (NS0323)."""
+    Return None if there are none, or after reporting errors: names that are not states (NS0209,
+    NS0214), levels that the well or IN cannot represent (NS0320, NS0321), senses without a boundary
+    (NS0322), starts outside their range (NS0311) and signals that cannot be compared (NS0323)."""
     if not declared.looking:
         return None
     maker = _Maker(declared, constants, target, problems)
@@ -110,12 +113,12 @@ class _Maker:
         target: Target | None,
         problems: Problems,
     ) -> None:
-        """Prepare the scopes in which statements of pixels that look find names: `declared` names
-        and `constants`."""
+        """Prepare the names that these statements may use."""
         self.declared = declared
         self.constants = constants_scope(declared, constants)
         self.scope = next_scope(declared, constants)
         self.at_scope = at_scope(declared, constants)
+        # 0 means that N has an error, which is reported already.
         self.slots = constants["N"].value if constants["N"].kind == "constant" else 0
         self.target = target
         self.problems = problems
@@ -126,8 +129,7 @@ class _Maker:
         }
 
     def sense(self, sense: tree.Sense) -> CheckedSense | None:
-        """Return a checked sense; None after reporting an error, such as a comparison other than <
-        and >."""
+        """Return a checked sense; None after reporting an error."""
         signal = self._signal(sense.signal)
         if sense.comparison not in ("<", ">"):
             self.problems.error(
@@ -149,8 +151,11 @@ class _Maker:
         return CheckedSense(name, signal, above, at, steps, None, sense.span)
 
     def _signal(self, signal: tree.Light | tree.Exposure) -> int | None:
-        """Return what a sense compares: the light since the reset, or a bucket; None after an
-        error."""
+        """Return what a sense compares: `machine.LIGHT` (the light since the reset) or the index of
+        a bucket.
+
+        Return None after reporting an unknown bucket, or `exposure` without a name beside several
+        buckets."""
         if isinstance(signal, tree.Light):
             return machine.LIGHT
         if signal.bucket is None:
@@ -171,7 +176,10 @@ class _Maker:
         return number
 
     def _boundaries(self, sense: tree.Sense) -> tuple[int, ...] | None:
-        """Return the boundaries 1..N of a sense, or None after reporting an error."""
+        """Return the boundaries, among 1..N, at which a sense looks.
+
+        Return None if N has an error, or after reporting that there are none or that they cannot be
+        computed."""
         checked = check(
             sense.at, "boolean", self.at_scope, self.problems, "the boundaries of a sense"
         )
@@ -202,8 +210,9 @@ class _Maker:
         return tuple(at.tolist())
 
     def _levels(self, sense: tree.Sense, looks: int, target: Target) -> tuple[int, ...] | None:
-        """Return the level of a sense at each of its `looks` looks, in steps of IN; None after
-        reporting an error."""
+        """Return the level of a sense at each of its `looks` boundaries, in steps of IN.
+
+        Return None after reporting an error."""
         items: tuple[tree.Amount | tree.Levels | tree.Expr, ...] = (sense.level,) * looks
         if isinstance(sense.level, tree.Levels):
             items = sense.level.items
@@ -221,8 +230,10 @@ class _Maker:
         return None if None in steps else tuple(step for step in steps if step is not None)
 
     def _step(self, level: tree.Amount | tree.Levels | tree.Expr, target: Target) -> int | None:
-        """Return one level in steps of IN; None after reporting that it has no unit or is out of
-        the chip's range."""
+        """Return one level in steps of IN.
+
+        Return None after reporting that it has no unit (NS0320) or that the chip cannot compare
+        with it (NS0321)."""
         if isinstance(level, tree.Levels):
             self.problems.error("NS0320", "a level cannot be a list of lists", level.span, "")
             return None
@@ -265,8 +276,9 @@ class _Maker:
         return level_steps(float(value), unit, target)
 
     def state(self, name: str, state: State) -> machine.State | None:
-        """Return a checked state with its range and initial value; None after reporting an
-        error."""
+        """Return a checked state with its range and initial value; None after reporting an error.
+
+        A bit has the range 0..1."""
         boolean = isinstance(state, tree.StateBit)
         low, high = 0, 1
         if isinstance(state, tree.StateRange):
@@ -342,14 +354,15 @@ class _Maker:
 
 
 def level_steps(value: float, unit: str, target: Target) -> int:
-    """Convert a level to steps of IN, rounded."""
+    """Return a level in whole steps of IN, rounded; `unit` is "%" of a full well, "e" or "lsb"."""
     return round(target.level_e(value, unit) / target.electrons_per_step)
 
 
 def can_tell(value: float, unit: str, target: Target) -> bool:
-    """Return whether the signal can be below and above a level.
+    """Return whether the light can be both below and above a level, so that comparing makes sense.
 
-    IN must be able to represent the level, and neither PIX nor a register may saturate below it."""
+    `unit` is "%" of a full well, "e" or "lsb". IN must be able to represent the level, and neither
+    PIX nor a register may saturate below it."""
     reached = 1 <= level_steps(value, unit, target) <= target.in_high
     return reached and target.level_e(value, unit) < _full_e(target)
 

@@ -36,7 +36,11 @@ A row has the index of the code, the states' values, and the answers."""
 
 
 class Stage(Record, eq=False):
-    """The nodes between two looks, their shutters and resets, and their next nodes."""
+    """All that can happen between two looks (boundaries at which pixels compare their light).
+
+    `nodes` are the states in which a pixel can be, `opens` bool (nodes, buckets, N) and `resets`
+    bool (nodes, N) what it does then. `steps` (nodes, outcomes) are the rows in the next stage for
+    each outcome of the look that ends this one; -1 in the last stage."""
 
     nodes: Nodes
     opens: NDArray[np.bool_]
@@ -45,11 +49,13 @@ class Stage(Record, eq=False):
 
 
 class MachineBuilder:
-    """Builds the state machine of checked rules for the compiled codes."""
+    """Builds the state machine of a program with senses, for the compiled codes.
+
+    `remembered` are the senses whose answers pixels must store, because rules read them later."""
 
     def __init__(self, rules: Rules, looking: Looking, codes: CodeArray, target: Target) -> None:
-        """Find which answers of the senses in `looking` a pixel must remember: those that `rules`
-        read after their look."""
+        """Find which answers a pixel must remember: those that rules, resets or later changes of
+        states read."""
         self.rules, self.looking, self.codes, self.target = rules, looking, codes, target
         self.looks = looking.looks
         expressions = [*rules.rules, *([looking.reset] if looking.reset else [])]
@@ -66,10 +72,11 @@ class MachineBuilder:
         self.cells = 0
 
     def build(self) -> tuple[StateMachine, NDArray[np.int32]]:
-        """Return the machine, and the behaviour of every code (codes,).
+        """Return the machine, and the behaviour of every code, int32 (codes,).
 
-        Raises NoValue if an expression has no value in a reachable node or a state leaves its
-        range, and TooMuch beyond MOST_TRANSITIONS."""
+        A behaviour is a set of codes whose pixels act alike for all answers. Raises NoValue if an
+        expression has no value in a reachable node or a state leaves its range, and TooMuch for too
+        large a machine."""
         # Every code with every possible value of its kept states.
         ranges = [(s.low, s.high) if s.is_kept else (s.start, s.start) for s in self.looking.states]
         size = len(self.codes) * math.prod(high - low + 1 for low, high in ranges)
@@ -98,7 +105,7 @@ class MachineBuilder:
         return self._joined(stages, tuple(comparisons))
 
     def _limit(self, added: int) -> None:
-        """Count `added` transitions; raise TooMuch beyond `MOST_TRANSITIONS`."""
+        """Add to the number of transitions; raise TooMuch beyond `MOST_TRANSITIONS`."""
         self.transitions += added
         if self.transitions > MOST_TRANSITIONS:
             message = (
@@ -108,8 +115,10 @@ class MachineBuilder:
             raise TooMuch(message, self.transitions, MOST_TRANSITIONS)
 
     def _bindings(self, nodes: Nodes, looks: int) -> dict[str, Value]:
-        """Return fields, states and latest answers as columns (nodes, 1), and the number of
-        looks."""
+        """Return the values of names for `nodes`: fields, states and latest answers as columns
+        (nodes, 1).
+
+        `looks` is the number of looks so far, which is the value of that name."""
         bindings: dict[str, Value] = {LOOKS: Value(looks)}
         for k, field in enumerate(self.rules.fields):
             column = self.codes[nodes[:, 0], k].reshape(-1, 1)
@@ -128,7 +137,8 @@ class MachineBuilder:
     def _rules(
         self, nodes: Nodes, begin: int, end: int, looks: int
     ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Return the open shutters (nodes, buckets, N) and the resets of PIX (nodes, N) of a stage.
+        """Return the open shutters, bool (nodes, buckets, N), and the resets of PIX, bool (nodes,
+        N), of a stage.
 
         The stage has slots `begin` to `end` - 1 and follows `looks` looks; other slots are closed.
         Raises TooMuch for too large a machine, and NoValue for faults of rules."""
@@ -165,7 +175,8 @@ class MachineBuilder:
     ) -> NDArray[np.int64]:
         """Return the values of an expression, int64 of `shape` (nodes, slots from `begin` on).
 
-        `bindings` are the values of names. Raises NoValue if a `needed` value does not exist."""
+        `bindings` are the values of names. `needed` marks the values that matter. Raises NoValue if
+        one of them does not exist."""
         data, gap = values_of(expr, bindings, self.rules.books, shape, needed)
         if gap is None:
             return data
@@ -174,14 +185,16 @@ class MachineBuilder:
         raise NoValue([MissingValue(gap.fault, place, gap.number)])
 
     def _place(self, node: Nodes, boundary: int) -> str:
-        """Return a description of a node at a boundary."""
+        """Describe a node at a boundary for a message: its code and states."""
         texts = [code_text(self.rules, self.codes[node[0]])] if self.rules.fields else []
         texts += [f"{state.name} = {node[1 + k]}" for k, state in enumerate(self.looking.states)]
         return f"for {', '.join(texts)}, at n = {boundary}" if texts else f"at n = {boundary}"
 
     def _comparisons(self, boundary: int) -> tuple[list[Comparison], dict[str, NDArray[np.int64]]]:
-        """Return the comparisons of a look, and for each sense the comparison of every code
-        (codes,)."""
+        """Return the comparisons of the look at `boundary`, and which of them each sense uses.
+
+        The latter is an array (codes,) of indices by the sense's name: a level can depend on the
+        code. Senses that compare alike share a comparison."""
         comparisons: list[Comparison] = []
         of_sense: dict[str, NDArray[np.int64]] = {}
         for sense in self.looking.senses:
@@ -204,9 +217,10 @@ class MachineBuilder:
         return comparisons, of_sense
 
     def _field_step(self, sense: CheckedSense, value: int) -> int:
-        """Return the level of a sense in steps of IN for one value of its field.
+        """Return the level of a sense in steps of IN for one value of its field, which is a
+        converter code.
 
-        Raises NoValue if the chip cannot compare with this level."""
+        Raises NoValue (NS0321) if the chip cannot compare with this level."""
         target = self.target
         step = level_steps(value, "lsb", target)
         if not can_tell(value, "lsb", target):
@@ -229,11 +243,12 @@ class MachineBuilder:
         comparison_count: int,
         of_sense: Mapping[str, NDArray[np.int64]],
     ) -> tuple[NDArray[np.int64], Nodes]:
-        """Return the next node of each outcome of a look, (nodes, outcomes), as rows of the
-        returned nodes.
+        """Return the next node for each outcome of a look.
 
-        Bit k of an outcome is the answer of comparison k of `comparison_count`; `of_sense` gives
-        each code's comparison. `looks` counts the looks so far."""
+        The first result (nodes, outcomes) has rows of the second, the nodes of the next stage. Bit
+        k of an outcome is the answer of comparison k of `comparison_count`; `of_sense` gives each
+        code's comparison. `looks` counts the looks so far. Raises NoValue if a state leaves its
+        range, and TooMuch."""
         outcomes = 1 << comparison_count
         self._limit(len(nodes) * outcomes)
         rows = np.repeat(nodes, outcomes, axis=0)
@@ -273,8 +288,10 @@ class MachineBuilder:
     def _joined(
         self, stages: list[Stage], comparisons: tuple[Comparison, ...]
     ) -> tuple[StateMachine, NDArray[np.int32]]:
-        """Return the machine of all stages, with codes of equal behaviour merged, and the codes'
-        behaviours."""
+        """Return the machine of all stages, and the behaviour of every code, int32 (codes,).
+
+        Codes of equal behaviour are merged: of each behaviour, only the nodes of its first code
+        remain."""
         behaviour_of_code, chosen = self._behaviours(stages)
         most = max(stage.steps.shape[1] for stage in stages)
         stage_rows = [np.flatnonzero(np.isin(stage.nodes[:, 0], chosen)) for stage in stages]
@@ -309,7 +326,7 @@ class MachineBuilder:
         return machine, behaviour_of_code
 
     def _behaviours(self, stages: list[Stage]) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
-        """Return the behaviour of every code, and the first code of each behaviour.
+        """Return the behaviour of every code, int32 (codes,), and the first code of each behaviour.
 
         Two codes have one behaviour if their shutters, resets and states are equal for all answers.
         """

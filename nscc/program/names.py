@@ -39,8 +39,9 @@ class Declarations:
     `pixels` contains the first `pixels FIELD = ...` for each name, whether or not that is a field;
     `pixels_file` is the statement `pixels from`. `wide` are the bit fields that do not fit a
     number, once their lengths are known. `refused` are names with an invalid or a second
-    declaration; their meaning is unknown, and using them is not reported again. `repeats` are the
-    statements of the names that are repeated; `pictures` contains these names with their steps."""
+    declaration; their meaning is unknown, and using them is not reported again. `repeats` maps the
+    names that `repeat` changes to their statement; `pictures` contains these names with their
+    steps."""
 
     def __init__(self, statements: tuple[tree.Statement, ...]) -> None:
         """Begin without declarations; `gather` fills them from the statements."""
@@ -75,7 +76,8 @@ class Declarations:
 
     @property
     def looking(self) -> bool:
-        """Whether the shutters depend on more than the code and the slot."""
+        """Whether pixels look at their light: whether shutters depend on more than the code and the
+        slot."""
         if self.keeps_planes:
             return False
         reads = () if self.has_pictures else self.reads
@@ -83,14 +85,16 @@ class Declarations:
 
     @property
     def keeps_planes(self) -> bool:
-        """Whether states step on images and planes, after the last slot."""
+        """Whether states change with images and planes after the last slot, instead of at looks."""
         states = self.states or self.kept_images
         return bool(states and self.has_pictures and not (self.senses or self.reset))
 
     @property
     def has_pictures(self) -> bool:
-        """Whether the file has a statement about images, planes, kernels or reports, or a `next`
-        that steps on comparisons of exposures, without any look."""
+        """Whether the file has images, planes, convolution kernels, reports or values that the host
+        sets.
+
+        A `next` without any sense also counts: its state changes with images and planes."""
         steps = self.nexts and self.version > 2 and not self.senses
         host = self.params or self.inputs or self.kept_images
         return bool(self.pictures or self.reports or self.kernels or self.assumes or steps or host)
@@ -101,7 +105,8 @@ class Declarations:
         return bool(self.pixels) or self.pixels_file is not None
 
     def declared(self) -> Iterator[tuple[str, str]]:
-        """Yield every declared name that expressions may use, with a description."""
+        """Yield every declared name that expressions may use, with its kind in words, such as "a
+        field"."""
         kinds: dict[str, Iterable[str]] = {
             "a let": self.lets,
             "a field": self.codes,
@@ -128,8 +133,10 @@ class Declarations:
         helps: tuple[str, ...],
         problems: Problems,
     ) -> None:
-        """Report a name that is not of `kind` (NS0209, or NS0214 for an unknown one). `known`
-        are the names of this kind, of which the most similar is suggested."""
+        """Report that a name is not of the required `kind` (NS0209, or NS0214 for an unknown name).
+
+        `known` are the names of this kind, of which the most similar is suggested. `note` ends the
+        message of NS0209. Names whose declaration has an error are not reported."""
         text = name.text
         if text in self.refused:
             return
@@ -145,8 +152,8 @@ def gather(file: tree.File, problems: Problems) -> Declarations:
     """Return the declarations of `file`, without those that are reported.
 
     Reports names declared twice (NS0201) or predefined (NS0202), a missing frame or rule (NS0204),
-    a statement that occurs twice (NS0205), `open` beside buckets (NS0206), a field defined twice
-    (NS0211) and too many fields (NS0450)."""
+    a statement that occurs twice (NS0205), `open` beside buckets (NS0206), a field whose pixels are
+    given twice (NS0211) and too many fields (NS0450)."""
     gatherer = _Gatherer(Declarations(file.statements), problems)
     for statement in file.statements:
         gatherer.add(statement)
@@ -155,7 +162,8 @@ def gather(file: tree.File, problems: Problems) -> Declarations:
 
 
 class _Gatherer:
-    """Adds statements to the declarations, and reports names and statements that occur twice."""
+    """Adds the statements of a file to its declarations, and reports names and statements that
+    occur twice."""
 
     def __init__(self, declared: Declarations, problems: Problems) -> None:
         """Begin without declarations."""
@@ -239,7 +247,8 @@ class _Gatherer:
                 assert_never(statement)
 
     def finish(self, file: tree.File) -> None:
-        """Report required statements that are missing, at the first statement of `file`."""
+        """Report missing statements (NS0204) and too many fields (NS0450); assign `pixels` of input
+        planes."""
         for name in self.declared.inputs.keys() & self.declared.pixels.keys():
             self.declared.input_starts[name] = self.declared.pixels.pop(name)
         place = file.statements[0].span if file.statements else Span(0, 0)
@@ -263,8 +272,10 @@ class _Gatherer:
             self.problems.error("NS0450", message, place, text, helps=helps)
 
     def _once(self, word: str, first: tree.Statement | None, second: tree.Statement) -> bool:
-        """Return whether `second` is the first statement with this `word`; otherwise report an
-        error (NS0205) that `first` exists."""
+        """Return whether a statement is the first of its kind; else report `second` (NS0205).
+
+        `word` names the kind in the message, and `first` is the statement stored before, or None.
+        """
         if first is None:
             return True
         message = f"`{word}` is given twice, but a program has only one"
@@ -278,9 +289,10 @@ class _Gatherer:
             named[name.text] = statement
 
     def _new(self, name: tree.Name, *allowed: str) -> bool:
-        """Return whether a name is neither declared nor predefined; report an error otherwise.
+        """Return whether a name is neither declared nor predefined; else report it (NS0201,
+        NS0202).
 
-        Predefined names in `allowed` may be declared. A refused name is remembered in `refused`."""
+        Predefined names in `allowed` may be declared. A reported name is added to `refused`."""
         meaning = None if name.text in allowed else PREDEFINED.get(name.text)
         if name.text == LOOKS and self.declared.version > 1:
             meaning = "the number of looks so far"
@@ -296,9 +308,10 @@ class _Gatherer:
         return False
 
     def _unused(self, name: tree.Name, message: str, key: str) -> bool:
-        """Return whether `key` was not declared before; otherwise report `message` (NS0201) at the
-        second name."""
+        """Return whether `key` was not declared before; else report `message` (NS0201) at
+        `name`."""
         first = self.first_place.setdefault(key, name.span)
+        # `setdefault` returned this very span, so the key is new.
         if first is name.span:
             return True
         self.problems.error(
@@ -312,7 +325,9 @@ class _Gatherer:
         return False
 
     def _rule(self, rule: Rule) -> None:
-        """Add an `open` or `bucket` rule. A program has one `open` or several buckets, not both."""
+        """Add an `open` or `bucket` rule, or report why it is not allowed (NS0201, NS0205, NS0206).
+
+        A program has one `open` or several buckets, not both."""
         rules = self.declared.rules
         if rules and isinstance(rules[0], tree.Open) != isinstance(rule, tree.Open):
             if self.mixed:

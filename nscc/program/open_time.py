@@ -19,11 +19,11 @@ Times = tuple[tuple[int, float], ...]
 
 
 class Untold(Record):
-    """A readout that does not determine open times.
+    """Why a readout does not tell how long each pixel was open.
 
-    `bucket` is the first bucket whose open time differs between pixels with the same code and
-    readout. `states` are the fewest additional states to `read` that would determine it, () if no
-    states do."""
+    `bucket` is the index of the first bucket whose open time differs between pixels with the same
+    code and readout. `states` are the fewest states that would determine it if they were read, too;
+    () if no states would."""
 
     bucket: int
     states: tuple[str, ...]
@@ -32,9 +32,11 @@ class Untold(Record):
 def with_open_times(
     machine: StateMachine, slot_us: Sequence[float]
 ) -> tuple[StateMachine, Untold | None]:
-    """Return the machine with `open_us` and `open_slots` and None, or unchanged with an Untold.
+    """Return the machine with the open time of every pixel at the end of the frame, and None.
 
-    Raises TooMuch for too many different times."""
+    `open_us` and `open_slots` get it for the nodes of the last stage. If code and readout do not
+    determine it, return the machine unchanged and an Untold. Raises TooMuch for too many different
+    times."""
     times = _times(machine, np.array(slot_us, np.float64))
     last = range(*machine.nodes(machine.stages - 1).indices(len(machine.behaviour)))
     read = [k for k, state in enumerate(machine.states) if state.read]
@@ -49,8 +51,10 @@ def with_open_times(
 
 
 def _times(machine: StateMachine, slot_us: NDArray[np.float64]) -> dict[int, set[Times]]:
-    """Return for each node the possible open times at the end of its stage, each as slots and
-    microseconds of all buckets."""
+    """Return the possible open times of every node at the end of its stage.
+
+    A node is a state of the machine between two looks. Each time is (slots, microseconds) for all
+    buckets."""
     buckets = machine.opens.shape[1]
     none: Times = ((0, 0.0),) * buckets
     times: dict[int, set[Times]] = {node: {none} for node in range(int(machine.first[1]))}
@@ -77,10 +81,11 @@ def _times(machine: StateMachine, slot_us: NDArray[np.float64]) -> dict[int, set
 def _differing(
     machine: StateMachine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> int | None:
-    """Return the first bucket whose open time is not determined by the code and the states `read`;
-    None if all are.
+    """Return the first bucket whose open time the code and the states `read` do not determine, or
+    None.
 
-    `last` are the nodes at the end of a frame, with the open times `times`."""
+    `last` are the nodes at the end of a frame and `times` their possible open times; `read` are
+    indices of states."""
     by_readout: dict[tuple[int, ...], set[Times]] = {}
     for node in last:
         values = machine.values[node, list(read)].tolist()
@@ -99,11 +104,10 @@ def _differing(
 def _missing(
     machine: StateMachine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> tuple[str, ...]:
-    """Return the smallest set of states (up to three, else all) whose readout makes open times
-    known.
+    """Return the fewest states whose readout, added to `read`, would determine all open times.
 
-    `last` are the nodes at the end of a frame, `times` their possible open times, and `read` the
-    states read already."""
+    Sets of up to three states are tried, then all states; () if even these do not suffice. `last`
+    and `times` are those of `_differing`."""
     unread = [k for k, state in enumerate(machine.states) if not (state.read or state.sense)]
     choices = [added for count in (1, 2, 3) for added in combinations(unread, count)]
     for added in [*choices, tuple(unread)]:

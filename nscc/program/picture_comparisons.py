@@ -26,7 +26,11 @@ class WrongPicture(Exception):
 
 
 class PictureComparer(ABC):
-    """Converts comparisons to nodes. `counts`: value ranges of the counts declared so far."""
+    """Converts comparisons of images to expressions of `nscc.words.pictures`, and reports invalid
+    ones.
+
+    `counts` has the ranges of values of the images of integers ("counts") that are declared so far.
+    """
 
     def __init__(
         self,
@@ -37,8 +41,10 @@ class PictureComparer(ABC):
         problems: Problems,
         host: HostValues,
     ) -> None:
-        """Prepare to check comparisons of images; `counts` collects the ranges of images of
-        integers."""
+        """Prepare to check comparisons.
+
+        `kernels` are the convolution kernels by name, and `host` knows the parameters that the host
+        sets."""
         self.host = host
         self.declared, self.constants, self.target = declared, constants, target
         self.kernels, self.problems = kernels, problems
@@ -46,14 +52,15 @@ class PictureComparer(ABC):
 
     @abstractmethod
     def _image(self, expr: tree.Expr) -> p.Value:
-        """Return the image of an expression; raise WrongPicture after reporting an error."""
+        """Return an expression that must be an image; raise WrongPicture after reporting an
+        error."""
 
     @abstractmethod
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
-        """Raise WrongPicture after reporting if one image is a count and the other is not."""
+        """Report if one image is a count and the other is in electrons, and raise WrongPicture."""
 
     def _not(self, condition: p.Condition) -> p.Condition:
-        """Return the negation of `condition`; from version 4 on in the form that needs the fewest
+        """Return the negation of a condition; from version 4 on in the form that needs the fewest
         words."""
         if self.declared.version > 3:
             match condition:
@@ -66,21 +73,23 @@ class PictureComparer(ABC):
                 case p.Joined(op="or", first=first, second=second):
                     return p.Neither(first, second)
                 case p.Above(value=value, steps=steps):
+                    # Not above may be taken as below: no comparator can tell equal charges.
                     return p.Above(picture_sum((Fraction(-1), value)), -steps)
                 case p.AboveParam(value=value, param=param, factor=factor):
                     return p.AboveParam(picture_sum((Fraction(-1), value)), param, -factor)
         return p.Inverse(condition)
 
     def _both(self, first: p.Condition, second: p.Condition) -> p.Condition:
-        """Return a condition that holds where both hold."""
+        """Return the condition that holds where both conditions hold."""
         if self.declared.version > 3:
+            # NOR is one word, and the negations often need none.
             return p.Neither(self._not(first), self._not(second))
         return p.Joined("and", first, second)
 
     def _compare(self, compare: tree.Compare) -> p.Condition:
         """Return the condition of a chain of comparisons such as `a < image < b`.
 
-        Raises WrongPicture after reporting NS0533 for == and !=."""
+        Raises WrongPicture after reporting an error, such as NS0533 for == and !=."""
         operands = (compare.first, *compare.later_operands)
         condition: p.Condition | None = None
         for op, first, second in zip(
@@ -106,10 +115,10 @@ class PictureComparer(ABC):
     def _one_comparison(
         self, op: str, first: tree.Expr, second: tree.Expr, span: Span
     ) -> p.Condition:
-        """Return the condition of one comparison: an image with a level, or two images.
+        """Return the condition of one comparison: of an image with a level, or of two images.
 
         Two images are compared by the sign of their difference. Raises WrongPicture after reporting
-        NS0533 for two levels."""
+        an error, such as NS0533 for two levels."""
         if self._is_level(first):
             if not self._is_level(second):
                 return self._one_comparison(_MIRRORED[op], second, first, span)
@@ -134,7 +143,8 @@ class PictureComparer(ABC):
     def _above(self, value: p.Value, level: tree.Expr) -> p.Condition:
         """Return the condition that an image is above a level, a number or a parameter of the host.
 
-        Raises WrongPicture after reporting NS0533 if the parameter is an integer."""
+        Raises WrongPicture after reporting NS0533 for an invalid level, such as a parameter that is
+        an integer."""
         param = self.host.level_param(level)
         if param is None:
             return self._above_steps(value, self._steps(level), level.span)
@@ -143,11 +153,12 @@ class PictureComparer(ABC):
         return p.AboveParam(value, parameter.name, sign)
 
     def _above_steps(self, value: p.Value, steps: int, span: Span) -> p.Condition:
-        """Return the comparison of `value` with `steps` of IN; a level that the value adds becomes
-        part of IN.
+        """Return the condition that an image is above `steps` of IN (the value that all pixels
+        receive).
 
-        Raises WrongPicture after reporting an error (NS0533) at `span` if the value consists of
-        levels only."""
+        If the image is a sum that contains levels, they are moved to the other side where IN can
+        represent the result. Raises WrongPicture after reporting (at `span`) a sum of levels only.
+        """
         terms = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)
         levels = {term.param: factor for factor, term in terms if isinstance(term, p.Uniform)}
         if not levels:
@@ -173,8 +184,8 @@ class PictureComparer(ABC):
         return p.Above(value, steps)
 
     def _require_level(self, param: p.HostParam, span: Span) -> None:
-        """Raise WrongPicture after reporting an error (NS0533) at `span` if `param` is an
-        integer."""
+        """Raise WrongPicture after reporting a parameter that is an integer, where a level with a
+        unit is needed."""
         if param.kind == "integer":
             raise self._report(
                 "NS0533",
@@ -185,7 +196,8 @@ class PictureComparer(ABC):
             )
 
     def _is_level(self, expr: tree.Expr) -> bool:
-        """Return whether a side of a comparison is a level: an amount with a unit, or a number."""
+        """Return whether a side of a comparison is a level: an amount with a unit, a parameter or a
+        number."""
         inner = signed_level(expr)[1]
         is_param = isinstance(inner, tree.Name) and inner.text in self.declared.params
         return is_param or isinstance(inner, tree.Amount) or self._is_number(expr)
@@ -193,7 +205,11 @@ class PictureComparer(ABC):
     def _count_comparison(
         self, value: p.Value, counts: CountRange, op: str, level: tree.Expr
     ) -> p.Condition:
-        """Return a comparison of a count with a level half-way between attainable counts."""
+        """Return the comparison of a count with an integer, as one with a level between two
+        possible counts.
+
+        `counts` is the range of the count. Raises WrongPicture after reporting NS0533 if the answer
+        would be the same in every pixel, or if the level has a unit."""
         if not self._is_number(level):
             raise self._report(
                 "NS0533",
@@ -205,6 +221,7 @@ class PictureComparer(ABC):
         number = constant(level, self.constants, self.problems, "a level")
         if number is None:
             raise WrongPicture
+        # `count >= 3` is true above a level below 3; `count < 3` is its negation.
         split = counts.half_way(Fraction(number), or_equal=op in (">=", "<"))
         if split is None:
             raise self._report(
@@ -221,7 +238,7 @@ class PictureComparer(ABC):
     def _steps(self, expr: tree.Expr) -> int:
         """Return a level, with its sign, in whole steps of IN; a plain 0 needs no unit.
 
-        Raises WrongPicture after reporting NS0533 for a level without a unit or one that IN cannot
+        Raises WrongPicture after reporting NS0533 for a level without a unit, or one that IN cannot
         represent."""
         sign, inner = signed_level(expr)
         if not isinstance(inner, tree.Amount):
@@ -262,7 +279,7 @@ class PictureComparer(ABC):
         return steps
 
     def _is_number(self, expr: tree.Expr) -> bool:
-        """Return whether the expression `expr` contains only integers and constants."""
+        """Return whether an expression contains only integers and names of constants."""
         match expr:
             case tree.Int():
                 return True
@@ -283,15 +300,17 @@ class PictureComparer(ABC):
         helps: tuple[str, ...],
         **details: Any,
     ) -> WrongPicture:
-        """Report an error, and return the exception that ends the expression."""
+        """Report an error, and return the exception that ends the expression, for the caller to
+        raise."""
         self.problems.error(code, message, span, label, helps=helps, **details)
         return WrongPicture()
 
 
 def picture_sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
-    """Return a sum with nested sums flattened, equal terms merged, and zero terms removed.
+    """Return the sum of factors times images, without nested sums, equal terms or zero terms.
 
-    If all terms cancel, one stays, times 0: it tells whether the sum is a count."""
+    A single term with the factor 1 is returned as it is. If all terms cancel, one stays, times 0:
+    it tells whether the sum is a count."""
     flat: list[tuple[Fraction, p.Value]] = []
     for factor, value in terms:
         terms_of_value = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)

@@ -24,7 +24,10 @@ _FUNCTIONS = ("abs", "agree", "max", "min")
 
 
 class Reader(LoopReader):
-    """Converts expressions to nodes, in the order of the text."""
+    """Converts expressions of images and planes to those of `nscc.words.pictures`, in the order of
+    the text.
+
+    `kinds` says of each name declared so far whether it is an image or a plane."""
 
     def __init__(
         self,
@@ -39,7 +42,8 @@ class Reader(LoopReader):
     ) -> None:
         """Begin with the kept states, kept images and input planes as known names.
 
-        `outside` is the bit of planes beyond the array, None if the program does not say."""
+        `buckets` are the names of buckets, and `kernels` the convolution kernels. `outside` is the
+        bit of planes beyond the array, None if the program does not say."""
         super().__init__(declared, constants, target, kernels, problems, host)
         self.buckets, self.outside = buckets, outside
         if declared.keeps_planes:
@@ -49,8 +53,9 @@ class Reader(LoopReader):
         self._outside_asked = False
 
     def declare(self, name: str, node: p.Node | None) -> None:
-        """Make an image or plane known to the following expressions; with `node` None, it failed
-        and later uses report nothing."""
+        """Make an image or plane known to the following expressions.
+
+        With `node` None its expression is invalid, and later uses of the name report nothing."""
         if node is None:
             self.failed.add(name)
         elif isinstance(node, p.Condition):
@@ -78,7 +83,7 @@ class Reader(LoopReader):
     # --- images
 
     def _image(self, expr: tree.Expr) -> p.Value:
-        """Return the node of an expression that must be an image.
+        """Return an expression that must be an image, as a node of `nscc.words.pictures`.
 
         Raises WrongPicture after reporting an error, for example for a plane or an unknown name."""
         match expr:
@@ -145,11 +150,15 @@ class Reader(LoopReader):
         )
 
     def _chosen(self, condition: p.Condition, then: p.Value, otherwise: p.Value) -> p.Value:
-        """Return the image `then` where `condition` is true, `otherwise` elsewhere; from version 4
-        on, `a if a > b else b` is the larger one of two."""
+        """Return `then` where the condition holds, else `otherwise`.
+
+        From version 4 on, `a if a > b else b` becomes the larger of two images, which needs fewer
+        words."""
         match condition:
             case p.Above(value=value, steps=0) if self.declared.version > 3:
                 negative = picture_sum((Fraction(-1), then), (Fraction(1), otherwise))
+                # Is the compared value then - otherwise (larger) or otherwise - then (smaller)?
+                # Then this difference cancels.
                 for sign, combine in ((1, p.Larger), (-1, _smaller)):
                     zero = picture_sum((Fraction(sign), value), (Fraction(1), negative))
                     if isinstance(zero, p.Sum) and not any(factor for factor, _ in zero.terms):
@@ -157,8 +166,8 @@ class Reader(LoopReader):
         return p.Chosen(condition, then, otherwise)
 
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
-        """Raise WrongPicture, after reporting NS0531, if one value is a count and the other in
-        electrons."""
+        """Report (NS0531) if one image is a count and the other in electrons, and raise
+        WrongPicture."""
         counts = [counts_of(value, self.counts, self.kernels) for value in (first, second)]
         if counts.count(None) == 1:
             raise self._report(
@@ -170,9 +179,9 @@ class Reader(LoopReader):
             )
 
     def _scaled(self, expr: tree.Binary, image: tree.Expr, factor: tree.Expr) -> p.Value:
-        """Return the node of an image multiplied by an integer or divided by a power of two.
+        """Return an image multiplied by an integer or divided by a power of two.
 
-        Raises WrongPicture after reporting an error for other factors, or for two images."""
+        Raises WrongPicture after reporting an error: other factors, or two images."""
         if expr.op == "*" and self._is_number(image):
             image, factor = factor, image
         if isinstance(factor, tree.Name) and factor.text in self.declared.params:
@@ -201,7 +210,8 @@ class Reader(LoopReader):
         return isinstance(expr, tree.Name) and expr.text in self.declared.kernels
 
     def _call(self, call: tree.Call) -> p.Value:
-        """Return the node of a function of images: a convolution kernel, `abs`, `max` or `agree`.
+        """Return the image of a function call: a convolution kernel, `abs`, `max`, `min` or
+        `agree`.
 
         Raises WrongPicture after reporting an error, for example for a function of planes."""
         name, arguments = call.function.text, call.arguments
@@ -252,7 +262,7 @@ class Reader(LoopReader):
     # --- planes
 
     def _condition(self, expr: tree.Expr) -> p.Condition:
-        """Return the node of an expression that must be a plane.
+        """Return an expression that must be a plane, as a node of `nscc.words.pictures`.
 
         In version 4, conditions on x and y alone become input planes. Raises WrongPicture after
         reporting an error, for example for an image."""
@@ -317,8 +327,9 @@ class Reader(LoopReader):
         )
 
     def _named_plane(self, name: tree.Name) -> p.Condition:
-        """Return the node that reads a plane; raise WrongPicture after reporting that it is not
-        one."""
+        """Return the node that reads the plane `name`.
+
+        Raises WrongPicture after reporting a name that is not a plane."""
         kind = self.kinds.get(name.text)
         if kind == "plane":
             return p.Bit(name.text)
@@ -333,11 +344,11 @@ class Reader(LoopReader):
         raise self._unknown("a plane", name, "plane")
 
     def _kernel_of(self, call: tree.Call, first: str) -> str:
-        """Return the name of the convolution kernel that is the second argument of a call, such as
+        """Return the name of the convolution kernel that is the second argument of a call such as
         `any(PLANE, k)`.
 
-        `first` is the form of the first argument, for the message. Raises WrongPicture after
-        reporting an error."""
+        `first` is the form of the first argument for messages: "PLANE" or "EXPR". Raises
+        WrongPicture after reporting an error."""
         name, arguments = call.function.text, call.arguments
         if len(arguments) != 2 or not isinstance(arguments[1], tree.Name):
             what = "a plane" if first == "PLANE" else "an image"
@@ -356,8 +367,8 @@ class Reader(LoopReader):
         return kernel.text
 
     def _needs_outside(self, span: Span) -> None:
-        """Report at `span`, once for each program, that bits beyond the array are read but not
-        defined (NS0534)."""
+        """Report that bits beyond the array are read but not defined (NS0534), once for each
+        program."""
         if self.outside is not None or self._outside_asked:
             return
         self._outside_asked = True
@@ -372,10 +383,11 @@ class Reader(LoopReader):
     # --- both
 
     def _unknown(self, category: str, name: tree.Name, kind: str) -> WrongPicture:
-        """Report a name that cannot be used here, and return the exception to raise.
+        """Report a name that cannot be used here, and return the exception for the caller to raise.
 
-        `category` is what was expected, as text for the message; `kind` chooses which names are
-        suggested. Names that failed before are not reported again."""
+        `category` is what was expected, as text for the message; `kind` ("image", "plane",
+        "kernel", "function") chooses which names are suggested. Names whose declaration failed are
+        not reported again."""
         text = name.text
         if text in ("x", "y") and self.declared.version > 3:
             return self._report(
@@ -436,17 +448,19 @@ def _smaller(first: p.Value, second: p.Value) -> p.Value:
 
 
 def is_power_of_two(number: int) -> bool:
-    """Return whether `number` is a power of two, by which a pixel can divide."""
+    """Return whether `number` is 1, 2, 4, ..: a pixel can divide only by these."""
     return number > 0 and number & (number - 1) == 0
 
 
 def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
-    """Report at `span` that a pixel cannot divide by `divisor` (NS0532), with the nearest power of
-    two and how much the result changes."""
+    """Report a divisor that is not a power of two (NS0532).
+
+    The help is the power of two that changes the values least, and by how much."""
     helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
     fixes: tuple[Fix, ...] = ()
     if divisor > 0:
         low = 1 << (divisor.bit_length() - 1)
+        # The closer one as a ratio.
         power = low if divisor / low <= 2 * low / divisor else 2 * low
         percent = 100 * abs(divisor / power - 1)
         change = "larger" if power < divisor else "smaller"

@@ -19,12 +19,13 @@ _FAR = 8
 
 
 class LoopReader(PictureComparer):
-    """Converts what takes several steps to repeated images and planes.
+    """Converts what takes several steps - `repeat`, far shifts, floods - to repeated images and
+    planes.
 
-    `kinds`: the kinds of the names declared so far; a state is a plane. `failed`: names whose
-    expressions are invalid. `items`: the images and planes so far, with those that far shifts and
-    floods need. `floods`: the reports of whether floods were complete. `now`: the name that is
-    declared now."""
+    `kinds` has the kinds of the names declared so far; a state is a plane. `failed` are names whose
+    expressions are invalid. `items` are the images and planes so far, with those that far shifts
+    and floods add. `floods` are the reports of whether floods were complete. `now` is the name that
+    is being declared."""
 
     kernels: dict[str, p.Weights]
     outside: int | None
@@ -61,8 +62,9 @@ class LoopReader(PictureComparer):
     def _needs_outside(self, span: Span) -> None: ...
 
     def declare_places(self, name: str, condition: tree.Expr) -> bool:
-        """Declare a plane that depends on x and y only, which becomes an input plane; return
-        whether it does."""
+        """Declare a plane that depends on x and y only, which becomes an input plane.
+
+        Return False, and declare nothing, for any other condition and before version 4."""
         if self.declared.version < 4:
             return False
         plane = self.host.plane_of_places(condition, name)
@@ -71,8 +73,11 @@ class LoopReader(PictureComparer):
         return plane is not None
 
     def repeat(self, statement: tree.Repeat, name: str) -> None:
-        """Declare all names of a `repeat` when its first name is reached. Initial values, steps
-        and their number are checked, and errors reported."""
+        """Declare all names of a `repeat` statement when its first name is reached; do nothing for
+        later names.
+
+        Their initial values, their steps and the number of steps are checked, and errors reported.
+        """
         names = [item.name.text for item in statement.items]
         if name != names[0]:
             return
@@ -103,6 +108,7 @@ class LoopReader(PictureComparer):
         self._in_step = False
         for item, start, step in zip(statement.items, starts, steps, strict=True):
             if times is None or start is None or step is None:
+                # One invalid name makes the statement invalid; its names are not reported again.
                 self.kinds.pop(item.name.text, None)
                 self.failed.add(item.name.text)
                 continue
@@ -110,14 +116,16 @@ class LoopReader(PictureComparer):
             self.items.append(p.Picture(item.name.text, make(start, step, times, names[0])))
 
     def _node(self, kind: str, expr: tree.Expr) -> p.Node | None:
-        """Return an expression as an image or as a plane; None after an error."""
+        """Return an expression as an image or a plane, as `kind` says; None after reporting an
+        error."""
         return self.image(expr) if kind == "image" else self.condition(expr)
 
     def _shifted(self, expr: tree.Place, base: p.Node) -> p.Node:
-        """Return the node of an image or plane shifted by the offset of `expr`; long distances
-        become loops of steps.
+        """Return an image or plane shifted by the offset `[dx, dy]` of `expr`; far shifts become
+        loops.
 
-        Raises WrongPicture after reporting NS0541 for a shift beyond the array."""
+        Raises WrongPicture after reporting NS0541 for a shift beyond the array, or an invalid
+        offset."""
         for size, axis, what in (
             (self.target.cols, expr.right, "columns to the right"),
             (self.target.rows, expr.down, "rows down"),
@@ -140,11 +148,13 @@ class LoopReader(PictureComparer):
         return base
 
     def _along(self, base: p.Node, distance: p.Times, step: tuple[int, int], name: str) -> p.Node:
-        """Return an image or a plane that is shifted along one axis, by a constant distance or by a
-        parameter of the host.
+        """Return an image or plane shifted along one axis, by a constant or by a parameter of the
+        host.
 
-        `step` is the axis, and `name` names the loop that a long or variable distance needs."""
+        `step` is the axis: (1, 0) or (0, 1). `name` names the loop that a far or variable shift
+        needs."""
         if distance.param:
+            # A parameter may be negative: one loop for each direction, of which one has no steps.
             for sign in (1, -1):
                 part = p.Times(sign * distance.offset, 0, distance.param, sign * distance.factor)
                 param = self.host.params[distance.param]
@@ -157,6 +167,8 @@ class LoopReader(PictureComparer):
         sign, pixels = (1 if distance.offset > 0 else -1), abs(distance.offset)
         direct = _FAR if isinstance(base, p.Condition) else _FAR // 2
         if pixels > direct and not self._in_step:
+            # Each step moves 2 pixels. The start already does, and an odd pixel is left for the
+            # end.
             start = _one_shift(base, step, 2 * sign)
             times = p.Times(pixels // 2 - 1, pixels // 2 - 1)
             base, pixels = self._loop(name, base, start, times, step, 2 * sign), pixels % 2
@@ -172,10 +184,11 @@ class LoopReader(PictureComparer):
         step: tuple[int, int],
         pixels: int,
     ) -> p.Node:
-        """Declare the loop of a far shift under this name, unless it exists, and return its result.
+        """Declare the loop of a far shift under `name`, unless it exists, and return its result.
 
-        Each of the `times` steps shifts by `pixels` along `step`, beginning with `start`. Raises
-        WrongPicture inside `repeat`."""
+        Each of the `times` steps shifts by `pixels` along `step`, beginning with `start`. `base`
+        tells whether it is an image or a plane. Raises WrongPicture inside `repeat`, where loops
+        are not supported."""
         if self._in_step:
             raise self._report(
                 "NS0539",
@@ -192,14 +205,16 @@ class LoopReader(PictureComparer):
         return cast(p.Node, own)
 
     def _text_of(self, node: tree.Node) -> str:
-        """Return the text of a node in one line."""
+        """Return the source text of a node in one line."""
         return " ".join(self.problems.source.text[node.span.start : node.span.end].split())
 
     def _flood(self, call: tree.Call) -> p.Condition:
-        """Return the plane of those parts of a mask that are connected with a seed, and declare a
-        plane that tells whether it still grows.
+        """Return the plane of those parts of a mask that are connected with a seed: `flood(SEED,
+        MASK, KERNEL)`.
 
-        Raises WrongPicture after reporting wrong arguments (NS0531) or a second flood (NS0539)."""
+        Also declare a plane that tells whether it still grows after the last step, which is
+        reported. Raises WrongPicture after reporting wrong arguments (NS0531) or a second flood
+        (NS0539)."""
         name = self.now
         if len(call.arguments) != 3 or not isinstance(call.arguments[2], tree.Name):
             raise self._report(
@@ -238,6 +253,8 @@ class LoopReader(PictureComparer):
         step: p.Condition = p.Neither(p.Neither(flooded, near), area)
         pixels = self.target.propagation_pixels
         is_cross = self.kernels[around].taps.keys() == {*STEERING.values()}
+        # The chip's own propagation reaches the four neighbours and nothing beyond the array, many
+        # pixels a word.
         if pixels and is_cross and self.outside == 0:
             step = p.Propagated(flooded, p.Inverse(area), pixels)
             times = p.Times(-(-steps // pixels), -(-steps // pixels))
@@ -250,8 +267,9 @@ class LoopReader(PictureComparer):
         return flooded
 
     def _around(self, kernel: str) -> str:
-        """Return the name of a convolution kernel without the weight of its centre, which is
-        declared if necessary."""
+        """Return the name of a convolution kernel without the weight of its centre.
+
+        If the centre has a weight, that is a new kernel, which is declared here."""
         weights, name = self.kernels[kernel], f"{kernel} around"
         if (0, 0) not in weights.taps:
             return kernel
@@ -262,8 +280,8 @@ class LoopReader(PictureComparer):
 
 
 def _one_shift(base: p.Node, step: tuple[int, int], pixels: int) -> Any:
-    """Return the node of an image or plane shifted by `pixels` times `step`; the node itself for
-    0 pixels."""
+    """Return an image or plane shifted by `pixels` times `step` (columns, rows); itself for 0
+    pixels."""
     if not pixels:
         return base
     make: Any = p.At if isinstance(base, p.Condition) else p.Shifted

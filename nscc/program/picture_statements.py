@@ -47,7 +47,9 @@ _REPORTS = ("any", "events", "box", "count", "sum")
 
 
 class PictureMaker:
-    """Makes the images, planes, readouts and reports of a file, or reports what is wrong."""
+    """Checks the images, planes, readouts and reports of a file, or reports what is wrong.
+
+    `base` is the folder of the files that the program names."""
 
     def __init__(
         self,
@@ -57,8 +59,10 @@ class PictureMaker:
         base: Path,
         problems: Problems,
     ) -> None:
-        """Prepare to check the statements of images and planes; `base` is the folder of kernel
-        files."""
+        """Prepare to check the statements of images and planes.
+
+        `constants` are the meanings of N, rows, cols and `let` names. An unnamed bucket is called
+        "frame"."""
         self.declared, self.target, self.base, self.problems = declared, target, base, problems
         self.constants = constants_scope(declared, constants)
         self.buckets = [
@@ -67,10 +71,12 @@ class PictureMaker:
         self.named = [bucket for bucket in self.buckets if bucket != "frame"]
 
     def make(self) -> Pictures:
-        """Return the statements of version 3; something unusable after reporting errors.
+        """Return the images, planes, readouts and reports; an unusable result after reporting
+        errors.
 
-        Reports errors in kernels (NS0530), expressions (NS0531 to NS0535), readouts and reports
-        (NS0536) and assumptions (NS0537), and features that are not supported yet (NS0539)."""
+        Reports errors in convolution kernels (NS0530), expressions (NS0531 to NS0535), readouts and
+        reports (NS0536), assumptions (NS0537) and values of the host (NS0545), and features that
+        are not supported yet (NS0539)."""
         if not self._possible():
             return NO_PICTURES
         kernels = [self._kernel(kernel) for kernel in self.declared.kernels.values()]
@@ -146,8 +152,9 @@ class PictureMaker:
         return self._with_unit(pictures)
 
     def _with_unit(self, pictures: Pictures) -> Pictures:
-        """Choose how many steps of IN represent one count; report the error (NS0540) if the
-        largest count does not fit a register."""
+        """Choose how many steps of IN represent one count, and return `pictures` with that number.
+
+        Reports the error NS0540 if the largest count does not fit a register."""
         unit = count_unit(pictures, self.target)
         if unit is None or self.problems.has_errors():
             return pictures
@@ -170,13 +177,15 @@ class PictureMaker:
         return replace(pictures, count_steps=unit.steps)
 
     def _place(self) -> Span:
-        """Where the program first declares something about images."""
+        """Return the place of the first statement about images, for errors about the program as a
+        whole."""
         declared = self.declared
         kernels, nexts = declared.kernels.values(), declared.nexts.values()
         return [*declared.pictures, *declared.reports, *kernels, *declared.assumes, *nexts][0].span
 
     def _possible(self) -> bool:
-        """Return whether the chip and the other statements allow images; report if not."""
+        """Return whether the chip and the other statements allow images; report why not (NS0538,
+        NS0539)."""
         target = self.target
         lacks = None
         if not target.has_logic:
@@ -211,8 +220,10 @@ class PictureMaker:
         return True
 
     def _outside(self) -> int | None:
-        """Return the bit of planes beyond the array, or None if it is not declared. Other values
-        are reported."""
+        """Return the bit (0 or 1) that planes have outside the array (statement `outside`).
+
+        Return None if it is not declared. Other numbers are reported (NS0534), and their lowest bit
+        is returned."""
         outside = self.declared.outside
         if outside is None:
             return None
@@ -251,7 +262,7 @@ class PictureMaker:
         return self._weights(name, rows, divisor, kernel.span)
 
     def _from_file(self, kernel: tree.KernelFromFile) -> Weights | None:
-        """Read the weights of a convolution kernel from an .npz file; None after reporting an
+        """Return the weights of a convolution kernel from an .npz file; None after reporting an
         error."""
         try:
             file = ArraysFile(self.base / kernel.path.value, kernel.path.value)
@@ -268,8 +279,8 @@ class PictureMaker:
         return self._weights(kernel.name.text, array.tolist(), 1, kernel.path.span)
 
     def _weights(self, name: str, rows: Sequence[Any], divisor: int, span: Span) -> Weights | None:
-        """Return the convolution kernel `name` of `rows` over `divisor`; None after reporting at
-        `span` that it is invalid (NS0530)."""
+        """Return the convolution kernel `name` of these rows of integers; None after reporting that
+        it is invalid (NS0530)."""
         fault, helps = _kernel_fault(rows)
         if not fault:
             return Weights(name, tuple(map(tuple, rows)), divisor)
@@ -294,10 +305,10 @@ class PictureMaker:
     # --- kept states: they step once a frame, after all images and planes
 
     def _states(self, reader: Reader) -> tuple[KeptPlane, ...]:
-        """Return the states of a program with images or planes.
+        """Return the states of a program with images or planes, with their next values.
 
-        Report a state that is not a kept bit (NS0543), a start that is not 0 or 1 (NS0311), and a
-        `next` of an unknown state (NS0214)."""
+        Invalid ones are left out and reported: a state that is not a kept bit (NS0543), a start
+        that is not 0 or 1 (NS0311), a `next` of an unknown state (NS0214)."""
         declared = self.declared
         known = {**declared.states, **declared.kept_images}
         for name, step in declared.nexts.items():
@@ -311,8 +322,9 @@ class PictureMaker:
         return tuple(states)
 
     def _start(self, name: str, state: State) -> int | None:
-        """Return the initial bit of a state; None after reporting that it is not a kept bit, or not
-        0 or 1."""
+        """Return the initial bit of a state; None after reporting an error.
+
+        The state must be a kept bit (NS0543), and its start 0 or 1 (NS0311)."""
         if isinstance(state, tree.StateRange) or not state.kept:
             self.problems.error(
                 "NS0543",
@@ -336,9 +348,10 @@ class PictureMaker:
         return start
 
     def _next(self, name: str, reader: Reader) -> Condition | None:
-        """Return the value of a state after the frame: unchanged without a `next` statement, and
-        where its condition is 0. `name` is the state, and `reader` reads the statement's
-        expressions."""
+        """Return the value of the state `name` after a frame; None after reporting an error.
+
+        The state keeps its value without a `next` statement, and where the statement's condition is
+        0. `reader` reads the expressions."""
         step = self.declared.nexts.get(name)
         if step is None:
             return Bit(name)
@@ -354,7 +367,9 @@ class PictureMaker:
         return Joined("or", changed, unchanged)
 
     def _kept_images(self, reader: Reader) -> tuple[KeptImage, ...]:
-        """Return the states that are images; report one that is not kept or has an invalid start
+        """Return the states that are images, with their start in electrons and their next value.
+
+        Invalid ones are left out and reported: not kept, or a start that a register cannot hold
         (NS0543)."""
         images = []
         for name, state in self.declared.kept_images.items():
@@ -396,7 +411,8 @@ class PictureMaker:
     def _report(self, report: tree.Report, reader: Reader) -> PlaneReport | None:
         """Return the checked `report` statement; None after reporting an error.
 
-        `reader` knows the names of images and planes. Only events have a largest number."""
+        `reader` knows the names of images and planes. Only reports of events have a largest number.
+        """
         kind, plane = report.kind.text, report.plane.text
         if kind == "sum" and plane == "exposure" and len(self.buckets) == 1:
             plane = self.buckets[0]
@@ -445,8 +461,10 @@ class PictureMaker:
         self.problems.error("NS0536", message, span, "this report", helps=helps)
 
     def _limits(self) -> dict[str, float]:
-        """Return the largest exposure of each bucket in electrons: a full well, or less if the
-        program assumes so. Invalid assumptions are reported."""
+        """Return the largest exposure of each bucket in electrons, by name.
+
+        It is what PIX and a register hold, or less if an `assume` statement says so. Invalid
+        assumptions are reported and ignored."""
         target = self.target
         full_e = min(target.full_well_e, target.register_max_e)
         limits = dict.fromkeys(self.buckets, full_e)
@@ -484,8 +502,10 @@ class PictureMaker:
 
 
 def _kernel_fault(rows: Sequence[Any]) -> tuple[str, tuple[str, ...]]:
-    """Return what is wrong with the rows of a convolution kernel, as half a sentence with helps;
-    "" if it is valid."""
+    """Return what is wrong with the rows of a convolution kernel, as the end of a sentence, and
+    helps.
+
+    The texts are "" and () if it is valid."""
     widths = {len(row) for row in rows}
     add_zeros = ("add zeros: `[[0, 1, 1], ..]` instead of two columns `[[1, 1], ..]`",)
     if len(widths) > 1:

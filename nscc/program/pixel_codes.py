@@ -33,21 +33,23 @@ _DENSE = 2**20
 def codes_in_use(
     planes: Sequence[Plane], shape: tuple[int, int]
 ) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
-    """Return the distinct codes of the pixels, and the row of each pixel's code.
+    """Return the distinct codes of the pixels, int64 (codes, fields), and each pixel's row of them,
+    int32.
 
-    `planes` contains one array of `shape` (rows, cols) for each field. The codes (codes, fields)
-    are sorted by field values, first field first; without fields there is one code."""
+    `planes` contains one array of `shape` (rows, cols) for each field. The codes are sorted by
+    field values, first field first; without fields there is one code."""
     codes = np.zeros((1, 0), dtype=np.int64)
     at_pixel = np.zeros(shape, dtype=np.int64)
     for plane in planes:
         values, of_pixel = _ranked(plane)
+        # A number for each pair of the code so far and the next field's value, in their order.
         pairs, at_pixel = _ranked(at_pixel * len(values) + of_pixel)
         codes = np.column_stack((codes[pairs // len(values)], values[pairs % len(values)]))
     return codes, at_pixel.astype(np.int32)
 
 
 def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
-    """Return the distinct values of `plane`, ascending, and the index of each pixel's value."""
+    """Return the distinct values of an array, ascending, and the index of each element's value."""
     low = int(plane.min())
     span = int(plane.max()) - low + 1
     if span > _DENSE:
@@ -73,11 +75,13 @@ def codes_from(
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
-    """Return the row of `table.codes` at each pixel, from a file or from arrays by field name.
+    """Return the row of `table.codes` at each pixel, int32 (rows, cols), from a file or from arrays
+    by field name.
 
     There is one array for each field of `table`, under the field's name: integers (rows, cols), or
     single bits (see `nscc.program.field_planes.planes_of`). Messages call the file `shown`. `mode`
     "open" means that `table` contains every legal code. `ranges` returns the ranges of the fields.
+    It is called only for an error.
 
     Raises Rejected: NS0313 and NS0314 for the file, NS0314 for missing, additional or unsuitable
     arrays, NS0311 for a value outside its field's range, NS0312 for a code that the program
@@ -122,7 +126,10 @@ def codes_from(
 
 
 def refuse_outside(origin: str, name: str, plane: Plane, values: tuple[int, int]) -> None:
-    """Raise NS0311 if a pixel's value is outside `values`; messages name the source as `origin`."""
+    """Raise Rejected (NS0311) if a pixel's value of the field `name` is outside `values` (low,
+    high).
+
+    `plane` has the values of all pixels, and `origin` says in messages where they come from."""
     low, high = values
     outside = (plane < low) | (plane > high)
     if outside.any():
@@ -146,8 +153,9 @@ def _unknown(
     """Return the error for pixels whose code the program forbids (NS0312) or was not compiled for
     (NS0319).
 
-    `missing`, bool (rows, cols), marks these pixels, `planes` are their field values, and `origin`
-    says where they come from."""
+    `missing`, bool (rows, cols), marks these pixels. `planes` are their field values, and `origin`
+    says where they come from. With `mode` "open" the table has all legal codes, so that others are
+    forbidden."""
     y, x = first_place(missing)
     count = int(missing.sum())
     code = ", ".join(f"{n} = {p[y, x]}" for n, p in zip(table.fields, planes, strict=True))
@@ -174,10 +182,12 @@ def _unknown(
 def rows_of(
     codes: NDArray[np.int64], planes: Sequence[NDArray[np.int64]]
 ) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
-    """Return the row of `codes` (sorted, distinct) that matches `planes` at each place.
+    """Return the row of `codes` that equals the values of `planes` at each place, and where there
+    is none.
 
-    Also returns the places without a match. `planes` contains at least one array for a field, all
-    of equal shape."""
+    `codes` (codes, fields) are sorted and distinct. `planes` contains at least one array for a
+    field, all of equal shape. The results are int32 and bool of this shape; rows are arbitrary
+    where there is none."""
     shape = planes[0].shape
     unknown = np.zeros(shape, dtype=bool)
     # One field after the other: `known` numbers the distinct prefixes of the codes, and `at_pixel`

@@ -42,10 +42,10 @@ class Problems:
     note = partialmethod(add, Severity.NOTE)
 
     def unknown(self, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
-        """Add the error for an unknown name, with the closest of `known`.
+        """Add the error (NS0214) for an unknown name, with the most similar of the names `known`.
 
-        Each name is reported once. Only the first few get a suggestion, because the search is slow.
-        """
+        `kind` says what was expected. Each name is reported once. Only the first
+        `_MOST_SUGGESTIONS` get a suggestion, because the search is slow."""
         if name in self._unknown:
             return
         self._unknown.add(name)
@@ -62,8 +62,9 @@ class Problems:
         self.error("NS0214", message, span, "not known", helps=helps, fixes=fixes)
 
     def adopt(self, rejected: Rejected, span: Span) -> None:
-        """Add the diagnostics of an exception; those without a source get the program's text and
-        the place `span`."""
+        """Add the diagnostics of an exception, such as one from reading a file.
+
+        Those without a source get the program's text and the place `span`."""
         for diagnostic in rejected.diagnostics:
             if diagnostic.source is None:
                 diagnostic = replace(diagnostic, source=self.source, label=Label(span))
@@ -76,7 +77,7 @@ class Problems:
     def sorted(self) -> tuple[Diagnostic, ...]:
         """Return all diagnostics in the order of the text.
 
-        Errors beyond MOST_ERRORS are replaced by NS0190 with their number."""
+        Errors beyond MOST_ERRORS are replaced by one message with their number (NS0190)."""
         errors = 0
         shown: list[Diagnostic] = []
         for diagnostic in sorted(self._found, key=_place):
@@ -88,20 +89,21 @@ class Problems:
         return tuple(shown)
 
     def stop_on_errors(self) -> None:
-        """Raise Rejected if there are errors."""
+        """Raise Rejected with all diagnostics if there is an error."""
         if self.has_errors():
             raise Rejected(self.sorted())
 
 
 def _place(diagnostic: Diagnostic) -> tuple[int, int]:
-    """Return the sort key of a diagnostic: where its text begins and ends, -1 without a text."""
+    """Return the key by which diagnostics are sorted: start and end of their place, (-1, -1)
+    without one."""
     if diagnostic.label is None:
         return (-1, -1)
     return (diagnostic.label.span.start, diagnostic.label.span.end)
 
 
 def clipped(text: object, most: int = 60) -> str:
-    """Return `text` shortened in the middle to `most` characters."""
+    """Return a value as text of at most `most` characters, shortened in the middle."""
     shown = printable(text)
     if len(shown) <= most:
         return shown
@@ -110,7 +112,8 @@ def clipped(text: object, most: int = 60) -> str:
 
 
 def printable(text: object) -> str:
-    """Return `text` as a string; a description for an integer that is too long to print."""
+    """Return a value as text; of an integer of more than 256 bits only the number of bits."""
+    # Nobody reads so many digits, and Python refuses to write more than 4300.
     if isinstance(text, int) and not isinstance(text, bool) and text.bit_length() > 256:
         sign = "negative " if text < 0 else ""
         return f"a {sign}number of {text.bit_length()} bits"

@@ -23,11 +23,12 @@ Codes = Literal["fixed", "open"]
 
 
 class Field(Record):
-    """A field of the pixel code, with values `low`..`high`.
+    """A field of the pixel code, with the values `low`..`high`.
 
     `kind` is its declaration: a range, free bits (`bits` of them) or a row of the codebook `book`.
     `span` is the place of the declaration's range, bit count or book name, which a user would
-    change. A chunk of a long bit field (CHUNK_BITS) starts with bit number `first_bit` of it."""
+    change. A bit field of more than CHUNK_BITS bits is split into fields, called chunks, which
+    begin with its bit `first_bit`."""
 
     name: str
     kind: Literal["range", "bits", "row"]
@@ -40,7 +41,10 @@ class Field(Record):
 
 
 class SlotGrid(Record):
-    """The slots of a frame: the length of every slot in microseconds."""
+    """The slots of a frame: the length of every slot in microseconds, and whether all are `equal`.
+
+    `span` is the place of the `frame` statement, `count_span` that of the number of slots or their
+    lengths."""
 
     slot_us: tuple[float, ...]
     equal: bool
@@ -86,8 +90,10 @@ class Program(Record, eq=False):
 
     @property
     def spared_registers(self) -> tuple[str, ...]:
-        """The digital registers that images and planes need beside the pixel codes: those that
-        choose the neighbours of which bits are read."""
+        """The digital registers that must not hold pixel codes, because images and planes need
+        them.
+
+        They choose from which neighbour bits are read."""
         return (*STEERING,) if self.pictures.steering else ()
 
     def __repr__(self) -> str:
@@ -106,17 +112,20 @@ Plane = NDArray[np.int64]
 
 
 def chunk_name(field: str, chunk: int) -> str:
-    """Return the name of a field's chunk number `chunk`."""
+    """Return the name of chunk number `chunk` of a field: `bits` for 0, then `bits.62`, `bits.124`
+    and so on."""
     return field if chunk == 0 else f"{field}.{chunk * CHUNK_BITS}"
 
 
 def whole_name(column: str) -> str:
-    """Return the name of the field to which the chunk `column` belongs."""
+    """Return the name of the field to which the chunk `column`, such as `bits.62`, belongs."""
     return column.partition(".")[0]
 
 
 def chunks_of(field: Field) -> Iterator[Field]:
-    """Yield the chunks of a field, each as a field; a field that fits one integer yields itself."""
+    """Yield the chunks of a field, each as a field of at most CHUNK_BITS bits.
+
+    A field that fits one integer yields itself."""
     bits = field.bits or 0
     if bits <= CHUNK_BITS:
         yield field
@@ -133,7 +142,8 @@ def chunks_of(field: Field) -> Iterator[Field]:
 
 
 def chunks_of_bits(bits: NDArray[np.integer]) -> list[Plane]:
-    """Return bits (rows, cols, K), bit 0 first, packed into the planes of chunks."""
+    """Return single bits (rows, cols, K), bit 0 first, packed into one int64 array (rows, cols) for
+    each chunk."""
     chunks = []
     for first in range(0, bits.shape[2], CHUNK_BITS):
         chunk_bits = bits[:, :, first : first + CHUNK_BITS].astype(np.int64)
@@ -142,7 +152,8 @@ def chunks_of_bits(bits: NDArray[np.integer]) -> list[Plane]:
 
 
 def grouped(names: Sequence[str]) -> dict[str, list[str]]:
-    """Return the columns `names` of a decode table, grouped by field name."""
+    """Return the columns of a decode table by the name of their field; a long bit field has
+    several."""
     columns_of_field: dict[str, list[str]] = {}
     for name in names:
         columns_of_field.setdefault(whole_name(name), []).append(name)

@@ -32,7 +32,7 @@ class TooMuch(Exception):
     """Raised if codes, slots or operations exceed a limit."""
 
     def __init__(self, message: str, required: int, available: int) -> None:
-        """Say what is too much, with the required and the available number."""
+        """Store the message, and the number that is required and the one that is available."""
         super().__init__(message)
         self.message = message
         self.required = required
@@ -41,7 +41,9 @@ class TooMuch(Exception):
 
 @dataclass(eq=False, repr=False)
 class MissingValue:
-    """An expression without a value: the reason, the first code and slot, and the number of
+    """An expression that has no value for some codes and slots.
+
+    `fault` is the reason, `place` describes the first code and slot, and `count` is the number of
     cases."""
 
     fault: Fault
@@ -60,16 +62,17 @@ class NoValue(Exception):
     """Raised for expressions without a value, with one entry for each."""
 
     def __init__(self, findings: Sequence[MissingValue]) -> None:
-        """Say which rules have no value, and why."""
+        """Store the expressions that have no value; the exception's text are their faults."""
         super().__init__("; ".join(f.fault.message for f in findings))
         self.findings = tuple(findings)
 
 
 @dataclass(eq=False, repr=False)
 class Rules:
-    """The checked rules that define codes and shutters.
+    """The checked expressions that define codes and shutters.
 
-    `rules` has one boolean expression for each bucket; `slots` is N."""
+    `requires` are the conditions on codes. `rules` has one boolean expression for each bucket.
+    `books` are the codebooks by name, and `slots` is N."""
 
     fields: tuple[Field, ...]
     requires: Sequence[Checked]
@@ -84,7 +87,7 @@ class Rules:
 
 
 def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
-    """Return which of `codes` (codes, fields) satisfy every `require`.
+    """Return which of `codes` (codes, fields) satisfy every `require`, as bool (codes,).
 
     Conditions are evaluated in order, each for the codes that satisfy the previous ones. Raises
     NoValue if a condition has no value, TooMuch beyond the work limit."""
@@ -104,7 +107,8 @@ def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
 
 
 def legal_codes(rules: Rules) -> CodeArray:
-    """Return every code that fields and `require` allow, sorted by field values.
+    """Return every code that fields and `require` allow, int64 (codes, fields), sorted by field
+    values.
 
     Raises TooMuch if limits on combinations or codes are exceeded; NoValue if a condition has no
     value."""
@@ -123,6 +127,7 @@ def legal_codes(rules: Rules) -> CodeArray:
         number = np.arange(block.start, block.stop, dtype=np.int64)
         codes = np.empty((len(number), len(sizes)), dtype=np.int64)
         for k in range(len(sizes) - 1, -1, -1):
+            # The number of a combination, written in digits: the last field changes fastest.
             number, codes[:, k] = np.divmod(number, sizes[k])
             codes[:, k] += rules.fields[k].low
         block_codes = codes[allowed(rules, codes)] if rules.requires else codes
@@ -165,8 +170,10 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
 def _decoded(
     rules: Rules, rule: Checked, codes: CodeArray
 ) -> tuple[NDArray[np.bool_], MissingValue | None]:
-    """Return whether each shutter is open, bool (codes, slots), and the first missing value of
-    the rule or None."""
+    """Return whether the shutter of each code is open, bool (codes, slots), and the first missing
+    value.
+
+    The latter is None if the rule has a value for all codes and slots."""
     shape = (len(codes), rules.slots)
     bindings = _bindings(rules, codes)
     bindings["n"] = Value(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))
@@ -179,7 +186,8 @@ def _decoded(
 
 
 def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
-    """Return the fields of `codes` as columns (codes, 1)."""
+    """Return the values of the fields of `codes` as columns (codes, 1), and their numbers of bits,
+    by name."""
     bindings: dict[str, Value] = {}
     for k, field in enumerate(rules.fields):
         column = np.ascontiguousarray(codes[:, k]).reshape(-1, 1)
@@ -191,13 +199,14 @@ def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
 
 
 def code_text(rules: Rules, code: CodeArray) -> str:
-    """Return one code (fields,) for messages: `start = 3, stop = 7`."""
+    """Return one code (fields,) for messages, such as `start = 3, stop = 7`; at most six fields."""
     assignments = [f"{f.name} = {v}" for f, v in zip(rules.fields, code.tolist(), strict=True)]
     return ", ".join(assignments[:6]) + (", ..." if len(assignments) > 6 else "")
 
 
 def _blocks(count: int, width: int) -> Iterator[slice]:
-    """Yield slices of `count` rows with at most _BLOCK values, with `width` values per row."""
+    """Yield slices that divide `count` rows of `width` values into blocks of at most `_BLOCK`
+    values."""
     step = max(1, _BLOCK // max(width, 1))
     for start in range(0, count, step):
         yield slice(start, min(start + step, count))
@@ -208,7 +217,8 @@ UNCOUNTED = 2**72
 
 
 def _limit_codes(rules: Rules, codes: int) -> None:
-    """Raise TooMuch if this number of codes cannot be proved, or takes too much memory."""
+    """Raise TooMuch if this number of codes is more than nscc can prove, or takes too much
+    memory."""
     buckets = len(rules.rules)
     needed = codes * buckets * rules.slots
     if needed > PROOF_LIMIT:
@@ -229,8 +239,8 @@ def _limit_codes(rules: Rules, codes: int) -> None:
 
 
 def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) -> None:
-    """Raise TooMuch if evaluating the expressions for all codes and slots takes too many
-    operations."""
+    """Raise TooMuch if evaluating the expressions for all codes and slots takes more than
+    `WORK_LIMIT` operations."""
     sizes = {field.name: (0, codes) for field in rules.fields}
     sizes["n"] = (1, slots)
     needed = sum(work(expr, sizes) for expr in exprs)
@@ -241,7 +251,8 @@ def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) 
 
 
 def distinct_rows(packed: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.int32]]:
-    """Return the distinct rows in bit order, and the index of every row among them."""
+    """Return the distinct rows of packed bits, sorted bit by bit, and the index of every row among
+    them."""
     # Rows as opaque bytes compare from their first byte on.
     keys = np.ascontiguousarray(packed).view(f"V{packed.shape[1]}")[:, 0]
     _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)

@@ -12,9 +12,10 @@ from nscc.syntax import tree
 def judge_values(
     expressions: Sequence[Checked], ranges: Mapping[str, tuple[int, int]], problems: Problems
 ) -> None:
-    """Warn about variables that are compared with a constant beyond their range (NS0358).
+    """Warn about variables that are compared by `==` or `!=` with a value that they never have
+    (NS0358).
 
-    `ranges` are the least and greatest values of variables."""
+    `ranges` are the least and greatest values of variables by name."""
     for checked in expressions:
         for node in checked.nodes:
             if not isinstance(node, tree.Compare) or node.ops not in (("==",), ("!=",)):

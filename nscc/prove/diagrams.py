@@ -75,8 +75,9 @@ class Diagrams:
         return self._values.get(node)
 
     def first_value(self, node: int) -> Fraction:
-        """Return a nonzero number among a diagram's leaves, the same for equal diagrams; 0 for the
-        zero diagram."""
+        """Return the first number other than 0 among a diagram's leaves; 0 for the zero diagram.
+
+        Equal diagrams give the same number, which `Forms.positive` uses to scale forms."""
         stack = [node]
         visited = set()
         while stack:
@@ -92,7 +93,8 @@ class Diagrams:
         return Fraction(0)
 
     def support(self, node: int) -> frozenset[int]:
-        """Return the numbers of the variables on which the diagram `node` depends."""
+        """Return the numbers of the variables (answers of comparisons) on which a diagram
+        depends."""
         variables = self._support.get(node)
         if variables is None:
             variable, low, high = self._nodes[node]
@@ -131,15 +133,16 @@ class Diagrams:
         return product
 
     def multiples(self, factor: Fraction) -> dict[int, int]:
-        """Return the products with a fraction computed so far, by node."""
+        """Return the known products with a fraction, by node; callers may add to the mapping."""
         return self._multiples.setdefault(factor.as_integer_ratio(), {})
 
     def chosen(self, bit: int, then: int, otherwise: int) -> int:
-        """Return `then` where the bit is 1 and `otherwise` where it is 0."""
+        """Return the number `then` where the bit is 1 and `otherwise` where it is 0."""
         return self.add(self.times(bit, then), self.times(self.inverse(bit), otherwise))
 
     def _apply(self, name: str, a: int, b: int) -> int:
-        """Return the diagram of a + b, a * b, a | b or a ^ b. Results are cached.
+        """Return the diagram of a + b, a * b, a | b or a ^ b; `name` is the operator. Results are
+        cached.
 
         Both diagrams are followed from the top; at each node, the variable that is first in the
         order is decided. `a` and `b` may be exchanged, because all four operations are commutative.
@@ -169,8 +172,10 @@ class Diagrams:
         return result
 
     def _node(self, variable: int, low: int, high: int) -> int:
-        """Return the diagram that is `low` where `variable` is 0 and `high` where it is 1; the same
-        diagram for the same arguments."""
+        """Return the node that branches to `low` where the variable is 0 and to `high` where it is
+        1.
+
+        Equal branches need no node, and an existing node with the same branches is used again."""
         if low == high:
             return low
         key = (variable, low, high)
@@ -178,7 +183,9 @@ class Diagrams:
         return self._add(key, key) if number is None else number
 
     def _add(self, key: object, node: tuple[int, int, int]) -> int:
-        """Append a node and return its number; raise TooLarge beyond `MOST_NODES`."""
+        """Append a node, which can be found by `key`, and return its number.
+
+        Raises TooLarge beyond `MOST_NODES`."""
         if len(self._nodes) >= MOST_NODES:
             raise TooLarge
         self._nodes.append(node)
@@ -207,7 +214,10 @@ BEYOND = "beyond the array"
 
 @dataclass
 class Forms:
-    """The forms of one proof, on an array of `rows` x `cols` pixels."""
+    """The values of pixels in one proof, on an array of `rows` x `cols` pixels.
+
+    A form is an exact weighted sum of unknowns, such as exposures: {unknown: diagram of its
+    factor}."""
 
     rows: int
     cols: int
@@ -219,7 +229,7 @@ class Forms:
     _propagated: dict[tuple[int, int, tuple[int, int]], int] = field(default_factory=dict)
 
     def places(self) -> list[tuple[int, int]]:
-        """Return all pixels (x, y), row by row."""
+        """Return the places (x, y) of all pixels, row by row."""
         return [(x, y) for y in range(self.rows) for x in range(self.cols)]
 
     def inside(self, x: int, y: int) -> bool:
@@ -227,24 +237,27 @@ class Forms:
         return 0 <= x < self.cols and 0 <= y < self.rows
 
     def exposure(self, bucket: str, x: int, y: int) -> Form:
-        """Return the exposure of a bucket at a pixel as a weighted sum: itself, once."""
+        """Return the exposure of a bucket at a pixel as a weighted sum: one unknown with the factor
+        1."""
         return {(bucket, x, y): self.diagrams.one}
 
     def beyond(self) -> Form:
-        """Return a new unknown value outside the array."""
+        """Return a new unknown for a value outside the array, different from all others."""
         self._fresh += 1
         return {(BEYOND, self._fresh, 0): self.diagrams.one}
 
     def kept_bit(self, state: str, at: tuple[int, int]) -> int:
-        """Return the unknown bit of a state at a pixel before the frame; the same variable at
-        every call."""
+        """Return the bit of a state at the pixel `at` (x, y) before the frame.
+
+        It is an unknown: a variable that is the same at every call."""
         key = (state, *at)
         if key not in self._kept:
             self._kept[key] = self.diagrams.new_variable(at)
         return self._kept[key]
 
     def propagated(self, bit: int, mask: int, at: tuple[int, int]) -> int:
-        """Return the unknown bit of a propagation.
+        """Return the bit at the pixel `at` after a propagation of `bit` under `mask`, as an
+        unknown.
 
         The same bits and masks in all pixels give the same result. As the proof compares all
         pixels, a bit and a mask that are equal in one pixel may share the unknown there."""
@@ -256,7 +269,10 @@ class Forms:
         return self._propagated[key]
 
     def counted(self, bit: int, steps: Fraction) -> Form:
-        """Return `steps` of IN where a bit is 1, else 0. A bit and its inverse share an unknown."""
+        """Return `steps` of IN (the value that all pixels receive) where a bit is 1, else 0, as a
+        weighted sum.
+
+        A bit and its inverse share an unknown."""
         diagrams = self.diagrams
         if bit == diagrams.zero:
             return {}
@@ -264,12 +280,13 @@ class Forms:
             return {IN: diagrams.leaf(steps)}
         inverse = diagrams.inverse(bit)
         if inverse < bit:
+            # A bit is 1 minus its inverse, so of the two only the lower node becomes an unknown.
             return {IN: diagrams.leaf(steps), (COUNTED, inverse, 0): diagrams.leaf(-steps)}
         return {(COUNTED, bit, 0): diagrams.leaf(steps)}
 
     def sum(self, *terms: tuple[Fraction, Form]) -> Form:
-        """Return the sum of forms, each multiplied by its factor; unknowns with a coefficient of
-        0 are left out."""
+        """Return the sum of `terms`, each a (factor, form); unknowns whose factors cancel are left
+        out."""
         diagrams, zero = self.diagrams, self.diagrams.zero
         total: dict[Unknown, int] = {}
         for factor, form in terms:
@@ -283,7 +300,10 @@ class Forms:
         return {unknown: number for unknown, number in total.items() if number != zero}
 
     def chosen(self, bit: int, then: Form, otherwise: Form) -> Form:
-        """Return `then` where the bit is 1 and `otherwise` where it is 0."""
+        """Return the form `then` where the bit is 1 and `otherwise` where it is 0.
+
+        If they differ by a number of steps of IN, the result is linear in an unknown of the bit.
+        Otherwise the factors of all unknowns branch on the bit."""
         diagrams = self.diagrams
         if bit == diagrams.one:
             return then
@@ -301,7 +321,7 @@ class Forms:
         return {unknown: number for unknown, number in numbers.items() if number != zero}
 
     def _steps_between(self, first: Form, second: Form) -> Fraction | None:
-        """Return `first` - `second` if it is a constant number of steps of IN, else None."""
+        """Return `first` - `second` if that is a constant number of steps of IN, else None."""
         if {**first, IN: 0} != {**second, IN: 0}:
             return None
         zero = self.diagrams.zero
@@ -309,10 +329,11 @@ class Forms:
         return None if steps[0] is None or steps[1] is None else steps[0] - steps[1]
 
     def positive(self, form: Form, at: tuple[int, int]) -> int:
-        """Return the bit that tells whether a form of the pixel `at` is above 0.
+        """Return the bit that tells whether a weighted sum of the pixel `at` (x, y) is above 0.
 
-        Either a form or its negative counts as positive, because comparators do not detect equal
-        charges. The sign of 0 is unknown."""
+        Sums that differ by a positive factor give the same bit, and by a negative factor its
+        inverse: comparators do not detect equal charges. The sign of 0 is unknown. Only a constant
+        number of steps of IN is decided here; other bits are new variables."""
         diagrams = self.diagrams
         unknowns = sorted(form)
         if unknowns == [IN] and (steps := diagrams.value(form[IN])) is not None:
@@ -329,18 +350,19 @@ class Forms:
         return answer if first > 0 else diagrams.inverse(answer)
 
     def depends_beyond(self, value: Form | int) -> bool:
-        """Return whether a form, or a bit, depends on light outside the array."""
+        """Return whether a form, or a bit (an int), depends on light outside the array."""
         if not isinstance(value, int) and any(kind == BEYOND for kind, *_ in value):
             return True
         return bool(self._beyond) and self._depends_on(value, self._beyond)
 
     def compares_equal(self, value: Form | int) -> bool:
-        """Return whether a form, or a bit, depends on the sign of 0."""
+        """Return whether a form, or a bit (an int), depends on the sign of 0: on comparing equal
+        values."""
         sign_of_0 = self._answers.get(())
         return sign_of_0 is not None and self._depends_on(value, self.diagrams.support(sign_of_0))
 
     def _depends_on(self, value: Form | int, variables: Set[int]) -> bool:
-        """Return whether a bit or a form depends on one of these variables."""
+        """Return whether a form, or a bit (an int), depends on one of these variables."""
         bits = [value] if isinstance(value, int) else list(value.values())
         if not isinstance(value, int):
             bits += [bit for kind, bit, _ in value if kind == COUNTED]

@@ -15,17 +15,16 @@ Bits = dict[Place, int]
 
 
 def reaches(pictures: p.Pictures, *, of_a_step: bool = False) -> dict[str, Reach]:
-    """Return the reach in one frame of every image, plane and state of the program text.
+    """Return the reach in one frame of every image, plane and state of the program text, by name.
 
-    With `of_a_step`, repeated names count as given: the result has the reach of their starts and of
-    one step."""
+    With `of_a_step`, the values of repeated statements count as given. The result then has the
+    reach of their start values and of one step."""
     reach_of: dict[str, Reach] = {}
     weights = pictures.weights_by_name
     states = {*pictures.stepping}
 
     def reach(node: p.Node) -> Reach:
-        """Return how far away (pixels, in four directions) the pixels are on which a node's value
-        depends."""
+        """Return how far away, in pixels and four directions, an expression reads other pixels."""
         if isinstance(node, p.Source | p.Bit):
             return Reach() if node.name in states else reach_of.get(node.name, Reach())
         joined = Reach().joined(*map(reach, p.operands(node)))
@@ -66,16 +65,18 @@ def reaches(pictures: p.Pictures, *, of_a_step: bool = False) -> dict[str, Reach
 
 
 class PictureMeaning:
-    """The images and planes of a text on the array of `forms`.
+    """The images and planes of a program text, computed from the text alone, on the small array of
+    `forms`.
 
-    Images are also defined outside the array, as forms in the light there: one convolution kernel
-    may read across the border, and the next may read back. Bits outside the array are the text's
+    The value of an image is a form: an exact weighted sum of unknowns, such as the exposures of
+    pixels. Images are also defined outside the array, because one convolution kernel may read
+    across the border and the next may read back. Bits outside the array are those of the statement
     `outside`."""
 
     def __init__(self, pictures: p.Pictures, forms: Forms) -> None:
-        """Prepare to evaluate images and planes on the small array of `forms`.
+        """Prepare to evaluate the images and planes `pictures` on the small array of `forms`.
 
-        Kept and repeated values are unknowns. Results are cached by node and pixel."""
+        Kept and repeated values are unknowns. Results are cached by expression and pixel."""
         self.pictures, self.forms, self.weights = pictures, forms, pictures.weights_by_name
         self.nodes = pictures.expressions
         # Names whose values are unknowns: before a frame, or before a step.
@@ -90,7 +91,8 @@ class PictureMeaning:
         self._bits: dict[tuple[int, Place], int] = {}
 
     def value(self, name: str, at: Place) -> Form | int:
-        """Return an image, a plane, a bucket or the next value of a state at a pixel."""
+        """Return an image, a bucket (weighted sums), a plane or the next value of a state (bits) at
+        the pixel `at` (x, y)."""
         node = self.nodes.get(name)
         if node is None:
             if name in self.planes:
@@ -99,19 +101,20 @@ class PictureMeaning:
         return self.of(node, at)
 
     def of(self, node: p.Node, at: Place) -> Form | int:
-        """Return an expression at a place."""
+        """Return the value of an expression at the pixel `at` (x, y): the bit of a condition, or
+        the weighted sum of an image."""
         return self.bit(node, at) if isinstance(node, p.Condition) else self.image(node, at)
 
     def image(self, value: p.Value, at: Place) -> Form:
-        """Return the exact form of an image at `at` (column, row), also for pixels outside the
-        array."""
+        """Return an image expression at `at` (x, y), which may be outside the array, as an exact
+        weighted sum of exposures and other unknowns."""
         form = self._images.get((id(value), at))
         if form is None:
             form = self._images[id(value), at] = self._image(value, at)
         return form
 
     def _image(self, value: p.Value, at: Place) -> Form:
-        """Return the exact form of an image at pixel `at`, column and row of the small array."""
+        """Compute what `image` returns, which caches it."""
         forms, (x, y) = self.forms, at
         match value:
             case p.Source():
@@ -161,12 +164,14 @@ class PictureMeaning:
             case p.Agreement():
                 if not forms.inside(x, y):
                     return forms.beyond()
-                # A count: 2 * bit - 1 with the sign of the weight, for each pixel.
+                # Only the sign of a weight counts.
                 bits: list[Form] = []
                 all_steps = Fraction(0)
                 for (dx, dy), weight in self.weights[value.kernel].taps.items():
                     steps = self.count_steps if weight > 0 else -self.count_steps
                     bit = self.bit(value.condition, (x + dx, y + dy))
+                    # A bit counts as +1 or -1, which is 2 * bit - 1; the -1 of all bits are added
+                    # up below.
                     bits.append(forms.counted(bit, 2 * steps))
                     all_steps += steps
                 ones = forms.counted(forms.diagrams.one, -all_steps)
@@ -174,8 +179,10 @@ class PictureMeaning:
         assert_never(value)
 
     def bit(self, condition: p.Condition, at: Place) -> int:
-        """Return the diagram of a plane's bit at `at` (column, row); pixels outside the array
-        have the bit that `outside` declares."""
+        """Return the decision diagram of a condition at the pixel `at` (x, y): its bit for all
+        answers of comparisons.
+
+        Pixels outside the array have the bit that the statement `outside` declares."""
         if not self.forms.inside(*at):
             return self.outside
         diagram = self._bits.get((id(condition), at))
@@ -184,8 +191,7 @@ class PictureMeaning:
         return diagram
 
     def _bit(self, condition: p.Condition, at: Place) -> int:
-        """Return the decision diagram of a plane's bit at pixel `at`, column and row of the small
-        array."""
+        """Compute what `bit` returns for a pixel of the array, which caches it."""
         forms, diagrams, (x, y) = self.forms, self.forms.diagrams, at
         match condition:
             case p.Bit():

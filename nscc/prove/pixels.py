@@ -38,7 +38,8 @@ class Noise:
         self._next = seed << 32
 
     def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
-        """Return distinct values between 1/4 and 1: (rows, columns)."""
+        """Return the next values of the stream, distinct and between 1/4 and 1: float64 (rows,
+        columns)."""
         end = self._next + rows * columns
         x = np.arange(self._next, end, dtype=np.uint64)
         self._next = end
@@ -72,20 +73,23 @@ class ReplayError(Exception):
     """Raised for an error in the words; it contains the description, the bucket and the shutter."""
 
     def __init__(self, reason: str, bucket: str | None = None, shutter: int | None = None) -> None:
-        """Say why a replay fails, and for which bucket and shutter."""
+        """Store the reason why a replay fails, and the bucket and shutter concerned; None if all
+        are."""
         super().__init__(reason)
         self.reason, self.bucket, self.shutter = reason, bucket, shutter
 
 
 class ReplayPixels:
-    """A replay of the words of a container in several lanes, frame by frame. A lane is a pixel.
+    """A replay of the words of a container, frame by frame, for all pixels that a proof
+    distinguishes.
 
-    `kernels` are the decoded words of the container; `encoding` bool (lanes, registers) is loaded
-    by the host. An analog value has several parts in each lane: `lights` charges in electrons,
-    then `terms` terms of a linear form, which start at zero. With `quiet`, analog values that were
-    never written are zero, and the result of a word is NaN where FLAG is unknown. `transitions`
-    counts the lanes that comparisons produced, one for each lane before and each answer. `doubts`
-    describes why known bits became unknown, and which analog word first found FLAG unknown."""
+    Each such pixel is a lane. `kernels` are the decoded words of the container; `encoding` bool
+    (lanes, registers) is loaded by the host. An analog value has several parts in each lane:
+    `lights` charges in electrons, then `terms` terms of a linear form, which start at zero. With
+    `quiet`, analog values that were never written are zero, and the result of a word is NaN where
+    FLAG is unknown; else both are random. `transitions` counts the answers of comparisons that were
+    followed, in all lanes. `doubts` tell why known bits became unknown, and which analog word first
+    found FLAG unknown."""
 
     def __init__(
         self,
@@ -97,12 +101,9 @@ class ReplayPixels:
         terms: int = 0,
         quiet: bool = False,
     ) -> None:
-        """Begin a replay with one lane (a pixel that the proof distinguishes) for each row of
-        `encoding`.
+        """Begin a replay with one lane for each row of `encoding`; see the class for the arguments.
 
-        `kernels` are the words as operations, `encoding` the bits of the code registers, bool
-        (lanes, registers). A value has a part for each of `lights` and of `terms`. `quiet` collects
-        doubts without raising them. Registers that are not loaded are unknown."""
+        Registers that are not loaded are unknown."""
         self.container, self.kernels, self.target = container, kernels, container.target
         self.lights, self.parts, self.quiet = lights, lights + terms, quiet
         self.doubts: list[str] = []
@@ -126,13 +127,14 @@ class ReplayPixels:
     # Lanes.
 
     def _resize(self, lanes: int) -> None:
-        """Change the number of lanes that the replay distinguishes."""
+        """Set the number of lanes, and forget which of them have FLAG = 1."""
         self.lanes, self.everything = lanes, (1 << lanes) - 1
         self._split: tuple[Bits, Lanes, Lanes | None] = (UNKNOWN, slice(0, 0), slice(None))
 
     def choose(self, lanes: NDArray[np.intp]) -> None:
-        """Replace the lanes by those with these indices, which may be repeated (to follow two
-        answers) or left out."""
+        """Replace the lanes (pixels that the proof distinguishes) by those with these indices.
+
+        An index may be repeated, to follow two answers of one pixel, or left out."""
         vectors = [vector for bits in self.bits.values() for vector in bits]
         chosen = iter(columns(rows(vectors, self.lanes)[lanes]))
         self.bits = {name: (next(chosen), next(chosen)) for name in self.bits}
@@ -140,11 +142,13 @@ class ReplayPixels:
         self._resize(len(lanes))
 
     def known(self, bits: NDArray[np.bool_]) -> list[Bits]:
-        """Return known bits (lanes, registers) as one value for each register."""
+        """Return known bits, bool (lanes, registers), as a pair of truth vectors for each
+        register."""
         return [(ones, self.everything & ~ones) for ones in columns(bits)]
 
     def code_bits(self, encoding: NDArray[np.bool_]) -> dict[str, Bits]:
-        """Return the contents of the code registers in all lanes, from the rows of `encoding`."""
+        """Return the contents of the code registers by name, from `encoding` bool (lanes, digital
+        registers)."""
         registers, names = self.target.digital_registers, self.container.code_registers
         places = [registers.index(name) for name in names]
         return dict(zip(names, self.known(encoding[:, places]), strict=True))
@@ -152,12 +156,17 @@ class ReplayPixels:
     # Frames.
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light` (N,); raise ReplayError if it differs from the program."""
+        """Run one frame in `light`, float64 (N,), in electrons per slot.
+
+        Raises ReplayError if the result differs from the program. Subclasses define what is
+        compared."""
         raise NotImplementedError
 
     def start_frame(self) -> None:
-        """Begin the next frame: analog registers are unknown, and digital ones that no frame
-        writes have decayed."""
+        """Begin the next frame: all analog registers, PIX and IN are unknown.
+
+        From the second frame on, digital registers that the frame before did not write are unknown,
+        too."""
         if self._frame:
             # The chip runs frame after frame: a bit that no frame writes decays.
             self._written_us.update(dict.fromkeys(self._never_written, -inf))
@@ -168,8 +177,10 @@ class ReplayPixels:
             self.analog[name] = np.full((self.lanes, self.parts), value)
 
     def run_launches(self, boundary: int) -> None:
-        """Set the time to a boundary, and run the kernels that are launched there, with their
-        values of IN."""
+        """Set the time to a boundary, and run the kernels (lists of words) that the program starts
+        there.
+
+        A start may set IN, the value that all pixels receive, before its words run."""
         self._boundary = boundary
         self._now_us = self._start_us + float(self._boundary_us[boundary])
         for launch in self.launches.get(boundary, ()):
@@ -179,8 +190,10 @@ class ReplayPixels:
                 self.run(word)
 
     def end_frame(self) -> None:
-        """End a frame, including its readout; images and planes may overwrite all but code
-        registers."""
+        """Set the time to the end of the frame and its readout.
+
+        If the program has images or planes, all digital registers but those of the code become
+        unknown: the words that compute them are proved elsewhere."""
         if self.container.pictures.launches:
             for name in self.bits.keys() - {*self.container.code_registers}:
                 self.write(name, UNKNOWN)
@@ -189,12 +202,15 @@ class ReplayPixels:
         self._now_us += self.target.readout_us * len(self.container.readouts)
 
     def set_in(self, level: int) -> None:
-        """Set IN to `level` steps."""
+        """Set the charge that IN supplies to `level` steps, in all lanes."""
         self.analog["IN"][:] = 0.0
         self.analog["IN"][:, : self.lights] = level * self.target.electrons_per_step
 
     def _noise(self, rows: int) -> Values:
-        """Return values for registers that were never written, equal in all lanes (rows, parts)."""
+        """Return values for registers that were never written, float64 (rows, parts), for all lanes
+        alike.
+
+        Lights are random, or zero with `quiet`; terms are zero."""
         values = np.zeros((rows, self.parts))
         if not self.quiet:
             values[:, : self.lights] = self._random.levels(rows, self.lights)
@@ -203,7 +219,9 @@ class ReplayPixels:
     # Words.
 
     def run(self, word: Op) -> None:
-        """Run a word in every lane, as FLAG and the target's rules allow it."""
+        """Run a word in every lane, as FLAG and the target's rules allow it.
+
+        Raises nothing: a result that a real chip does not determine becomes unknown."""
         match word.operation.effect:
             case WordEffect.RESET_PIX:
                 lanes: Lanes = slice(None)
@@ -216,6 +234,7 @@ class ReplayPixels:
                 self._store("PIX", self._reset_level, lanes, unsure)
             case WordEffect.BUS:
                 lanes, unsure = self._flagged(str(word))
+                # A bus word writes the negative of the sum of its sources.
                 value = self.total(word, lanes) / -word.operation.divisor
                 for name in word.destinations:
                     self._store(name, value, lanes, unsure)
@@ -229,13 +248,14 @@ class ReplayPixels:
                 self._digital(word)
 
     def _store(self, name: str, value: Values, lanes: Lanes, unsure: Lanes | None) -> None:
-        """Store an analog value in `lanes`; it is unknown in the lanes `unsure`."""
+        """Store an analog value, float64 (lanes, parts), in the pixels `lanes`; in those of
+        `unsure` it becomes unknown."""
         self.analog[name][lanes] = value
         if unsure is not None:
             self.analog[name][unsure] = np.nan if self.quiet else self._noise(1)
 
     def total(self, word: Op, lanes: Lanes = slice(None)) -> Values:
-        """Return the sum of a word's analog sources (lanes, parts)."""
+        """Return the sum of a word's analog sources in `lanes`, float64 (lanes, parts)."""
         if not word.sources:
             return np.zeros((1, self.parts))
         first, *further_sources = (self.analog[name][lanes] for name in word.sources)
@@ -243,14 +263,19 @@ class ReplayPixels:
 
     def compare(self, word: Op) -> Bits:
         """Return FLAG after a comparison of analog values: unknown, because it depends on the
-        light."""
+        light.
+
+        Programs with senses override this."""
         self._doubt(f"`{word}` makes FLAG depend on the light")
         # If `where` obeys FLAG on this target, masked pixels stay masked.
         return 0, self.read("FLAG")[1] if self.target.where_obeys_flag else 0
 
     def _flagged(self, word: str) -> tuple[Lanes, Lanes | None]:
-        """Return the lanes whose FLAG is 1, and the lanes whose FLAG is unknown (None if there are
-        none)."""
+        """Return the lanes whose FLAG is 1, and those whose FLAG is unknown (None if there are
+        none).
+
+        `word` is the word that asks, for the doubt that is noted. The result is cached until FLAG
+        changes."""
         flag = self.read("FLAG")
         if flag != self._split[0]:
             known_1, known_0 = flag
@@ -262,7 +287,9 @@ class ReplayPixels:
         return self._split[1:]
 
     def _digital(self, word: Op) -> None:
-        """Run a digital word on the bits of all lanes; a pair moves a value over the bus."""
+        """Run a digital word on the bits of all lanes.
+
+        In a pair, the first word writes the inner bus and the second reads it."""
         row = word.operation
         if row.phase is Phase.WRITE:
             value = self.read("bus")
@@ -279,8 +306,9 @@ class ReplayPixels:
             self.write(name, value, mask if name == masked else None)
 
     def read(self, name: str) -> Bits:
-        """Return the bits of a register; they are unknown if they were written longer ago than
-        the retention time."""
+        """Return the bits of a digital register or of FLAG, now.
+
+        They are unknown if they were written longer ago than the retention time; that is noted."""
         value = self.bits[name]
         if self._now_us - self._written_us[name] <= self.target.digital_retention_us:
             return value
@@ -299,8 +327,10 @@ class ReplayPixels:
         return known_1, known_0
 
     def write(self, name: str, value: Bits, mask: str | None = None) -> None:
-        """Write the bits of a register, now; where the register `mask` is 0, it keeps its
-        content."""
+        """Write the bits of a register, now.
+
+        With the register `mask`, only lanes where it is 1 change, and the content counts as old as
+        before."""
         on, off = (self.everything, 0) if mask is None else self.read(mask)
         if on == self.everything:
             self.bits[name] = value
@@ -314,7 +344,7 @@ class ReplayPixels:
         self.bits[name] = known_1, known_0
 
     def _doubt(self, reason: str) -> None:
-        """Note why a bit became unknown, unless there are many notes."""
+        """Note why a bit became unknown, unless there are `_MOST_DOUBTS` notes already."""
         if len(self.doubts) < _MOST_DOUBTS:
             self.doubts.append(f"{reason}, at boundary {self._boundary} of frame {self._frame}")
 

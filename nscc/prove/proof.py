@@ -38,7 +38,8 @@ from nscc.words.readout import converted_buckets, converter_of, preparation_of
 
 
 class Replay(ReplayPixels):
-    """The simulated pixels of all codes."""
+    """A replay of a program whose pixels do not look at their light: one simulated pixel ("lane")
+    for each shutter."""
 
     def __init__(
         self,
@@ -48,14 +49,17 @@ class Replay(ReplayPixels):
         lights: int = 1,
         quiet: bool = False,
     ) -> None:
-        """Begin a replay with a lane for each shutter."""
+        """Begin a replay with a lane (a simulated pixel) for each row of the container's
+        `encoding`, one for each shutter."""
         super().__init__(container, kernels, container.encoding, lights=lights, quiet=quiet)
         self.code = self.code_bits(container.encoding)
 
     def exposures(self, light: Values) -> dict[str, Values]:
-        """Run one frame in `light` (N, lights), in electrons per slot.
+        """Run one frame and return the exposure of each bucket by name, float64 (lanes, lights), in
+        electrons.
 
-        Returns the exposure of each bucket in electrons (lanes, lights)."""
+        A lane is the pixel of one shutter. `light` float64 (N, lights) are the electrons of each
+        slot; each column is exposed on its own."""
         container = self.container
         gathered = np.zeros((container.slots + 1, light.shape[1]))
         np.cumsum(light, axis=0, out=gathered[1:])
@@ -70,7 +74,10 @@ class Replay(ReplayPixels):
         return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light` (N,); raise ReplayError if it differs from the decode table."""
+        """Run one frame in `light`, float64 (N,), in electrons per slot.
+
+        Raises ReplayError if an exposure differs from the sum of light over the open slots of the
+        decode table, or if the code registers do not hold the code at the end."""
         measured = self.exposures(light[:, None])
         table = self.container.table
         for index, bucket in enumerate(self.container.buckets):
@@ -93,11 +100,11 @@ _SLOTS_A_LIGHT = 24
 
 
 def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[np.bool_] | None:
-    """Return S[n] of every lane (lanes, buckets, slots); None if a slot's weight is neither 0 nor
-    1.
+    """Return the shutters that the words open, bool (lanes, buckets, slots); a lane is a row of
+    `container.encoding`.
 
-    The words are replayed with light in one slot at a time. Lanes are the rows of
-    `container.encoding`."""
+    The light of slot n is 4^n, so that the base-4 digits of an exposure are the weights of the
+    slots. Return None if a weight is neither 0 nor 1."""
     slots = container.slots
     lights = -(-slots // _SLOTS_A_LIGHT)
     light = np.zeros((slots, lights))
@@ -127,10 +134,10 @@ _TOLERANCE = 1e-9
 
 
 def readout_fault(container: Container) -> tuple[str, str] | None:
-    """Return the first bucket that is not read out as the target defines, and the error; None if
+    """Return the first bucket that is not read out as the target defines, and the reason; None if
     all are.
 
-    Random values suffice, because the words are linear."""
+    One replay with random values suffices, because the words are linear."""
     preparation = preparation_of(container)
     buckets = converted_buckets(container)
     for word in preparation.words:
@@ -153,10 +160,12 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
 
 
 def _converter_input_e(container: Container, exposure_e: float) -> float:
-    """Return the converter input, in electrons, for which the code means `exposure_e`.
+    """Return the converter input, in electrons, whose code means an exposure of `exposure_e`
+    electrons.
 
     The converter's codes are symmetric around an empty register."""
     target = converter_of(container)
+    # The converter's own step: its codes cover two full wells, one below 0 and one above.
     own_e = 2 * target.full_well_e / ((1 << target.adc_bits) - 1)
     middle = (1 << (target.adc_bits - 1)) if target.conversion == "full" else 0.0
     if target.conversion == "spread":
@@ -203,7 +212,7 @@ class Proof(Record):
 
 
 def readout_failure(container: Container) -> Failure | None:
-    """Return the error in the words before the readout, or None."""
+    """Return the error in the words before the readout as a failure of the last frame, or None."""
     fault = readout_fault(container)
     return None if fault is None else Failure(fault[1], FRAMES, fault[0])
 
@@ -216,8 +225,9 @@ def prove(
 ) -> Proof:
     """Prove that `kernels`, the decoded words of the container, match its decode table.
 
-    `replay_of` returns the pixels that run the words of two frames. `after_frame` returns the first
-    error of the words that follow."""
+    `replay_of` makes the pixels that run the words for two frames. `after_frame` returns the first
+    error of the words that follow a frame. The result holds the first failure; with `frames` 0, the
+    target does not support a word."""
     codes, slots = len(container.table.codes), container.slots
     for operation in dict.fromkeys(word for kernel in kernels for word in kernel):
         fault = target_fault(operation, container.target)
@@ -244,8 +254,11 @@ ALWAYS_EQUAL = "it compares values that are always equal"
 def unproved_error(
     failure: Failure, source: Source | None = None, span: Span | None = None
 ) -> Diagnostic:
-    """Return the error for an image or a plane without a proof: NS0544 if the proof needs too many
-    nodes, and NS0533 if it compares values that are always equal."""
+    """Return the error for an image or a plane without a proof.
+
+    It is NS0533 if the image or plane compares values that are always equal, and NS0544 if its
+    proof needs too many nodes. `span` is the place of its statement in `source`; without them the
+    error has no place."""
     from nscc.prove.diagrams import MOST_NODES
 
     name = failure.unproved

@@ -14,9 +14,10 @@ _ROUNDING = 1e-9
 
 
 def check_route(sending: Sending) -> None:
-    """Check that in every slot the light goes to the tap of the open bucket.
+    """Check that in every slot the light of each code goes to the tap of the open bucket.
 
-    If no bucket is open, the light must go to the drain or to a tap without a bucket."""
+    Tap b belongs to bucket b. If no bucket is open, the light must go to the drain or to a tap
+    without a bucket. Raises Inconsistent, which is a fault of nscc."""
     route, shutters = sending.route, sending.program.table.shutters
     place = np.where(route.bits, route.ones, route.zeros)[:, None]
     collected = place == np.arange(shutters.shape[1])[:, None]
@@ -24,8 +25,10 @@ def check_route(sending: Sending) -> None:
 
 
 def check_loadings(sending: Sending) -> None:
-    """Raise Inconsistent unless every plane is completely loaded before it acts, within its
-    slot, and before the next one loads."""
+    """Check that every bit plane is loaded before it takes effect, in its own slot, and before the
+    next plane loads.
+
+    Raises Inconsistent, which is a fault of nscc."""
     load_us, begin_us = sending.program.target.plane_load_us, 0.0
     ended_us = -inf
     for slot_us, loading in zip(sending.program.frame.slot_us, sending.loadings, strict=True):

@@ -34,9 +34,10 @@ class Route(Record, eq=False):
 
 
 class NoRoute(Record):
-    """The reason why there is no route, as half a sentence, with a help and the first such `slot`.
+    """Why the chip cannot route the light: `reason` ends a sentence, `help` suggests a change.
 
-    `bucket` is the index of the bucket that the message points at."""
+    `slot` is the first slot that has no route; None if that is true of all. `bucket` is the index
+    of the bucket that the message marks."""
 
     reason: str
     help: str
@@ -45,9 +46,11 @@ class NoRoute(Record):
 
 
 def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target) -> Route | NoRoute:
-    """Return the route of the light of `shutters` (shutters, buckets, N), with bucket b at tap b.
+    """Return how bits send the light of `shutters`, bool (shutters, buckets, N), to the taps.
 
-    Light that no bucket collects goes to the drain, or to a tap without a bucket."""
+    Bucket b is collected by tap b. Light that no bucket collects goes to the drain, or else to a
+    tap without a bucket. Return NoRoute if the chip has too few taps, if two buckets are open at
+    once, or if a slot needs more than two destinations."""
     taps = len(target.taps)
     if len(buckets) > taps:
         most = f"keep at most {taps} buckets, one for each tap"
@@ -78,11 +81,11 @@ _NOWHERE = 127
 def _chosen(
     open_in: NDArray[np.int8], away: int | None, buckets: tuple[str, ...], target: Target
 ) -> Route | NoRoute:
-    """Return the two destinations of each slot and the bits that choose between them, or why a slot
-    has other ones.
+    """Return the two destinations of each slot and the bits that choose between them.
 
-    `open_in` (shutters, N) is the index of the open bucket, _NOWHERE if none is open. The light
-    then goes to `away`, the drain or a spare tap, if the chip has one."""
+    `open_in` int8 (shutters, N) is the index of the open bucket, and _NOWHERE if none is open. The
+    light then goes to `away`: the drain or a tap without a bucket, or None if the chip has neither.
+    Return NoRoute if a slot has more than two destinations, or needs `away` where there is none."""
     slots = open_in.shape[1]
     ones, zeros = np.zeros(slots, np.int8), np.zeros(slots, np.int8)
     for slot in range(slots):
@@ -110,12 +113,14 @@ def _chosen(
         named = [place for place in places if place != _NOWHERE]
         ones[slot] = named[0] if named else 0
         other_buckets = [place for place in range(len(buckets)) if place != ones[slot]]
+        # If all light of a slot goes to one tap, no bit is 0, so any other destination will do.
         zeros[slot] = named[1] if len(named) > 1 else away if away is not None else other_buckets[0]
     return Route(ones, zeros, open_in == ones)
 
 
 class Sending(Record, eq=False):
-    """A program's route on a chip without logic, and the times of its bit planes."""
+    """A program for a chip without logic: its route of the light, and when its bit planes are
+    sent."""
 
     program: Program
     route: Route
@@ -127,12 +132,12 @@ class Sending(Record, eq=False):
 
     @property
     def shortest_slot_us(self) -> float:
-        """The shortest slot in microseconds: the time to load a plane."""
+        """The shortest slot that the chip allows, in microseconds: the time to load a plane."""
         return self.program.target.plane_load_us
 
     @property
     def bits_a_frame(self) -> int:
-        """The number of bits sent for a frame."""
+        """The number of bits sent for a frame: one for each pixel and slot."""
         target = self.program.target
         return len(self.program.frame.slot_us) * target.rows * target.cols
 
@@ -148,14 +153,14 @@ class Sending(Record, eq=False):
 
 
 def late_fault(sending: Sending) -> Diagnostic | None:
-    """Return the error (NS0508) if a slot of `sending` is shorter than the load time of a plane,
-    else None."""
+    """Return the error (NS0508) if a slot is too short to load its bit plane, else None."""
     program, target = sending.program, sending.program.target
     slots_us, needed_us = program.frame.slot_us, target.plane_load_us
     # If light waits for the plane, a slot as short as the load time has no light.
     late = [
         n
         for n, us in enumerate(slots_us)
+        # Times are sums of decimal fractions, so equal ones may differ in their last digits.
         if us < needed_us * (1 - 1e-9) or (not target.pipelined and us <= needed_us)
     ]
     if not late:
@@ -190,7 +195,10 @@ def late_fault(sending: Sending) -> Diagnostic | None:
 
 
 def laid(container: Container, way: Route) -> Container:
-    """Add the bit planes of the pixel codes on a route to a container; none without pixel codes."""
+    """Return a container with the bit planes of its pixel codes, which it replaces.
+
+    `way` has the destination of the light of each shutter. Without pixel codes the container gets
+    no planes."""
     pixels = container.pixel_codes
     if pixels is None:
         return replace(container, stream=None)
@@ -203,7 +211,7 @@ def laid(container: Container, way: Route) -> Container:
 
 
 def with_planes(container: Container) -> Container:
-    """Add the bit planes of the current pixel codes to a container of a chip without logic.
+    """Return a container of a chip without logic with the bit planes of its current pixel codes.
 
     Raises Rejected (NS0509) if there is no route for the light of its shutters."""
     chosen_route = route(container.table.shutters, container.buckets, container.target)
@@ -213,7 +221,10 @@ def with_planes(container: Container) -> Container:
 
 
 def no_route(missing_route: NoRoute, chip: str, program: Program | None = None) -> Diagnostic:
-    """Return the error (NS0509) that the chip cannot route the light as the program requires."""
+    """Return the error (NS0509) that a chip cannot route the light as the program requires.
+
+    `chip` is its name. `program` gives the place in the source; None if only a compiled file is
+    known."""
     message = f"the pixels of {chip} cannot route light like this: {missing_route.reason}"
     help_text = (missing_route.help,)
     if program is None:
@@ -232,9 +243,9 @@ def no_route(missing_route: NoRoute, chip: str, program: Program | None = None) 
 
 
 def plan_of(program: Program, job: Job) -> tuple[Sending | NoRoute, Found]:
-    """Return the route of the light, or the reason why there is none (NS0509).
+    """Return the program with its route, without errors; or NoRoute and the error (NS0509).
 
-    Options that only apply to words (a lowering, a limit on words) are refused (NS0510)."""
+    Options that only apply to words (a lowering, a limit on words) are refused with NS0510."""
     lowering = job.options.lowering
     word_options = [f"--lowering {lowering}"] * (lowering != "auto")
     word_options += ["--max-words-per-slot"] * (job.options.max_words_per_slot is not None)
@@ -258,13 +269,13 @@ def plan_of(program: Program, job: Job) -> tuple[Sending | NoRoute, Found]:
 
 
 def timed(sending: Sending, job: Job) -> tuple[Sending, Found]:
-    """Return the same plan, and an error (NS0508) if a plane cannot be loaded in time."""
+    """Return `sending` unchanged, and the error (NS0508) if a plane cannot be loaded in time."""
     fault = late_fault(sending)
     return sending, [fault] if fault else []
 
 
 def container_of(sending: Sending) -> Container:
-    """Return the container of `sending`: no words, and bit planes if the pixels have codes."""
+    """Return the compiled program: no words, and bit planes if the pixels have codes."""
     program, target = sending.program, sending.program.target
     names = tuple(bucket.name for bucket in program.buckets)
     used = len(names)

@@ -44,7 +44,8 @@ class BitPlanes(ProgramKind):
     def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
         """Return the shutters that the bit planes open, bool (shutters, buckets, slots).
 
-        Raises Rejected (NS0442) if they differ from the decode table; `name` names the file."""
+        Raises Rejected (NS0442) if they differ from the decode table. `name` is the file's name,
+        for the message."""
         failure = prove_planes(container).failure
         if failure is not None:
             raise rejected(
@@ -60,9 +61,10 @@ class BitPlanes(ProgramKind):
         return with_planes(container)
 
     def product(self, product: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
-        """Return the bit planes or their times as files by name; `stem` is the file name without
-        its ending.
+        """Return the output files of `--emit product` as {file name: content}; `stem` is the name
+        without its ending.
 
+        The products are "planes" (bit planes with their times, .npz) and "schedule" (a text).
         Raises Rejected for products of words, which a chip without logic does not have."""
         container, name = compiled.container, stem + SUFFIXES[product]
         assert container is not None
@@ -87,7 +89,8 @@ class BitPlanes(ProgramKind):
         return texts.stream_report(compiled.layout, compiled.proof)
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
-        """Return the rows of the summary; none before the proof."""
+        """Return the rows (label, text) of the summary that `nscc check` prints; [] without a
+        proof."""
         return texts.stream_rows(compiled.layout, compiled.proof) if compiled.proof else []
 
     def cost_text(self, compiled: Compiled) -> str:
@@ -99,17 +102,17 @@ class BitPlanes(ProgramKind):
         return counted(container.slots, "plane")
 
     def readout_us(self, container: Container) -> float:
-        """Return the duration of a readout."""
+        """Return the duration of a readout of all taps, in microseconds."""
         return container.target.readout_us  # all taps at once
 
     def frame_text(self, compiled: Compiled) -> str:
-        """Return a sentence on the planes of a frame, which the caller completes."""
+        """Return the start of a sentence on the planes of a frame, which the caller completes."""
         target = compiled.program.target
         planes = counted(len(compiled.program.frame.slot_us), "plane")
         return f"{planes} of {target.rows} x {target.cols} bits a frame. Loading them"
 
     def slot_text(self, compiled: Compiled, slot: int) -> str:
-        """Return a sentence on the plane of a slot."""
+        """Return a sentence on the plane of a slot and its load time."""
         program = compiled.program
         took = share_text(program.target.plane_load_us, program.frame.slot_us[slot])
         return f"one bit plane, loaded in {took}."

@@ -10,10 +10,11 @@ from nscc.words.stream import schedule
 
 
 def prove_planes(container: Container) -> Proof:
-    """Follow the light of every pixel through the planes, and compare it with the decode table.
+    """Follow the light of every pixel through the bit planes, and compare it with the decode table.
 
-    Planes must be completely loaded before they act, one at a time. The proof does not use the code
-    that made the planes. Without pixel codes there are no planes, and only the times are proved."""
+    Planes must be completely loaded before they take effect, one at a time. The proof does not use
+    the code that made the planes. Without pixel codes there are no planes, and only the times are
+    proved. The result holds the first failure."""
     table, target = container.table, container.target
     failure = _times(container)
     sent, pixels = container.stream, container.pixel_codes
@@ -36,8 +37,10 @@ def prove_planes(container: Container) -> Proof:
 
 
 def _times(container: Container) -> Failure | None:
-    """Return the failure if a plane is not loaded in time for its slot, or two planes load at
-    once, else None."""
+    """Return the first failure of the schedule, else None.
+
+    A plane must be loaded when it takes effect, within its slot, and after the previous plane is
+    loaded."""
     free_us, load_us = -np.inf, container.target.plane_load_us
     end_us = np.cumsum(container.slot_us)
     slack = 1e-6 * load_us

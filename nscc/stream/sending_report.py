@@ -22,8 +22,8 @@ PLANES_FORMAT = "nscc-planes-1"
 
 
 def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
-    """Return the rows (label, text) about `sending` that `nscc check` prints after class and codes,
-    the last ones about its `proof`."""
+    """Return the rows (label, text) that `nscc check` prints after class and codes, for a chip
+    without logic."""
     program, target = sending.program, sending.program.target
     slots = len(program.frame.slot_us)
     taps = target.taps[: len(program.buckets)]
@@ -54,8 +54,8 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
 
 
 def cost_text(sending: Sending) -> str:
-    """Return number and size of the bit planes of `sending` and the shortest possible slot, in two
-    lines."""
+    """Return two lines: number and size of the bit planes of a frame, and the shortest possible
+    slot."""
     return (
         f"  planes {len(sending.loadings)} a frame, {sending.bits_a_frame} bits, "
         f"{rate_text(sending.bits_per_us)} while one loads\n"
@@ -64,15 +64,17 @@ def cost_text(sending: Sending) -> str:
 
 
 def rate_text(bits_per_us: float) -> str:
-    """Return a data rate with a suitable unit."""
+    """Return a data rate as text with four digits, in kbit/s, Mbit/s or Gbit/s."""
     if bits_per_us >= 1e3:
         return f"{bits_per_us / 1e3:.4g} Gbit/s"
     return f"{bits_per_us:.4g} Mbit/s" if bits_per_us >= 1 else f"{bits_per_us * 1e3:.4g} kbit/s"
 
 
 def sending_text(sending: Sending) -> str:
-    """Return a line for each slot: when its plane is sent and acts, and the taps of bits 1
-    and 0."""
+    """Return a text with a heading and a line for each slot.
+
+    A line tells when the slot's plane is sent and takes effect, and where bits 1 and 0 send the
+    light."""
     target, way = sending.program.target, sending.route
     lines = [
         f"{len(way.ones)} planes of {target.rows} x {target.cols} bits, "
@@ -89,8 +91,10 @@ def sending_text(sending: Sending) -> str:
 
 
 def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
-    """Return the build report of `sending` as JSON values, with the planes instead of words, and
-    the result of its `proof`."""
+    """Return the build report (`--emit report`) of a chip without logic as JSON values.
+
+    It has the planes and their load time where other reports have words; times are in microseconds.
+    """
     program, target = sending.program, sending.program.target
     names = [bucket.name for bucket in program.buckets]
     return {
@@ -120,10 +124,10 @@ def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
 
 
 def planes_bytes(container: Container) -> bytes:
-    """Return the bit planes and their schedule for the chip's driver, as an .npz file.
+    """Return the bit planes and their times for the chip's driver, as the bytes of an .npz file.
 
-    docs/targets.md lists its keys. Raises Rejected (NS0511) if the pixels have no codes, which
-    determine the planes."""
+    docs/targets.md lists its keys. Raises Rejected (NS0511) if the pixels have no codes, because
+    codes determine the planes."""
     sent, target = container.stream, container.target
     if sent is None:
         raise rejected(

@@ -14,9 +14,11 @@ from nscc.toml.schema import Key, declared
 
 
 def checked(call: str, settings: type, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return those arguments `values` of a Python call that fields of `settings` declare.
+    """Return those arguments of a Python call that fields of `settings` declare, checked and
+    converted.
 
-    Raises WrongArgument (NS0789) for the first invalid argument."""
+    `values` are the arguments by name; `call` is the function's name in messages. Raises
+    WrongArgument (NS0789) for the first invalid argument."""
     keys = declared(settings)
     return {
         name: _checked(call, keys[name], value) for name, value in values.items() if name in keys
@@ -24,7 +26,7 @@ def checked(call: str, settings: type, values: Mapping[str, Any]) -> dict[str, A
 
 
 def argument(call: str, name: str, kind: Kind, value: Any) -> Any:
-    """Return the argument `name` of a Python call as a value of a kind.
+    """Return the argument `name` of the Python function `call`, checked and converted by its kind.
 
     Raises WrongArgument (NS0789) for an invalid value."""
     return _read(f"{call}: {name} is", kind, value)
@@ -33,7 +35,7 @@ def argument(call: str, name: str, kind: Kind, value: Any) -> Any:
 def _checked(call: str, key: Key, value: Any) -> Any:
     """Return an argument of the Python function `call`, checked and converted by its declaration.
 
-    None is allowed if it is the default. Raises WrongArgument."""
+    None is allowed if it is the default. Raises WrongArgument for an invalid value."""
     if value is None and key.default is None:
         return None
     subject = f"{call} takes" if key.required else f"{call}: {key.attribute} is"
@@ -41,8 +43,10 @@ def _checked(call: str, key: Key, value: Any) -> Any:
 
 
 def _read(subject: str, kind: Kind, value: Any) -> Any:
-    """Return the argument converted by its kind; raise WrongArgument, which begins with
-    `subject` and says what is allowed."""
+    """Return an argument checked and converted by its kind.
+
+    Raises WrongArgument for an invalid value. The message begins with `subject`, such as "capture:
+    seed is", and says what is allowed."""
     plain = value.item() if isinstance(value, np.generic) else value
     try:
         return kind.argument(plain)

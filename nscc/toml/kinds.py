@@ -60,8 +60,9 @@ class Kind(Protocol):
 class Number(Kind):
     """A finite number in `low`..`high`; either bound may be excluded.
 
-    It is an int if `is_whole`, else a float. A file writes None as "any" if `unlimited`, as "auto"
-    if `automatic`. If 0 is an excluded lower bound, the range starts at LEAST."""
+    It is an int if `is_whole`, else a float. None in Python is "any" in a file if `unlimited`, and
+    "auto" if `automatic`; else it is not allowed. If 0 is an excluded bound, the values end at
+    LEAST or -LEAST instead, which are included."""
 
     low: float
     high: float
@@ -75,12 +76,11 @@ class Number(Kind):
 
     @property
     def _word(self) -> str:
-        """Return the word for None in a file: "any", "auto" or ""."""
+        """The word for None in a file: "any", "auto", or "" if None is not allowed."""
         return "any" if self.unlimited else "auto" if self.automatic else ""
 
     def __post_init__(self) -> None:
-        """Replace an excluded limit 0 by the nearest float, so that all limits are inclusive
-        there."""
+        """Replace an excluded bound 0 by LEAST or -LEAST, which is included."""
         for end, excluded, least in (
             ("low", "low_excluded", LEAST),
             ("high", "high_excluded", -LEAST),
@@ -91,7 +91,8 @@ class Number(Kind):
 
     @property
     def range(self) -> str:
-        """The range in words, without a limit that no value reaches."""
+        """The range as text, such as "above 0 to 1000"; bounds that no value can exceed are left
+        out."""
         lower = "above" if self.low_excluded else "from"
         upper = "below" if self.high_excluded else "to"
         limits = []
@@ -108,7 +109,7 @@ class Number(Kind):
 
     @property
     def in_python(self) -> str:
-        """Return the allowed numbers as text, with the unit."""
+        """The allowed numbers as text, with the unit."""
         number = "a whole number" if self.is_whole else "a number"
         if -self.low == self.high == inf:
             return "a finite number"
@@ -116,14 +117,18 @@ class Number(Kind):
         return f"{number} {self.range}{unit}"
 
     def read(self, value: Any) -> float | None:
-        """Return the number that a file gives, None for the word; raise ValueError for others."""
+        """Return the number that a file gives; None for the word that stands for it.
+
+        Raises ValueError for any other value."""
         if value is None:
             raise ValueError
         return None if self._word and value == self._word else self.argument(value)
 
     def argument(self, value: Any) -> float | None:
-        """Return a number within the limits, as float unless it is a whole number; raise ValueError
-        otherwise."""
+        """Return a number within the bounds, as float unless it must be whole; None is allowed if
+        it has a word.
+
+        Raises ValueError for any other value, also True and False."""
         if self._word and value is None:
             return None
         if isinstance(value, bool) or not isinstance(value, int if self.is_whole else (int, float)):
@@ -137,7 +142,7 @@ class Number(Kind):
         return value if self.is_whole else float(value) + 0.0
 
     def plain(self, value: Any) -> Any:
-        """Return the value for a file: the word in place of None."""
+        """Return the value that a file contains: the number, or the word that stands for None."""
         return self._word if value is None else value
 
 
@@ -145,7 +150,7 @@ Integer = partial(Number, is_whole=True)
 
 
 class Flag(Kind, Record):
-    """A boolean."""
+    """A boolean, true or false in a file."""
 
     @property
     def allowed(self) -> str:
@@ -165,9 +170,9 @@ class Flag(Kind, Record):
 
 
 class TextKind(Kind, Record):
-    """A text: one of `choices`, or a match of `pattern`, which `phrase` describes.
+    """A text: one of `choices`, or a text that `pattern` matches completely and `phrase` describes.
 
-    If `optional`, a file may contain "none", which is None in Python."""
+    If `optional`, "none" in a file is None in Python."""
 
     choices: tuple[str, ...] = ()
     pattern: str = ""
@@ -187,10 +192,10 @@ class TextKind(Kind, Record):
         return f"one of {', '.join(map(repr, self.choices))}" if self.choices else self.phrase
 
     def read(self, value: Any) -> str | None:
-        """Return the text if it is one of the choices and matches the pattern; raise ValueError
-        otherwise.
+        """Return the text if it is one of the choices and matches the pattern; None for "none" if
+        `optional`.
 
-        An optional text "none" gives None."""
+        Raises ValueError for any other value."""
         # Command-line bytes that are not UTF-8 arrive as surrogates.
         if not isinstance(value, str) or any("\ud800" <= c <= "\udfff" for c in value):
             raise ValueError
@@ -206,7 +211,9 @@ class TextKind(Kind, Record):
 
 
 class Several(Kind, Record):
-    """A list of values of one kind, with `count` values if given; `text` describes the list."""
+    """A list of values of the kind `element`, with `count` values unless that is None.
+
+    `text` describes the list in messages; by default that is the number and kind of its values."""
 
     element: Kind
     count: int | None = None
@@ -219,8 +226,10 @@ class Several(Kind, Record):
         return self.text or f"a list{count}, each {self.element.allowed}"
 
     def read(self, value: Any) -> tuple[Any, ...]:
-        """Return the list of a file as a tuple; raise ValueError for invalid elements or another
-        number of them."""
+        """Return the list of a file as a tuple.
+
+        Raises ValueError for an invalid element, another number of elements, or if it is not a
+        list."""
         if not isinstance(value, list | tuple) or self.count not in (None, len(value)):
             raise ValueError
         return tuple(self.element.read(item) for item in value)
@@ -231,9 +240,9 @@ class Several(Kind, Record):
 
 
 class Axis(Kind, Record):
-    """One value of a kind, or a list of distinct values; in Python always a tuple.
+    """One value of the kind `element`, or a list of distinct ones; in Python always a tuple.
 
-    If the values of the kind are lists, a list of lists is several values."""
+    If the values themselves are lists, only a list of lists gives several values."""
 
     element: Kind
 
@@ -243,8 +252,9 @@ class Axis(Kind, Record):
         return f"{self.element.allowed}, or a list of such values"
 
     def read(self, value: Any) -> tuple[Any, ...]:
-        """Return the values of an axis, a single value as a tuple of one; raise ValueError for
-        repeated values."""
+        """Return the values as a tuple; a single value gives a tuple of one.
+
+        Raises ValueError for an empty list, an invalid or a repeated value."""
         is_list = isinstance(value, list | tuple)
         if is_list and isinstance(self.element, Several):
             is_list = not value or isinstance(value[0], list | tuple)
@@ -258,7 +268,8 @@ class Axis(Kind, Record):
         return values
 
     def _read_one(self, value: Any) -> Any:
-        """Return one value of the axis; raise ValueError with a reason."""
+        """Return one value of a list, read by `element`; raise ValueError with a reason that quotes
+        it."""
         try:
             return self.element.read(value)
         except ValueError as reason:
@@ -271,9 +282,9 @@ class Axis(Kind, Record):
 
 
 class Instance(Kind, Record):
-    """An object of one of `types`, which `phrase` describes; paths become text, as in options.
+    """An object of one of `types`, which `phrase` describes; a path object becomes text.
 
-    A type may be written as MODULE:CLASS, which is imported when a value is checked. `helps` tell
+    A type may be written as "MODULE:CLASS", which is imported when a value is checked. `helps` tell
     how to make such an object."""
 
     types: tuple[type | str, ...]
@@ -315,8 +326,9 @@ class FilePath(Kind, Record):
         return self.phrase
 
     def read(self, value: Any) -> Any:
-        """Return a Path, or the value itself if it has one of the allowed types; raise ValueError
-        otherwise."""
+        """Return a text or path object as a Path; return an object of one of `types` as it is.
+
+        Raises ValueError for any other value, and for a path with a null character."""
         path = os.fspath(value) if isinstance(value, str | os.PathLike) else None
         if path is None and _is_one(value, self.types):
             return value
@@ -326,7 +338,9 @@ class FilePath(Kind, Record):
 
 
 class TextOrNumbers(Kind, Record):
-    """A text, or `count` numbers (None: any number of them), which become text with commas."""
+    """A text, or numbers, which become text with commas: (1, 2.5) gives "1,2.5".
+
+    There must be `count` numbers; None allows any number of them. A single number needs no list."""
 
     count: int | None
 
@@ -337,8 +351,9 @@ class TextOrNumbers(Kind, Record):
         return f"text or {numbers}"
 
     def read(self, value: Any) -> Any:
-        """Return text as it is, and numbers as text with commas; raise ValueError for a wrong
-        count."""
+        """Return a text as it is, and numbers as text with commas and up to 17 digits.
+
+        Raises ValueError for another number of them, and if one of them is not a finite number."""
         if isinstance(value, str):
             return value
         values = value if isinstance(value, tuple | list) else [value]

@@ -36,19 +36,19 @@ KeyValues = dict[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Key:
-    """The key `name` of the table `section` ("" for the top of the file).
+    """The declaration of a key of a file, which may also be an option of a command and an argument
+    in Python.
 
-    `meaning` is half a sentence. `source` is the origin of the default, empty if it is published. A
-    file lists the key under `heading`, by default its section. `attribute` is the name in Python,
-    by default the key's name. A `required` key must be in the file. A `later` key was added after
-    the first containers and is left out of containers if it has its default.
+    `name` is the key in the table `section` ("" for the top of the file). `meaning` is half a
+    sentence. `source` is the origin of the default, empty if it is published. A file lists the key
+    under `heading`, by default its section. `attribute` is the name in Python, by default the key's
+    name. A `required` key must be in the file. A `later` key was added after the first containers
+    and is left out of containers if it has its default.
 
-    A key may also be an option of the command line and an argument in Python. `option` is the
-    option's name, by default `--NAME`; `notation` shows how its value is written; `default_text`
-    describes the default in place of the value, and is empty if `meaning` describes it.
-
-    Each of `checks` takes all settings. It returns the reason why they contradict the value of this
-    key, or a false value."""
+    `option` is the option's name, by default `--NAME`; `notation` shows how its value is written;
+    `default_text` describes the default in place of the value, and is empty if `meaning` describes
+    it. Each of `checks` takes all settings. It returns the reason why they contradict the value of
+    this key, or a false value."""
 
     section: str
     name: str
@@ -90,8 +90,9 @@ class FileCodes:
 
 
 def key(kind: Kind, meaning: str, default: Any = MISSING, **about: Any) -> Any:
-    """Declare a dataclass field as a key of a file or an option; `about` are further attributes of
-    `Key`."""
+    """Declare a dataclass field as a key of a file or an option.
+
+    `about` are further attributes of `Key`, such as `section` and `required`."""
     return field(default=default, metadata={"kind": kind, "meaning": meaning, **about})
 
 
@@ -156,7 +157,8 @@ class Schema(Generic[Row]):
 
     @cached_property
     def sections(self) -> dict[str, tuple[str, ...]]:
-        """Return the names of the keys in each table; the names at the top include the tables."""
+        """The names of the keys in each table, by table; those of "" (the top) include the names of
+        tables."""
         names_of_table: dict[str, list[str]] = {"": []}
         for key in self.keys:
             names_of_table.setdefault(key.section, []).append(key.name)
@@ -171,11 +173,10 @@ class Schema(Generic[Row]):
     def read(
         self, values: Mapping[str, Any], source: Source | None = None, *, complete: bool = False
     ) -> tuple[KeyValues, list[Diagnostic]]:
-        """Return the valid values of a parsed file, and the errors of the others.
+        """Return the valid values of a parsed file by path, and the errors of the invalid ones.
 
-        `source` is the file's text, for places in messages. Keys may be missing unless required.
-        With `complete` all keys must be present, except `later` keys and lists that are empty by
-        default."""
+        `source` is the file's text, for places in messages. Missing keys are errors if `required`;
+        with `complete`, all are except `later` keys and lists that are empty by default."""
         key_values: KeyValues = {}
         problems: list[Diagnostic | None] = []
         for name, value in values.items():
@@ -193,10 +194,10 @@ class Schema(Generic[Row]):
         return key_values, [item for item in problems if item]
 
     def changed(self, changes: Sequence[str]) -> tuple[KeyValues, list[Diagnostic]]:
-        """Return the values of changes KEY=VALUE, the last for each key, and the errors of invalid
-        changes.
+        """Return the values of changes KEY=VALUE by path, and the errors of invalid changes.
 
-        VALUE is written as in a file; quotes of a text are optional."""
+        The last change of a key counts. VALUE is written as in a file, but a text needs no quotes.
+        """
         key_values: KeyValues = {}
         problems: list[Diagnostic] = []
         for change in changes:
@@ -213,10 +214,11 @@ class Schema(Generic[Row]):
         return key_values, problems
 
     def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return values as tables of keys, in the order of a file.
+        """Return values, keyed by path, as {section: {key: value}} in the order of a file, for TOML
+        or JSON.
 
-        All keys are present, except lists that are empty by default and `later` keys at their
-        default."""
+        Keys without a section stand at the top. All keys are present, except lists that are empty
+        by default and `later` keys at their default."""
         tables: dict[str, Any] = {}
         for key in self.keys:
             if values[key.path] == key.default and (key.default == () or key.later):
@@ -228,8 +230,9 @@ class Schema(Generic[Row]):
     def _take(
         self, key_values: KeyValues, section: str, name: str, value: Any, source: Source | None
     ) -> Diagnostic | None:
-        """Add a valid value to `key_values`; return the error of an invalid value, else None. A
-        value is valid if its key exists and its kind allows the value."""
+        """Add a valid value to `key_values`; return the error of an invalid value, else None.
+
+        A value is valid if the table `section` has the key `name` and its kind allows the value."""
         key = self.by_path.get(f"{section}.{name}" if section else name)
         if key is None or key.section != section:
             known = self.sections.get(section, ())
@@ -257,7 +260,10 @@ class Schema(Generic[Row]):
         return None
 
     def _meant(self, section: str, name: str, known: Sequence[str]) -> str:
-        """Return the help for an unknown name in the table `section`, whose names are `known`."""
+        """Return the help for an unknown name in the table `section`, whose names are `known`.
+
+        It names the table that the name belongs to, else the most similar name here or in another
+        table, else the known names."""
         homes = {key.name: key.section for key in reversed(self.keys)}
         nearest, elsewhere = closest(name, known), closest(name, homes)
         places = {table: f"under [{table}]" if table else "at the top" for table in self.sections}
@@ -279,10 +285,10 @@ class Schema(Generic[Row]):
         help_text: str = "",
         note: str = "",
     ) -> Diagnostic:
-        """Return the error `code` at the key `name` of a table `section`; with the section "",
-        `name` may also be a table.
+        """Return the error `code` at the key `name` of the table `section`.
 
-        `source` is the text of the file, for the place."""
+        With the section "", `name` may also be a table. `source` is the text of the file, for the
+        place; None if there is no file."""
         return Diagnostic(
             code,
             message,
@@ -299,12 +305,14 @@ _REMARK_COLUMN = 42
 
 
 def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
-    """Read the bytes of a user's file; raise Rejected (status 2) if that fails.
+    """Return the bytes of a user's file, at most one more than `LARGEST_FILE`.
 
-    Messages call the file `name`, by default its path."""
+    Messages call the file `name`, by default its path. Raises Rejected (status 2) if it cannot be
+    read."""
     reads(path)
     try:
         with open(path, "rb") as file:
+            # One byte more than allowed is enough for `parsed` to refuse the file.
             return file.read(LARGEST_FILE + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
@@ -323,10 +331,10 @@ def file_values(
     status: int = 2,
     choose: Callable[[Mapping[str, Any]], Schema[Row]] | None = None,
 ) -> tuple[KeyValues, list[Diagnostic], Source]:
-    """Return the valid values in a file's bytes, the errors of the others, and the text.
+    """Return the valid values in a file's bytes by path, the errors of the others, and the text.
 
-    Messages call the file `name`. `choose` selects one of several schemas by the file's values.
-    Raises Rejected (`status`) for text that is not TOML."""
+    Messages call the file `name`. `choose` returns the schema for a file's unchecked values; None
+    always uses `schema`. Raises Rejected with the exit status `status` if `data` is not TOML."""
     values, source = file_table(schema, data, name, status=status)
     chosen = schema if choose is None else choose(values)
     return *chosen.read(values, source), source
@@ -335,9 +343,11 @@ def file_values(
 def file_table(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2
 ) -> tuple[dict[str, Any], Source]:
-    """Return the TOML values of a file, not yet checked, and its text.
+    """Return the values in a file's bytes, {section: {key: value}} and not yet checked, and its
+    text.
 
-    Raises Rejected with `status` if `data` is not a TOML table."""
+    Messages call the file `name`. Raises Rejected with the exit status `status` if `data` is not
+    TOML."""
     try:
         text, values = parsed(data)
     except NotToml as reason:
@@ -360,8 +370,8 @@ def file_text(
 ) -> str:
     """Return a complete file with the given values, which are keyed by path.
 
-    `head` are comments at the start. `remark` returns the comment of a key, which is written above
-    its line, or with `beside` at its end."""
+    `head` are comment lines at the start. `remark` returns the comment of a key, which is written
+    above its line, or with `beside` at its end if the line is short."""
     lines = [f"# {line}" for line in head]
     for heading, heading_text in schema.headings.items():
         rows = [key for key in schema.keys if key.heading == heading]
@@ -381,5 +391,6 @@ def file_text(
 
 
 def _beside(line: str, remark: str) -> str:
-    """Return a line with a remark to its right."""
+    """Return a line with a comment in column `_REMARK_COLUMN`, or the line alone if `remark` is
+    empty."""
     return f"{line:<{_REMARK_COLUMN}} # {remark}" if remark else line

@@ -18,8 +18,9 @@ class NotToml(Exception):
 
 
 def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
-    """Return the text and the values of a TOML file; raise NotToml if it is too large, not UTF-8
-    or not TOML."""
+    """Return the text and the values of a TOML file.
+
+    Raises NotToml if it is too large, has an overlong line, is not UTF-8, or is not TOML."""
     try:
         if len(data) > LARGEST_FILE:
             raise NotToml(f"it is larger than {LARGEST_FILE // 1024} KiB")
@@ -39,8 +40,10 @@ def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
 
 
 def span_of(text: str, section: str, name: str) -> Span:
-    """Return the place of a key in a TOML text, else of its section's header, else of the first
-    line."""
+    """Return the place of the key `name` of the table `section` in a TOML text.
+
+    With the section "", `name` may also be a table. If the key is missing, the place is its table's
+    header, or else the first line."""
     current, offset, header = "", 0, Span(0, len(text.partition("\n")[0]))
     for line in text.split("\n"):
         stripped = line.strip()
@@ -59,7 +62,7 @@ def span_of(text: str, section: str, name: str) -> Span:
 
 
 def shown(value: Any) -> str:
-    """Format any value for a message: short, on one line."""
+    """Describe any value in a message: short, on one line, and as TOML writes it."""
     if isinstance(value, Mapping):
         return "a table"
     if isinstance(value, list | tuple):
@@ -73,7 +76,7 @@ def shown(value: Any) -> str:
 
 
 def spelled_value(text: str) -> Any:
-    """Return the value of a TOML expression, or the text itself if it is not TOML."""
+    """Return the value that a text spells in TOML, or the text itself if it is not a TOML value."""
     try:
         document = tomllib.loads(f"value = {text}")
     except (ValueError, RecursionError):
@@ -93,7 +96,8 @@ def written(value: Any) -> str:
 
 
 def _character(c: str) -> str:
-    """Return a character as a TOML string contains it."""
+    """Return a character as a TOML string contains it, with escapes for quotes and unprintable
+    ones."""
     if c in '"\\':
         return "\\" + c
     return c if c.isprintable() else f"\\u{ord(c):04x}" if ord(c) < 1 << 16 else f"\\U{ord(c):08x}"
