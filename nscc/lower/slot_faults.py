@@ -66,7 +66,7 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
         related=chip_label(program, _times(target)),
         notes=(
             *chip_note(program, _times(target)),
-            "certain: a slot must read the light and launch a kernel"
+            "certain: every program must read the light and launch a kernel in each slot"
             if certain
             else "not proved: a longer search may find fewer words",
         ),

@@ -330,5 +330,8 @@ def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Pro
             rule.rule.span,
             f"a frame has the slots 0..{table.shutters.shape[2] - 1}",
             notes=(shape.reason,),
-            helps=("limit the starts to N - len: `code start : 0..N - len`",),
+            helps=(
+                "end the starts at N - len, where len is the length of the bump: "
+                "`code start : 0..N - len`",
+            ),
         )

@@ -30,14 +30,32 @@ def with_weight(weight: float, iterations: int) -> Decoder:
     return lambda measured: np.asarray(gap_tv_of(measured, iterations, weight=weight)[0])
 
 
-def best_weight(measured: Measured[NDArray[Any]], iterations: int) -> tuple[float, float]:
-    """Return the weight of total variation that predicts best, and the error of its predictions."""
-    errors = [prediction_error(measured, with_weight(w, iterations)) for w in _WEIGHTS]
-    return _WEIGHTS[int(np.argmin(errors))], min(errors)
+def best_weight(
+    measured: Measured[NDArray[Any]], iterations: int
+) -> tuple[float, NDArray[np.float64]]:
+    """Return the weight of total variation whose predictions have the smallest RMS error, and their
+    `prediction_errors`."""
+    errors = [prediction_errors(measured, with_weight(w, iterations)) for w in _WEIGHTS]
+    best = int(np.argmin([(each**2).mean() for each in errors]))
+    return _WEIGHTS[best], errors[best]
 
 
-def prediction_error(measured: Measured[NDArray[Any]], decoder: Decoder) -> float:
-    """Return the RMS error of a decoder's predictions of pixels that are left out, in white."""
+def prediction_errors(measured: Measured[NDArray[Any]], decoder: Decoder) -> NDArray[np.float64]:
+    """Return what a decoder's prediction lacks of each value that is left out.
+
+    Parameters
+    ----------
+    measured : Measured
+        A measurement whose white is 1.
+    decoder : callable
+        It gets the measurement with the masks and values of some pixels set to 0.
+
+    Returns
+    -------
+    ndarray of float64, shape (values,)
+        In units of white, one for each bucket of each pixel that is left out, for every decoder the
+        same pixels. The noise of the value is part of it.
+    """
     sides = measured.value.shape[-2:]
     firsts = (max(0, (side - _SIDE) // 2) for side in sides)
     part = measured.crop(*(slice(first, first + _SIDE) for first in firsts))
@@ -50,4 +68,5 @@ def prediction_error(measured: Measured[NDArray[Any]], decoder: Decoder) -> floa
     kept[down, across] = 0
     without = Measured(part.value * kept, part.mask * kept, part.variance, part.saturated)
     gap = part.missing(part.of(decoder(without)), part.value)[..., down, across]
-    return float(np.sqrt(np.mean(gap**2))) if gap.size else 0.0
+    # Tiny frames may have no pixel to leave out.
+    return gap.astype(np.float64).ravel() if gap.size else np.zeros(1)
