@@ -35,14 +35,8 @@ _HEADERS = {
 
 @common_command("play")
 @click.argument("program", metavar="[FILE]", required=False, type=PATH)
-@click.option(
-    "--port",
-    type=click.IntRange(0, 65535),
-    default=0,
-    help="The port of the page (default: any free one).",
-)
 @click.option("--no-browser", is_flag=True, help="Print the address, but open no browser.")
-def command(program: Path | None, port: int, no_browser: bool) -> None:
+def command(program: Path | None, no_browser: bool) -> None:
     """Try programs in a page of your browser: check, words, frames, reconstructions.
 
     The page compiles and exposes on this computer. Only its browsers reach the page, by an address
@@ -58,15 +52,7 @@ def command(program: Path | None, port: int, no_browser: bool) -> None:
     playground = Playground(Path.cwd() if program is None else program.parent, program)
     token = token_urlsafe(18)
     handler = partial(_Handler, playground, Lock(), token)
-    try:
-        server = ThreadingHTTPServer((_HOST, port), handler)
-    except OSError as error:
-        raise rejected(
-            "NS0796",
-            f"port {port} cannot be opened: {error.strerror}",
-            helps=("leave --port out to use any free port",),
-        ) from error
-    with server:
+    with ThreadingHTTPServer((_HOST, 0), handler) as server:  # any free port
         address = f"http://{_HOST}:{server.server_port}/{token}/"
         click.echo(address)
         say_done("Ctrl-C ends it")

@@ -86,9 +86,3 @@ def test_wrong_arguments_teach(tmp_path: Path) -> None:
     assert (compiled.status, compiled.codes) == (2, ["NS0796"])
     assert "give the .nsl file" in compiled.err
     assert invoke(["play", "missing.nsl"], tmp_path).status == 2
-
-
-def test_a_port_in_use_is_an_error(address: Any, tmp_path: Path) -> None:
-    outcome = invoke(["play", "--no-browser", "--port", str(address.port)], tmp_path)
-    assert (outcome.status, outcome.codes) == (2, ["NS0796"])
-    assert "leave --port out" in outcome.err
