@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from nscc.chips.target import Target
 from nscc.program.constants import constant
-from nscc.program.expressions import Meaning
 from nscc.program.host_values import HostValues, signed_level
-from nscc.program.names import Declarations
-from nscc.program.problems import Problems
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import pictures as p
@@ -32,22 +27,14 @@ class PictureComparer(ABC):
     `counts` has the ranges of values of the images of integers ("counts") that are declared so far.
     """
 
-    def __init__(
-        self,
-        declared: Declarations,
-        constants: Mapping[str, Meaning],
-        target: Target,
-        kernels: dict[str, p.Weights],
-        problems: Problems,
-        host: HostValues,
-    ) -> None:
-        """Prepare to check comparisons.
+    def __init__(self, host: HostValues, kernels: dict[str, p.Weights]) -> None:
+        """Prepare to check comparisons in the file of `host`, which knows the parameters that the
+        host sets.
 
-        `kernels` are the convolution kernels by name, and `host` knows the parameters that the host
-        sets."""
-        self.host = host
-        self.declared, self.constants, self.target = declared, constants, target
-        self.kernels, self.problems = kernels, problems
+        `kernels` are the valid convolution kernels by name."""
+        self.host, self.kernels = host, kernels
+        self.declared, self.constants, self.target = host.declared, host.constants, host.target
+        self.problems = host.problems
         self.counts: dict[str, CountRange] = {}
 
     @abstractmethod

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, cast
 
-from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Fix
 from nscc.program.constants import constant
-from nscc.program.expressions import Meaning
 from nscc.program.host_values import HostValues
-from nscc.program.names import Declarations
 from nscc.program.picture_comparisons import WrongPicture, picture_sum
 from nscc.program.picture_loops import LoopReader
 from nscc.program.problems import Problems
@@ -31,21 +28,19 @@ class Reader(LoopReader):
 
     def __init__(
         self,
-        declared: Declarations,
-        constants: Mapping[str, Meaning],
-        target: Target,
-        buckets: Sequence[str],
-        kernels: dict[str, p.Weights],
-        outside: int | None,
-        problems: Problems,
         host: HostValues,
+        kernels: dict[str, p.Weights],
+        buckets: Sequence[str],
+        outside: int | None,
     ) -> None:
-        """Begin with the kept states, kept images and input planes as known names.
+        """Begin with the kept states, kept images and input planes of the file of `host` as known
+        names.
 
         `buckets` are the names of buckets, and `kernels` the convolution kernels. `outside` is the
         bit of planes beyond the array, None if the program does not say."""
-        super().__init__(declared, constants, target, kernels, problems, host)
+        super().__init__(host, kernels)
         self.buckets, self.outside = buckets, outside
+        declared = self.declared
         if declared.keeps_planes:
             self.kinds.update(dict.fromkeys(declared.states, "plane"))
             self.kinds.update(dict.fromkeys(declared.kept_images, "image"))

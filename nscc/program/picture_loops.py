@@ -8,6 +8,7 @@ from typing import Any, Literal, cast
 
 from nscc.operations import STEERING
 from nscc.program.constants import constant
+from nscc.program.host_values import HostValues
 from nscc.program.picture_comparisons import PictureComparer, WrongPicture
 from nscc.source import Span
 from nscc.syntax import tree
@@ -27,12 +28,11 @@ class LoopReader(PictureComparer):
     and floods add. `floods` are the reports of whether floods were complete. `now` is the name that
     is being declared."""
 
-    kernels: dict[str, p.Weights]
     outside: int | None
 
-    def __init__(self, *arguments: Any) -> None:
+    def __init__(self, host: HostValues, kernels: dict[str, p.Weights]) -> None:
         """Begin without images and planes; the arguments are those of `PictureComparer`."""
-        super().__init__(*arguments)
+        super().__init__(host, kernels)
         self.kinds: dict[str, Kind] = {}
         self.failed: set[str] = set()
         self.items: list[p.Picture] = []

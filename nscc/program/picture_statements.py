@@ -81,21 +81,11 @@ class PictureMaker:
             return NO_PICTURES
         kernels = [self._kernel(kernel) for kernel in self.declared.kernels.values()]
         known = {kernel.name: kernel for kernel in kernels if kernel is not None}
-        outside = self._outside()
         planes = PlaneMaker(
             self.declared, {}, self.constants, self.target, self.base, self.problems
         )
         host = HostValues(self.declared, self.constants, self.target, planes, self.problems)
-        reader = Reader(
-            self.declared,
-            self.constants,
-            self.target,
-            self.buckets,
-            known,
-            outside,
-            self.problems,
-            host,
-        )
+        reader = Reader(host, known, self.buckets, self._outside())
         for picture in self.declared.pictures:
             reader.now = name = picture.name.text
             if name in self.declared.repeats:
@@ -139,7 +129,7 @@ class PictureMaker:
         pictures = Pictures(
             tuple(known.values()),
             tuple(reader.items),
-            outside,
+            reader.outside,
             limits,
             reads,
             reports,

@@ -77,7 +77,7 @@ def test_plans_keep_their_promise_on_two_real_scenes() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
-def test_all_of_them(path: Path) -> None:
+def test_every_real_scene_keeps_its_promise(path: Path) -> None:
     number = FILES.index(path)
     check(
         [

@@ -74,7 +74,9 @@ def test_programs_that_ask_for_too_much_are_refused(text: str, tmp_path: Path) -
     ],
     ids=" ".join,
 )
-def test_files_of_other_content(data: bytes, arguments: list[str], tmp_path: Path) -> None:
+def test_commands_refuse_files_of_other_content(
+    data: bytes, arguments: list[str], tmp_path: Path
+) -> None:
     (tmp_path / "ok.nsl").write_text(GOOD)
     for suffix in ("nsl", "icw", "npz", "toml"):
         (tmp_path / f"bad.{suffix}").write_bytes(data)

@@ -91,7 +91,7 @@ def calibrated(folder: Path, names: list[str], *more: str) -> dict:
     return json.loads(found.out)
 
 
-def test_the_sensor_comes_back(folder: Path) -> None:
+def test_calibration_finds_the_sensor_of_the_emulator(folder: Path) -> None:
     changes = [word for k, v in SENSOR.items() for word in ("--sensor-set", f"{k}={v}")]
     effects = "shot,prnu,dark,read,crosstalk,full_well"
     names = taken(folder, effects, changes)

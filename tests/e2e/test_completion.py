@@ -99,7 +99,7 @@ def offers(
         ("nscc evaluate of x --protocol sc", ["sci8"]),
     ],
 )
-def test_what_is_offered(
+def test_completion_offers_files_runs_and_names(
     shell: str,
     typed: str,
     offered: list[str],

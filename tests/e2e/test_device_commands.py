@@ -112,7 +112,7 @@ def test_states_go_on_from_frame_to_frame(folder: Path) -> None:
     assert sizes[0] < sizes[1] < sizes[2], "what is beyond the border spreads"
 
 
-def test_info_upload_capture(folder: Path) -> None:
+def test_a_device_is_described_programmed_and_captured(folder: Path) -> None:
     digest = sha256((folder / "small.icw").read_bytes()).hexdigest()
     with serving(folder) as device:
         outcome = invoke(["device", "info", device.port], folder)
@@ -188,7 +188,7 @@ def test_a_port_without_permission(folder: Path) -> None:
     assert "you have no permission to use it" in said
 
 
-def test_a_busy_port(folder: Path) -> None:
+def test_a_busy_port_is_refused(folder: Path) -> None:
     import fcntl
 
     master, slave = os.openpty()
@@ -249,7 +249,7 @@ def test_a_device_that_does_not_come_back(folder: Path) -> None:
     assert not (folder / "d.npz").exists()
 
 
-def test_capture_wants_one_place(folder: Path) -> None:
+def test_capture_refuses_contradicting_outputs(folder: Path) -> None:
     line = ["device", "capture", "/dev/nowhere"]
     for more in ([], ["-o", "f.npz", "--to", "many"], ["-o", "f.npz", "--count", "2"]):
         failed(invoke([*line, *more], folder), "NS0780", 2)

@@ -100,7 +100,7 @@ def test_what_is_declared_is_there() -> None:
 
 
 @pytest.mark.slow
-def test_the_packed_extension(tmp_path: Path) -> None:
+def test_the_packed_extension_colours_and_talks_to_the_server(tmp_path: Path) -> None:
     """Packed by `make vsix`; its colours by VS Code's own library; it talks to `nscc lsp`."""
     if not shutil.which("npm"):
         pytest.skip("npm is not there")
@@ -136,7 +136,7 @@ def test_the_packed_extension(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_in_the_workbench_itself(tmp_path: Path) -> None:
+def test_the_packed_extension_works_in_a_window_of_vs_code(tmp_path: Path) -> None:
     """The packed extension in VS Code's own window, served by code-server, seen by a browser.
 
     NSCC_EDITOR names the folder where `npm install code-server playwright-core` was run.

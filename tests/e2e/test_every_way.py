@@ -118,7 +118,7 @@ def test_on_every_chip_and_level(name: str, tmp_path: Path) -> None:
 # The last level searches for minutes wherever there may be something to gain.
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["b5", "d16", "e8", "three"])
-def test_with_the_longest_search(name: str, tmp_path: Path) -> None:
+def test_programs_of_level_3_equal_a_rule_in_numpy(name: str, tmp_path: Path) -> None:
     sweep(name, tmp_path, ("plain",), ("3",), ("auto",))
 
 

@@ -94,11 +94,11 @@ def test_no_floor_knows_one_above_it() -> None:
     assert arrows_up(file_graph(files()), FLOORS) == []
 
 
-def test_no_circle_of_files() -> None:
+def test_files_do_not_import_each_other_in_cycles() -> None:
     assert circles(file_graph(files())) == []
 
 
-def test_no_circle_of_folders() -> None:
+def test_folders_do_not_import_each_other_in_cycles() -> None:
     """In every folder: of its files and folders, each taken with all below it."""
     graph = file_graph(files())
     folders = {name.rpartition(".")[0] for name in graph if "." in name}

@@ -53,7 +53,7 @@ def test_the_example_bright_spots_reports_their_places(tmp_path: Path) -> None:
     assert np.array_equal(found[:count], np.stack([cols, rows], axis=1)[:count])
 
 
-def test_motion_in_a_frame(tmp_path: Path) -> None:
+def test_motion_in_a_frame_marks_pixels_that_changed(tmp_path: Path) -> None:
     frame = frame_of("motion_in_a_frame", "builtin:motion", tmp_path)
     change = correlate(exposure(frame, slice(4, 8)) - exposure(frame, slice(0, 4)), GAUSS)
     inside = ~frame["margin"]

@@ -19,7 +19,7 @@ PAGE = ROOT / "docs/tutorials/own_pictures.md"
 COMMANDS = {"train", "evaluate", "build", "run", "reconstruct", "demo"}
 
 
-def test_the_cells_work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_cells_of_the_tutorial_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     cells = re.findall(r"^```\{code-cell\} ipython3\n(.*?)^```$", PAGE.read_text(), re.M | re.S)
     monkeypatch.chdir(tmp_path)
     run, names = set(), {}

@@ -166,7 +166,7 @@ def test_the_default_is_no_effects_and_predicts_nothing(folder: Path) -> None:
     assert {each["decision"] for each in plan["effects"] if each["name"] != "adc"} == {"dropped"}
 
 
-def test_tolerances_in_codes(folder: Path) -> None:
+def test_a_tolerance_in_codes_is_converted_to_electrons(folder: Path) -> None:
     changes = ("--sensor-set", "electrons_per_lsb=40")
     assert run(folder, "--tolerance", "0.25lsb", *changes).status == 0
     assert loaded(folder)[1]["plan"]["tolerance_e"] == 10.0
@@ -341,7 +341,7 @@ def test_timings_tell_planning_from_exposing(folder: Path) -> None:
     assert all(value >= 0 for value in found.values())
 
 
-def test_clips_that_are_samples(folder: Path) -> None:
+def test_clips_of_samples_keep_the_effect_motion(folder: Path) -> None:
     light = np.random.default_rng(1).exponential(400.0, (4, 24, 30)).astype(np.float32)
     np.savez(folder / "light.npz", light=light)
     outcome = run(

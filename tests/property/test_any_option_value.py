@@ -73,7 +73,9 @@ def test_both_ends_of_a_range(name: str, folder: Path) -> None:
 
 @settings(max_examples=8)
 @given(values=st.dictionaries(st.sampled_from(PARAMETERS), st.booleans(), min_size=2, max_size=3))
-def test_ends_of_ranges_together(values: dict[str, bool], folder: Path) -> None:
+def test_extreme_sensor_values_together_run_or_are_refused(
+    values: dict[str, bool], folder: Path
+) -> None:
     ends = {name: RANGES[name].high if high else RANGES[name].low for name, high in values.items()}
     changes = [part for name, end in ends.items() for part in ("--sensor-set", f"{name}={end!r}")]
     judge(folder, "--effects", "auto", *changes)
@@ -84,7 +86,7 @@ def test_ends_of_ranges_together(values: dict[str, bool], folder: Path) -> None:
 @given(option=st.sampled_from([*OPTIONS]), value=NUMBERS)
 @example(option="--tolerance", value="1e200")
 @example(option="--tolerance", value="1e-320")
-def test_any_value_of_an_option(option: str, value: str, folder: Path) -> None:
+def test_any_value_of_an_option_runs_or_is_refused(option: str, value: str, folder: Path) -> None:
     if option == "--repeat" and value.isdecimal() and int(value) > 100:
         value = "100"  # ten thousand frames are legal, and slow
     judge(folder, option, OPTIONS[option].format(value))

@@ -16,7 +16,7 @@ each other by 3e-8 there."""
 
 
 @given(VALUES)
-def test_they_undo_each_other(values: np.ndarray) -> None:
+def test_srgb_curves_undo_each_other(values: np.ndarray) -> None:
     for given_ in (values, BENDS, BENDS * 0.99, BENDS * 1.01):
         np.testing.assert_allclose(linear_to_srgb(srgb_to_linear(given_)), given_, atol=1e-6)
         np.testing.assert_allclose(srgb_to_linear(linear_to_srgb(given_)), given_, atol=1e-7)

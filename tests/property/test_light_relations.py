@@ -145,7 +145,7 @@ def test_scaled_light_scales_the_exposure(lowering: str, light: np.ndarray, powe
 
 @settings(max_examples=80, deadline=None)
 @given(patterns(), patterns())
-def test_light_adds_up(one: np.ndarray, other: np.ndarray) -> None:
+def test_the_exposure_of_a_sum_is_the_sum_of_exposures(one: np.ndarray, other: np.ndarray) -> None:
     """The exposure of two scenes is the sum of their exposures, where their sum is a float32."""
     scale = np.float32(1e4)
     one, other = (
@@ -184,7 +184,7 @@ def test_every_effect_of_any_light_is_a_number(light: np.ndarray, effects: str) 
 
 @settings(max_examples=80, deadline=None)
 @given(patterns())
-def test_code_zero_is_nothing(light: np.ndarray) -> None:
+def test_a_pixel_that_never_opens_is_exactly_zero(light: np.ndarray) -> None:
     """Without dark current and without noise of words a pixel that never opens is +0 exactly."""
     container = program(EVERY, "edges", ROWS, COLS)
     sensor = sensor_of(container, dark_current_e_per_s=0.0)

@@ -48,7 +48,9 @@ def tables(draw):
     st.sampled_from([1e3, 3e5]),
     st.booleans(),
 )
-def test_words_of_level_2(table, lowering, registers, store, slot_us, resets):
+def test_words_of_level_2_are_proved_and_cost_no_more_than_level_1(
+    table, lowering, registers, store, slot_us, resets
+):
     target = load_target("scamp5-algorithm1" if resets else "scamp5", Path())
     names = target.digital_registers
     names = (*names[: registers - 1], "R12")

@@ -122,18 +122,20 @@ class TestBadFiles:
     @QUICK
     @given(data=st.binary(max_size=300))
     @example(data=b"")
-    def test_random_bytes(self, suffix: str, data: bytes) -> None:
+    def test_random_bytes_load_or_are_refused(self, suffix: str, data: bytes) -> None:
         load(data, suffix)
 
     @QUICK
     @given(share=st.floats(0.0, 0.999))
-    def test_cut_short(self, suffix: str, share: float) -> None:
+    def test_cut_scene_files_load_or_are_refused(self, suffix: str, share: float) -> None:
         data = whole(suffix)
         load(data[: int(len(data) * share)], suffix)
 
     @QUICK
     @given(place=st.floats(0.0, 0.999), value=st.binary(min_size=1, max_size=16))
-    def test_bytes_changed(self, suffix: str, place: float, value: bytes) -> None:
+    def test_changed_scene_files_load_or_are_refused(
+        self, suffix: str, place: float, value: bytes
+    ) -> None:
         data = bytearray(whole(suffix))
         start = int(len(data) * place)
         data[start : start + len(value)] = value

@@ -107,14 +107,14 @@ def test_any_text_is_assembled_or_explained(text: str, sound_start: bool) -> Non
     ],
     ids=lambda text: text[:8],
 )
-def test_huge_text_ends_soon(text: str) -> None:
+def test_huge_assembly_text_is_refused(text: str) -> None:
     with pytest.raises(Rejected):
         assemble(Source("x.asm", text), Path("/nowhere"))
 
 
 @settings(max_examples=100, deadline=None)
 @given(st.lists(PIECES, max_size=12).map(" ".join))
-def test_bare_words_are_whole(text: str) -> None:
+def test_assembled_words_are_five_32_bit_integers(text: str) -> None:
     try:
         words = assemble_words(Source("-", text), Path("/nowhere"))
     except Rejected:

@@ -89,14 +89,14 @@ def changed(path: tuple[Any, ...], text: str) -> dict[str, Any]:
     return header
 
 
-def test_the_forger_can_write() -> None:
+def test_a_container_with_a_valid_digest_is_read() -> None:
     assert from_bytes(signed(good()[1]), "x.icw").slots == 4
 
 
 @settings(max_examples=60)
 @given(number=st.integers(0, 10**6), text=ODD)
 @example(number=10**6 - 1, text="\ud800")
-def test_any_string_anywhere(
+def test_any_string_in_a_container_is_read_or_refused(
     number: int, text: str, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     every = list(places(good()[1]))

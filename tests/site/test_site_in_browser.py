@@ -150,7 +150,7 @@ def test_logo_icon_and_links_of_the_home_page(opened: Any) -> None:
 
 
 @pytest.mark.parametrize("opened", [(1280, "light")], indirect=True)
-def test_gallery_and_notebooks(opened: Any) -> None:
+def test_examples_have_pages_and_tutorials_have_notebooks(opened: Any) -> None:
     """No page is endless; each example has a page of its own, each tutorial a notebook."""
     examples = {path.stem for path in (SITE.parents[1] / "examples").glob("*.nsl")}
     pages = {path.stem for path in (SITE / "docs/generated/gallery").glob("*.html")}

@@ -47,7 +47,7 @@ def test_error_is_that_of_the_condition_not_of_its_square(size: int) -> None:
         assert np.linalg.norm(normal - wanted) / np.linalg.norm(wanted) > 100 * error
 
 
-def test_nearly_equal_shutters() -> None:
+def test_nearly_equal_shutters_have_rank_two_and_a_large_condition() -> None:
     """Two shutters of a thousand slots that differ in one: rank 2, and the condition says so."""
     codes = np.ones((40, 2))
     codes[0, 1] = 1 + 1e-6
@@ -66,6 +66,6 @@ def test_dependent_codes_have_the_least_solution_and_a_lower_rank() -> None:
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_no_numbers_no_answer(bad: float) -> None:
+def test_values_that_are_not_finite_are_refused(bad: float) -> None:
     with pytest.raises(ValueError, match="finite"):
         solve(np.array([[1.0, bad]]), np.array([1.0]))

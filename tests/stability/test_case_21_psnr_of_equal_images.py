@@ -34,6 +34,6 @@ def test_a_score_counts_infinite_frames_and_leaves_them_out() -> None:
     assert found.of_mean_mse == pytest.approx(-10 * math.log10((0.01 + 0.0001) / 4), abs=1e-9)
 
 
-def test_nothing_but_equal_frames() -> None:
+def test_psnr_of_equal_frames_only_is_infinite() -> None:
     found = metrics.frame_scores([0.0, 0.0], 1.0)
     assert (found.mean, found.infinite, found.of_mean_mse) == (math.inf, 2, math.inf)

@@ -10,7 +10,7 @@ import pytest
 from nscc_training.statistics import summary
 
 
-def test_variance_on_a_pedestal() -> None:
+def test_variance_of_values_far_from_zero_is_exact() -> None:
     x = (1e5 + np.random.default_rng(4).standard_normal(20000)).astype(np.float32)
     exact = [float(v) for v in x]
     moments = summary(exact, ["scene"] * len(exact))

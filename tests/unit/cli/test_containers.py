@@ -15,7 +15,7 @@ from nscc_cli.containers import asm, diff, disasm
 PROGRAM = ".wait 1ms x4\n.kernel k\nrespix A\n.slot 0..4 k\n.readout A frame\n"
 
 
-def test_assemble_list_and_compare(tmp_path: Path) -> None:
+def test_disassembled_text_assembles_to_the_same_container(tmp_path: Path) -> None:
     runner, text = CliRunner(), tmp_path / "x.asm"
     text.write_text(PROGRAM, encoding="utf-8")
     assert runner.invoke(asm, [str(text)]).exit_code == 0

@@ -53,7 +53,7 @@ def test_other_files_are_not_served(address: Any, name: str) -> None:
     assert ask(address, "GET", address.path + name)[0] == 404
 
 
-def test_strangers_get_nothing(address: Any) -> None:
+def test_requests_without_the_key_or_from_other_hosts_are_refused(address: Any) -> None:
     host = {"Host": "evil.example"}
     for path, headers in (("/", {}), ("/guess/start", {}), (f"{address.path}start", host)):
         for method in ("GET", "POST"):

@@ -49,7 +49,7 @@ def stops(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def test_what_was_built_proves(stops: Path) -> None:
+def test_a_built_container_is_proved(stops: Path) -> None:
     done = invoke(["prove", "stops.icw"], stops)
     assert done.status == 0
     assert "proved: 4 codes x 4 slots x 1 bucket, 2 frames" in done.out

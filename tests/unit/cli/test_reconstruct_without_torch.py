@@ -55,7 +55,7 @@ def test_any_takes_what_needs_no_torch(
     assert (folder / "named.npz").read_bytes() == (folder / "out.npz").read_bytes()
 
 
-def test_what_methods_are_for(folder: Path) -> None:
+def test_methods_refuse_the_wrong_kind_of_result(folder: Path) -> None:
     for arguments in (
         ["--method", "merge", "--as", "video"],
         ["--method", "gap-tv", "--as", "image"],

@@ -115,7 +115,7 @@ def test_containers_and_sources_give_the_same_file(capsys: pytest.CaptureFixture
     assert Path("ok.frame.npz").read_bytes() == Path("b.npz").read_bytes()
 
 
-def test_codes_from_a_file(capsys: pytest.CaptureFixture[str]) -> None:
+def test_pixel_codes_are_read_from_a_file(capsys: pytest.CaptureFixture[str]) -> None:
     arguments = ("open.nsl", "--scene", "builtin:flat:100")
     status, err = run(*arguments, capsys=capsys)
     assert status == 2

@@ -56,7 +56,7 @@ def test_an_empty_block_is_filled_and_longer_fences_are_kept() -> None:
         (["from ^adc", "until ^(adc|wrote)"], ["adc  34"]),
     ],
 )
-def test_clauses_choose_lines(clauses: list[str], lines: list[str]) -> None:
+def test_clauses_choose_lines_of_an_output(clauses: list[str], lines: list[str]) -> None:
     assert chosen(OUTPUT, clauses) == lines
 
 

@@ -68,7 +68,7 @@ def page(tmp_path: Path) -> Page:
     return Page(tmp_path / "evaluations")
 
 
-def test_words_of_a_template(page: Page) -> None:
+def test_templates_are_filled_with_means_and_values(page: Page) -> None:
     assert page.filled("a {{mean run/* psnr_db}} b") == f"a {(82 / 3 + 85 / 3) / 2:.2f} b"
     assert page.filled("{{mean run/* psnr_db/source}}") == "26.00"
     assert page.filled("{{mean run/* ssim}}") == "0.500"
@@ -108,7 +108,7 @@ def test_a_row_says_that_its_weights_are_not_there(page: Page) -> None:
         "_found run/*",
     ],
 )
-def test_a_wrong_template(page: Page, wrong: str) -> None:
+def test_a_wrong_template_is_refused(page: Page, wrong: str) -> None:
     with pytest.raises(ValueError, match=wrong.split()[0]):
         page.filled(f"{{{{{wrong}}}}}")
 
@@ -133,7 +133,7 @@ def test_the_papers_tables_are_of_what_comes_with_nscc(tmp_path: Path) -> None:
     assert human.count("\n| ") == len(rows) + 3
 
 
-def test_tables_of_a_folder(tmp_path: Path) -> None:
+def test_tables_of_an_empty_folder_say_not_run(tmp_path: Path) -> None:
     (tmp_path / "none").mkdir()
     human = invoke(["evaluate", "tables", "--results", "none"], tmp_path).out
     assert human.count("not run") == len(paper_tables()[0])
@@ -207,7 +207,7 @@ TEXTS = (
 )
 
 
-def test_texts_of_results(update_cases: bool) -> None:
+def test_texts_of_shipped_results_are_as_recorded(update_cases: bool) -> None:
     shown = "\n".join(
         result_text(read_result(shipped_evaluations() / f"{name}.json")) for name in TEXTS
     )
@@ -228,7 +228,7 @@ def test_one_long_film_does_not_hide_the_others() -> None:
     assert "by source" not in result_text(read_result(still))  # every panorama has four crops
 
 
-def test_baselines_on_other_codes(tmp_path: Path) -> None:
+def test_baselines_record_the_codes_that_they_were_run_on(tmp_path: Path) -> None:
     """GAP-TV on the 2 x 2 pattern is not GAP-TV on random bits, and results say which is which."""
     clip(tmp_path / "c.mat", 16, 256)
     line = ["evaluate", "gap-tv", "--data", ".", "--protocol", "video-v1", "--json"]

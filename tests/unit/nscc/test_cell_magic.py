@@ -37,7 +37,9 @@ def test_a_cell_is_shown_and_named(shell: InteractiveShell) -> None:
     assert shell.run_cell(f"%%nsl\n{CELL}").result.options.level == 2
 
 
-def test_messages_stand_alone(shell: InteractiveShell, capsys: pytest.CaptureFixture[str]) -> None:
+def test_messages_of_cells_have_no_traceback(
+    shell: InteractiveShell, capsys: pytest.CaptureFixture[str]
+) -> None:
     result = shell.run_cell(f"%%nsl\n{CELL.replace('n < stop', 'n < stp')}")
     assert isinstance(result.error_in_exec, nscc.Rejected)
     said = "".join(capsys.readouterr())
@@ -57,7 +59,7 @@ def test_messages_stand_alone(shell: InteractiveShell, capsys: pytest.CaptureFix
         ("'a", "quotation"),
     ],
 )
-def test_a_wrong_line(
+def test_invalid_arguments_of_the_magic_are_explained(
     line: str, said: str, shell: InteractiveShell, capsys: pytest.CaptureFixture[str]
 ) -> None:
     result = shell.run_cell(f"%%nsl {line}\n{CELL}")

@@ -20,7 +20,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import inputs_kept, reads, refuse_same, write_together, write_whole
 
 
-def test_writes_and_replaces(tmp_path: Path) -> None:
+def test_a_file_is_written_and_replaced(tmp_path: Path) -> None:
     for data in (b"one", b"", b"three"):
         write_whole(tmp_path / "file", data)
         assert (tmp_path / "file").read_bytes() == data

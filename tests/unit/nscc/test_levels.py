@@ -97,7 +97,7 @@ def test_the_levels_below_are_tried_too(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 @pytest.mark.parametrize("level", [-1, 4])
-def test_there_are_no_others(level: int, tmp_path: Path) -> None:
+def test_other_levels_are_refused(level: int, tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="not one of"):
         compile_source(Source("p.nsl", "nsl 1"), Path(), Options(level=level))
     done = invoke(["build", "p.nsl", "-O", level], tmp_path)
@@ -118,7 +118,7 @@ def test_there_are_no_others(level: int, tmp_path: Path) -> None:
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else f"-O{value}",
 )
-def test_what_a_command_takes(
+def test_commands_compile_at_their_documented_level(
     arguments: list[str], level: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "p.nsl").write_text(

@@ -40,7 +40,7 @@ def test_the_installation_is_told_with_one_text() -> None:
     assert ":start-after: <!-- install -->\n:end-before: <!-- installed -->" in home
 
 
-def test_the_changelog_is_divided() -> None:
+def test_versions_in_the_changelog_are_short_and_divided() -> None:
     for title, text in versions().items():
         assert text.count("\n") <= VERSION_LINES, title
         parts = re.split(r"^### (.*)$", text, flags=re.MULTILINE)

@@ -107,7 +107,7 @@ def test_what_is_no_number_reads_zero_and_is_invalid() -> None:
     np.testing.assert_array_equal(frame.valid, [[[False, False, False, True]]])
 
 
-def test_converters_of_other_widths() -> None:
+def test_converters_of_fewer_bits_clip_and_of_more_are_refused() -> None:
     six = replace(TARGET, adc_bits=6)
     frame = read_out(exposure(np.full((1, 1, 1), 1e9)), six)
     assert frame.frame[0, 0, 0] == 63

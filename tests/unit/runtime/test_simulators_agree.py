@@ -117,7 +117,7 @@ def test_moments_are_those_of_the_reference(
 
 
 @pytest.mark.parametrize("name", ["b edges", "c edges", "two buckets"])
-def test_moments_are_what_frames_have(name: str) -> None:
+def test_predicted_moments_are_those_of_2000_frames(name: str) -> None:
     container = case(name, rows=ROWS, cols=COLS)
     light, sensor = moving_light((8, ROWS, COLS), 300.0), sensor_of(container, **STRONG)
     program, every = analysed(container, sensor), selected("all")

@@ -91,7 +91,7 @@ def test_decoders_see_both_frames(name: str) -> None:
             assert torch.allclose(turned, made, atol=1e-4)
 
 
-def test_other_decoders_take_one() -> None:
+def test_decoders_of_one_bucket_refuse_two() -> None:
     for name in (name for name, each in DECODERS.items() if each.clips and not each.two_buckets):
         with pytest.raises(ValueError, match="accepts one bucket; unet2d, unet3d, any accept two"):
             make_decoder(name, "small", DecoderTask("clip", 4, (2, 2), buckets=2))

@@ -63,7 +63,7 @@ def test_a_run_is_of_one_piece(run: Path) -> None:
 
 
 @pytest.mark.parametrize("run", SHIPPED, ids=named)
-def test_a_decoder_works(run: Path) -> None:
+def test_decoders_of_shipped_runs_decode(run: Path) -> None:
     parts = load_run(run).setup
     frame = torch.rand(1, 48, 48, generator=torch.Generator().manual_seed(1))
     with torch.no_grad():

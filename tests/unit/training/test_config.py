@@ -47,7 +47,7 @@ def test_all_contradictions_are_named_together() -> None:
     ).check()
 
 
-def test_changes_come_on_top(tmp_path: Path) -> None:
+def test_changes_by_set_replace_values_of_the_file(tmp_path: Path) -> None:
     path = tmp_path / "c.toml"
     path.write_text("[train]\nsteps = 7\nbatch = 3\n")
     found = load_config(path, ["train.steps=9", "loss.name=l1", 'data.val=""', "shutter.free=true"])
@@ -92,7 +92,7 @@ def test_wrong_values_of_a_configuration_are_refused(text: str, tmp_path: Path) 
         load_config(tmp_path / "c.toml")
 
 
-def test_files_that_are_none(tmp_path: Path) -> None:
+def test_invalid_configuration_files_are_refused(tmp_path: Path) -> None:
     (tmp_path / "bytes.toml").write_bytes(b"\xff\xfe\x00")
     (tmp_path / "broken.toml").write_text("[train\nsteps = 1")
     for name, code in (

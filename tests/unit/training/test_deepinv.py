@@ -100,7 +100,7 @@ def test_gradients_reach_the_codes() -> None:
     }
 
 
-def test_noise_is_the_sensors() -> None:
+def test_the_noise_has_the_mean_and_variance_of_the_sensor() -> None:
     """Mean and variance of grey pixels, whole codes, and the end of the scale."""
     model = SensorModel(30000.0, 100.0, adc_noise_lsb=2.0, shot_noise=True)
     noise = SensorNoise(model, torch.Generator().manual_seed(4))
@@ -175,7 +175,7 @@ def their_tests(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Any:
 
 @pytest.mark.filterwarnings("ignore:::deepinv", "ignore::UserWarning")
 @pytest.mark.parametrize(("test", "kind"), CASES)
-def test_their_own_tests_hold(test: str, kind: str, their_tests: Any) -> None:
+def test_the_tests_of_deepinverse_hold(test: str, kind: str, their_tests: Any) -> None:
     given = {
         "name": kind,
         "device": "cpu",

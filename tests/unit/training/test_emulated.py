@@ -99,7 +99,9 @@ def share(program: Container) -> torch.Tensor:
 
 
 @pytest.mark.parametrize("level", [slow(0.1), 0.45, slow(0.93)])
-def test_codes_are_the_emulators(program: Container, table: EmulatedSensor, level: float) -> None:
+def test_codes_of_the_model_have_the_moments_of_the_emulators(
+    program: Container, table: EmulatedSensor, level: float
+) -> None:
     """Mean, deviation from steady light (bias) and variance of every place, within a tenth."""
     sensor = sensor_of(program)
     model = SensorModel.of(sensor, program.target)

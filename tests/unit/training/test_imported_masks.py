@@ -65,7 +65,7 @@ def test_the_class_that_holds_a_mask(tmp_path: Path, kind: str) -> None:
     np.testing.assert_array_equal(shutters, repeated)
 
 
-def test_the_smallest_tile(tmp_path: Path) -> None:
+def test_the_smallest_tile_of_a_mask_is_found(tmp_path: Path) -> None:
     """Of a mask of the whole array, time first or last; a tile need not divide the array."""
     tile = by_stop(1 + RNG.permutation(15).reshape(3, 5) % 8)
     mask = np.tile(tile, (86, 52, 1))[:256, :256]
@@ -188,7 +188,7 @@ def test_masks_that_do_not_fit(tmp_path: Path, mask: np.ndarray, reason: str) ->
         assert len(diagnostic.notes) >= 3
 
 
-def test_the_command_and_pixels(tmp_path: Path) -> None:
+def test_import_mask_writes_a_program_or_codes_for_one(tmp_path: Path) -> None:
     mask = by_stop(1 + ORDER % 8)
     np.savez(tmp_path / "m.npz", mask=mask)
     done = invoke(["import-mask", "m.npz", "-o", "p.nsl", "--slots-axis", "last"], tmp_path)

@@ -203,7 +203,7 @@ def test_a_design_is_a_start(run: Path) -> None:
     ],
     ids=lambda change: change[0],
 )
-def test_what_cannot_be_learned(run: Path, change: list[str]) -> None:
+def test_invalid_settings_for_looks_are_refused(run: Path, change: list[str]) -> None:
     sets = [part for each in change for part in ("--set", each)]
     done = invoke(["train", "c.toml", "--out", "x", *sets], run)
     assert done.codes == ["NS0815"], done.err

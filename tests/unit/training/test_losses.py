@@ -63,7 +63,7 @@ def loss_of(name: str) -> Loss:
     return make_setup(settings_of({"shutter": {"slots": 16}, "loss": {"name": name}})).loss
 
 
-def test_sums_of_losses() -> None:
+def test_a_sum_of_losses_has_the_sum_of_values_and_gradients() -> None:
     made, truth = (x.clone().requires_grad_() for x in pair(0.1))
     single = {name: LOSSES[name](made, truth) for name in ("psnr", "psnr-mu", "l1")}
     for text in ("psnr+psnr-mu+l1", " l1 + psnr-mu  +psnr"):

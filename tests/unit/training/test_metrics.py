@@ -123,7 +123,7 @@ def test_a_bad_number_is_an_error_and_never_a_score(name: str, bad: float, side:
 
 
 @pytest.mark.parametrize("name", sorted({*MEASURES} - {"ssim", "temporal_error"}))
-def test_nothing_has_no_score(name: str) -> None:
+def test_metrics_of_empty_arrays_are_refused(name: str) -> None:
     with pytest.raises(ValueError, match="at least one value"):
         MEASURES[name](np.zeros((0, 12)), np.zeros((0, 12)))
 
@@ -199,7 +199,7 @@ def test_lists_and_tensors_are_numbers() -> None:
     assert metrics.psnr(truth.tolist(), torch.from_numpy(result), 1.0) == wanted
 
 
-def test_summary_and_interval() -> None:
+def test_summaries_leave_out_infinity_and_bootstrap_intervals() -> None:
     found = summary([1.0, 2.0, 3.0, math.inf], ["a", "a", "b", "b"])
     assert (found["mean"], found["sd"], found["infinite"]) == (2.0, 1.0, 1)
     assert summary([math.inf], ["a"])["mean"] is None
@@ -289,7 +289,9 @@ def test_the_command_takes_clips_apart(folder: Path) -> None:
         (["t.npy", "huge.npy", "--data-range", "1"], "NS0804"),
     ],
 )
-def test_the_command_refuses(folder: Path, arguments: list[str], code: str) -> None:
+def test_the_command_metrics_refuses_invalid_files(
+    folder: Path, arguments: list[str], code: str
+) -> None:
     outcome = invoke(["metrics", *arguments], folder)
     assert (outcome.status, outcome.codes) == (2, [code])
 

@@ -134,7 +134,7 @@ def outcome(folder: Path, section: str, name: str, **shutter: Any) -> list[str]:
         ("loss", "listed"),
     ],
 )
-def test_what_does_its_work(folder: Path, section: str, name: str) -> None:
+def test_working_user_code_trains(folder: Path, section: str, name: str) -> None:
     assert outcome(folder, section, name) == []
     assert (folder / "run/result.json").is_file()
 

@@ -156,7 +156,9 @@ def test_the_command_states_noise_and_no_psnr(tmp_path: Path) -> None:
         ({"mask": MASK * 1e-16, "meas": np.ones((ROWS, COLS))}, "largest value of `mask`"),
     ],
 )
-def test_what_cannot_be_used(tmp_path: Path, arrays: dict[str, np.ndarray], reason: str) -> None:
+def test_unusable_measurements_are_refused(
+    tmp_path: Path, arrays: dict[str, np.ndarray], reason: str
+) -> None:
     np.savez(tmp_path / "m.npz", **arrays)
     with pytest.raises(Rejected) as caught:
         read_measurement(tmp_path / "m.npz")

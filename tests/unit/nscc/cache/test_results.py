@@ -84,7 +84,7 @@ def test_same_bytes_without_a_search(name: str, folder: Path, searches: list[int
 
 
 @pytest.mark.parametrize("level", [0, 1])
-def test_low_levels_keep_nothing(level: int, folder: Path) -> None:
+def test_low_levels_store_no_solutions(level: int, folder: Path) -> None:
     built(TEXTS["b"], level=level)
     assert not folder.exists()
 
@@ -376,7 +376,7 @@ def test_digests_tell_values_apart() -> None:
         deep(50_000),
     ],
 )
-def test_anything_else_is_refused(text: bytes, tmp_path: Path) -> None:
+def test_a_damaged_stored_solution_is_ignored(text: bytes, tmp_path: Path) -> None:
     problem = Problem((Demand(1, "open", 0, 1, False),), 2, ((1,),), True, {})
     machine = Machine.of(builtin_target("scamp5"))
     results = Results(Store(tmp_path))

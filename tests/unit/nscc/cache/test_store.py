@@ -30,7 +30,9 @@ KEYS = [f"{i:064x}" for i in range(100)]
         ({"NSCC_CACHE_DIR": "here"}, None),
     ],
 )
-def test_where_it_is(tmp_path: Path, environment: dict[str, str], folder: str | None) -> None:
+def test_environment_variables_choose_the_cache_folder(
+    tmp_path: Path, environment: dict[str, str], folder: str | None
+) -> None:
     below = {n: f"{tmp_path}{v}" if v.startswith("/") else v for n, v in environment.items()}
     assert cache_folder(below) == (None if folder is None else Path(f"{tmp_path}{folder}"))
 

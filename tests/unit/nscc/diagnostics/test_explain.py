@@ -79,6 +79,6 @@ def test_explaining_needs_no_arrays() -> None:
         ("N", ["n"], "n"),
     ],
 )
-def test_the_closest_name(name: str, candidates: list[str], meant: str | None) -> None:
+def test_the_closest_name_is_suggested(name: str, candidates: list[str], meant: str | None) -> None:
     assert closest(name, candidates) == meant
     assert closest(name, reversed(candidates)) == meant

@@ -78,7 +78,9 @@ def told(text: str, piece: str) -> str:
         ("nsl 2\nopen when n |", {"and", "in"}, set()),
     ],
 )
-def test_what_may_stand_next(text: str, wanted: set[str], unwanted: set[str]) -> None:
+def test_completion_offers_what_may_stand_next(
+    text: str, wanted: set[str], unwanted: set[str]
+) -> None:
     found = offered(text)
     assert wanted <= {*found}
     assert not unwanted.intersection(found)
@@ -209,7 +211,7 @@ def test_assembly_is_checked_as_nscc_asm_does() -> None:
     assert wrong.label.span.start == text.index(".wait")
 
 
-def test_names_that_stay() -> None:
+def test_invalid_renames_are_refused_with_the_reason() -> None:
     for text, piece, name, why in (
         (STOPS, "stop", "7up", "not a valid name"),
         (STOPS, "stop", "open", "reserved word of the language"),
@@ -249,7 +251,7 @@ def test_fixes_at_a_place_and_all_sure_fixes_of_a_text() -> None:
     assert all_mended(document(STOPS)) is None
 
 
-def test_the_page_works(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_code_on_the_editors_page_runs(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
     (shown,) = re.findall(
         r"^```python\n(.*?)^```$", (ROOT / "docs/editors.md").read_text(), re.M | re.S

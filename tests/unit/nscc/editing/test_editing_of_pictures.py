@@ -41,7 +41,7 @@ def test_an_image_says_what_it_costs() -> None:
     assert "words, peak gain 1, noise gain" in found.text
 
 
-def test_names_are_one_set() -> None:
+def test_buckets_and_kernels_are_found_by_their_names() -> None:
     """A bucket of version 3 is read by its name, and a kernel is called by its own."""
     document = document_of("motion_in_a_frame")
     mention = mention_at(document, document.text.index("late - early"))

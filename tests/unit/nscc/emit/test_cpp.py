@@ -360,7 +360,7 @@ def test_pixels_that_look_at_other_levels_of_in(tmp_path: Path) -> None:
 
 
 @needs_compiler
-def test_images_planes_and_reports(tmp_path: Path) -> None:
+def test_cpp_computes_images_planes_and_reports(tmp_path: Path) -> None:
     text = (
         "nsl 3\nframe 4 slots of 1ms\noutside 1\nbucket a open when n < 2\n"
         "bucket b open when n >= 2\nkernel k = [[1, 2, 1], [2, 4, 2], [1, 2, 1]] / 16\n"

@@ -108,5 +108,5 @@ def test_names_are_text_and_never_tags() -> None:
 
 
 @pytest.mark.parametrize("value", [None, 3, "a", "b'"])
-def test_any_value_is_shown(value: Any) -> None:
+def test_any_text_in_a_table_is_escaped(value: Any) -> None:
     assert Page(html.table([("k", value)])).words == ["k", str(value)]

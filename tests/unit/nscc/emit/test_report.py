@@ -203,7 +203,7 @@ def exposed(container, light_e):
 @pytest.mark.parametrize("chip", CHIPS[:2])
 @pytest.mark.parametrize("lowering", ["accumulate", "latch", "edges"])
 @pytest.mark.parametrize("name", [name for name in TEXTS if name != "b_many"])
-def test_analog_writes_and_headroom(name, lowering, chip, full_well_e):
+def test_analog_writes_and_headroom_are_those_of_a_frame(name, lowering, chip, full_well_e):
     if lowering == "latch" and name not in ("a", "b", "b_unequal", "long"):
         return
     compiled, values = built(TEXTS[name], lowering, chip, full_well_e=full_well_e)

@@ -101,7 +101,7 @@ def test_families_count_their_shutters(size):
         assert len(program.frame.slot_us) == family.slots(at), family.name
 
 
-def test_what_registers_rule_out():
+def test_too_few_registers_make_sizes_impossible():
     target = load_target("scamp5", Path())
     few = replace(target, digital_registers=target.digital_registers[:4])
     found = {family.name: impossible_from(family.shutters, few) for family in families()}

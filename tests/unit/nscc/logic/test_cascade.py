@@ -73,7 +73,7 @@ def test_more_steps_take_no_more_words():
     assert words[-1] < words[0]
 
 
-def test_the_same_every_time():
+def test_cascades_are_deterministic():
     asked = asked_of(book(40, 16, 5))
     assert cascade(asked, SCAMP5, 20_000) == cascade(asked, SCAMP5, 20_000)
 

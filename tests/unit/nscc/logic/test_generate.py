@@ -167,7 +167,7 @@ def test_families_where_flag_is_lost_or_lasts(table, flag_kept):
             continue
 
 
-def test_every_generator_serves_something():
+def test_every_generator_solves_some_table():
     served = set()
     for table, machine in ((t, m) for t in TABLES for m in ("scamp5", "small")):
         for lowering in ("accumulate", "edges"):
@@ -180,7 +180,7 @@ def test_every_generator_serves_something():
     assert served == set(range(len(SINGLE)))
 
 
-def test_every_family_serves_something():
+def test_every_family_solves_some_long_table():
     served = set()
     for table in LONG_TABLES:
         for lowering in ("accumulate", "edges"):

@@ -160,13 +160,13 @@ def test_what_is_wrong_from_the_start_is_left_alone():
     assert improve(solution, problem, MACHINE, Budget(1000)) is solution
 
 
-def test_no_steps_no_change():
+def test_without_search_steps_words_do_not_increase():
     problem, solution = random_solution(5, MACHINE)
     same = improve(solution, problem, MACHINE, Budget(0))
     assert words_of(same, problem, SCAMP) <= words_of(solution, problem, SCAMP)
 
 
-def test_the_same_every_time():
+def test_improving_is_deterministic():
     problem, solution = random_solution(7, MACHINE)
     first = improve(solution, problem, MACHINE, Budget(5000))
     assert first == improve(solution, problem, MACHINE, Budget(5000))
@@ -183,7 +183,7 @@ TABLES = {
 
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
 @pytest.mark.parametrize("table", TABLES)
-def test_what_generators_make(table, lowering):
+def test_gates_of_every_generator_are_improved_and_stay_correct(table, lowering):
     """All generators' gates still answer, and rewriting gains in every table."""
     program = program_from(TABLES[table])
     plan = plan_exposure(program, lowering, levels(program))

@@ -152,7 +152,7 @@ def test_ways_out_of_a_rule_of_no_class():
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("slots", "code"), [(200, "NS0412"), (127, "NS0502")])
-def test_ways_out_of_bumps(slots, code):
+def test_ways_out_of_too_many_bumps_fit(slots, code):
     found = fault(f"frame {slots} slots of 1ms\n{BUMPS}")
     assert found.code == code
     offered = check_ways_out(found, slots)
@@ -290,7 +290,7 @@ def test_a_store_that_is_too_small():
     assert done.lowered.schedule.words_stored <= stored
 
 
-def test_what_check_cannot_tell():
+def test_check_notes_what_only_build_can_decide():
     done = compiled(f"frame 127 slots of 1ms\n{BUMPS}", unproved_is_error=False)
     (note,) = (d for d in done.diagnostics if d.code == "NS0503")
     assert note.severity is Severity.NOTE
@@ -316,7 +316,7 @@ def test_words_that_only_one_lowering_needs_prove_nothing():
     assert compiled(text.replace("1us", "2ms")).proof.holds
 
 
-def test_memory_that_fades():
+def test_slots_longer_than_the_memory_are_refused():
     found = fault(f"frame 4 slots of 2s\n{STOPS}")
     assert found.code == "NS0602"
     assert found.data["required"] == 2e6

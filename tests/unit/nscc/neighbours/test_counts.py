@@ -243,7 +243,7 @@ def test_a_state_without_next_is_refreshed() -> None:
     assert all(told["plane_h"].all() and not told["plane_p"].any() for told in frames)
 
 
-def test_states_may_wait() -> None:
+def test_a_state_whose_condition_is_false_keeps_its_value() -> None:
     """A condition of `next`: the state that does not step keeps its value."""
     text = HEAD + (
         "state seen : bit = 0 kept state odd : bit = 0 kept plane bright = exposure > 50% "
@@ -324,7 +324,7 @@ def test_counts_that_cancel_are_counts(image: str, times: float) -> None:
     np.testing.assert_allclose(frame["image_o"], share * frame["image_a"], atol=1e-6)
 
 
-def test_nodes_go_through_files() -> None:
+def test_nodes_of_counts_survive_a_file() -> None:
     node = Exceeds(ImageSource("f"), Fraction(3, 2))
     plain = to_plain(node, Condition)
     assert plain == ["Exceeds", ["Source", "f"], 3, 2]

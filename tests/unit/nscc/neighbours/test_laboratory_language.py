@@ -95,7 +95,7 @@ def test_repeat_with_flood_count_and_sum_stay_names() -> None:
         (BRIGHT + "input plane q pixels q = tile [[0, 1]] read p, q", "NS0545"),
     ],
 )
-def test_what_is_refused(text: str, code: str) -> None:
+def test_invalid_statements_of_version_4_are_refused(text: str, code: str) -> None:
     assert code in refused(text)
 
 

@@ -128,7 +128,7 @@ def test_statements_of_version_3_are_refused_before_it(version: int, statement: 
         (ONE + "outside 0 outside 1 image i = exposure / 2 read i", ["NS0205"]),
     ],
 )
-def test_what_is_refused(text: str, codes: list[str]) -> None:
+def test_invalid_statements_of_version_3_are_refused(text: str, codes: list[str]) -> None:
     assert refused(text) == codes
 
 
@@ -235,7 +235,7 @@ def test_a_kernel_from_a_file(tmp_path: Path) -> None:
     assert made.pictures.weights[0].rows == ((0, 1, 0), (1, -4, 1), (0, 1, 0))
 
 
-def test_comparisons_are_nodes() -> None:
+def test_chained_comparisons_and_shifts_become_nodes() -> None:
     text = ONE + "outside 0 plane p = -4% < exposure < 40% plane q = p[-1, 2] read q"
     pictures = program(text).pictures
     first, second = (item.node for item in pictures.items)
@@ -258,7 +258,7 @@ def test_nodes_in_files_are_the_same() -> None:
         from_plain(Node, ["Sum", [1, 0, ["Source", "a"]]])
 
 
-def test_the_style_of_images() -> None:
+def test_images_and_planes_are_formatted() -> None:
     text = (
         "nsl 3\nkernel  k=[[1,0,-1]]/2\nimage i=abs ( k( exposure ) )-exposure*2/4\n"
         "plane p=i>-4%  and i[ 1,-1 ]\n"

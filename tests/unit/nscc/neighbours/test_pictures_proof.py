@@ -143,7 +143,7 @@ def same_frame(a: Frame, b: Frame) -> bool:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_words_prove(name: str) -> None:
+def test_words_of_examples_are_proved(name: str) -> None:
     assert pictures_fault(container_of(name)) is None
 
 
@@ -225,7 +225,7 @@ def test_the_largest_of_values_that_a_kernel_left_negative() -> None:
     assert pictures_fault(nscc.compile(text, level=1).container) is None
 
 
-def test_code_registers_stay() -> None:
+def test_words_that_overwrite_a_code_bit_are_found() -> None:
     container = container_of("bright_spots")
     assert (
         pictures_fault(replace(container, code_registers=("R5",)))

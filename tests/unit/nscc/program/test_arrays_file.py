@@ -44,7 +44,7 @@ def plane(program: Program, k: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize("dtype", ["u1", "i2", ">i4", "<u8", "i8"])
-def test_pixels_from_a_file(tmp_path: Path, dtype: str) -> None:
+def test_pixel_codes_of_any_integer_type_are_read(tmp_path: Path, dtype: str) -> None:
     values = np.random.default_rng(3).integers(0, 8, (256, 256)).astype(dtype)
     digest = save(tmp_path, a=np.asfortranarray(values), b=values + 1, other="text")
     text = PIXELS + f'pixels from "f.npz" sha256 "{digest.upper()}"'
@@ -144,7 +144,9 @@ def test_paths_that_are_no_file(tmp_path: Path, path: str) -> None:
         (["other", "mine"], 'shutters book from "f.npz" key mine '),
     ],
 )
-def test_books_from_a_file(tmp_path: Path, dtype: str, keys: list[str], statement: str) -> None:
+def test_codebooks_of_any_integer_type_are_read(
+    tmp_path: Path, dtype: str, keys: list[str], statement: str
+) -> None:
     rows = np.random.default_rng(5).integers(0, 2, (6, 8)).astype(dtype)
     arrays = {key: np.zeros((3, 3)) for key in keys}
     save(tmp_path, **{**arrays, keys[-1]: rows})

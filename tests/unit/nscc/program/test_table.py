@@ -47,7 +47,7 @@ def test_the_table_is_what_the_rule_says(name: str) -> None:
     assert program.legal_codes == len(program.table.codes)
 
 
-def test_bit_fields_and_books() -> None:
+def test_bits_and_codebooks_in_one_rule_give_the_right_table() -> None:
     text = (
         "nsl 1 frame 5 slots of 1ms shutters book [11_000, 00110, 10101] "
         "code bits : bit[5] code id : row of book "

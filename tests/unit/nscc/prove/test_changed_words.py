@@ -115,7 +115,7 @@ def flipped(choose, word):
 
 @pytest.mark.parametrize("chip", CHIPS)
 @pytest.mark.parametrize("table", TABLES)
-def test_a_changed_word(table, chip):
+def test_a_changed_word_is_found_by_the_proof(table, chip):
     for lowering in ("accumulate", "latch", "edges"):
         program = built(table, chip, lowering)
         if program is None:

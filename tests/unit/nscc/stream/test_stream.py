@@ -177,7 +177,7 @@ def test_other_codes_make_other_planes() -> None:
     assert np.array_equal(followed(stream, moved.shape) == 0, np.arange(8)[:, None, None] < codes)
 
 
-def test_planes_for_a_driver() -> None:
+def test_emitted_planes_have_their_times_and_taps() -> None:
     program = built(SPLIT)
     assert program.compiled is not None
     (data,) = emitted("planes", program.compiled, "p").values()

@@ -47,7 +47,7 @@ def test_one_piece_over_and_over(piece: str, before: str) -> None:
 
 
 @pytest.mark.parametrize("cells", ["1,", "1+x,"])
-def test_a_large_tile(cells: str) -> None:
+def test_calls_to_read_a_tile_grow_linearly(cells: str) -> None:
     short, long = tile(cells, 2 * _SIZE), tile(cells, 2 * _TIMES * _SIZE)
     file, errors = read(long)
     assert not errors

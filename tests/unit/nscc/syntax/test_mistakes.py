@@ -200,7 +200,7 @@ def test_a_misspelt_statement_is_read_on_as_what_it_was_meant_to_be() -> None:
 
 
 @pytest.mark.parametrize("count", [MOST_ERRORS - 1, MOST_ERRORS, MOST_ERRORS + 1, 500])
-def test_many_errors_are_counted(count: int) -> None:
+def test_errors_beyond_the_limit_are_only_counted(count: int) -> None:
     _, errors = read("nsl 1\n" + "let = 1\n" * count)
     assert [e.code for e in errors[:MOST_ERRORS]] == ["NS0107"] * min(count, MOST_ERRORS)
     rest = [e.message for e in errors[MOST_ERRORS:]]
@@ -233,7 +233,7 @@ def test_many_errors_are_counted(count: int) -> None:
         ("# comment\n\n  nsl 1\n", []),
     ],
 )
-def test_the_language_line(text: str, expected: list[str]) -> None:
+def test_invalid_version_lines_are_refused(text: str, expected: list[str]) -> None:
     assert codes(text) == expected
 
 
@@ -254,7 +254,7 @@ def test_files_of_the_hardware_language_get_one_friendly_error(text: str) -> Non
     assert "nsl 1" in words_of(error)
 
 
-def test_too_long_a_text() -> None:
+def test_too_long_texts_are_refused() -> None:
     _, errors = parse(Source("long.nsl", "nsl 1 #" + "x" * 300_000))
     assert [e.code for e in errors] == ["NS0103"]
     _, errors = parse(Source("long.nsl", "nsl 1 #" + "\u4e2d" * 90_000))

@@ -68,7 +68,7 @@ def test_three_operators_in_a_row(first: str) -> None:
 
 
 @pytest.mark.parametrize("operator", OPERATORS)
-def test_unary_operators_beside_others(operator: str) -> None:
+def test_unary_operators_bind_as_in_python(operator: str) -> None:
     texts = [
         f"- a {operator} b",
         f"a {operator} - b",
@@ -83,7 +83,7 @@ def test_unary_operators_beside_others(operator: str) -> None:
 
 
 @pytest.mark.parametrize("operator", OPERATORS)
-def test_choices_are_loosest(operator: str) -> None:
+def test_choices_bind_loosest_as_in_python(operator: str) -> None:
     for text in (
         f"a {operator} b if c {operator} d else e {operator} f",
         f"a if b else c if d {operator} e else f",
@@ -110,7 +110,7 @@ def test_choices_are_loosest(operator: str) -> None:
         ("n < 1 << 3", "n < (1 << 3)"),
     ],
 )
-def test_what_python_has_not(text: str, brackets: str) -> None:
+def test_operators_that_python_lacks_bind_as_documented(text: str, brackets: str) -> None:
     assert ours(text) == ours(brackets)
     assert text != brackets
 

@@ -35,7 +35,7 @@ def test_a_byte_order_mark_is_no_text(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("data", [b"nsl 1\xff", "nsl 1".encode("utf-16"), b"nsl 1\0", bytes(9)])
-def test_what_is_no_text(tmp_path: Path, data: bytes) -> None:
+def test_files_that_are_not_utf_8_are_refused(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "a.nsl"
     path.write_bytes(data)
     assert refusal(path) == ("NS0102", 1)
@@ -51,7 +51,7 @@ def test_the_limit_is_in_bytes(tmp_path: Path) -> None:
     assert refusal(path) == ("NS0103", 1)
 
 
-def test_what_cannot_be_read(tmp_path: Path) -> None:
+def test_unreadable_paths_are_refused(tmp_path: Path) -> None:
     assert refusal(tmp_path / "missing.nsl") == ("NS0101", 2)
     assert refusal(tmp_path) == ("NS0101", 2)
     assert refusal(tmp_path / "a\0b.nsl") == ("NS0101", 2)

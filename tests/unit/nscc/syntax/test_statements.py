@@ -132,7 +132,7 @@ def test_words_that_only_look_reserved_are_names(name: str) -> None:
         ("frame 8 slots of 0." + "0" * 10_000 + "1us", "NS0111"),
     ],
 )
-def test_limits_of_numbers(text: str, code: str | None) -> None:
+def test_numbers_beyond_the_limit_are_refused(text: str, code: str | None) -> None:
     assert codes(f"nsl 1\n{text}") == ([] if code is None else [code])
 
 

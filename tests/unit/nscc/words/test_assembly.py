@@ -311,7 +311,7 @@ def test_unreadable_containers_are_refused(tmp_path: Path) -> None:
         assert caught.value.status == status
 
 
-def test_small_forms_read_back() -> None:
+def test_ranges_of_boundaries_read_back() -> None:
     assert ranges_text([0, 1, 2, 5, 7, 9, 11, 20, 30]) == "0..2,5..11/2,20,30"
     assert [list(r) for r in read_ranges("0..2,5..11/2,20", 99) or []] == [
         [0, 1, 2],

@@ -196,7 +196,7 @@ def test_target_limits_hold_for_words() -> None:
     assert set(DIGITAL_WRITE) > set(scamp5.digital_registers)
 
 
-def test_halves_must_stand_together() -> None:
+def test_words_of_a_pair_must_stand_together() -> None:
     read, write = pair("OR", "R1", ["R1", "R2"])
     nop = op("nop")
     assert split_pairs("k", [nop, read, write, nop]) == []

@@ -164,7 +164,9 @@ def test_the_words_before_readout_make_their_noise() -> None:
 
 
 @pytest.mark.parametrize("fault", range(3))
-def test_the_proof_covers_them(monkeypatch: pytest.MonkeyPatch, fault: int) -> None:
+def test_a_wrong_spreading_word_is_found_by_the_proof(
+    monkeypatch: pytest.MonkeyPatch, fault: int
+) -> None:
     container = compiled(
         "frame 4 slots of 1ms", "bucket a open when n < k", "bucket b open when n > 1"
     )

@@ -113,7 +113,7 @@ def rejected(flats: list[Stack], darks: list[Stack]) -> tuple[str, str]:
     return diagnostic.code, diagnostic.message
 
 
-def test_one_frame_a_level(stacks: tuple[list[Stack], list[Stack]]) -> None:
+def test_a_level_of_one_frame_is_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
     flats, darks = stacks
     code, message = rejected([*flats[:2], replace(flats[2], codes=flats[2].codes[:1])], darks)
     assert code == "NS0758"
@@ -146,7 +146,7 @@ def test_frames_of_mixed_sizes_are_refused(stacks: tuple[list[Stack], list[Stack
     assert "32 x 40" in message
 
 
-def test_flats_and_darks_exchanged(stacks: tuple[list[Stack], list[Stack]]) -> None:
+def test_exchanged_flats_and_darks_are_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
     code, message = rejected(stacks[1], stacks[0][5:])
     assert code == "NS0759"
     assert "not darker" in message
@@ -174,7 +174,7 @@ def test_frames_without_shot_noise(stacks: tuple[list[Stack], list[Stack]]) -> N
     assert "does not increase" in message
 
 
-def test_the_same_frame_twice(stacks: tuple[list[Stack], list[Stack]]) -> None:
+def test_a_frame_given_twice_is_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
     flats, darks = stacks
     doubled = replace(flats[1], codes=np.concatenate([flats[1].codes, flats[1].codes[:1]]))
     code, message = rejected([flats[0], doubled, *flats[2:]], darks)
@@ -253,7 +253,7 @@ def _bad_files(folder: Path) -> dict[str, str]:
     }
 
 
-def test_too_few_pixels(stacks: tuple[list[Stack], list[Stack]]) -> None:
+def test_too_few_valid_pixels_are_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
     cut = [[replace(s, valid=s.valid & (np.arange(40) < 1)) for s in side] for side in stacks]
     code, message = rejected(*cut)
     assert code == "NS0757"

@@ -132,7 +132,7 @@ def test_rounding_is_part_of_the_errors(noise_lsb: float) -> None:
     assert np.all(np.sqrt((z * z).mean(axis=0)) < 1.6)
 
 
-def test_crosstalk_taken_as_known() -> None:
+def test_known_crosstalk_makes_the_gain_more_certain() -> None:
     """Errors are smaller with it; wrong by a hundredth, it is in the gain."""
     chip = Chip(crosstalk=0.01)
     stacks = taken(chip, 3)

@@ -63,7 +63,7 @@ SETUP = Fraction(12, 10)
 """Microseconds of a launch and an rpix, by the target's figures."""
 
 
-def test_boundaries_do_not_drift(run: Run) -> None:
+def test_boundaries_of_the_firmware_do_not_drift(run: Run) -> None:
     lengths = [3.37, 7.1, 1e6 / 3]
     runs = [(4096, lengths[0]), (100, lengths[1]), (3, lengths[2])]
     *launches, end = run(runs, [(0, 0, 1), (1, 1, 4199)], each=1)

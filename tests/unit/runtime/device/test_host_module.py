@@ -104,7 +104,9 @@ def test_the_first_whole_frame_is_taken_upright(
     assert host.closed
 
 
-def test_bits_and_a_relay(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_pictures_of_bits_are_captured_through_a_relay(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     edge = (CODES[0, 0] > 200) * np.uint8(255)
     packets = [packet(k, edge, "SCAMP5_DOUT") for k in range(2)]
     program = str(EXAMPLES / "edges.nsl")
@@ -130,7 +132,7 @@ def test_bits_and_a_relay(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
         ([frames()[0], {**frames()[2], "width": 128}], "256 x 128 pixels with 65536 bytes"),
     ],
 )
-def test_lost_and_cut_packets(
+def test_lost_and_cut_packets_are_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, packets: list[Any], reason: str
 ) -> None:
     done, host = run(tmp_path, monkeypatch, packets)

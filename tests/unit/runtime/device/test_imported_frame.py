@@ -191,7 +191,7 @@ def test_unsuitable_pictures_are_refused(tmp_path: Path, files: list[str], reaso
     assert not (tmp_path / "i.npz").exists()
 
 
-def test_bits_have_two_values(tmp_path: Path) -> None:
+def test_a_readout_of_bits_with_more_than_two_values_is_refused(tmp_path: Path) -> None:
     saved(tmp_path / "e.png", np.arange(65536, dtype=np.uint32).reshape(256, 256).astype(np.uint8))
     done = invoke(["import-frame", str(EXAMPLES / "edges.nsl"), "e.png", "-o", "i.npz"], tmp_path)
     assert done.status == 2

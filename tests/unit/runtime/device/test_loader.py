@@ -145,7 +145,7 @@ def test_it_says_that_it_has_started_and_who_it_is(silent: Talk) -> None:
     assert info.program == info.label == ZEROS
 
 
-def test_nothing_goes_without_hello(silent: Talk) -> None:
+def test_packets_without_a_session_are_refused(silent: Talk) -> None:
     silent.raw(b"")
     for kind in (PacketKind.STATUS, PacketKind.BEGIN, PacketKind.CANCEL, 0x44):
         assert silent.failure(kind) == (LoaderFault.NO_SESSION, 0)
@@ -418,7 +418,7 @@ def test_objects_that_make_no_sense_are_refused(
     assert talk.send(EXAMPLE.upload.objects)[-1].kind == PacketKind.FINISH | REPLY
 
 
-def test_lengths_are_not_believed(talk: Talk) -> None:
+def test_declared_lengths_beyond_the_memory_are_refused(talk: Talk) -> None:
     found = target_digest(TARGET)
     for kind in ObjectKind:
         entry = ObjectEntry(kind, 0, 0xFFFFFFFF, ZEROS)

@@ -61,7 +61,7 @@ def test_the_twin_has_the_times_of_its_target() -> None:
 
 
 @pytest.mark.skipif(firmware.compiler() is None, reason="no C++ compiler")
-def test_so_has_the_firmware() -> None:
+def test_the_firmware_has_the_measured_times_of_the_stand_in() -> None:
     with Lockstep(firmware.built(CHIP, ("-O1",)), dark(CHIP)) as loader:
         wire: Any = Wire(loader)
         check(measured(wire, CHIP))

@@ -8,7 +8,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device.serving import EXAMPLE, Accidents, LineFaults, Spoiler, parse_faults
 
 
-def test_the_example_is_read() -> None:
+def test_fault_texts_are_parsed() -> None:
     assert parse_faults(EXAMPLE) == LineFaults(1e-4, 1e-5, 0.05, 20000, 40000)
     assert parse_faults("outage=2s, seed=7") == LineFaults(outage_s=2.0, seed=7)
     assert parse_faults("delay=250us").delay_s == pytest.approx(250e-6)
@@ -86,7 +86,7 @@ def test_the_same_seed_does_the_same() -> None:
     assert pieces == Spoiler(faults, 1).spoiled(data), "however the bytes are cut"
 
 
-def test_accidents_happen_once() -> None:
+def test_faults_at_a_byte_count_happen_once() -> None:
     accidents = Accidents(LineFaults(disconnect_after=10, reboot_after=25))
     assert [accidents.passed(5) for _ in range(6)] == [[], ["disconnect"], [], [], ["reboot"], []]
     assert Accidents(LineFaults(disconnect_after=1, reboot_after=1)).passed(1) == [

@@ -58,7 +58,9 @@ def code_of(raised: BaseException) -> str:
         (errno.EIO, "other"),
     ],
 )
-def test_ports_that_do_not_open(number: int, kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_errors_of_opening_a_port_are_explained(
+    number: int, kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def refuse(*_: Any, **__: Any) -> None:
         raise serial.SerialException(number, os.strerror(number))
 
@@ -120,7 +122,7 @@ def test_the_list_of_ports_is_sorted() -> None:
         (RequestRefused(LoaderFailure(200, 99, 12)), "NS0767"),
     ],
 )
-def test_what_a_host_raises(error: Exception, code: str) -> None:
+def test_errors_of_the_host_are_explained(error: Exception, code: str) -> None:
     with pytest.raises(Rejected) as caught, explained("/dev/ttyACM0", 10.0):
         raise error
     assert code_of(caught.value) == code

@@ -61,7 +61,7 @@ def test_the_margin_is_what_depends_on_light_beyond() -> None:
 
 
 @pytest.mark.parametrize("outside", [0, 1])
-def test_bits_beyond_the_array(outside: int) -> None:
+def test_bits_beyond_the_array_are_as_declared(outside: int) -> None:
     text = (
         HEAD + CROSS + f"outside {outside} plane p = exposure > 50% plane near = any(p, k) "
         "plane core = all(p, k) plane right = p[1, 0] read near, core, right"

@@ -162,7 +162,7 @@ def test_bits_of_an_image_and_back() -> None:
         np.testing.assert_allclose(capture.images["back"][frame], number * 8 * STEP_E, atol=1e-6)
 
 
-def test_sobel_and_laplace() -> None:
+def test_sobel_and_laplace_equal_numpy() -> None:
     light = film_light(4, 1)
     capture = nscc_runtime.film(program("sobel_laplace"), light)
     inner = np.s_[1:-1, 1:-1]
@@ -186,7 +186,7 @@ def test_hdr_edges_are_those_of_the_numpy_model() -> None:
         same(capture, "wide", frame, expected, border=3)
 
 
-def test_any_in_a_rectangle() -> None:
+def test_any_bit_in_a_rectangle_is_reported() -> None:
     light, rng = film_light(4, 3), np.random.default_rng(3)
     boxes = rng.random((FRAMES, SIDE, SIDE)) < 1e-4
     levels = [75.0 + frame * 2 for frame in range(FRAMES)]

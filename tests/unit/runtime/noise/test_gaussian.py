@@ -28,7 +28,7 @@ def test_relative_error_from_end_to_end():
     assert normal(0.5) == 0.0
 
 
-def test_symmetric_to_the_bit():
+def test_quantiles_are_symmetric_to_the_bit():
     u = (2 * np.floor(2.0 ** np.linspace(0, 51, 5001)) + 1) * STEP
     assert np.array_equal(quantiles(u), -quantiles(1 - u))
 

@@ -43,13 +43,13 @@ def check(text: str, container: Container) -> None:
 
 
 @pytest.mark.parametrize("name", LOOKING)
-def test_courses_of_examples(name: str) -> None:
+def test_charts_of_examples_agree_with_the_interpreter(name: str) -> None:
     path = ROOT / "examples" / f"{name}.nsl"
     check(path.read_text(), nscc.compile(path, level=0).container)
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")  # of shutters that never open
-def test_courses_of_random_programs() -> None:
+def test_charts_of_random_programs_agree_with_the_interpreter() -> None:
     done = 0
     for seed in range(100):
         text = random_program(seed)

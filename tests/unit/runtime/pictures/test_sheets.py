@@ -301,7 +301,7 @@ def written(figure: Figure) -> list[Text]:
         partial(budget_diagram, []),
     ],
 )
-def test_nothing_to_draw(draw: Callable[[], Figure]) -> None:
+def test_sheets_without_content_are_refused(draw: Callable[[], Figure]) -> None:
     with pytest.raises(ValueError, match="to draw"):
         sheet.png_of(draw)
 

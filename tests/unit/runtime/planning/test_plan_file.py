@@ -48,7 +48,7 @@ def tolerance(given: str | float, signal_e: float | None = None) -> Tolerance:
 
 
 @given(st.floats(LEAST_E, MOST_E))
-def test_electrons_are_electrons(value: float) -> None:
+def test_a_tolerance_in_electrons_keeps_its_value(value: float) -> None:
     assert tolerance(f"{value!r}e").electrons == tolerance(value).electrons == value
     assert tolerance(f" {value!r} e ").electrons == value
 
@@ -73,7 +73,7 @@ def test_what_is_told_of_a_tolerance_is_a_way_to_ask_for_it(given: str | float) 
 
 
 @given(st.floats(1e-3, 1e3), st.floats(1e-3, 1e9))
-def test_parts_of_the_noise(value: float, noise_e: float) -> None:
+def test_a_tolerance_in_noise_is_a_part_of_the_frames_noise(value: float, noise_e: float) -> None:
     found = tolerance_of(f"{value!r} noise", SENSOR, SceneOf(None, noise_e))
     assert found.electrons == pytest.approx(noise_e * value)
     assert str(found) == f"{value!r} of the frame's own noise = {found.electrons:.4g} e"
@@ -98,7 +98,7 @@ def test_a_signal_is_the_mean_size_within_the_well() -> None:
 
 
 @pytest.mark.parametrize("text", ["5e", "5.e", ".5e1e", "5e0e", "05e", "1e2lsb", "5E0e", "5e1%"])
-def test_ways_to_write_it(text: str) -> None:
+def test_tolerances_with_every_unit_are_read(text: str) -> None:
     [unit] = [unit for unit in ("lsb", "%", "e") if text.endswith(unit)]
     size = {"e": 1.0, "lsb": 100.0, "%": 7.0}[unit]
     assert tolerance(text, 700.0).electrons == float(text.removesuffix(unit)) * size
@@ -161,7 +161,7 @@ def test_a_unit_may_be_written_large(text: str) -> None:
         "9" * 5000 + "e",
     ],
 )
-def test_what_is_no_tolerance(text: str | float) -> None:
+def test_invalid_tolerances_are_refused(text: str | float) -> None:
     with pytest.raises(Rejected) as caught:
         tolerance(text, 700.0)
     [said] = caught.value.diagnostics
@@ -227,7 +227,7 @@ def test_the_table_shows_the_worst_pixel() -> None:
     assert "no error was measured; tolerance 5 e" in str(replace(plan, predicted_e=None))
 
 
-def test_what_a_plan_simulates() -> None:
+def test_a_plan_simulates_kept_forced_and_present_effects() -> None:
     plan = plan_of("shot,full_well")
     assert plan.kept.on == {"shot", "full_well", "adc"}
     assert plan.requested_effects.on == {"shot", "full_well", "adc"}

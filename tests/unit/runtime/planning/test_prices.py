@@ -20,7 +20,9 @@ from nscc_runtime.planning.prices import Work
 FOUND = [Price("sums", "a pixel", "ns", 137.5, 100.0)]
 
 
-def test_the_command_shows_them(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_effects_cost_shows_measured_prices(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.setattr(measure_prices, "measure_prices", lambda: FOUND)
     shown = invoke(["effects", "--cost"], tmp_path).out
     assert "137.5" in shown

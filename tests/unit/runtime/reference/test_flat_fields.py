@@ -83,7 +83,7 @@ def test_dark_current_grows_with_the_open_time(lowering: str) -> None:
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_read_and_reset_noise(lowering: str) -> None:
+def test_noise_of_reads_and_resets_adds_up_over_slots(lowering: str) -> None:
     read = run(lowering, "read", read_noise_e=7.0)
     reset = run(lowering, "reset", reset_noise_e=11.0)
     for stop in range(SLOTS + 1):

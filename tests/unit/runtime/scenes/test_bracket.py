@@ -59,7 +59,7 @@ def test_the_light_is_found_again(tmp_path: Path, iso: tuple[int, ...]) -> None:
         np.testing.assert_allclose(found(spec), expected, rtol=0.06)
 
 
-def test_times_may_be_given(tmp_path: Path) -> None:
+def test_given_exposure_times_replace_missing_ones(tmp_path: Path) -> None:
     photos(tmp_path, False)
     with pytest.raises(Rejected, match="NS0777"):
         found(tmp_path)
@@ -71,7 +71,7 @@ def test_times_may_be_given(tmp_path: Path) -> None:
             found(tmp_path, times=times)
 
 
-def test_what_cannot_be_merged(tmp_path: Path) -> None:
+def test_invalid_brackets_are_refused(tmp_path: Path) -> None:
     import cv2
 
     for text in ("", "x", "1/0", "-1,2", "1,,2", "inf"):
@@ -118,7 +118,7 @@ def test_pixels_that_are_black_or_white_in_all_photos(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("grey", [False, True])
-def test_photos_of_16_bits(tmp_path: Path, grey: bool) -> None:
+def test_photos_of_16_bits_are_merged_more_exactly(tmp_path: Path, grey: bool) -> None:
     """The light is found with less error than in 8 bits: 6 % there."""
     for number, time in enumerate(TIMES):
         linear = np.clip(light() * time, 0, 1)

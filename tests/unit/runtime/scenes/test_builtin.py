@@ -43,7 +43,7 @@ def test_motion_is_as_bright_as_a_slot_is_long() -> None:
     np.testing.assert_allclose(means / means.sum(), np.array(slot_us) / sum(slot_us), rtol=0.4)
 
 
-def test_flat_and_dark() -> None:
+def test_flat_and_dark_scenes_have_the_stated_electrons() -> None:
     slot_us = (100.0, 300.0)
     flat = load_scene("builtin:flat:1000", slot_us=slot_us, rows=3, cols=4)
     np.testing.assert_allclose(flat.total_e(), 1000.0, rtol=1e-6)

@@ -69,7 +69,7 @@ def test_light_stills_are_electrons_a_second(tmp_path: Path) -> None:
         np.testing.assert_allclose(light.slot(n), still * us * 1e-6, rtol=2e-7)
 
 
-def test_mat_light_and_clips(tmp_path: Path) -> None:
+def test_mat_files_are_light_or_benchmark_clips(tmp_path: Path) -> None:
     from scipy.io import savemat
 
     clip = np.random.default_rng(2).random((3, ROWS, COLS))
@@ -177,7 +177,7 @@ def test_progress_sees_every_frame(tmp_path: Path) -> None:
     assert seen == [("reading frames", 3)]
 
 
-def test_gif_frames_and_folders(tmp_path: Path) -> None:
+def test_animations_and_folders_of_pictures_are_clips(tmp_path: Path) -> None:
     from PIL import Image
 
     frames = [np.full((ROWS, COLS), v, np.uint8) for v in (10, 200, 90, 250)]

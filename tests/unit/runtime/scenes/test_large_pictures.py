@@ -94,7 +94,7 @@ def test_a_photo_that_was_turned(tmp_path: Path, limits: None) -> None:
     assert upright.shape == (COLS, ROWS, 3)
 
 
-def test_what_stays_refused(tmp_path: Path, limits: None) -> None:
+def test_large_pictures_that_are_not_reduced_are_refused(tmp_path: Path, limits: None) -> None:
     path = write(tmp_path / "a.png", "RGB")
     with pytest.raises(Rejected, match="NS0734"):  # readers of training and of folders
         read_picture(path)

@@ -58,7 +58,9 @@ def refusal(path: Path, slots: int = 1, **options: Any) -> Diagnostic:
         (["1.png", "2.png", "3.png", f"{10**17}.png"], [], 1),
     ],
 )
-def test_frames_that_are_missing(pictures: list[str], others: list[str], count: int) -> None:
+def test_missing_numbers_of_a_folder_are_counted(
+    pictures: list[str], others: list[str], count: int
+) -> None:
     assert len(missing_frames(pictures, [*pictures, *others])) == count
 
 

@@ -133,7 +133,7 @@ def test_black_levels_of_the_four_pixels(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["linear", "mosaic"])
-def test_raw_of_one_colour(tmp_path: Path, kind: str) -> None:
+def test_raw_files_without_colour_filters_are_light(tmp_path: Path, kind: str) -> None:
     """A sensor without colour filters: values from black 200 to white 4095 are light."""
     pytest.importorskip("rawpy")
     values = np.tile(np.linspace(200, 4095, 80).round(), (64, 1)).astype(np.uint16)

@@ -116,7 +116,7 @@ def write_exr(path: Path, channels: dict[str, np.ndarray], **header: Any) -> Non
     OpenEXR.File(settings, made).write(str(path))
 
 
-def test_parts_of_an_exr(tmp_path: Path) -> None:
+def test_the_colour_part_of_an_exr_is_read(tmp_path: Path) -> None:
     import OpenEXR
 
     depth = RNG.random((ROWS, COLS)).astype(np.float32)
@@ -302,7 +302,7 @@ def test_large_photographs_are_read(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert Image.MAX_IMAGE_PIXELS == 20
 
 
-def test_avif_and_heic(tmp_path: Path) -> None:
+def test_avif_and_heic_are_read(tmp_path: Path) -> None:
     heif = pytest.importorskip("pillow_heif")
     picture = np.full((64, 64, 3), (200, 100, 50), np.uint8)
     heif.from_pillow(Image.fromarray(picture)).save(tmp_path / "p.heic", quality=100)
@@ -311,7 +311,7 @@ def test_avif_and_heic(tmp_path: Path) -> None:
         np.testing.assert_allclose(read_picture(tmp_path / name), picture, atol=3)
 
 
-def test_pq_and_hlg_curves() -> None:
+def test_pq_and_hlg_curves_pass_their_published_points() -> None:
     """Points of ITU-R BT.2100: 100 cd/m2 is PQ 0.5081; HLG 0.5 is a twelfth of the scene's peak."""
     from nscc_runtime.scenes.colour import hlg_to_linear, pq_to_linear
 

@@ -461,7 +461,7 @@ def test_fixed_codes_on_panoramas(tmp_path: Path) -> None:
     assert mu["gain_db"] == pytest.approx(sum(each) / len(each))
 
 
-def test_the_benchmarks_own_clips(root: Path) -> None:
+def test_gap_tv_reaches_the_published_scores(root: Path) -> None:
     """No more than 0.3 dB below the published numbers, with 40 iterations."""
     import os
 

@@ -128,7 +128,9 @@ def test_parameters_that_are_not_finite_stand_for_no_code(kind: str) -> None:
         (1j, torch.complex64, "complex"),
     ],
 )
-def test_light_of_a_capture(value: complex, dtype: torch.dtype, words: str) -> None:
+def test_invalid_light_of_a_differentiable_capture_is_refused(
+    value: complex, dtype: torch.dtype, words: str
+) -> None:
     light = torch.ones(1, 3, 4, 4, dtype=dtype)
     light[0, 0, 0, 0] = 0
     differentiable_capture(light.real.float(), torch.ones(3, 4, 4), SENSOR)

@@ -204,7 +204,7 @@ def test_wider_decoders_are_as_wide_as_asked(name: str) -> None:
     assert 1.4 * one < wide < 2.4 * one
 
 
-def test_ones_own_decoder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_decoder_by_import_path_is_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "mine_of_tests.py").write_text(
         "import torch\n"
         "class Mine(torch.nn.Module):\n"

@@ -76,5 +76,5 @@ def decibels(kind: str, name: str, loss_name: str, steps: int, rate: float) -> f
         slow("clip", "unet3d", "psnr", 2e-3),
     ],
 )
-def test_one_batch_by_heart(kind: str, name: str, loss: str, rate: float) -> None:
+def test_decoders_learn_one_batch_by_heart(kind: str, name: str, loss: str, rate: float) -> None:
     assert decibels(kind, name, loss, 500, rate) > 40

@@ -159,7 +159,7 @@ def test_what_is_black_or_not_there_is_told(folder: Path, run_nscc: RunNscc) -> 
     assert not list(folder.glob("*_demo"))
 
 
-def test_like_a_run(folder: Path, run_nscc: RunNscc) -> None:
+def test_run_like_uses_the_program_and_exposure_of_a_run(folder: Path, run_nscc: RunNscc) -> None:
     """Its program, slots, exposure and sensor; what is said wins."""
     like = run_capture(Path("hdr"))
     assert (like.slots, like.exposure, like.still) == (256, "30000@65", True)

@@ -39,7 +39,7 @@ def test_the_curve_that_is_asked_for_is_used(
 
 @pytest.mark.parametrize(("shape", "still"), [((6, 8), True), ((4, 6, 8), False)])
 @pytest.mark.parametrize("ending", [".npz", ".npy", ".mat"])
-def test_arrays_are_electrons(
+def test_arrays_are_light_in_electrons(
     tmp_path: Path, shape: tuple[int, ...], still: bool, ending: str
 ) -> None:
     path, light = tmp_path / f"a{ending}", np.ones(shape, np.float32)

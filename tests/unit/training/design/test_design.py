@@ -70,7 +70,7 @@ def exposed(light: Values, at: list[int], levels_e: list[float], slots: int, see
 
 
 @pytest.mark.parametrize("curve", ["mu", "linear"])
-def test_expected_is_what_happens(curve: Curve) -> None:
+def test_the_expected_error_of_looks_is_that_of_frames(curve: Curve) -> None:
     """On a chip that only counts, compares and converts, whatever the levels."""
     light = scene(128, 11)
     chip = DesignChip(TARGET, SENSOR, selected("full_well,shot,adc_noise"))

@@ -173,7 +173,7 @@ def test_what_cannot_be_compiled_is_the_compilers_error() -> None:
         compiled(program_of(encoder, Chip(slot_us=0.3)), Chip(slot_us=0.3))
 
 
-def test_require_is_respected() -> None:
+def test_codes_stay_within_require() -> None:
     chip = Chip(require="(stop - start) % 3 == 0")
     spec = ShutterSpec("d", 12, (4, 4))
     legal = legal_codes(spec, chip)

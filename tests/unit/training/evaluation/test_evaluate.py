@@ -33,7 +33,7 @@ from nscc_training.protocols import load_protocol  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 
 
-def test_a_still_run(tmp_path: Path) -> None:
+def test_a_still_run_is_evaluated_on_crops(tmp_path: Path) -> None:
     import cv2
 
     run = trained(tmp_path / "r", shutter={"slots": 256, "tile": [2, 2]})
@@ -391,7 +391,7 @@ def test_bilinear_sees_one_slot_of_each_pixel(tmp_path: Path) -> None:
             assert made[n, row, col] == pytest.approx(top / bottom, rel=1e-5)
 
 
-def test_baselines_of_clips(tmp_path: Path) -> None:
+def test_baselines_are_evaluated_on_windows_of_clips(tmp_path: Path) -> None:
     (tmp_path / "d").mkdir()
     clip(tmp_path / "d/c.mat", 16, 256)
     clip(tmp_path / "d/small.mat", 16, 64)

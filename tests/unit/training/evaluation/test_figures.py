@@ -43,7 +43,7 @@ def test_a_folder_of_nothing_to_show(tmp_path: Path) -> None:
         assert "NS0811" in made.err
 
 
-def test_figures_under_effects_that_there_are_not(tmp_path: Path) -> None:
+def test_figures_refuse_unknown_effects(tmp_path: Path) -> None:
     made = invoke(["evaluate", "figures", "--effects", "moonlight", "-o", "f"], tmp_path)
     assert made.status == 2
     assert "NS0756" in made.err

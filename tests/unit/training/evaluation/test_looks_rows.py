@@ -64,7 +64,9 @@ def test_designs_are_no_worse_than_rows(folder: Path) -> None:
 
 
 @pytest.mark.slow
-def test_designs_for_worse_comparators(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_designs_for_worse_comparators_take_lower_levels(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Told of comparators of 4 %, a design takes lower levels: under these it is better than one
     that was made for 2 %, and does not fall apart; under 2 % it is worse."""
     unaware = {

@@ -29,7 +29,7 @@ def touching(tile: NDArray[np.int64]) -> float:
 
 
 @pytest.mark.parametrize("name", SCATTERED)
-def test_equal_exposures_keep_apart(name: str) -> None:
+def test_scattered_tiles_keep_equal_exposures_apart(name: str) -> None:
     levels, shares = np.arange(1, 9), []
     for seed in range(3):
         tile = scattered(name, levels, (8, 8), np.random.default_rng(seed))
@@ -42,7 +42,7 @@ def test_equal_exposures_keep_apart(name: str) -> None:
     assert name == "poisson-disc" or max(shares) == 0
 
 
-def test_scattered_starts_of_encoders() -> None:
+def test_scattered_starts_exist_for_classes_b_and_c_only() -> None:
     for kind, slots in (("b", 8), ("b", 256), ("c", 8)):
         spec = ShutterSpec(kind, slots, (8, 8), length=2 if kind == "c" else None)
         for name in SCATTERED:

@@ -129,7 +129,7 @@ def test_nothing_of_a_lesson_leaves_its_device(
     assert stepped(values, tmp_path) == Counter()
 
 
-def test_moves_are_counted() -> None:
+def test_the_counter_counts_moves_off_the_device() -> None:
     with counted() as found:
         torch.ones(2).cpu().numpy()
         np.asarray(torch.ones(2))

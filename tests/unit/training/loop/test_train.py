@@ -208,7 +208,7 @@ def test_bf16_leaves_the_sensor_alone(tmp_path: Path) -> None:
     assert {w.dtype for w in weights.values()} == {torch.float32}
 
 
-def test_two_processes_learn_together(tmp_path: Path) -> None:
+def test_two_processes_learn_the_same_parameters(tmp_path: Path) -> None:
     """Both hold the same parameters after every step, only one writes, and neither ends while
     something still holds their group, whose threads an ending interpreter would abort under."""
     (tmp_path / "c.toml").write_text(config_toml(settings_of(STILL)))

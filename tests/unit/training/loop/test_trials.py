@@ -326,7 +326,7 @@ def test_what_is_always_open_is_not_tried() -> None:
     assert "no parameters to try" in caught.value.diagnostics[0].message
 
 
-def test_words_are_tried_too() -> None:
+def test_gradients_of_words_equal_finite_differences() -> None:
     """A stop of all slots is the one that never changes; the slope by finite differences."""
     parts = parts_of(Share(), lambda p, t: 0 * p.sum(), words_weight=0.7)
     fields = np.array([[63.0, 20.0], [64.0, 60.0]])

@@ -109,7 +109,9 @@ def test_the_search_says_what_its_program_reaches(
     assert psnr_db > float(lines["open"].split(": ")[1].split()[0]) + 1
 
 
-def test_motion_and_words_decide(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_codes_are_chosen_by_motion_and_then_by_words(
+    target: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A still scene needs no code; where codes reach the same, the one of fewer words is taken."""
     codes = named(
         "always open, one readout",

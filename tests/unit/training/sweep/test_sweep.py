@@ -130,7 +130,9 @@ def test_panels_that_show_the_same_have_the_same_scales() -> None:
         sweep_diagram([Lines("", "x", "y", {"one": []})], "t", "")
 
 
-def test_it_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_interrupted_sweep_computes_only_missing_points(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Ended in the middle: nothing that is known is computed again."""
     written(tmp_path, GRID)
     whole = swept(tmp_path)
@@ -346,7 +348,7 @@ effects = "read"
         ("kind = ", "NS0830", "is not a TOML table"),
     ],
 )
-def test_a_wrong_grid(tmp_path: Path, text: str, code: str, said: str) -> None:
+def test_an_invalid_grid_is_refused(tmp_path: Path, text: str, code: str, said: str) -> None:
     written(tmp_path, text)
     done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
     assert done.status == 2
@@ -468,7 +470,7 @@ def test_the_page_shows_the_example(root: Path) -> None:
     assert f"```toml\n{example}```" in (root / "docs/sweep.md").read_text()
 
 
-def test_too_many_points(tmp_path: Path) -> None:
+def test_too_many_points_are_refused(tmp_path: Path) -> None:
     keys = "".join(f"{key} = {[*range(1, 201)]}\n" for key in ("max_words", "slot_us"))
     text = GRID + keys
     with pytest.raises(Rejected, match="at most 100000 are allowed"):

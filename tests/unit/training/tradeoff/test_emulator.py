@@ -156,7 +156,9 @@ def test_errors_are_those_of_the_frames(program: AnalysedProgram) -> None:
 
 
 @pytest.mark.parametrize(("frames", "repeats"), [(1, 1), (2, 0)])
-def test_too_few_to_measure(program: AnalysedProgram, frames: int, repeats: int) -> None:
+def test_too_few_frames_or_repeats_are_refused(
+    program: AnalysedProgram, frames: int, repeats: int
+) -> None:
     with pytest.raises(ValueError, match=f"{frames} frames, {repeats} repeats"):
         measure(program, [], StudySettings(frames=frames, repeats=repeats))
 

@@ -94,7 +94,7 @@ def test_bad_numbers_are_not_kept(tmp_path: Path, bad: object) -> None:
     assert values(tmp_path / "s", "e") == {}
 
 
-def test_what_is_no_store(tmp_path: Path) -> None:
+def test_files_that_are_not_stores_are_refused(tmp_path: Path) -> None:
     (tmp_path / "s").write_text("a text of more than a hundred bytes, " * 5)
     with pytest.raises(Rejected) as caught:
         ExperimentStore(tmp_path / "s")

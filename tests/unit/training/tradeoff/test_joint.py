@@ -319,7 +319,7 @@ def test_what_is_compiled_already_has_no_levels(folder: Path) -> None:
     assert "compile: the program is compiled already" in done.out
 
 
-def test_pixels_that_look(folder: Path) -> None:
+def test_pixels_that_look_have_one_lowering(folder: Path) -> None:
     text = 'nsl 2\ntarget "small.toml"\nframe 8 slots of 1ms\n' + (
         "sense lit when light > 30% at n in [2, 4]\nstate shut : 0..2 = 0\n"
         "next shut = looks when lit and shut == 0\nopen when shut == 0\nread shut\n"

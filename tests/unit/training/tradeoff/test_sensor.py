@@ -124,7 +124,7 @@ def test_tradeoff_sensor_writes_table_and_diagram(tmp_path: Path) -> None:
     Image.open(tmp_path / "one.png").verify()
 
 
-def test_nothing_that_fits(tmp_path: Path) -> None:
+def test_a_study_without_points_that_fit_is_refused(tmp_path: Path) -> None:
     done = invoke(
         [
             "tradeoff",

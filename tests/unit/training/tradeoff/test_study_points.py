@@ -25,7 +25,7 @@ def point(case: str, setting: str, error: float, *times_ms: float, bound: float 
     return Point(case, "m", setting, error, "words_per_frame", times_ms, bound)
 
 
-def test_median_and_spread() -> None:
+def test_times_are_medians_and_spreads() -> None:
     assert point("a", "0", 1, 5.0, 1.0, 3.0).time_ms == 3.0
     assert point("a", "0", 1, 5.0, 1.0, 3.0, 4.0).time_ms == 3.5
     assert point("a", "0", 1, 5.0, 1.0, 3.0).spread_ms == 4.0
@@ -49,7 +49,7 @@ def test_a_point_is_dominated_by_one_that_is_better_in_all_units() -> None:
     assert dominated(points + other) == dominated(points) * 2, "units do not compare"
 
 
-def test_more_may_be_better() -> None:
+def test_points_with_higher_scores_dominate() -> None:
     found = dominated(
         [
             replace(point("a", name, psnr_db, ms), more_is_better=True)

@@ -136,7 +136,7 @@ def test_command_writes_table_csv_and_picture(folder: Path) -> None:
     assert "wrote out.csv, out.png" in done.err
 
 
-def test_command_takes_a_choice(folder: Path) -> None:
+def test_tradeoff_synthesis_measures_the_chosen_levels_and_lowerings(folder: Path) -> None:
     arguments = ["tradeoff", "synthesis", "stops.nsl", "other/stops.nsl", "stops.nsl"]
     arguments += ["--levels", "1, 0", "--lowerings", "edges,accumulate", "--repeats", "1"]
     done = invoke([*arguments, "--csv", "a.csv", "--count", "logic"], folder)
@@ -152,7 +152,7 @@ def test_command_takes_a_choice(folder: Path) -> None:
     assert sorted(path.name for path in folder.iterdir()) == ["a.csv", "other", "stops.nsl"]
 
 
-def test_nothing_that_fits(folder: Path) -> None:
+def test_tradeoff_synthesis_says_what_does_not_fit(folder: Path) -> None:
     (folder / "d.nsl").write_text(BUMPS)
     arguments = ["tradeoff", "synthesis", "d.nsl", "--lowerings", "latch", "--repeats", "1"]
     done = invoke([*arguments, "-o", "out"], folder)
