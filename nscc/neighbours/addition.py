@@ -42,15 +42,19 @@ class Added(Record):
 
 
 def halvings_of(taps: Taps) -> int:
-    """Return how often the input must be halved to make all weights integers."""
+    """Return how often the input must be halved so that all weights of a convolution kernel become
+    integers."""
     lowest = min((weight & -weight).bit_length() for weight in taps.values())
     return max(0, UNIT.bit_length() - lowest)
 
 
 def additions(taps: Taps, forms: WordForms, beam: int = BEAM) -> list[Program]:
-    """Return programs that add the neighbours of a kernel one by one, the shortest first.
+    """Return programs that add the neighbours of a convolution kernel one by one, the shortest
+    first.
 
-    If NEWS does not keep its value, each word that reads NEWS follows a word that writes NEWS."""
+    `taps` are the weights by offset, in units of 1 / UNIT; `beam` is the number of partial orders
+    that the search keeps. If NEWS does not keep its value, each word that reads NEWS follows a word
+    that writes NEWS."""
     halvings = halvings_of(taps)
     weights = {at: weight * (-2) ** halvings // UNIT for at, weight in taps.items()}
     orders = _orders(weights, halvings, forms, beam)
@@ -68,11 +72,10 @@ are read, and the number of words that follow."""
 def _orders(
     weights: dict[Offset, int], halvings: int, forms: WordForms, width: int
 ) -> list[list[Added]]:
-    """Return orders in which words add the neighbours of a kernel, searched from the last word to
-    the first.
+    """Return orders in which words add the neighbours of a convolution kernel, best first.
 
-    `halvings` counts the halvings of the input; at most `width` partial orders are kept after each
-    word."""
+    `weights` are integers by offset, after `halvings` halvings of the input. The search runs from
+    the last word to the first, and keeps at most `width` partial orders after each word."""
     ready = frozenset(((-2) ** number, (0, 0)) for number in range(halvings + 1))
     beam: dict[_Node, list[Added]] = {(0, frozenset(weights), None, ready, 0): []}
     finished: dict[frozenset[tuple[int, Offset]], tuple[int, list[Added]]] = {}
@@ -95,8 +98,8 @@ def _orders(
 
 
 def _rank(node: _Node) -> tuple[object, ...]:
-    """Return the sort key of an unfinished order: fewest words first, counting one for each
-    neighbour left."""
+    """Return the key by which unfinished orders are sorted: fewest words first, and one more for
+    each neighbour left."""
     cost, left, content, used, _ = node
     return cost + len(left), sorted(left), content or (), sorted(used)
 
@@ -104,22 +107,25 @@ def _rank(node: _Node) -> tuple[object, ...]:
 def _predecessors(
     node: _Node, weights: dict[Offset, int], forms: WordForms
 ) -> list[tuple[_Node, Added]]:
-    """Return the nodes that put one more word before the words of `node`, with that word. A node
-    is a cost, the neighbours left, the content of NEWS, the multiples used, and the number of
-    words."""
+    """Return all ways to put one more word before the words of an unfinished order, with that word.
+
+    A `_Node` describes an unfinished order: its cost, the neighbours left, the content of NEWS, the
+    multiples used, and the number of words."""
     cost, left, content, used, follow = node
+    # Every word inverts the sum so far, so the sign of a weight depends on how many words follow.
     sign = -1 if follow % 2 else 1
     found = []
     centre = -sign * weights[0, 0] if (0, 0) in left else 0
 
     def add(places: frozenset[Offset], words: int, word: Added) -> None:
-        """Record a state of the search before the added `word`, with its cost.
+        """Record an order with the `added` word in front.
 
         `places` are the neighbours that the word adds, and `words` the number of words that it
         takes. New multiples of the input cost further words."""
         multiples = {(word.centre, (0, 0))} if word.centre else set()
         if word.content is not None:
             multiples.add(word.content[:2])
+        # One word computes a multiple, and two more copy it to another pixel.
         new = sum(1 if at == (0, 0) else 3 for _, at in multiples - used)
         kept = content if word.content is None else word.content
         reached = (cost + words + new, left - places, kept, used | multiples, follow + 1)
@@ -144,7 +150,9 @@ def _predecessors(
 
 @cache
 def _base(place: Offset) -> Offset:
-    """Return the offset to which a multiple is copied first, at most two steps from `place`."""
+    """Return the offset to which a multiple is copied first, at most two steps from `place`.
+
+    Copies move by two pixels, so the path to `place` is cut after an even number of steps."""
     steps = _steps(place)
     moved = steps[: 2 * max(0, (len(steps) - 1) // 2)]
     return sum(x for x, _ in moved), sum(y for _, y in moved)
@@ -161,7 +169,7 @@ def _steps(place: Offset) -> list[Offset]:
 
 def _program(order: Sequence[Added], halvings: int, news_keeps: bool) -> Program:
     """Return the words that halve the input `halvings` times and then add the neighbours in this
-    `order`.
+    order.
 
     `news_keeps` tells whether NEWS keeps its content when it is read, so that it need not be
     written again."""
@@ -189,14 +197,15 @@ def _program(order: Sequence[Added], halvings: int, news_keeps: bool) -> Program
 
 
 class _Multiples:
-    """Integer multiples of the halved input, computed when first requested.
+    """The registers of integer multiples of the halved input, which are computed when first
+    requested.
 
-    `used_news` tells whether a computation wrote NEWS."""
+    `used_news` tells whether a computation overwrote NEWS."""
 
     def __init__(self, halvings: int, words: list[BusWord]) -> None:
-        """Begin with the input and its halvings, each with its inverted sign.
+        """Begin with the input and its halvings, each with the sign of the one before inverted.
 
-        `words` is the program to which further multiples are appended."""
+        `words` is the program, to which the words of further multiples are appended."""
         self.words, self.used_news = words, False
         self.held = {
             (-2) ** (halvings - number): f"h{number}" if number else "x"
@@ -211,8 +220,7 @@ class _Multiples:
         return self.held[factor]
 
     def _emit(self, factor: int) -> None:
-        """Append the words that compute the multiple `factor` of the halved input, and record its
-        register.
+        """Append the words that compute `factor` times the halved input, and record the register.
 
         One word adds up to `_MOST_SOURCES` - 1 known multiples; otherwise the factor is divided in
         two."""
@@ -236,7 +244,10 @@ class _Multiples:
         held[factor] = name
 
     def moved(self, factor: int, base: Offset) -> str:
-        """Return the register that holds `factor` times the input of the pixel at offset `base`."""
+        """Return the register that holds `factor` times the halved input of the pixel at offset
+        `base`.
+
+        It is copied two pixels at a time, by words that are appended."""
         register = self.of(factor)
         steps = [OF_STEP[step] for step in _steps(base)]
         for number in range(0, len(steps), 2):

@@ -17,8 +17,9 @@ _MOST_MOVED = 5
 
 
 def alternatives(pictures: p.Pictures) -> Iterator[p.Pictures]:
-    """Yield other programs of images with equal results: with shared halvings, or with one image
-    computed first."""
+    """Yield programs of images with the same results that may need fewer words.
+
+    In some, convolution kernels share their halvings; in others, one image is computed first."""
     shared = with_shared_halvings(pictures)
     if shared is not None:
         yield shared
@@ -32,9 +33,10 @@ def alternatives(pictures: p.Pictures) -> Iterator[p.Pictures]:
 
 
 def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
-    """Return the images with divided values that several kernels share; None if there are none.
+    """Return the images with items for divided values that several convolution kernels share.
 
-    A divided value is an item before the first item that reads it; `/` is part of its name."""
+    Return None if there are none. Such an item stands before the first item that reads it; `/` is
+    part of its name."""
     divisors_by_name: dict[str, list[int]] = {}
     for expression in pictures.expressions.values():
         for name, divisor in _divisors(expression, pictures.weights_by_name):
@@ -46,7 +48,7 @@ def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
         return None
 
     def divided_source(node: p.Node) -> p.Node:
-        """Return the node with each source replaced by its common divided form."""
+        """Return an expression in which sources with a common divisor read the divided value."""
         if isinstance(node, p.Source) and node.name in divisors:
             divisor = divisors[node.name]
             return p.Sum(((Fraction(divisor), p.Source(f"{node.name} / {divisor}")),))
@@ -65,8 +67,10 @@ def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
 
 
 def _divisors(node: p.Node, kernels: Mapping[str, p.Weights]) -> Iterator[tuple[str, int]]:
-    """Yield each value that the expression `node` reads, with the divisor of the kernel that reads
-    it (1 without a kernel)."""
+    """Yield each value that an expression reads, with the divisor by which it is read.
+
+    That is the largest divisor of the weights of its convolution kernel, and 1 without one.
+    `kernels` has the convolution kernels by name."""
     if isinstance(node, p.Source):
         yield node.name, 1
     elif isinstance(node, p.Filtered | p.Sum):
@@ -82,7 +86,7 @@ def _divisors(node: p.Node, kernels: Mapping[str, p.Weights]) -> Iterator[tuple[
 
 
 def _is_kernel_of_exposure(item: p.Picture, pictures: p.Pictures) -> bool:
-    """Return whether the image `item` only applies a convolution kernel of several taps to an
+    """Return whether the image `item` only applies a convolution kernel of several weights to an
     exposure."""
     if isinstance(item.node, p.Condition):
         return False

@@ -15,10 +15,12 @@ Kept = tuple[str, str | None]
 
 
 class BitWords:
-    """The digital registers of a lowering, and the words that fill them.
+    """The digital registers while images and planes are compiled, and the words that fill them.
 
-    The registers that steer DNEWS are reserved until the last item that reads bits of neighbours.
-    States are in registers that no word of the exposure writes (`unwritten`)."""
+    `planes` has the register of each plane, `uses` the number of reads that are left, and `free`
+    the free registers. The registers that choose the neighbours to read (R1 to R4) are reserved
+    until the last item that reads bits of neighbours. States are in registers that no word of the
+    exposure writes."""
 
     def __init__(
         self,
@@ -29,9 +31,10 @@ class BitWords:
     ) -> None:
         """Assign registers to kept and input planes, and count how often each plane is read.
 
-        `registers` are the free digital registers, `unwritten` those that the exposure's words
-        never write, which can keep planes from frame to frame. Raises PictureRefused if there are
-        too few."""
+        `registers` are the free digital registers. `unwritten` are those that the exposure's words
+        never write, which can keep planes from frame to frame. `or_sources` is the most sources of
+        an OR or NOR word, None for any number. Raises PictureRefused if there are too few
+        registers."""
         self.lowering = lowering
         pictures = lowering.pictures
         expressions = pictures.expressions
@@ -62,8 +65,10 @@ class BitWords:
             self.uses[name] = self.uses.get(name, 0) + 1  # never freed
 
     def begin(self, name: str) -> None:
-        """Begin the words of an image, plane or state. If it and all later items read no bits of
-        neighbours, free the registers that steer DNEWS."""
+        """Begin the words of the image, plane or state `name`.
+
+        If it and all later items read no bits of neighbours, R1 to R4, which choose neighbours,
+        become free."""
         if name in self.steering:
             self.steering.remove(name)
         elif not self.steering:
@@ -72,8 +77,8 @@ class BitWords:
             self.kept_for_steering = []
 
     def declare(self, name: str, node: p.Condition) -> None:
-        """Emit the words that compute a plane, and keep its register until the plane has been
-        read for the last time."""
+        """Emit the words that compute the plane `name`, which then owns the register of the
+        result."""
         register, owner = self.bit(node)
         is_free = self.lowering.pictures.is_of_version_4 and owner and self.hand_over(owner)
         if owner is not None and not is_free:
@@ -83,7 +88,11 @@ class BitWords:
         self.give((register, name))
 
     def next_bits(self, states: Sequence[p.KeptPlane]) -> dict[str, Kept]:
-        """Compute the next values of states, and refresh states that keep their bits."""
+        """Emit the words that compute the next values of states, and return their registers by
+        name.
+
+        States that keep their bits are refreshed (written again), so that they do not fade, and
+        left out of the result."""
         names: set[str] = {state.name for state in states}
         nexts: dict[str, Kept] = {}
         for state in states:
@@ -107,10 +116,10 @@ class BitWords:
             self.lowering.word(word)
 
     def step(self, nexts: dict[str, Kept]) -> None:
-        """Emit the words that give all states their next values at once; `nexts` are the registers
-        of these values.
+        """Emit the words that give all states their next values, whose registers are `nexts`.
 
-        A state is written only when no other new value is still to be copied from its register."""
+        A state is written only when no other new value is still to be copied from its register.
+        Raises PictureRefused if the states wait for each other in a circle."""
         waiting = dict(nexts)
         while waiting:
             read = {owner for _, owner in waiting.values()}
@@ -125,12 +134,15 @@ class BitWords:
             self.give(bit)
 
     def copy(self, register: str, owner: str | None) -> str:
-        """Copy a bit, which is read by this, to a free register."""
+        """Emit a word that copies a bit to a free register, and return that register.
+
+        `owner` is the plane that owns the bit, or None; the copy counts as a read."""
         return self._emit_word("MOV", [register], [(register, owner)])
 
     def hand_over(self, name: str) -> bool:
-        """Return whether nothing else reads the plane `name`. If so, it is forgotten here, and its
-        register belongs to the caller."""
+        """Return whether the caller is the only remaining reader of the plane `name`.
+
+        If so, the plane is forgotten, and its register belongs to the caller."""
         if self.uses[name] != 1:
             return False
         self.uses[name] = 0
@@ -138,14 +150,15 @@ class BitWords:
         return True
 
     def store(self, name: str, bit: Kept) -> None:
-        """Write a bit to the register of a plane.
+        """Emit a word that writes a bit to the register of the plane `name`.
 
-        If the last word wrote the bit, that word writes the register instead."""
+        If the last word wrote the bit, that word writes this register instead."""
         self.write(self.planes[name], bit)
 
     def write(self, register: str, bit: Kept) -> None:
-        """Write a bit to any register, as `store` does."""
+        """Emit a word that writes a bit to any register, as `store` does for a plane."""
         (source, owner), words = bit, self.lowering.words
+        # A comparison ends with a word that sets FLAG everywhere; the word before wrote the bit.
         place = -2 if words[-1][0].operation.effect is WordEffect.FLAG_ALL else -1
         last = words[place][0]
         digital = last.operation.effect in (WordEffect.DIGITAL, WordEffect.DIGITAL_NEIGHBOURS)
@@ -168,12 +181,14 @@ class BitWords:
         return self.free.pop(0)
 
     def _no_free_register(self) -> PictureRefused:
-        """Return the error of the item whose words are emitted now: it needs one more register."""
+        """Return the exception that the item whose words are emitted now needs one more digital
+        register."""
         count = len(self.available)
         return PictureRefused("planes", self.lowering.now, count + 1, count)
 
     def give(self, *bits: Kept) -> None:
-        """Note that bits have been read, and free each register that nothing else reads."""
+        """Note that bits, each a (register, owner), have been read; free each register that nothing
+        else reads."""
         for register, owner in bits:
             if owner is not None:
                 self.uses[owner] -= 1
@@ -190,8 +205,9 @@ class BitWords:
         self.give(bit)
 
     def bit(self, node: p.Condition) -> Kept:
-        """Emit the words that compute a condition; return its register, and the name of the
-        plane that owns the register or None."""
+        """Emit the words that compute a condition; return its register and the plane that owns it.
+
+        The owner is None for an intermediate result."""
         match node:
             case p.Bit():
                 return self.planes[node.name], node.name
@@ -224,8 +240,10 @@ class BitWords:
                 return self._near_bit(node), None
 
     def _emit_word(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
-        """Emit the word `name` from `sources` into a free register, free the bits `used`, and
-        return the register. Without a free register, a pair of words replaces a used bit."""
+        """Emit the word `name` with these sources; return the register of the result.
+
+        The bits `used` have then been read. Without a free register, a pair of words replaces one
+        of them."""
         in_place = self._in_place(name, used)
         if in_place is not None:
             for word in pair("OR" if name == "OR" else "NOR", in_place[0], sources):
@@ -238,8 +256,10 @@ class BitWords:
         return target
 
     def _in_place(self, name: str, used: Sequence[Kept]) -> Kept | None:
-        """Return which of the bits `used` a pair of words may replace by the result of the word
-        `name`; None if a register is free or no bit may be replaced."""
+        """Return the bit of `used` that a pair of words may replace by the result of the word
+        `name`.
+
+        Return None if a register is free or no bit may be replaced."""
         is_of_version_4 = self.lowering.pictures.is_of_version_4
         if self.free or not is_of_version_4 or name not in ("OR", "NOR", "NOT"):
             return None
@@ -249,9 +269,10 @@ class BitWords:
         return None
 
     def _chosen(self, node: p.ChosenPlane) -> str:
-        """Emit a choice between two bits: the NOR of the two ways in which it is 0.
+        """Emit the words of a choice between two bits, and return the register of the result.
 
-        The longer expression comes first, so that chains of choices need few registers."""
+        The result is the NOR of the two ways in which it is 0. The longer expression comes first,
+        so that chains of choices need few registers."""
         sizes = [len([*p.subexpressions(each)]) for each in (node.then, node.otherwise)]
         if sizes[1] > sizes[0]:
             otherwise, condition = self.bit(node.otherwise), self.bit(node.condition)
@@ -269,7 +290,10 @@ class BitWords:
         return self._nor([chosen_0, other_0], [(chosen_0, None), (other_0, None)])
 
     def _operands(self, *nodes: p.Condition) -> list[Kept]:
-        """Return the bits of conditions for one OR or NOR word, which may read several planes."""
+        """Emit the words of conditions and return their bits, for one OR or NOR word.
+
+        From version 4 on, an `or` of planes inside them becomes further bits of that word, as far
+        as the chip allows."""
         flat: list[p.Condition] = []
         for node in nodes:
             planes = _planes_of_or(node) if self.lowering.pictures.is_of_version_4 else []
@@ -278,14 +302,15 @@ class BitWords:
         return [self.bit(node) for node in (flat if most is None or len(flat) <= most else nodes)]
 
     def _nor(self, registers: Sequence[str], used: Sequence[Kept]) -> str:
-        """Emit the NOR of bits, of which several may be in one register."""
+        """Emit the NOR of these registers, some of which may be equal, and return the register of
+        the result."""
         return self._emit_word("NOR" if len({*registers}) > 1 else "NOT", registers, used)
 
     def compare(self, node: p.Comparison, value: Held) -> None:
-        """Emit `where`, which tests whether the sum of a value and IN is above 0.
+        """Emit the word `where`, which sets FLAG to whether a value is above the level of `node`.
 
-        IN is minus the level. If the register holds minus the value, FLAG is the inverse of the
-        answer."""
+        It tests whether the sum of the value and IN is above 0, and IN is minus the level. If the
+        register holds minus the value, FLAG is the inverse of the answer."""
         lowering, param = self.lowering, ""
         match node:
             case p.Above():
@@ -300,7 +325,7 @@ class BitWords:
         lowering.word(op("where", [], sources), (param, level) if param else level or None)
 
     def _above(self, node: p.Comparison) -> str:
-        """Emit the comparison `node`, and return the register of its bit."""
+        """Emit the comparison `node`, and return the register of its answer."""
         lowering = self.lowering
         value = lowering.value(node.value)
         self.compare(node, value)
@@ -336,10 +361,10 @@ class BitWords:
     # --- neighbours
 
     def _look(self, register: str, outside: int, steps: frozenset[Offset]) -> str:
-        """Emit a word that gives each pixel the OR of a register's bits in its nearest neighbours,
-        and return its register.
+        """Emit a word that gives each pixel the OR of a register's bits in some nearest neighbours.
 
-        `steps` are the neighbours, and `outside` is the bit of pixels beyond the array."""
+        `steps` are the offsets of these neighbours, and `outside` is the bit of pixels beyond the
+        array. Return the register of the result."""
         directions = frozenset(_OF_STEP[step] for step in steps)
         if directions != self.steered:
             self.steer(directions)
@@ -353,7 +378,10 @@ class BitWords:
         self.steered = directions
 
     def _moved(self, register: str, outside: int, at: Offset) -> str:
-        """Copy the bit of the pixel at an offset into a new register, moving one pixel per word."""
+        """Emit words that fetch the bit of the pixel at an offset, one pixel per word; return its
+        register.
+
+        `outside` is the bit of pixels beyond the array."""
         x, y = at
         steps = [(1 if x > 0 else -1, 0)] * abs(x) + [(0, 1 if y > 0 else -1)] * abs(y)
         moved = None
@@ -368,7 +396,8 @@ class BitWords:
         """Yield each offset with a register that holds the bit of the pixel at this offset.
 
         The bits move along the row, and from there along each column. A step always leads away from
-        the pixel, so that no bit is lost beyond the border of the array."""
+        the pixel, so that no bit is lost beyond the border of the array. A register is valid until
+        the next result."""
         for right in (1, -1):
             line = register
             for distance in range(right < 0, 1 + max(right * x for x, _ in offsets)):
@@ -384,7 +413,10 @@ class BitWords:
     def _column(
         self, line: str, x: int, offsets: Collection[Offset]
     ) -> Iterator[tuple[Offset, str]]:
-        """Yield the offsets above and below column `x` of the row, with their registers."""
+        """Yield the offsets above and below column `x` of the row, with the registers of their
+        bits.
+
+        `line` is the register of the bit at (x, 0)."""
         for down in (1, -1):
             cell = line
             for y in range(1, 1 + max((down * b for a, b in offsets if a == x), default=0)):
@@ -395,7 +427,8 @@ class BitWords:
                 self.give((cell, None))
 
     def _stepped(self, register: str, first: str, step: Offset) -> str:
-        """Shift the bit of `register` by one step, and free `register` unless it is `first`."""
+        """Emit a word that shifts the bit of `register` by one step; free `register` unless it is
+        `first`."""
         outside = self.lowering.pictures.outside or 0
         neighbour = self._look(register, outside, frozenset({step}))
         if register != first:
@@ -403,8 +436,8 @@ class BitWords:
         return neighbour
 
     def _near_bit(self, node: p.Near) -> str:
-        """Emit `any` or `all` of the bits in the neighbourhood of a kernel, and return its
-        register.
+        """Emit `any` or `all` of the bits under a convolution kernel, and return the register of
+        the result.
 
         `any` is an OR of neighbours, and `all` the inverse of `any` of the inverses."""
         offsets = set(self.lowering.weights[node.kernel].taps)
@@ -420,8 +453,10 @@ class BitWords:
         return register
 
     def _any(self, register: str, outside: int, offsets: set[Offset]) -> str:
-        """Emit the OR of a register's bits in the pixels at these offsets; for a rectangle along
-        rows, then along columns."""
+        """Emit the OR of a register's bits in the pixels at these offsets, and return its register.
+
+        For a rectangle, the OR along rows comes first, then that along columns. `outside` is the
+        bit of pixels beyond the array."""
         rows, cols = {y for _, y in offsets}, {x for x, _ in offsets}
         if len(rows) > 1 and len(cols) > 1 and len(offsets) == len(rows) * len(cols):
             line = self._line(register, outside, {(x, 0) for x in cols})
@@ -431,8 +466,9 @@ class BitWords:
         return self._line(register, outside, offsets)
 
     def _line(self, register: str, outside: int, offsets: set[Offset]) -> str:
-        """Emit the OR of the bits at these offsets: one word reads all nearest neighbours, and
-        every other bit is moved here first."""
+        """Emit the OR of a register's bits in the pixels at these offsets, and return its register.
+
+        One word reads all nearest neighbours; every other bit is moved here first."""
         nearest_offsets = frozenset(offsets & set(_OF_STEP))
         registers = [self._look(register, outside, nearest_offsets)] if nearest_offsets else []
         for at in sorted(offsets - nearest_offsets - {(0, 0)}):
@@ -450,8 +486,7 @@ class BitWords:
 
 
 def _planes_of_or(node: p.Condition) -> list[p.Condition]:
-    """Return the planes of `node`, an `or` that combines planes only; empty for another
-    condition."""
+    """Return the planes that an `or` combines, or a single plane; [] for any other condition."""
     if isinstance(node, p.Bit):
         return [node]
     if not isinstance(node, p.Joined) or node.op != "or":

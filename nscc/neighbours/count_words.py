@@ -38,8 +38,10 @@ class CountSum(Record):
     terms: tuple[tuple[Fraction, p.Agreement], ...]
 
     def weights(self, kernels: dict[str, p.Weights]) -> dict[Place, Fraction]:
-        """Return how often each bit is added or subtracted, keyed by plane and offset, without
-        zeros."""
+        """Return how often each bit is added (or subtracted, if negative), by plane and offset,
+        without zeros.
+
+        `kernels` has the convolution kernels by name."""
         total: dict[Place, Fraction] = {}
         for factor, agreement in self.terms:
             for at, weight in kernels[agreement.kernel].taps.items():
@@ -49,7 +51,8 @@ class CountSum(Record):
 
 
 def split(node: p.Value) -> tuple[CountSum, list[tuple[Fraction, p.Value]]]:
-    """Return the agreements of an image, and the other terms of its sum."""
+    """Return the counts (calls of `agree`) of an image that is a sum, and the other terms of the
+    sum."""
     terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
     agreements = tuple((f, term) for f, term in terms if isinstance(term, p.Agreement))
     return CountSum(agreements), [t for t in terms if not isinstance(t[1], p.Agreement)]
@@ -57,10 +60,10 @@ def split(node: p.Value) -> tuple[CountSum, list[tuple[Fraction, p.Value]]]:
 
 @dataclass
 class Accumulator:
-    """A register that holds a count times `sign`.
+    """A register to which words add the bits of neighbours, and which holds a count times `sign`.
 
     Word number `first_word` writes its initial value, `start` counts. The count is at most `span`
-    away from 0. `variance`: as in `Held`."""
+    away from 0. `variance` is that of its error, in units of the variance of one word's error."""
 
     register: str
     first_word: int
@@ -74,10 +77,10 @@ Result = TypeVar("Result")
 
 
 class CountEmitter(Emitter):
-    """Emits the words of counts, for at most `most_together` images in a walk.
+    """Emits the words of counts, for at most `most_together` images at once.
 
-    `ready`: for each image that an earlier walk has counted, its accumulators and their factors.
-    `count_e`: electrons per count."""
+    `ready` has the accumulators and their factors for each image that was counted ahead. `count_e`
+    is the number of electrons per count."""
 
     bits: BitWords
     held: dict[str, Held]
@@ -108,12 +111,14 @@ class CountEmitter(Emitter):
 
     @abstractmethod
     def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
-        """Follow the way with the fewest words per share, and return its result."""
+        """Emit the words of the one of `ways` that has the fewest words per share, and return its
+        result."""
 
     def count_ahead(self, position: int) -> None:
-        """Count the item at `position` if it is a sum of agreements, together with later images.
+        """Count the item at `position`, if it is a sum of `agree`, together with later images.
 
-        The number of images in the walk is the one with the fewest words an image."""
+        Images that are counted together share the shifts of bits. Their number is the one with the
+        fewest words an image."""
         items = self.pictures.items[position:]
         sums = [(item.name, total) for item in items if (total := self._countable(item))]
         if not sums or sums[0][0] != items[0].name:
@@ -127,7 +132,8 @@ class CountEmitter(Emitter):
         self.do_shortest(ways, shares)
 
     def _countable(self, item: p.Picture) -> CountSum | None:
-        """Return an item's sum of agreements; None for other items or if a plane is unknown yet."""
+        """Return an item's sum of `agree`; None for any other item, or if it reads something not
+        computed yet."""
         if isinstance(item.node, p.Condition) or item.name in self.ready:
             return None
         agreements, others = split(item.node)
@@ -139,8 +145,9 @@ class CountEmitter(Emitter):
         return agreements if counts and names <= known else None
 
     def counted(self, agreements: CountSum) -> Held:
-        """Emit the words of a sum of counts, unless an earlier walk has counted it already, and
-        return its register."""
+        """Emit the words of a sum of counts and return the register of the result.
+
+        If the image was counted ahead, only its accumulators are combined."""
         terms = self.ready.pop(self.now, None)
         if terms is None:
             self._count([("", agreements)], _separate)
@@ -161,11 +168,12 @@ class CountEmitter(Emitter):
         sums: Sequence[tuple[str, CountSum]],
         directions_of: Callable[[Sequence[Direction], int], list[Direction]],
     ) -> None:
-        """Emit the walk that counts several images at once, and record their accumulators in
+        """Emit the words that count several images at once, and record their accumulators in
         `ready`.
 
-        A walk shifts the bits of a plane through all offsets. `sums` are names with their sums.
-        `directions_of` chooses the combinations of weights that get an accumulator each."""
+        The words shift the bits of each plane through all offsets and add them. `sums` are names of
+        images with their sums. `directions_of` chooses the combinations of images that get an
+        accumulator each."""
         weights = [total.weights(self.weights) for _, total in sums]
         places = list(dict.fromkeys(place for image in weights for place in image))
         vectors = {at: tuple(image.get(at, Fraction(0)) for image in weights) for at in places}
@@ -208,7 +216,8 @@ class CountEmitter(Emitter):
                     self.ready[image].append((factor, held))
 
     def _finished(self, accumulator: Accumulator, name: str) -> Held:
-        """Make the first word write the accumulator's initial value, and return the count."""
+        """Make the accumulator's first word write its initial value, and return the count as a
+        value."""
         level = -int(accumulator.start * self.pictures.count_steps)
         if level:
             first = self.words[accumulator.first_word][0]
@@ -220,10 +229,11 @@ class CountEmitter(Emitter):
         return Held(accumulator.register, sign, -high_e, high_e, name, variance)
 
     def _add(self, accumulator: Accumulator, bit: str, factor: Fraction) -> None:
-        """Add a factor where a bit is 1, and subtract it where the bit is 0.
+        """Emit words that add a factor where a bit is 1, and subtract it where the bit is 0.
 
-        Depending on the accumulator's sign, twice the factor is added where the bit is 1 or where
-        it is 0. The initial value corrects the constant difference."""
+        `bit` is the register of the bit. Depending on the accumulator's sign, twice the factor is
+        added where the bit is 1 or where it is 0. The initial value corrects the constant
+        difference."""
         level = abs(int(2 * factor * self.pictures.count_steps))
         to_ones = factor * accumulator.sign > 0
         for is_flagged in (False, True):
@@ -242,13 +252,15 @@ class CountEmitter(Emitter):
 
 
 def _separate(vectors: Sequence[Direction], images: int) -> list[Direction]:
-    """Return the directions of one accumulator for each image."""
+    """Return an accumulator for each of `images` images, as its factor in each image."""
     return [_unit(image, images) for image in range(images)]
 
 
 def _shared(vectors: Sequence[Direction], images: int) -> list[Direction]:
-    """Return the directions of shared accumulators: one for each ratio (1, 0 or -1) of the images'
-    weights. Images whose weights at a place have different sizes get separate accumulators."""
+    """Return accumulators that images share, as their factors in each image.
+
+    There is one for each ratio (1, 0 or -1) of the images' weights. Images whose weights at a place
+    have different sizes get separate accumulators."""
     directions: dict[Direction, None] = {}
     for vector in vectors:
         direction = _normal(vector)[1]
@@ -264,13 +276,15 @@ def _unit(image: int, images: int) -> Direction:
 
 
 def _normal(vector: Direction) -> tuple[Fraction, Direction]:
-    """Return a factor and the vector divided by it; the first nonzero number of the result is 1."""
+    """Return the first nonzero number of a vector, and the vector divided by it."""
     first = next(number for number in vector if number)
     return first, tuple(number / first for number in vector)
 
 
 def _steps_along(vector: Direction, directions: Sequence[Direction]) -> dict[int, Fraction]:
-    """Return the factor of each accumulator such that the accumulators add up to `vector`."""
+    """Return how much is added to each accumulator so that the images get the weights `vector`.
+
+    `directions` are the accumulators' factors in each image; the keys are their indices."""
     factor, direction = _normal(vector)
     if direction in directions:
         return {directions.index(direction): factor}

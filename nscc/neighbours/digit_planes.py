@@ -24,12 +24,14 @@ _MOST_EXCHANGES = 40_000
 
 
 def digit_plane_programs(taps: Taps, forms: WordForms) -> list[Program]:
-    """Return programs of a kernel, each with five registers and with four.
+    """Return programs of a convolution kernel, each with five registers and with four.
 
-    The first two halve the input until no digit plane exceeds it, so the total may have to be
-    doubled at the end; the last two halve it no more than needed."""
+    `taps` are the weights by offset, in units of 1 / UNIT. The first two programs halve the input
+    until no digit plane exceeds it, so the total may have to be doubled at the end; the last two
+    halve it no more than needed."""
     weights = {at: weight // _common_unit(taps) for at, weight in taps.items()}
     divisor = UNIT // _common_unit(taps)
+    # The divisor of all weights is a power of two.
     halvings = divisor.bit_length() - 1
     planes = _digit_planes(weights)
     paths = [_path(list(plane)) for plane in planes]
@@ -58,6 +60,7 @@ def _digit_planes(weights: Taps) -> list[dict[Offset, int]]:
     for at, weight in sorted(weights.items()):
         place, rest = 0, weight
         while rest:
+            # 1 or -1, whichever makes the next digit 0.
             digit = 2 - (rest & 3) if rest & 1 else 0
             if place == len(planes):
                 planes.append({})
@@ -71,15 +74,15 @@ def _digit_planes(weights: Taps) -> list[dict[Offset, int]]:
 
 
 def _moves(start: Offset, end: Offset) -> int:
-    """Return the number of moves, of one or two steps each, between two places."""
+    """Return the number of moves, of one or two pixels each, between two places."""
     return (abs(start[0] - end[0]) + abs(start[1] - end[1]) + 1) // 2
 
 
 def _path(places: list[Offset]) -> list[Offset]:
-    """Return the places in an order with few moves that ends near the centre.
+    """Return the places in an order with few moves that ends at the centre.
 
-    The path from the centre to the nearest place and so on is reversed, and shortened by reversing
-    parts of it (2-opt: G. A. Croes, 1958)."""
+    The path from the centre to the nearest place and so on is shortened by reversing parts of it
+    (2-opt: G. A. Croes, 1958), then reversed."""
     path, left = [(0, 0)], set(places) - {(0, 0)}
     while left:
         path.append(min(left, key=lambda place: (_moves(path[-1], place), place)))
@@ -113,8 +116,9 @@ def _program(
 ) -> Program:
     """Return the program that halves the input `first` times, and then the total `last` times.
 
-    A negative `last` is a number of doublings. Without `keeps_negative`, the register of the
-    negative input is free while the total is computed."""
+    `planes` are the digits of each place value, and `paths` the orders in which they are added. A
+    negative `last` is a number of doublings. Without `keeps_negative`, the register of the negative
+    input is free while the total is computed."""
     writer = _Writer(first)
     total: str | None = None
     sign = 1
@@ -137,9 +141,9 @@ def _program(
 
 
 class _Writer:
-    """Words under construction, which begin with words that halve the input.
+    """The words of a program under construction, which begin with words that halve the input.
 
-    `inputs` names the registers of the halved input by sign."""
+    `inputs` has the registers of the halved input times 1 and times -1, by this sign."""
 
     def __init__(self, halvings: int) -> None:
         """Begin with the words that halve the input `halvings` times. Each halving inverts the
@@ -167,7 +171,9 @@ class _Writer:
         return name
 
     def plane_sum(self, plane: Taps, path: Sequence[Offset], sign: int) -> str | None:
-        """Add words that compute the sum of a digit plane times `sign`; return its register."""
+        """Append words that compute the sum of a digit plane times `sign`; return its register.
+
+        `path` is the order of its places. Return None for a plane without digits."""
         if not plane:
             return None
         start = path[0]
@@ -180,11 +186,10 @@ class _Writer:
     def _moved(
         self, place: Offset, target: Offset, moving: str, plane: Taps, sign: int
     ) -> tuple[Offset, str]:
-        """Add the two words that move the sum by at most two pixels towards `target`; return the
-        offset reached, and the new sum's register.
+        """Append the two words that move the sum by at most two pixels towards `target`.
 
-        `moving` is the register of the sum so far, `plane` the digits still to be added, and `sign`
-        that of the sum."""
+        `moving` is the register of the sum so far, `plane` the digits, and `sign` that of the sum.
+        At the target its digit is added. Return the offset reached, and the new sum's register."""
         steps = [
             (step_x, step_y)
             for step_x, step_y, count in (
@@ -204,7 +209,7 @@ class _Writer:
         return reached, self.summed(names[-1], *more)
 
     def _input(self, sign: int) -> str:
-        """Return the register that holds the halved input times `sign`."""
+        """Return the register that holds the halved input times `sign`, 1 or -1."""
         if sign not in self.inputs:
             self.inputs[sign] = self.summed(self.inputs[-sign])
         return self.inputs[sign]

@@ -26,8 +26,10 @@ Key = frozenset[tuple[Offset, int]]
 
 @cache
 def rows(forms: WordForms) -> dict[Key, Program]:
-    """Return the programs of the table, rotated and mirrored, by the kernel that they compute;
-    the shortest for each."""
+    """Return the shortest program of each convolution kernel in the table, by kernel.
+
+    The kernels of the table also occur rotated and mirrored. `forms` are the words that the chip
+    allows."""
     shortest: dict[Key, Program] = {}
     for line in ROWS.split("\n"):
         if line:
@@ -41,10 +43,11 @@ def rows(forms: WordForms) -> dict[Key, Program]:
 
 
 class Factor(Record):
-    """A kernel of at least two weights that may divide other kernels, with its program.
+    """A convolution kernel of at least two weights that may divide other kernels, with its program.
 
-    `lead`: offset of the last weight, ordered by column, then row. `size`: numbers of columns and
-    rows, minus 1. `corner`: the smallest column and row. `values`: as `_values_at_signs`."""
+    `lead` is the offset of its last weight, ordered by column, then row. `size` are its numbers of
+    columns and rows, minus 1. `corner` is the smallest column and row. `values` are those of
+    `_values_at_signs`."""
 
     taps: Taps
     program: Program
@@ -61,7 +64,8 @@ class Factor(Record):
 
 
 def box_of(taps: Taps) -> tuple[Offset, Offset]:
-    """Return the smallest column and row of a kernel, and its columns and rows minus 1."""
+    """Return the smallest column and row of a convolution kernel, and its numbers of columns and
+    rows minus 1."""
     columns, rows_ = [x for x, _ in taps], [y for _, y in taps]
     corner = min(columns), min(rows_)
     return corner, (max(columns) - corner[0], max(rows_) - corner[1])
@@ -76,13 +80,16 @@ def factors(forms: WordForms) -> tuple[Factor, ...]:
 
 @cache
 def factors_within(forms: WordForms, size: Offset) -> tuple[Factor, ...]:
-    """Return the factors with at most as many columns and rows as a kernel of this size."""
+    """Return the factors with at most as many columns and rows as a kernel of this size (minus
+    1)."""
     return tuple(f for f in factors(forms) if f.size[0] <= size[0] and f.size[1] <= size[1])
 
 
 def _values_at_signs(taps: Taps) -> tuple[int, ...]:
-    """Return the kernel's polynomial at x = 1, -1 and y = 1, -1: four numbers that multiply when
-    kernels are convolved."""
+    """Return the values of a convolution kernel as a polynomial at x = 1, -1 and y = 1, -1.
+
+    If kernels are convolved, these four numbers multiply. So a factor's values divide those of the
+    product."""
     sums = [0, 0, 0, 0]
     for (x, y), weight in taps.items():
         sums[x & 1 | (y & 1) << 1] += weight
@@ -91,8 +98,9 @@ def _values_at_signs(taps: Taps) -> tuple[int, ...]:
 
 
 def quotients(taps: Taps, forms: WordForms) -> Iterator[tuple[Factor, Polynomial]]:
-    """Yield each kernel of the table that divides `taps`, with the quotient; the quotient is not
-    the identity."""
+    """Yield each convolution kernel of the table that divides `taps`, with the quotient.
+
+    The quotient is never the identity. `forms` are the words that the chip allows."""
     box, values = box_of(taps), [value * UNIT for value in _values_at_signs(taps)]
     for factor in factors_within(forms, box[1]):
         for value, divisor in zip(values, factor.values, strict=True):
@@ -105,8 +113,10 @@ def quotients(taps: Taps, forms: WordForms) -> Iterator[tuple[Factor, Polynomial
 
 
 def _quotient_of(taps: Taps, factor: Factor, corner: Offset, size: Offset) -> Polynomial | None:
-    """Return the kernel whose product with `factor` is `taps`, or None if there is none within
-    the box of `taps` (`corner`, `size`)."""
+    """Return the convolution kernel whose product with `factor` is `taps`; None if there is none.
+
+    It is found by long division from the last weight. `corner` and `size` are those of `taps`
+    (`box_of`), which the product must not exceed."""
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]
     first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
     lead_weight = factor.taps[factor.lead]

@@ -18,7 +18,7 @@ Leveled = tuple[Op, Level]
 class LoopWords(Record):
     """The words from number `begin` up to `end`, which are executed `times` times.
 
-    `values`: the registers of the repeated names."""
+    `values` are the registers of the names that change from step to step."""
 
     begin: int
     end: int
@@ -27,10 +27,12 @@ class LoopWords(Record):
 
 
 class PictureRefused(Exception):
-    """Raised if an image does not fit the chip.
+    """Raised if an image or plane does not fit the chip.
 
-    `kind` is "registers", "range" or "planes"; `name` is the image or plane. `needed` and
-    `available` are numbers of registers or, for "range", the value relative to the range."""
+    `kind` says what is lacking: "registers" (analog), "planes" or "steering" (digital registers),
+    "halvings", "store" (words), "range" or "steps" (of a search). `name` is the image or plane.
+    `needed` and `available` are numbers of these or, for "range", the value relative to the range.
+    """
 
     def __init__(self, kind: str, name: str, needed: float, available: float) -> None:
         """Say that the image or plane `name` needs more of a resource than is available."""
@@ -54,8 +56,9 @@ class Held(Record):
     level: Level = None
 
     def scaled(self, up: Fraction, down: Fraction) -> tuple[float, float]:
-        """Return the range of the value after a convolution whose positive weights sum to `up` and
-        whose negative weights sum to -`down`."""
+        """Return the range (low, high) of the value after a convolution, in electrons.
+
+        The positive weights sum to `up`, the negative ones to -`down`."""
         return (
             float(up) * self.low - float(down) * self.high,
             float(up) * self.high - float(down) * self.low,
@@ -63,11 +66,12 @@ class Held(Record):
 
 
 class Emitter(ABC):
-    """Words under construction; `now` is the image or plane that they compute."""
+    """Words under construction, in `words`; `now` is the image or plane that they compute.
+
+    `masked` tells whether FLAG may be 0 in some pixels, where analog words then have no effect."""
 
     def __init__(self, pictures: p.Pictures) -> None:
-        """Begin to emit words for `pictures` with a word that sets FLAG in all pixels, so that
-        words act everywhere."""
+        """Begin with a word that sets FLAG in all pixels, so that analog words act everywhere."""
         self.pictures = pictures
         self.weights = pictures.weights_by_name
         self.words: list[Leveled] = [(op("all"), None)]
@@ -75,8 +79,8 @@ class Emitter(ABC):
         self.now = ""
 
     def word(self, op: Op, level: Level = None) -> None:
-        """Append a word; `level` is its value of IN. A word that changes FLAG also updates
-        `masked`."""
+        """Append a word; `level` is the value of IN that it needs. `masked` follows words that
+        write FLAG."""
         effect = op.operation.effect
         if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL):
             self.masked = True
@@ -91,8 +95,10 @@ class Emitter(ABC):
 
     @abstractmethod
     def value(self, node: p.Value) -> Held:
-        """Emit the words that compute a value, and return its register."""
+        """Emit the words that compute an image expression, and return the register that holds
+        it."""
 
     @abstractmethod
     def give(self, *values: Held) -> None:
-        """Note that values have been read."""
+        """Note that values have been read, so that registers which nothing else reads become
+        free."""

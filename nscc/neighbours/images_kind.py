@@ -22,7 +22,9 @@ class Images(ProgramKind):
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
         """Return the container of the exposure with the words of images and planes after it, and
-        diagnostics."""
+        diagnostics.
+
+        After an error, the container has only the exposure."""
         container, found = super().assemble(layout, job)
         program, level = layout.program, job.options.level
         container, errors = with_pictures(container, program, level, job.results)

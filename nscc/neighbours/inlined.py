@@ -28,12 +28,11 @@ def without_second_names(pictures: p.Pictures) -> p.Pictures:
 
 
 def with_moves_where_read(pictures: p.Pictures) -> p.Pictures:
-    """Return `pictures` with the same values, in which each reader of a moved image moves it
+    """Return the same images and planes, in which each reader of a shifted image shifts it
     itself."""
 
     def moves(node: p.Node) -> bool:
-        """Return whether a node is one pixel of an image with the weight 1, which a reader can
-        compute itself."""
+        """Return whether an expression is an image shifted by some pixels, with the weight 1."""
         if isinstance(node, p.Condition):
             return False
         taps, inner = merged(node, pictures.weights_by_name)
@@ -43,7 +42,8 @@ def with_moves_where_read(pictures: p.Pictures) -> p.Pictures:
 
 
 def _inlined(pictures: p.Pictures, is_inlined: Callable[[p.Node], bool]) -> p.Pictures:
-    """Return the images and planes, with the nodes that `is_inlined` chooses where they are read.
+    """Return the images and planes, with the expressions that `is_inlined` chooses written where
+    they are read.
 
     Outputs keep their names, and so do items that a repeated item reads in every step."""
     nodes: dict[str, p.Node] = {}

@@ -13,7 +13,8 @@ from nscc.words import pictures as p
 
 
 def by_last_use(pictures: p.Pictures) -> p.Pictures:
-    """Return the same images and planes, ordered for few registers.
+    """Return the same images and planes, each just before the first item that reads it, for few
+    registers.
 
     Of the items that an item reads, the one that depends on most others comes first. Long sums and
     conditions become items of two operands each."""
@@ -42,14 +43,14 @@ def by_last_use(pictures: p.Pictures) -> p.Pictures:
 
 
 def names_read(node: p.Node) -> Iterator[str]:
-    """Yield the names that an expression reads."""
+    """Yield the names that an expression reads, as often as it reads them."""
     for part in p.subexpressions(node):
         if isinstance(part, p.Bit | p.Source):
             yield part.name
 
 
 def _taken_apart(name: str, node: p.Node) -> Iterator[p.Picture]:
-    """Yield the items of an expression: first its parts, at last itself with the name `name`."""
+    """Yield an expression as items of two operands each; the last has the name `name`."""
     if isinstance(node, p.Joined):
         operands: list[p.Condition] = []
         for number, operand in enumerate((node.first, node.second), 1):

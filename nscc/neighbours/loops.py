@@ -20,8 +20,9 @@ because the next step reads it again."""
 
 
 def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
-    """Emit the words of images and planes that are repeated together: their initial values, then
-    one step, which is stored once."""
+    """Emit the words of images and planes that `repeat` changes together.
+
+    These are the initial values, then one step, which is stored once and executed several times."""
     steps: dict[str, p.Node] = {}
     for item in items:
         if isinstance(item.node, p.RepeatedPlane) and isinstance(item.node.step, p.Propagated):
@@ -58,8 +59,10 @@ def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
 def _emit_flood(
     lowering: RegisterEmitter, name: str, node: p.RepeatedPlane, step: p.Propagated
 ) -> None:
-    """Emit the flood `node` as the plane `name`, by propagations that change the masked register
-    where the mask of `step` is 1. Raises PictureRefused on chips without them."""
+    """Emit a flood as the plane `name`, by words that propagate bits through many pixels at once.
+
+    They change the chip's masked register where the mask of `step` is 1. Raises PictureRefused if
+    the chip has no such register or the program's codes need it."""
     bits, mask, register = lowering.bits, lowering.target.mask_register, lowering.propagating
     if mask is None or register is None:
         raise PictureRefused("planes", name, 2, 0)
@@ -84,7 +87,7 @@ def _emit_flood(
 
 
 def _start(lowering: RegisterEmitter, name: str, node: p.Node) -> None:
-    """Emit the initial value `node` of the repeated image or plane `name` into a register of its
+    """Emit the initial value `node` of the repeated image or plane `name`, into a register of its
     own."""
     bits = lowering.bits
     if isinstance(node, p.Condition):
@@ -102,10 +105,15 @@ def _start(lowering: RegisterEmitter, name: str, node: p.Node) -> None:
 
 
 def _emit_steps(lowering: RegisterEmitter, steps: Mapping[str, p.Node], times: p.Times) -> None:
-    """Emit one step of all names, for the range of values that `times` steps can reach."""
+    """Emit one step of all names in `steps`, which is valid for every step.
+
+    The range of values that `times` steps can reach is found by repeating the step until it no
+    longer grows."""
     images = [name for name in steps if name in lowering.held]
     begin = len(lowering.words)
     heads = {name: lowering.held[name] for name in images}
+    # The words of a step depend on the range of the values before it. So an attempt whose results
+    # leave the range is undone, and the range widened.
     for _ in range(max(1, times.most)):
         state = lowering.state()
         results = _emit_step(lowering, steps)
@@ -133,8 +141,9 @@ def _emit_steps(lowering: RegisterEmitter, steps: Mapping[str, p.Node], times: p
 
 
 def _emit_step(lowering: RegisterEmitter, steps: Mapping[str, p.Node]) -> dict[str, Held]:
-    """Emit one step of all names in `steps` at once, each with its new value, and return the
-    registers of the new images."""
+    """Emit one step of all names in `steps`: the expressions that give their new values.
+
+    Return the new values of images by name. No value from before the step loses its register."""
     bits, begin = lowering.bits, len(lowering.words)
     lowering.loop_registers = {name: bits.planes[name] for name in steps if name in bits.planes}
     locked, locked_planes = [*lowering.held], [*bits.planes]
@@ -143,6 +152,7 @@ def _emit_step(lowering: RegisterEmitter, steps: Mapping[str, p.Node]) -> dict[s
             uses[name] = uses.get(name, 0) + _LOCK
     results = store_at_once(lowering, steps)
     lowering.everywhere()
+    # A step needs at least one word, because a loop launches it.
     if len(lowering.words) == begin:
         lowering.word(op("all"))
     _move_flag(lowering, begin)
@@ -156,9 +166,11 @@ def _emit_step(lowering: RegisterEmitter, steps: Mapping[str, p.Node]) -> dict[s
 
 
 def _move_flag(lowering: RegisterEmitter, begin: int) -> None:
-    """Shorten a step that writes where a plane is 1, and then moves the plane by one pixel.
+    """Replace the last words of a step that writes where a plane is 1, and then moves the plane by
+    one pixel.
 
-    FLAG has the bits of the plane already, so that one word moves them into its register."""
+    FLAG has the bits of the plane already, so that one word moves them into its register. `begin`
+    is the first word of the step."""
     words = [word for word, _ in lowering.words[max(begin, len(lowering.words) - 5) :]]
     if len(words) < 5:
         return
@@ -178,7 +190,8 @@ def _move_flag(lowering: RegisterEmitter, begin: int) -> None:
 def store_at_once(lowering: RegisterEmitter, nodes: Mapping[str, p.Node]) -> dict[str, Held]:
     """Emit words that give all names their next values at once, in the registers that hold them.
 
-    Return the values of images."""
+    `nodes` are the expressions of the next values, which read the old ones. Return the values of
+    images by name."""
     results: dict[str, Held] = {}
     waiting: list[tuple[str, Held | tuple[str, str | None]]] = []
     for name, is_read_later in _in_order(nodes):
@@ -214,8 +227,10 @@ def store_at_once(lowering: RegisterEmitter, nodes: Mapping[str, p.Node]) -> dic
 
 
 def _in_order(nodes: Mapping[str, p.Node]) -> Iterator[tuple[str, bool]]:
-    """Yield the repeated names in the order in which their new values replace the old ones, and
-    whether a later name still reads the old value."""
+    """Yield the repeated names in the order in which new values replace old ones, each with a bool.
+
+    The bool tells whether a later name still reads the old value. The order avoids this where it
+    can."""
     reads = {
         name: {getattr(node, "name", name) for node in p.subexpressions(expression)} - {name}
         for name, expression in nodes.items()
@@ -229,7 +244,8 @@ def _in_order(nodes: Mapping[str, p.Node]) -> Iterator[tuple[str, bool]]:
 
 
 def _store(lowering: RegisterEmitter, head: Held, node: p.Node) -> Held:
-    """Emit words that write the value of `node` to the register of `head`, in its sign.
+    """Emit words that write the value of `node` to the register of `head`, in its sign; return the
+    result.
 
     A choice that keeps the value in some pixels writes the register in the other pixels only."""
     own = p.Source(head.name or "")
@@ -249,10 +265,10 @@ def _store(lowering: RegisterEmitter, head: Held, node: p.Node) -> Held:
 
 
 def _move(lowering: RegisterEmitter, value: Held, head: Held, flag: str | None) -> Held:
-    """Emit words that copy a value to the register of `head`, in its sign: in all pixels, or where
-    the digital register `flag` is 1.
+    """Emit words that copy a value to the register of `head`, in its sign; return the result.
 
-    If the last word wrote the value, that word writes the register instead."""
+    `flag` is the digital register that is 1 where they copy; None copies in all pixels. If the last
+    word wrote the value, that word writes the register instead."""
     register, (last, level) = head.register, lowering.words[-1]
     source, again = value.register, value.sign == head.sign
     sources = [source]
@@ -277,9 +293,10 @@ def _move(lowering: RegisterEmitter, value: Held, head: Held, flag: str | None) 
 
 
 def _fetched(lowering: RegisterEmitter, sources: list[str], free: str) -> list[str]:
-    """Return sources that a masked word may read, in place of sources that reach neighbours.
+    """Emit words that fetch values from neighbours, and return sources that a masked word may read.
 
-    `free` is the register in which the values of the sources would be."""
+    A word that acts only where FLAG is 1 cannot reach neighbours. `sources` are those it would
+    read, and `free` is a register for their sum."""
     before = lowering.words[-1][0]
     if len(sources) == 1 and before == op("bus", ["NEWS"], before.sources):
         right, down = STEPS[sources[0]]  # the word before moves the values instead
@@ -292,7 +309,7 @@ def _fetched(lowering: RegisterEmitter, sources: list[str], free: str) -> list[s
 
 
 def _writes(word: Op, source: str, register: str) -> bool:
-    """Return whether a word writes only `source`, and may write `register` instead."""
+    """Return whether a word writes only the register `source`, and may write `register` instead."""
     plain = word.operation.effect is WordEffect.BUS and word.operation.phase is Phase.WHOLE
     return plain and word.destinations == (source,) and register not in word.sources
 
@@ -304,7 +321,7 @@ def _contains(outer: Held, inner: Held) -> bool:
 
 
 def _joined(first: Held, second: Held) -> Held:
-    """Return `first` with the range of both values, and the larger noise."""
+    """Return `first` with a range that contains the values of both, and the larger noise."""
     low, high = min(first.low, second.low), max(first.high, second.high)
     return replace(first, low=low, high=high, variance=max(first.variance, second.variance))
 
@@ -312,10 +329,11 @@ def _joined(first: Held, second: Held) -> Held:
 def kept_ranges(
     lowering: RegisterEmitter, results: Mapping[str, Held]
 ) -> dict[str, tuple[float, float]]:
-    """Return the ranges of kept images that leave the ranges that were assumed, joined with these.
+    """Return new ranges of the kept images whose next values leave the ranges that were assumed.
 
-    Empty if every frame keeps the ranges. Raise `PictureRefused` for a range that registers cannot
-    hold."""
+    A range (least, largest value in electrons) contains both. The result is empty if every frame
+    keeps the ranges. Raises PictureRefused for a range that registers cannot hold. `results` are
+    the next values."""
     wider = {}
     for name, result in results.items():
         low, high = lowering.kept_ranges[name]

@@ -25,7 +25,10 @@ Weights = dict[tuple[int, int], Fraction]
 
 
 class Lowering(RegisterEmitter):
-    """Emits the words of all items. After `run`, `registers` maps each output to its register."""
+    """Emits the words of all images and planes of a program.
+
+    After `run`, `registers` maps each output and state to its register, and `costs` has the cost of
+    each image and plane."""
 
     def __init__(
         self,
@@ -45,7 +48,10 @@ class Lowering(RegisterEmitter):
         self.costs: list[p.PictureCost] = []
 
     def run(self) -> None:
-        """Emit the words of all images and planes in order, then those that update the states."""
+        """Emit the words of all images and planes in order, then those that give the states their
+        next values.
+
+        Raises PictureRefused if they do not fit the chip."""
         for position, item in enumerate(self.pictures.items):
             self.now, before = item.name, len(self.words)
             if isinstance(item.node, p.Repeated):
@@ -61,7 +67,7 @@ class Lowering(RegisterEmitter):
             else:
                 value = self.value(item.node)
                 value = self.positive(value) if self.is_output else value
-                if value.name is not None:  # a second name for a named value
+                if value.name is not None:  # a second name for a named value gets a copy
                     value = self.negated(self.negated(value))
                 value = self.held[item.name] = replace(value, name=item.name)
                 self.uses[item.name] += 1
@@ -98,14 +104,16 @@ class Lowering(RegisterEmitter):
             ]
 
     def _image_cost(self, name: str, words: int, value: Held) -> p.PictureCost:
-        """Return the cost of an image: its words, its largest gain and the noise gain."""
+        """Return the cost of the image `name`: its number of `words`, and the gains of its
+        `value`."""
         most = max(abs(value.low), abs(value.high))
         gain = most / max(self.pictures.limits_e.values())
         return p.PictureCost(name, words, gain, sqrt(value.variance))
 
     def _repeat(self, names: Sequence[str]) -> None:
-        """Emit the words of repeated images and planes that step together. The recorded cost of
-        the first one includes the words of all."""
+        """Emit the words of images and planes that step together.
+
+        The cost of the first one includes the words of all, with every step."""
         before, repeated = len(self.words), self.pictures.repeated
         for name in names:  # never freed before the end of the loop
             uses = self.bits.uses if isinstance(repeated[name], p.Condition) else self.uses
@@ -155,9 +163,9 @@ class Lowering(RegisterEmitter):
     def filtered(self, value: Held, weights: Weights) -> Held:
         """Emit the convolution of a value with `weights`, and return the register that holds it.
 
-        Frees the value's register unless the weights are 1. The first program of `synthesis` for
-        which there are enough registers is used. Raises PictureRefused if none fits, or if values
-        exceed the range of registers."""
+        The value has then been read, so that its register may become free. The first program of
+        `synthesis` for which there are enough registers is used. Raises PictureRefused if none
+        fits, or if values exceed the range of registers."""
         if weights == {(0, 0): 1}:
             return value
         if not weights:
@@ -169,7 +177,7 @@ class Lowering(RegisterEmitter):
             taps = exact_taps(weights)
             programs = self._programs(taps, value)
         except ValueError:
-            raise PictureRefused("registers", self.now, 41, 40) from None
+            raise PictureRefused("halvings", self.now, 41, 40) from None
         low, high = value.scaled(*gains(taps))
         squares = sum(float(weight) ** 2 for weight in weights.values())
         refused: PictureRefused | None = None
@@ -190,10 +198,12 @@ class Lowering(RegisterEmitter):
         raise refused
 
     def _programs(self, taps: Taps, value: Held) -> list[tuple[Program, int]]:
-        """Return programs of a kernel (with sign 1) or of its negative (-1) that fit the range.
+        """Return programs for a convolution kernel whose values fit the range of registers, best
+        first.
 
-        They are sorted by the words that remain after reuse, then by their largest value; equally
-        good first programs by noise. Raise `PictureRefused` if no program fits."""
+        The sign of a program is -1 if it computes the negative. Programs are sorted by the words
+        that remain after reuse of values in registers, then by their largest value; equally good
+        first programs by noise. Raises PictureRefused if no program fits."""
         least, ranked = float("inf"), []
         for sign in (1, -1):
             for candidate in self.synthesis.variants(added((sign, taps))):
@@ -219,8 +229,10 @@ class Lowering(RegisterEmitter):
         return [(program, sign) for *_, program, sign in ranked]
 
     def sum(self, node: p.Sum) -> Held:
-        """Emit a sum of images and return its register: counts are counted together, and terms
-        of one image become one convolution."""
+        """Emit the words of a sum of images and return the register of the result.
+
+        Counts are counted together, and terms of one image become one convolution, if that is
+        shorter."""
         agreements, others = split(node)
         if agreements.terms:
             count = self.counted(agreements)
@@ -239,11 +251,11 @@ class Lowering(RegisterEmitter):
         return self._term_by_term(node)
 
     def _term_by_term(self, node: p.Sum) -> Held:
-        """Emit the sum `node`, whose terms are computed one after the other, and return its
-        register."""
+        """Emit the words of a sum, term after term, and return the register of the result."""
         if not node.terms:
             return self._nothing()
         common = abs(node.terms[0][0])
+        # A factor that all terms have is applied once, to their sum.
         if common != 1 and all(abs(factor) == common for factor, _ in node.terms):
             plain = p.Sum(tuple((factor / common, value) for factor, value in node.terms))
             return self.filtered(self.value(plain), {(0, 0): common})
@@ -254,8 +266,9 @@ class Lowering(RegisterEmitter):
         return self.added(signed_terms)
 
     def _with_level(self, node: p.Sum) -> Held:
-        """Emit the sum `node`, which contains levels, and return its register. The word that adds
-        the other terms also reads at most two of them."""
+        """Emit the words of a sum that contains levels, and return the register of the result.
+
+        The word that adds the other terms also adds up to two levels, by IN."""
         uniform = [(f, term) for f, term in node.terms if isinstance(term, p.Uniform)]
         other = tuple(term for term in node.terms if not isinstance(term[1], p.Uniform))
         terms = [(1, self.value(p.Sum(other)))] if other else []
@@ -274,7 +287,9 @@ class Lowering(RegisterEmitter):
 
     def _steps_range(self, factor: int, param: str) -> tuple[float, float]:
         """Return the range in electrons of `factor` steps of IN, or of `factor` times the parameter
-        `param`. Raises PictureRefused beyond the range of IN."""
+        `param`.
+
+        Raises PictureRefused if it leaves the range of IN."""
         ends = [factor]
         if param:
             of_param = next(each for each in self.pictures.params if each.name == param)
@@ -295,13 +310,13 @@ class Lowering(RegisterEmitter):
     def added(
         self, signed_terms: list[tuple[int, Held]], levels: Sequence[tuple[int, str]] = ()
     ) -> Held:
-        """Emit the sum of at most four values with signs, in one or two words, and return its
-        register.
+        """Emit the sum of at most four values, each with its sign 1 or -1, and return the register
+        of the result.
 
-        `levels`: at most two multiples of a step of IN, or of the parameter with this name, that
-        are added, too: the second by the first word. Frees the values' registers. Raises
-        PictureRefused if the sum exceeds the range of registers, or needs more than four
-        sources."""
+        One or two words suffice. `levels` are up to two terms (factor, parameter): multiples of
+        that parameter of the host or, if its name is "", of a step of IN. The second is added by
+        the first word. The values have then been read. Raises PictureRefused if the sum exceeds the
+        range of registers, or needs more than four sources."""
         low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
         high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
         for level in levels:
@@ -336,7 +351,7 @@ class Lowering(RegisterEmitter):
         return Held(register, -total, low, high, variance=variance)
 
     def absolute(self, value: Held) -> Held:
-        """Emit an absolute value.
+        """Emit an absolute value and return the register of the result.
 
         Two words write the negative to NEWS and to the result. Where the register of the value is
         above 0, a third word inverts the result again."""
@@ -353,9 +368,9 @@ class Lowering(RegisterEmitter):
         return Held(register, 1, least, most, variance=value.variance + 2)
 
     def largest(self, value: Held, places: Sequence[tuple[int, int]]) -> Held:
-        """Emit the largest of the values at these places, compared one after the other.
+        """Emit the largest of the values of the pixels at these offsets, and return its register.
 
-        A register holds the negative of the largest value so far; a larger value replaces it."""
+        The register holds the negative of the largest value so far; a larger value replaces it."""
         value = self.positive(value)
         name, uses = value.name or f"largest {len(self.words)}", len(places)
         self.uses[name] = self.uses[name] - 1 + uses if value.name else uses
@@ -375,7 +390,8 @@ class Lowering(RegisterEmitter):
         return Held(register, -1, value.low, value.high, variance=variance)
 
     def larger(self, first: Held, second: Held) -> Held:
-        """Emit the larger one of two values: the second, overwritten where the first is larger.
+        """Emit the larger one of two values, and return its register: the second, overwritten where
+        the first is larger.
 
         The register of the second is overwritten if it holds the negative, and nothing reads it
         later. Of two negatives, NEWS has the first with its own sign."""
@@ -406,12 +422,13 @@ class Lowering(RegisterEmitter):
         return Held(register, sign, low, high, variance=variance)
 
     def _ends(self, value: Held) -> bool:
-        """Return whether this is the last read of a value."""
+        """Return whether the next read of a value is its last."""
         return value.name is None or self.uses[value.name] == 1
 
     def chosen(self, node: p.Chosen) -> Held:
-        """Emit a choice between two images by a condition, and return its register; FLAG is 1 in
-        all pixels afterwards."""
+        """Emit a choice between two images by a condition, and return the register of the result.
+
+        FLAG is 1 in all pixels afterwards."""
         if self.pictures.is_of_version_4:
             return self._chosen_by_flag(node)
         then, otherwise = self.value(node.then), self.value(node.otherwise)
@@ -429,9 +446,11 @@ class Lowering(RegisterEmitter):
         return Held(register, -then.sign, low, high, variance=variance)
 
     def _chosen_by_flag(self, node: p.Chosen) -> Held:
-        """Emit a choice in the register of the second value, if nothing reads that value later.
+        """Emit a choice between two images by a condition, as version 4 does, and return its
+        register.
 
-        A level needs no register, and FLAG is the answer of a comparison at once."""
+        The register of the second image is used if nothing reads that image later. A level needs no
+        register, and the answer of a comparison stays in FLAG."""
         then, otherwise = self._value_or_level(node.then), self._value_or_level(node.otherwise)
         condition, compared, bit = node.condition, None, None
         if isinstance(condition, p.Comparison):
@@ -468,7 +487,7 @@ class Lowering(RegisterEmitter):
         return Held(register, sign, low, high, variance=variance)
 
     def _value_or_level(self, node: p.Value) -> Held:
-        """Return the register of the value `node`, or IN with its level if the value is a level."""
+        """Return the register of an image or, if the image is a level, IN with its level."""
         terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
         if not terms:
             return Held("IN", 1, 0.0, 0.0, level=0)
@@ -479,7 +498,7 @@ class Lowering(RegisterEmitter):
         return Held("IN", 1, *self._steps_range(factor, param), level=level)
 
     def _copy(self, register: str, sign: int, value: Held) -> None:
-        """Emit the word that writes a value, or a level, times `sign`."""
+        """Emit the word that writes `sign` times a value, or a level, to a register."""
         if value.register != "IN":
             assert value.sign == -sign
             self.word(op("bus", [register], [value.register]))
@@ -490,7 +509,11 @@ class Lowering(RegisterEmitter):
 
 
 def merged(node: p.Value, kernels: Mapping[str, p.Weights]) -> tuple[Weights, p.Value]:
-    """Combine nested kernels and factors; return one kernel and the value it applies to."""
+    """Return nested convolution kernels and factors as one kernel, and the image that it applies
+    to.
+
+    For any other image, the kernel is the identity. `kernels` has the convolution kernels by name.
+    """
     if isinstance(node, p.Filtered):
         taps, inner = merged(node.value, kernels)
         outer = kernels[node.kernel].taps.items()

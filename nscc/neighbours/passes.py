@@ -53,9 +53,10 @@ the searches for all of them."""
 def with_pictures(
     container: Container, program: Program, level: int, results: Results | None = None
 ) -> tuple[Container, Sequence[Diagnostic]]:
-    """Return the container with the words of the program's images and planes, or diagnostics.
+    """Return the container with the words of the program's images and planes; or unchanged, with an
+    error.
 
-    The diagnostics: states that fade within a frame (NS0602), too few registers or too little
+    The errors are: states that fade within a frame (NS0602), too few registers or too little
     instruction store (NS0535), values beyond the range of the registers (NS0540), and images that
     read pixels too far away (NS0541)."""
     pictures = program.pictures
@@ -84,7 +85,9 @@ def with_pictures(
 
 
 def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[PictureCost, ...]:
-    """Return the costs in the order of the text; shared values count for the first image after."""
+    """Return the costs of the images and planes of the program text, in its order.
+
+    The words of items that the compiler added count for the next image."""
     names = [*pictures.expressions]
     cost_of: dict[str, PictureCost] = {}
     shared_words = 0
@@ -98,9 +101,12 @@ def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[Pi
 def lowered(
     container: Container, pictures: Pictures, level: int, results: Results | None = None
 ) -> Lowering:
-    """Lower images and planes to words after a container's exposure; raise `PictureRefused` if they
-    do not fit. From level 2 on, the shortest of several alternatives is returned. What does not fit
-    in the order of the text is ordered by last use."""
+    """Return the words of images and planes after a container's exposure, as a `Lowering` that has
+    run.
+
+    `level` is that of `-O`. From level 2 on, it is the shortest of several alternatives. What does
+    not fit in the order of the text is ordered by last use. Raises PictureRefused if nothing fits.
+    """
     forms = WordForms.choices(container.target)
     searches = [Synthesis(STEPS_OF_LEVEL[level], form, results) for form in forms]
     return _shortest(container, pictures, level, searches)
@@ -143,8 +149,9 @@ def _shortest(
 def _first_or_best(
     container: Container, ways: Iterable[tuple[Synthesis, Pictures]], *, first: bool
 ) -> tuple[Lowering | None, PictureRefused | None]:
-    """Return the shortest lowering of `ways` that fits, or with `first` the first one, and why the
-    first way that does not fit is refused."""
+    """Return the shortest lowering of `ways` that fits, or with `first` the first that fits.
+
+    Also return why the first way that does not fit is refused. Either is None if there is none."""
     best: Lowering | None = None
     refused: PictureRefused | None = None
     for synthesis, way in ways:
@@ -161,7 +168,7 @@ def _first_or_best(
 
 
 def _with_fewer_registers(pictures: Pictures) -> list[Pictures]:
-    """Return the images and planes of `pictures` in ways that need fewer registers."""
+    """Return equivalent forms of the images and planes that need fewer registers."""
     ways = [] if pictures.repeated else [by_last_use(pictures)]
     if pictures.is_of_version_4:
         moved = with_moves_where_read(pictures)
@@ -177,8 +184,10 @@ def _without_zeros(node: Node) -> Any:
 
 
 def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> Lowering:
-    """Lower images and planes in their order. A walk counts as many images as the registers
-    allow. Kept images begin with a range that every frame keeps."""
+    """Return the lowering of images and planes in their order.
+
+    Kept images begin with a range that every frame keeps. It is found by widening the range until
+    their next values stay inside. Raises PictureRefused."""
     most_e = max(pictures.limits_e.values(), default=0.0)
     ranges = {
         image.name: (min(0.0, image.start_e), max(most_e, image.start_e))
@@ -204,8 +213,11 @@ def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> 
 
 
 def _limit(first: float, second: float, third: float) -> float:
-    """Return the limit of a geometric sequence (Aitken), a little beyond it; `third` if there is no
-    limit."""
+    """Return the limit of a sequence whose steps shrink by a constant factor, a little beyond it
+    (Aitken).
+
+    The arguments are three consecutive numbers of it. If the steps do not shrink, return `third`.
+    """
     step, next_step = second - first, third - second
     if not 0 < abs(next_step) < abs(step):
         return third
@@ -218,9 +230,10 @@ def _lowered_with(
     synthesis: Synthesis,
     ranges: Mapping[str, tuple[float, float]],
 ) -> Lowering:
-    """Return a lowering with as many images computed together as registers allow.
+    """Return the lowering that counts as many images together as registers allow.
 
-    `ranges` gives the least and largest value (e) of each kept image. Raises PictureRefused."""
+    `ranges` gives the least and largest value of each kept image, in electrons. Raises
+    PictureRefused."""
     for most_together in range(MOST_IMAGES, 0, -1):
         lowering = Lowering(pictures, container, synthesis, ranges)
         lowering.most_together = most_together
@@ -237,10 +250,10 @@ def _lowered_with(
 def grouped(
     words: Sequence[Leveled], loops: Sequence[LoopWords] = ()
 ) -> tuple[list[tuple[Op, ...]], dict[str, Any]]:
-    """Group words into kernels, one per value of IN, and store equal kernels once.
+    """Group words into kernels (lists of words), one per value of IN, and store equal kernels once.
 
-    Return the kernels, and the fields of `Pictures` that launch them. A loop begins and ends with a
-    launch."""
+    Return the kernels, and the fields of `Pictures` that launch them: `launches`, `loops` and
+    `levels_of`. A loop begins and ends with a launch."""
     runs: list[tuple[list[Op], Level]] = []
     ends = {end for loop in loops for end in (loop.begin, loop.end)}
     launch_at: dict[int, int] = {len(words): 0}
@@ -291,8 +304,8 @@ def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
 
 
 def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
-    """Return the error (NS0541) if an image reads pixels more than a quarter of the array away,
-    else None."""
+    """Return the error (NS0541) if an image depends on pixels more than a quarter of the array
+    away, else None."""
     target = program.target
     for name, reach in reaches(pictures, of_a_step=True).items():
         for size, limit, unit in (
@@ -340,19 +353,24 @@ def _refusal(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
     """Return the error for images that do not fit (NS0535), or whose values leave the range
-    (NS0540)."""
+    (NS0540).
+
+    `level` is that of `-O`."""
     name, needed, available = refused.name, refused.needed, refused.available
     label = Label(declared_at(program.source, name), "computed here")
     if refused.kind == "range":
         return _beyond_range(refused, container, program, level)
     resource = {
+        "halvings": "halvings",  # weights are multiples of 1 / UNIT = 2^-40
         "registers": "analog registers",
         "planes": "digital registers",
         "steering": "registers that choose neighbours",
         "store": "words in the store",
     }[refused.kind]
     notes, helps = [], ["read out fewer images and planes, or use smaller convolution kernels"]
-    if refused.kind == "registers":
+    if refused.kind == "halvings":
+        helps = [f"divide by at most 2^{available:g} in all"]
+    elif refused.kind == "registers":
         holders = (f"{readout.register} holds {readout.bucket}" for readout in container.readouts)
         notes.append(f"exposures also occupy registers: {', '.join(holders)}")
     elif refused.kind in ("planes", "steering") and container.code_registers:
@@ -377,16 +395,17 @@ def _refusal(
 def _beyond_range(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
-    """Return the error (NS0540) for values that leave the range of registers, with divisors or
-    other changes that were compiled and fit.
+    """Return the error (NS0540) for values that leave the range of registers.
 
-    `level` is the user's level of optimisation; the search for changes uses a lower one."""
+    Its helps are divisors or limits of the exposure that were compiled and fit. `level` is the
+    user's level of optimisation; the search for changes uses a lower one."""
     pictures, over = program.pictures, refused.needed
     target = container.target
     helps = []
     notes = [
         f"registers of {target.name} hold {target.register_min_e:g} to {target.register_max_e:g} e"
     ]
+    # The fewest halvings with which the value fits, up to rounding.
     least = max(1, ceil(log2(over) - 1e-9))
     level = min(level, _LEVEL_OF_CHANGES)
     searches = [Synthesis(STEPS_OF_LEVEL[level], form) for form in WordForms.choices(target)]

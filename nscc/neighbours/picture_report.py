@@ -16,11 +16,13 @@ from nscc.words.pictures import KeptImage, KeptPlane, Picture, Pictures
 
 
 def pictures_us(pictures: Pictures, target: Target) -> float:
-    """Return the time from the last slot to the first readout, in microseconds: words, launches,
-    IN. The last are the waits until IN is stable."""
+    """Return the time from the last slot to the first readout, in microseconds, if parameters have
+    their starts.
+
+    It consists of words, launches, and the waits until IN is stable."""
     kernels = [[matching(word, target.words) for word in kernel] for kernel in pictures.kernels]
     total_us, level = 0.0, None
-    for launch in pictures.launches:
+    for launch in pictures.executed():
         words = kernels[launch.kernel]
         analog = sum(1 for word in words if word is not None and word.analog)
         total_us += target.launch_us + words_us(analog, len(words) - analog, target)
@@ -31,8 +33,7 @@ def pictures_us(pictures: Pictures, target: Target) -> float:
 
 
 def picture_report(container: Container) -> dict[str, Any]:
-    """Return the part of `--emit report` about the images and planes of `container`, as JSON
-    values."""
+    """Return the part of `--emit report` about images and planes, as JSON values."""
     pictures = container.pictures
     costs = {cost.name: cost for cost in pictures.costs}
     reach, counts = reaches(pictures), counts_by_name(pictures)
@@ -62,14 +63,16 @@ def picture_report(container: Container) -> dict[str, Any]:
 
 
 def with_pictures(report: dict[str, Any], container: Container) -> dict[str, Any]:
-    """Return a build report with its images and planes, whose time is added to the frame's."""
+    """Return a build report with the part about images and planes, whose time is added to the
+    frame's."""
     pictures = picture_report(container)
     pictures["frame_us"] = round(report["frame_us"] + pictures["images_us"], 6)
     return {**report, **pictures}
 
 
 def picture_rows(container: Container) -> list[tuple[str, str]]:
-    """Return the rows (label, text) of a summary about the images and planes of `container`."""
+    """Return the rows (label, text) of a summary about images and planes: one each, then the sum of
+    words."""
     pictures, target = container.pictures, container.target
     reach = reaches(pictures)
     kinds = {item.name: "plane" if item.is_plane else "image" for item in pictures.items}

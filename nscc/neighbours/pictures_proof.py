@@ -44,7 +44,8 @@ class PictureReplayError(Exception):
 
 
 def pictures_failure(container: Container) -> Failure | None:
-    """Return the error in the words of a container's images and planes, or None."""
+    """Return the error in the words of a container's images and planes as a failure of the last
+    frame, or None."""
     try:
         reason = pictures_fault(container)
     except TooLarge as large:
@@ -55,9 +56,10 @@ def pictures_failure(container: Container) -> Failure | None:
 
 
 def pictures_fault(container: Container) -> str | None:
-    """Return the error in the words of a container's images and planes; None if the proof holds.
+    """Return the error in the words of a container's images and planes; None if they are proved.
 
-    Raises TooLarge for planes whose decision diagrams are too large, and AlwaysEqual."""
+    Raises TooLarge if the proof needs too many nodes of decision diagrams, and AlwaysEqual if two
+    values that are compared are equal."""
     pictures = container.pictures
     number = 0
     try:
@@ -107,7 +109,10 @@ def _check_steps(
     compare: Callable[[LoopValue, Node], None],
     expected: Callable[[RepeatedImage | RepeatedPlane], Node],
 ) -> None:
-    """Compare the register of each name that a loop repeats with `expected` of its expression."""
+    """Compare the register of each name that a loop repeats with an expression of that name.
+
+    `expected` chooses it: the initial value or the step. Raises PictureReplayError for a
+    difference."""
     for value in loop.values:
         node = meaning.pictures.repeated[value.name]
         if node.times != loop.times:
@@ -118,11 +123,10 @@ def _check_steps(
 def _compare(
     value: LoopValue, node: Node, replay: PictureReplay, meaning: PictureMeaning, middle: Place
 ) -> None:
-    """Raise PictureReplayError unless `value` holds the expression `node` in every pixel that does
-    not depend on pixels beyond the array.
+    """Raise PictureReplayError unless a register holds the expression `node` in every pixel.
 
-    `middle` is a pixel that must not depend on them. Raises AlwaysEqual if the expression compares
-    equal values."""
+    Pixels that depend on pixels beyond the array are skipped, except `middle`, which must not.
+    Raises AlwaysEqual if the expression compares equal values."""
     name = value.name
     if meaning.forms.compares_equal(meaning.of(node, middle)):
         raise AlwaysEqual(name)
@@ -141,10 +145,10 @@ def _differs(
     middle: Place,
 ) -> str | None:
     """Return as text how register contents differ from `sign` times the expected values; None if
-    they are equal.
+    they do not.
 
     `expected` returns the exact value at a pixel. Pixels that depend on pixels beyond the array are
-    skipped, except `middle`."""
+    skipped, except `middle`, which must not. `contents` None means that there is no register."""
     forms = replay.forms
     if contents is None:
         return f"no register holds `{name}`"
@@ -168,9 +172,9 @@ def _difference(
     meaning: PictureMeaning,
     middle: tuple[int, int],
 ) -> str | None:
-    """Return the first difference between register contents and the text; None if there is none.
+    """Return the first difference between the registers at the end and the program text, or None.
 
-    `written`: the registers that the words of images write."""
+    `written` are the registers that the words of images write."""
     pictures, forms = container.pictures, replay.forms
     for name in pictures.expressions:
         if forms.compares_equal(meaning.value(name, middle)):
@@ -192,7 +196,7 @@ def _difference(
 
 @dataclass
 class Masked:
-    """The content of a register after a word that wrote it where FLAG was 1.
+    """The content of an analog register after a word that wrote it only where FLAG was 1.
 
     `PictureReplay.fields` merges `written` and `before` only when a word needs the merged value."""
 
@@ -203,7 +207,10 @@ class Masked:
 
 @dataclass
 class PictureReplay:
-    """The registers of a small array of pixels while the words after an exposure run."""
+    """The registers of all pixels of a small array while the words after an exposure run.
+
+    `analog` has an exact weighted sum of exposures and other unknowns for each pixel, `digital` the
+    decision diagram of a bit."""
 
     container: Container
     forms: Forms
@@ -236,8 +243,8 @@ class PictureReplay:
             self.set_unknown(LoopValue(name, pictures.registers.get(name, ""), sign))
 
     def set_unknown(self, value: LoopValue) -> None:
-        """Set the register of `value` to the unknown values of its name, which is kept or
-        repeated."""
+        """Set the register of a kept or repeated name to unknowns that stand for its values before
+        the frame or step."""
         forms, register = self.forms, value.register
         if register in self.analog:
             sign = Fraction(value.sign)
@@ -248,10 +255,11 @@ class PictureReplay:
             self.digital[register] = {at: forms.kept_bit(value.name, at) for at in forms.places()}
 
     def forget(self, loop: LaunchLoop, launched: Launched) -> None:
-        """Give the registers that the words of a loop write unknown contents, and the registers of
-        its repeated names the unknown values of these names.
+        """Set the registers that the words of a loop write to unknowns, as they are before or after
+        any step.
 
-        `launched`: the words of all launches."""
+        The registers of its repeated names get the unknowns of these names. `launched` are the
+        words of all launches. Raises PictureReplayError if FLAG is not 1 in all pixels."""
         forms = self.forms
         if any(bit != forms.diagrams.one for bit in self.digital["FLAG"].values()):
             raise PictureReplayError("FLAG is not 1 in all pixels between the steps of a loop")
@@ -267,13 +275,17 @@ class PictureReplay:
             self.set_unknown(value)
 
     def contents(self, register: str, is_plane: bool) -> Fields | Bits | None:
-        """Return the contents of a register; None if there is no such register."""
+        """Return the content of a digital (`is_plane`) or analog register at each pixel; None if
+        there is no such register."""
         if is_plane:
             return self.digital.get(register)
         return self.fields(register) if register in self.analog else None
 
     def fields(self, name: str, flag: Bits | None = None) -> Fields:
-        """Return the content of an analog register; with `flag`, correct only where `flag` is 1."""
+        """Return the content of an analog register at each pixel.
+
+        With `flag`, it is correct only where `flag` is 1, which saves merging what was written
+        under FLAG."""
         held, masked = self.analog[name], []
         if isinstance(held, Masked) and flag is not None and held.flag == flag:
             return held.written
@@ -287,8 +299,10 @@ class PictureReplay:
         return held
 
     def run(self, op: Op, level: int | LevelOf | None) -> None:
-        """Replay one word in all pixels; `level` is the value of IN in steps, or how it follows
-        from a parameter."""
+        """Replay one word in all pixels.
+
+        `level` is the value of IN in steps, or how it follows from a parameter. Raises
+        PictureReplayError for a word that cannot run after the exposure."""
         forms, true_bit = self.forms, self.forms.diagrams.one
         row = op.operation
         match row.effect:
@@ -319,8 +333,11 @@ class PictureReplay:
     def _totals(
         self, op: Op, level: int | LevelOf | None, factor: Fraction, flag: Bits | None = None
     ) -> Fields:
-        """Return the sum of a word's analog sources in every pixel, times a factor; with `flag`,
-        correct only where `flag` is 1. `level` is IN in steps."""
+        """Return `factor` times the sum of a word's analog sources, at each pixel.
+
+        `level` is the value of IN. With `flag`, the result is correct only where `flag` is 1.
+        Raises PictureReplayError if the word reads IN while it is not set, or a register that does
+        not exist."""
         forms = self.forms
         fields: list[Fields | Mapping[tuple[int, int], Form]] = []
         for name in op.sources:
@@ -344,7 +361,9 @@ class PictureReplay:
         return {at: forms.sum(*((factor, field[at]) for field in fields)) for at in forms.places()}
 
     def _moved(self, fields: Fields, right: int, down: int) -> Fields:
-        """Return for each pixel the value of the pixel `right` columns and `down` rows away."""
+        """Return for each pixel the value of the pixel `right` columns and `down` rows away.
+
+        Values beyond the array are new unknowns."""
         return {
             (x, y): fields[place]
             if (place := (x + right, y + down)) in fields
@@ -379,7 +398,7 @@ class PictureReplay:
         return bits
 
     def _or_neighbours(self, op: Op) -> Bits:
-        """Return in each pixel the OR of a register's bits in the neighbours that R1 to R4
+        """Return at each pixel the OR of a register's bits in the neighbours that R1 to R4
         choose."""
         diagrams = self.forms.diagrams
         source = self.digital[op.sources[0]]
@@ -394,7 +413,9 @@ class PictureReplay:
         return bits
 
     def _propagate(self, name: str) -> None:
-        """Propagate the bits of the register `name` in the pixels in which the mask register is 1.
+        """Replace the bits of the register `name` by unknowns that stand for their propagation
+        under the mask register.
+
         Raises PictureReplayError unless all four directions are set."""
         true_bit, bits = self.forms.diagrams.one, self.digital[name]
         if any(self.digital[each][at] != true_bit for each in STEERING for at in bits):
@@ -403,8 +424,9 @@ class PictureReplay:
         self.digital[name] = {at: self.forms.propagated(bits[at], mask[at], at) for at in bits}
 
     def _digital(self, op: Op) -> None:
-        """Replay a digital word. A pair reads into the bus first and writes from it in its second
-        word."""
+        """Replay a digital word.
+
+        In a pair, the first word writes the inner bus and the second reads it."""
         row = op.operation
         if row.phase is Phase.WRITE:
             value = self.digital["bus"]
@@ -416,6 +438,7 @@ class PictureReplay:
                 self.digital["bus"] = value
                 return
         target: Target = self.container.target
+        # The mask's value before the word counts, so the masked register is written first.
         for name in sorted(op.destinations, key=lambda name: name != target.masked_register):
             self._write(name, value)
 

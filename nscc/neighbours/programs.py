@@ -41,7 +41,8 @@ IDENTITY: Taps = {(0, 0): UNIT}
 
 
 def exact_taps(weights: Mapping[Offset, Fraction]) -> Polynomial:
-    """Return a convolution kernel in units of 1 / UNIT; raise `ValueError` for finer weights."""
+    """Return a convolution kernel in units of 1 / UNIT; raise ValueError if its weights are not
+    multiples of that."""
     scaled = {at: weight * UNIT for at, weight in weights.items()}
     if any(weight.denominator > 1 for weight in scaled.values()):
         raise ValueError(f"weights finer than 1 / {UNIT}")
@@ -58,7 +59,7 @@ def added(*terms: tuple[Weight, Mapping[Offset, Weight]]) -> dict[Offset, Weight
 
 
 def moved(taps: Mapping[Offset, Weight], right: int, down: int) -> dict[Offset, Weight]:
-    """Return the convolution kernel shifted by some columns to the right and rows down."""
+    """Return a convolution kernel shifted by `right` columns and `down` rows."""
     return {(x + right, y + down): weight for (x, y), weight in taps.items()}
 
 
@@ -78,7 +79,7 @@ def values_of(program: Program) -> list[Polynomial]:
     """Return the convolution kernel that each word writes, by running the words on exact
     polynomials.
 
-    Raise `KeyError` if the program reads a register that it has not written."""
+    Raises KeyError if the program reads a register that it has not written."""
     registers: dict[str, Polynomial] = {"x": dict(IDENTITY)}
     values: list[Polynomial] = []
     for word in program:
@@ -140,7 +141,7 @@ OF_STEP = {step: name for name, step in STEPS.items()}
 
 
 def turned_taps(taps: Taps, turn: int) -> Polynomial:
-    """Return a convolution kernel rotated or mirrored; `turn` is an index of `_TURNS`."""
+    """Return a convolution kernel rotated or mirrored; `turn` is one of `TURNS`."""
     a, b, c, d = _TURNS[turn]
     return {(a * x + b * y, c * x + d * y): weight for (x, y), weight in taps.items()}
 
@@ -158,7 +159,8 @@ def turned(program: Program, turn: int) -> Program:
 
 
 def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
-    """Return the program with registers renamed by `names`, and all others prefixed."""
+    """Return the program with registers renamed by `names`; all other registers get `prefix` before
+    their name."""
 
     def of(operand: str) -> str:
         """Return an operand with its new name, or with the prefix; NEWS and neighbours keep
@@ -173,7 +175,7 @@ def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
 
 
 def chained(first: Program, second: Program) -> Program:
-    """Return the program that applies `second` to the result of `first`."""
+    """Return the program that applies `second` to the result of `first`; either may be empty."""
     if not first or not second:
         return first or second
     result = first[-1].destinations[0]

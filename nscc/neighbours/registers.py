@@ -24,10 +24,11 @@ Contents = tuple[str, frozenset[tuple[Offset, int]]]
 
 
 class Reuse(Record):
-    """The words of a program that must run.
+    """Which words of a program must run, because registers still hold results of earlier words.
 
-    `words`: their indices. `held`: registers that already hold values of the program, by the
-    program's names. `contents`: what each word of the program writes, by name."""
+    `words` are their indices. `held` are the registers that already hold values of the program, by
+    the program's names. `contents` is what each word of the program writes, by the program's names.
+    """
 
     words: tuple[int, ...]
     held: Mapping[str, str]
@@ -41,10 +42,10 @@ def reuse(
     free: Collection[str],
     news_keeps: bool,
 ) -> Reuse:
-    """Return the words of a program that must run on the value `base`.
+    """Return which words of a program must run on the value that is called `base`.
 
-    `contents`: what registers hold. The result is reused only from a `free` register, because the
-    caller owns it; NEWS is reused only with `news_keeps`."""
+    `contents` is what registers hold. The program's result is reused only from a `free` register,
+    because the caller owns it; NEWS is reused only with `news_keeps`."""
     written = []
     for word, taps in zip(program, values_of(program), strict=True):
         places = {
@@ -93,12 +94,13 @@ def _is_news(name: str) -> bool:
 
 
 class RegisterEmitter(CountEmitter):
-    """Emits words whose registers are assigned here.
+    """Emits words of images, and assigns the registers of their values.
 
-    `contents`: what analog registers hold, for reuse. `uses`: numbers of reads that are left.
-    `kept_ranges`: the electrons of kept images before a frame. `loops`: the words of loops.
-    `loop_registers`: the registers of planes that are repeated now. `propagating`: the register
-    whose bits PROP propagates, None if it or its mask has bits of codes."""
+    `contents` is what analog registers hold, for reuse. `held` has the register of each value, and
+    `uses` the number of its reads that are left. `kept_ranges` are the least and largest value of
+    kept images before a frame, in electrons. `loops` are the words of loops. `loop_registers` are
+    the registers of planes that are repeated now. `propagating` is the register whose bits the chip
+    can propagate, None if it or its mask has bits of codes."""
 
     def __init__(
         self,
@@ -109,8 +111,8 @@ class RegisterEmitter(CountEmitter):
         """Find the registers that are free after the exposure, and count how often each value is
         read.
 
-        Registers of the code and its mask are never free. `kept_ranges` gives the least and largest
-        value (e) of each kept image."""
+        Registers of the code, the mask and the masked register are never free. `kept_ranges` gives
+        the least and largest value of each kept image, in electrons."""
         super().__init__(pictures)
         self.kept_ranges = kept_ranges
         self.loops: list[LoopWords] = []
@@ -149,7 +151,10 @@ class RegisterEmitter(CountEmitter):
         self._keep_images([name for name in self.free if name not in written])
 
     def _keep_images(self, lasting: list[str]) -> None:
-        """Give each kept image a register that no word of the exposure writes (`lasting`)."""
+        """Give each kept image one of the registers `lasting`, which no word of the exposure
+        writes.
+
+        Raises PictureRefused if there are too few."""
         kept = self.pictures.kept_images
         for image in kept:
             if not lasting:
@@ -161,8 +166,9 @@ class RegisterEmitter(CountEmitter):
             self.uses[image.name] += 1  # never freed
 
     def hand_over(self, name: str) -> bool:
-        """Return whether the caller is the last reader of a value; the value's register then
-        belongs to the caller."""
+        """Return whether the caller is the only remaining reader of the value `name`.
+
+        If so, the value is forgotten, and its register belongs to the caller."""
         if self.uses[name] != 1:
             return False
         self.uses[name] = 0
@@ -173,7 +179,7 @@ class RegisterEmitter(CountEmitter):
         """Return a free analog register, which is then occupied; raise PictureRefused if there is
         none.
 
-        Registers without content that may be read again are preferred."""
+        A register whose content may be read again is taken last."""
         if not self.free:
             count = len(self.target.analog_available)
             raise PictureRefused("registers", self.now, count + 1, count)
@@ -184,7 +190,7 @@ class RegisterEmitter(CountEmitter):
         return register
 
     def word(self, op: Op, level: Level = None) -> None:
-        """Emit a word, after which the registers that it writes hold nothing known."""
+        """Emit a word; what the registers that it writes held before is forgotten."""
         super().word(op, level)
         for name in op.destinations:
             self.contents.pop("NEWS" if name in NEIGHBOURS else name, None)
@@ -209,7 +215,8 @@ class RegisterEmitter(CountEmitter):
             raise PictureRefused("range", self.now, over, 1.0)
 
     def negated(self, value: Held) -> Held:
-        """Emit the word that inverts the sign in which a value is held."""
+        """Emit the word that inverts the sign in which a register holds a value; return the new
+        register."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register], [value.register]))
@@ -218,12 +225,13 @@ class RegisterEmitter(CountEmitter):
         return Held(register, -value.sign, value.low, value.high, variance=variance)
 
     def positive(self, value: Held) -> Held:
-        """Return the value in a register that holds it with its own sign."""
+        """Return the value in a register that holds it with its own sign, by emitting a word if
+        necessary."""
         return self.negated(value) if value.sign < 0 else value
 
     def reuse_of(self, program: Program, value: Held) -> Reuse:
-        """Return how a program that computes from `value` can use values that registers still
-        hold."""
+        """Return which words of a program must run on `value`, if registers still hold some of its
+        results."""
         base = f"{value.name or self._written(value.register)} {value.sign}"
         return reuse(program, base, self.contents, self.free, self.target.news_read_keeps)
 
@@ -234,11 +242,11 @@ class RegisterEmitter(CountEmitter):
         return f"{register} of word {last}"
 
     def run_program(self, program: Program, value: Held) -> str:
-        """Emit the words of a program of `nscc.neighbours.synthesis` on a value, and return the
+        """Emit the words of a program of `nscc.neighbours.synthesis` on a value; return the
         register of its result.
 
-        Words whose result is still in a register are left out. Raises PictureRefused if registers
-        run out."""
+        Words whose result is still in a register are left out. The value has then been read. Raises
+        PictureRefused if registers run out."""
         self.everywhere()
         left = self.reuse_of(program, value)
         last: dict[str, int] = {}
@@ -272,9 +280,11 @@ class RegisterEmitter(CountEmitter):
         return places[result]
 
     def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
-        """Follow the way with the fewest words per share, and return its result.
+        """Emit the words of the one of `ways` with the fewest words per share, and return its
+        result.
 
-        Raise the first `PictureRefused` if no way fits the registers."""
+        `shares` says for each way how many images it computes. Raises the first PictureRefused if
+        no way fits the registers."""
         best: tuple[float, int] | None = None
         refused: PictureRefused | None = None
         before = len(self.words)
@@ -294,7 +304,8 @@ class RegisterEmitter(CountEmitter):
         return ways[best[1]]()
 
     def state(self) -> tuple[Any, ...]:
-        """Return everything that emitting words changes, so that `restore` can undo an attempt."""
+        """Return a copy of everything that emitting words changes; `restore` takes it once to undo
+        an attempt."""
         bits = self.bits
         return (
             len(self.words),

@@ -53,7 +53,7 @@ _NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 
 class Ranged(Record):
-    """A program and the largest gain of its values."""
+    """A program and, computed when first used, the largest gain of its intermediate values."""
 
     program: Program
 
@@ -75,11 +75,10 @@ def _names(values: list[object]) -> tuple[str, ...]:
 
 
 class Synthesis:
-    """Finds programs for kernels; decomposes at most `steps` kernels for each.
+    """Finds programs for convolution kernels; decomposes at most `steps` kernels for each.
 
-    Requests and decompositions take from `budget`. Without it, requests are refused
-    (`PictureRefused` of kind "steps").
-    Programs that an earlier compilation found come from `results`."""
+    Requests and decompositions take from `budget`, which is infinite unless it is set. Programs
+    that an earlier compilation found come from the cache `results`."""
 
     def __init__(self, steps: int, forms: WordForms, results: Results | None = None) -> None:
         """Prepare a search of at most `steps` steps for each kernel.
@@ -92,8 +91,11 @@ class Synthesis:
         self._variants: dict[Key, list[Ranged]] = {}
 
     def variants(self, taps: Taps) -> list[Ranged]:
-        """Return programs for a kernel, the shortest first; each is proved to compute it. Raises
-        PictureRefused ("steps") if the budget of all searches is used up."""
+        """Return programs for a convolution kernel, the shortest first; each is proved to compute
+        it.
+
+        `taps` are the weights by offset, in units of 1 / UNIT. Raises PictureRefused ("steps") if
+        the budget of all searches is used up."""
         self.budget -= 1
         if self.budget < 0:
             raise PictureRefused("steps", "", 1, 0)
@@ -109,7 +111,8 @@ class Synthesis:
         return self._variants[key]
 
     def _stored(self, kernels: list[Polynomial]) -> list[list[Program]]:
-        """Return the programs of each kernel from the cache, else search for them and store them.
+        """Return the programs of each convolution kernel from the cache; else search for them and
+        store them.
 
         Cached programs are checked by running them, so that a damaged cache cannot give a wrong
         program."""
@@ -135,7 +138,7 @@ class Synthesis:
         return proved
 
     def _proved(self, taps: Taps) -> list[Program]:
-        """Return all programs found for a kernel, each checked by running it on exact
+        """Return all programs found for a convolution kernel, each checked by running it on exact
         polynomials."""
         self.steps = allowed = min(self.most_steps, self.budget)
         candidates = [ranged.program for ranged in self._programs(dict(taps), _MOST_DEPTH)]
@@ -149,14 +152,16 @@ class Synthesis:
         return candidates
 
     def _right(self, program: Program, taps: Polynomial) -> bool:
-        """Return whether the program computes a kernel, by words that the chip has."""
+        """Return whether a program computes the convolution kernel `taps`, by words that the chip
+        has."""
         return kernel_of(program) == taps and all(map(self.forms.allow, program))
 
     def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
-        """Return the best known programs for a kernel, found by at most `depth` nested
+        """Return the best known programs for a convolution kernel, by at most `depth` nested
         decompositions.
 
-        Spends one step; without steps left, it returns what is known."""
+        A search spends one step; without steps left, return what is known. Longer programs are kept
+        only if their values are smaller."""
         key = frozenset(taps.items())
         if taps == IDENTITY:
             return [Ranged(())]
@@ -175,8 +180,10 @@ class Synthesis:
         return best
 
     def _candidates(self, taps: Polynomial, key: Key, depth: int) -> Iterator[Program]:
-        """Yield programs for a kernel: from the table, halved, separated in rows and columns, as a
-        product of kernels, or with the centre added."""
+        """Yield programs for a convolution kernel, whose `key` is that of the table.
+
+        They come from the table, or from smaller kernels: halved, separated in rows and columns, as
+        a product, or with the centre added."""
         if key in rows(self.forms):
             yield rows(self.forms)[key]
         if taps == {(0, 0): -UNIT}:
@@ -205,15 +212,16 @@ class Synthesis:
         yield from self._with_centre_woven_in(taps, depth)
 
     def _programs_of_part(self, taps: Polynomial, depth: int) -> list[Program]:
-        """Return programs for a part of a kernel, at least the one that adds neighbour after
-        neighbour."""
+        """Return programs for a part of a convolution kernel; there is always one, which adds
+        neighbour after neighbour."""
         found = [ranged.program for ranged in self._programs(taps, depth)]
         return found or [_addition(frozenset(taps.items()), self.forms)]
 
     def _with_centre(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
         """Yield programs whose last word adds a multiple of the pixel itself.
 
-        `inverse`: the negated kernel, which the sources of the last word add up to."""
+        `inverse` is the negated convolution kernel, which the sources of the last word add up to.
+        """
         if len(inverse) < 2:
             return
         middle = inverse.get((0, 0), 0)
@@ -232,9 +240,10 @@ class Synthesis:
                         yield _summed(first.program, second)
 
     def _with_centre_woven_in(self, taps: Polynomial, depth: int) -> Iterator[Program]:
-        """Yield programs of the neighbours in which several words also add a multiple of the pixel.
+        """Yield programs of the neighbours in which several words also add a multiple of the pixel
+        itself.
 
-        Words that read a neighbour have room for one more source."""
+        Words that read a neighbour may have room for one more source."""
         middle = taps.get((0, 0), 0)
         if not middle or len(taps) < _LEAST_WOVEN:
             return
@@ -254,8 +263,10 @@ def _addition(key: Key, forms: WordForms) -> Program:
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
-    """Yield pairs of a row and a column kernel whose product is `taps`; halvings are in either,
-    or divided between both."""
+    """Yield pairs of a row and a column kernel whose product is the convolution kernel `taps`.
+
+    Its halvings are in the row, in the column, or divided between both. Yield nothing if it is not
+    a product."""
     (left, top), size = box_of(taps)
     if 0 in size:
         return
@@ -286,7 +297,8 @@ def _with_last_halved(program: Program) -> Iterator[Program]:
 
 
 def _joined(first: Program, second: Program) -> Iterator[Program]:
-    """Yield the program that applies `second` to the negated result of `first`.
+    """Yield the program that applies `second` to the negated result of `first`, if it needs no
+    further word.
 
     The last word of `first` is left out: its sources replace the input of `second`."""
     if not first or first[-1].halves or not _NEWS.isdisjoint(first[-1].sources):
@@ -305,16 +317,18 @@ def _joined(first: Program, second: Program) -> Iterator[Program]:
 
 
 def _summed(first: Program, second: Program) -> Program:
-    """Return both programs, and a word that adds their results."""
+    """Return both programs, followed by a word that adds their results and inverts the sum."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
     results = [program[-1].destinations[0] if program else "x" for program in (a, b)]
     return (*a, *b, BusWord(("s",), tuple(results)))
 
 
 def _places_to_add(program: Program, directed_sources: int) -> list[int]:
-    """Return the words with room for a source whose results are read by the last word alone.
+    """Return the indices of words that can add one more source, and whose results only the last
+    word reads.
 
-    NEWS is left out: it is written several times, and neighbours read it."""
+    `directed_sources` is the most sources of a word that reads a neighbour. NEWS is left out: it is
+    written several times, and neighbours read it."""
     read = [name for word in program for name in word.sources]
     return [
         number
@@ -329,7 +343,8 @@ def _places_to_add(program: Program, directed_sources: int) -> list[int]:
 
 
 def _woven(first: Program, second: Program, places: list[int]) -> Program:
-    """Return the first program with the result of the second added at some of its words."""
+    """Return the words of `second` and `first`, where the words number `places` of `first` also add
+    the result of `second`."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
     result = b[-1].destinations[0] if b else "x"
     words = [
@@ -343,12 +358,16 @@ def _woven(first: Program, second: Program, places: list[int]) -> Program:
 
 
 def _peak(taps: Taps) -> int:
-    """Return the largest magnitude of a kernel's sum, in units of its weights."""
+    """Return the sum of the positive or of the negative weights of a convolution kernel, whichever
+    is larger.
+
+    It is at least 1, and in units of 1 / UNIT."""
     return max(UNIT, *_weights_by_sign(taps))
 
 
 def gains(taps: Taps) -> tuple[Fraction, Fraction]:
-    """Return the sum of the positive weights of a kernel, and of its negated negative weights."""
+    """Return the sum of the positive weights of a convolution kernel, and that of the negative
+    ones, negated."""
     added_weight, subtracted = _weights_by_sign(taps)
     return Fraction(added_weight, UNIT), Fraction(subtracted, UNIT)
 
@@ -361,9 +380,10 @@ def _weights_by_sign(taps: Taps) -> tuple[int, int]:
 
 
 def _best(candidates: list[Ranged], least_peak: int) -> list[Ranged]:
-    """Return the shortest program, and longer programs that each have a smaller peak.
+    """Return the shortest program, and longer programs that each have a smaller peak, at most
+    `_MOST_KEPT`.
 
-    No program has a peak below `least_peak`."""
+    No program has a peak below `least_peak`, so none is sought after that."""
     best: list[Ranged] = []
     for candidate in sorted(candidates, key=lambda candidate: len(candidate.program)):
         if best and best[-1].peak == least_peak:
@@ -376,8 +396,8 @@ def _best(candidates: list[Ranged], least_peak: int) -> list[Ranged]:
 
 
 def reads_news_once(program: Program) -> bool:
-    """Return whether `program` always writes NEWS again between a neighbour's read and the next
-    read."""
+    """Return whether a program writes NEWS again after each word that reads a neighbour's, before
+    any word reads it."""
     is_read = False
     for word in program:
         reads = NEIGHBOURS.keys() & word.sources

@@ -14,9 +14,9 @@ from nscc.record import Record
 class WordForms(Record):
     """The words with neighbours that a chip allows.
 
-    `sources`: most sources of a word that reads or writes a neighbour. `halving`: whether a word
-    that reads a neighbour may halve. `news_keeps`: whether NEWS keeps its value when a neighbour
-    reads it."""
+    `sources` is the most sources of a word that reads or writes a neighbour. `halving` tells
+    whether a word that reads a neighbour may halve, `news_keeps` whether NEWS keeps its value when
+    a neighbour reads it."""
 
     sources: int = 2
     halving: bool = False
@@ -24,9 +24,11 @@ class WordForms(Record):
 
     @classmethod
     def choices(cls, target: Target) -> list[WordForms]:
-        """Return the forms of a target, and its public forms if they are fewer.
+        """Return the word forms of a target, and those that are published of scamp5 if they are
+        fewer.
 
-        Programs of fewer forms may leave more values to the kernels after them."""
+        Programs of fewer forms may leave more values in registers for the convolution kernels after
+        them."""
         keeps = target.news_read_keeps
         forms = cls(target.directed_sources, target.directed_halving, keeps)
         public = cls(min(cls.sources, forms.sources), news_keeps=keeps)
@@ -41,7 +43,8 @@ class WordForms(Record):
     def allowed(self, program: Program) -> Program:
         """Return an equal program of words that the chip allows.
 
-        Two more words copy what a word may not read from a neighbour, or write to one, at once."""
+        A word that reads or writes a neighbour with too many sources becomes three: two copy its
+        sources first."""
         words: list[BusWord] = []
         for number, word in enumerate(program):
             if self.allow(word):

@@ -51,7 +51,8 @@ _MOST_PIECES = 1 << 14
 
 
 def assemble(source: Source, base: Path) -> Container:
-    """Assemble a text to a container; its files are relative to the folder `base`.
+    """Return the compiled program that an assembly text describes; its files are relative to the
+    folder `base`.
 
     Raises Rejected (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors."""
     faults = Faults(source)
@@ -60,8 +61,10 @@ def assemble(source: Source, base: Path) -> Container:
 
 
 def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
-    """Return the words of all kernels of a text in order; the text may consist of instructions
-    only. Raises Rejected with all errors."""
+    """Return the words of all kernels of an assembly text, in order; the text may consist of
+    instructions only.
+
+    A kernel is a list of words. Files are relative to `base`. Raises Rejected with all errors."""
     faults = Faults(source)
     draft = _read(source, faults, _own_words(source, base))
     target = find_target(draft, base, faults)
@@ -72,8 +75,9 @@ def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
 
 
 def _own_words(source: Source, base: Path) -> tuple[Operation, ...]:
-    """Return the operations that the target of a text adds; none if the target has errors, which
-    are reported later."""
+    """Return the operations that the target of a text adds to those of all chips.
+
+    Return () if the target has errors, which are reported later."""
     target_lines, within = [], False
     for line in map(str.strip, source.text.split("\n")):
         if line.startswith("."):
@@ -91,8 +95,8 @@ def _own_words(source: Source, base: Path) -> tuple[Operation, ...]:
 def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ()) -> Draft:
     """Return the lines of an assembly text as a draft, before names are resolved.
 
-    `own_words` are operations that the target adds. Malformed lines are added to `faults` and left
-    out."""
+    `own_words` are operations that the target adds. Malformed lines are reported in `faults` and
+    left out."""
     draft = Draft()
     block: TextBlock | None = None
     known = mnemonics(own_words)
@@ -134,8 +138,9 @@ def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ())
 
 
 def _is_known(head: Token, known: Mapping[str, Mnemonic], faults: Faults) -> bool:
-    """Return whether `head` is a directive or one of the `known` instructions; report an error to
-    `faults` if not."""
+    """Return whether a line begins with a known directive or instruction; report an error if not.
+
+    `known` are the instructions by name."""
     name = shown(head.text)
     if head.text.startswith(".") and head.text not in DIRECTIVES:
         helps = meant(head.text, DIRECTIVES, f"there are {', '.join(DIRECTIVES)}")
@@ -150,14 +155,14 @@ def _is_known(head: Token, known: Mapping[str, Mnemonic], faults: Faults) -> boo
 
 @cache
 def _grammar() -> Lark:
-    """Return the parser of a line of assembly; cached."""
+    """Return the parser of a line of assembly text, which is made once."""
     text = Path(__file__).with_suffix(".lark").read_text(encoding="utf-8")
     return Lark(text, parser="lalr", start="line", maybe_placeholders=False)
 
 
 @lru_cache(1 << 12)
 def _parsed(line: str) -> tuple[tuple[str, int, int], ...]:
-    """Return the pieces of a line after the first piece, with their places.
+    """Return the pieces of a line, each with the offsets where it begins and ends.
 
     Results are memoized, because kernels repeat lines."""
     tokens = _grammar().parse(line).scan_values(lambda piece: isinstance(piece, LarkToken))
@@ -165,8 +170,9 @@ def _parsed(line: str) -> tuple[tuple[str, int, int], ...]:
 
 
 def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
-    """Return the pieces of a line after its first word `head`; None after adding a syntax error
-    to `faults`."""
+    """Return the operands of a line that begins with `head`; None after reporting a syntax error.
+
+    A directive's operands in quotation marks are returned without these."""
     begin = head.span.start
     is_instruction = head.text not in DIRECTIVES
     code = _CODE.split(text, 1)[0] if is_instruction else text
@@ -197,8 +203,10 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
 
 
 def _misplaced(piece: str, span: Span, head: Token, code: str, faults: Faults) -> None:
-    """Add the fault of a piece that the grammar does not allow in this line; an empty piece is
-    the end of the line."""
+    """Report a piece of a line that the grammar does not allow there; an empty piece is the end of
+    the line.
+
+    `head` is the first word of the line, and `code` the line without its comment."""
     name = head.text
     if name not in DIRECTIVES:
         if piece in ("", ","):
@@ -225,10 +233,10 @@ def _instruction(
     faults: Faults,
     own_words: tuple[Operation, ...],
 ) -> None:
-    """Add one instruction or macro to the draft as words.
+    """Add the words of one instruction or macro to the draft.
 
-    Adds a fault to `faults` instead for unknown registers or wrong operands. `own_words` are
-    operations that the target adds."""
+    Unknown registers and wrong operands are reported instead. `own_words` are operations that the
+    target adds."""
     name = head.text
     unknown = [operand for operand in operands if operand.text not in READ_LINES]
     for operand in unknown[:20]:

@@ -47,8 +47,9 @@ def read_number(text: str) -> float | None:
 
 
 def read_time_us(text: str) -> float | None:
-    """Return the time `text`, such as `125us`, in microseconds; None unless it is finite and
-    positive."""
+    """Return a time such as `125us` in microseconds; None unless it is finite and above 0.
+
+    The grammar has checked that it is a number with the unit ns, us, ms or s."""
     from decimal import Decimal
 
     number = text.rstrip("nums")
@@ -58,8 +59,8 @@ def read_time_us(text: str) -> float | None:
 
 
 def ranges_text(values: Sequence[int]) -> str:
-    """Return ascending integers as ranges joined by commas: `0..15`, `1..63/2` (every
-    second), `4`."""
+    """Return ascending integers as ranges joined by commas, such as `0..15`, `4`, or `1..63/2`
+    (every second)."""
     texts: list[str] = []
     at = 0
     while at < len(values):
@@ -80,7 +81,7 @@ def ranges_text(values: Sequence[int]) -> str:
 def read_ranges(text: str, most: int) -> list[range] | None:
     """Return the ranges in a text of `ranges_text`.
 
-    None for malformed or empty ranges and for values beyond `most`."""
+    Return None if it is malformed, a range is empty, or a value is larger than `most`."""
     ranges: list[range] = []
     for range_text in text.split(","):
         match = _RANGE.fullmatch(range_text)
@@ -96,9 +97,10 @@ def read_ranges(text: str, most: int) -> list[range] | None:
 
 
 def slots_text(slots: NDArray[np.bool_]) -> str:
-    """Return open slots, bool (slots,), as text: ranges, `never`, or `x` and hexadecimal digits.
+    """Return the open slots of a shutter, bool (slots,), as text: ranges, `never`, or `x` and
+    hexadecimal digits.
 
-    The hexadecimal form, used if shorter, has slot 8 k + i in bit i of byte k."""
+    The hexadecimal form is used if it is shorter; slot 8 k + i is bit i of byte k."""
     if not slots.any():
         return "never"
     turns = np.flatnonzero(np.diff(slots, prepend=False, append=False)).tolist()
@@ -115,7 +117,7 @@ def slots_text(slots: NDArray[np.bool_]) -> str:
 
 
 def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
-    """Return the open slots, bool (slots,), in a text of `slots_text`; None if malformed."""
+    """Return the open slots, bool (slots,), in a text of `slots_text`; None if it is malformed."""
     opened = np.zeros(slots, dtype=np.bool_)
     if text == "never":
         return opened
@@ -134,9 +136,9 @@ def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
 
 
 def block_text(lines: Sequence[str]) -> list[str]:
-    """Return lines of free text, each after a bar.
+    """Return lines of free text for assembly text, each after a bar.
 
-    Unprintable lines and lines with trailing blanks are written as JSON."""
+    Lines that are unprintable or end in a blank are written as JSON strings after `|=`."""
     return [
         f"| {line}"
         if line.isprintable() and not line.endswith(" ") and line
@@ -148,13 +150,13 @@ def block_text(lines: Sequence[str]) -> list[str]:
 
 
 def base64_lines(data: bytes) -> list[str]:
-    """Return data as lines of base64, each after a bar."""
+    """Return data as lines of base64 with at most `_BASE64_WIDTH` characters, each after a bar."""
     text = b64encode(data).decode("ascii")
     return [f"| {text[at : at + _BASE64_WIDTH]}" for at in range(0, len(text), _BASE64_WIDTH)]
 
 
 def read_block_line(text: str) -> str | None:
-    """Return the content of `text`, one line of `block_text` that starts at its bar; None if
+    """Return the text of one line of `block_text`, which begins with its bar; None if it is
     malformed."""
     if text == "|":
         return ""
@@ -166,7 +168,7 @@ def read_block_line(text: str) -> str | None:
 
 
 def read_string(text: str) -> str | None:
-    """Return the content of `text`, a JSON string; None if malformed."""
+    """Return the text that a JSON string describes; None if it is not a JSON string."""
     try:
         value = json.loads(text)
     except (ValueError, RecursionError):

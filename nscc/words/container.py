@@ -27,10 +27,11 @@ class StoredKernel(Record):
 
 
 class Launch(Record):
-    """The start of kernel number `kernel` at boundary `instant` (0..N; before the light of that
-    slot).
+    """The start of kernel (list of words) number `kernel` at boundary `instant`: 0..N, before that
+    slot's light.
 
-    `level` is the number of steps to which IN is set before; None leaves IN unchanged."""
+    IN, the value that all pixels receive, is set to `level` steps before; None leaves it unchanged.
+    """
 
     instant: int
     kernel: int
@@ -107,7 +108,7 @@ class Container:
     pictures: Pictures = NO_PICTURES
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the fields for copies and pickles, without cached analyses."""
+        """Return the fields for copies and pickles, without the results that properties cache."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @property
@@ -122,7 +123,9 @@ class Container:
 
     @property
     def reads(self) -> tuple[str, ...]:
-        """The buckets, images and planes that are read out with a frame, in order."""
+        """The buckets, images and planes that are read out with a frame, in order.
+
+        Without images and planes these are all buckets."""
         return self.pictures.reads if self.pictures.outputs else self.buckets
 
     @property
@@ -143,7 +146,8 @@ class Container:
 
     @property
     def words_per_frame(self) -> int:
-        """The number of words that a frame executes."""
+        """The number of words that a frame executes, with those after the last slot; parameters
+        have their starts."""
         words = sum(len(self.kernels[launch.kernel].words) for launch in self.launches)
         return words + self.pictures.words
 
@@ -160,8 +164,10 @@ class Container:
         return self.notes.get("table") != "none"
 
     def planes(self) -> dict[str, NDArray[np.bool_]]:
-        """Return the bit planes (rows, cols) that the host loads for the code and, as a chip
-        executes the container, for input planes, by register; empty without `pixel_codes`."""
+        """Return the bit planes that the host loads before a frame, bool (rows, cols), by register.
+
+        They hold the pixel codes and, if the container is one of `with_picture_words`, the input
+        planes. The result is empty without `pixel_codes`."""
         if self.pixel_codes is None:
             return {}
         inputs = {self.pictures.registers.get(each.name): each for each in self.pictures.inputs}
@@ -214,8 +220,8 @@ def with_picture_words(container: Container) -> Container:
 
 
 def state_registers(container: Container) -> tuple[str, ...]:
-    """Return the digital registers of the states and planes that are read out, or reported,
-    in order."""
+    """Return the digital registers of the states and planes that are read out or reported, in order
+    and each once."""
     pictures, digital = container.pictures, container.target.digital_registers
     planes = (pictures.registers.get(name) for name in pictures.outputs)
     read = (state.name for state in container.machine.states if state.read)
@@ -226,7 +232,7 @@ def state_registers(container: Container) -> tuple[str, ...]:
 def packed_shutters(
     container: Container, shutters: NDArray[np.bool_]
 ) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:
-    """Return `shutter` and `shutter_shape` of a container with pixel codes, as in a frame file.
+    """Return `shutter` and `shutter_shape` of a frame file, for a container with pixel codes.
 
     `shutters` is bool (distinct shutters, buckets, N), in the order of the decode table. The first
     result is uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the
@@ -242,8 +248,10 @@ def packed_shutters(
 
 
 def fields_at_pixels(container: Container) -> dict[str, NDArray[np.int64]]:
-    """Return `codes_FIELD` (rows, cols) for each field of the code of `container`; empty without
-    `pixel_codes`."""
+    """Return the arrays `codes_FIELD` of a frame file: int64 (rows, cols) for each field of the
+    code.
+
+    The result is empty without `pixel_codes`."""
     table, pixels = container.table, container.pixel_codes
     if pixels is None:
         return {}
@@ -251,8 +259,10 @@ def fields_at_pixels(container: Container) -> dict[str, NDArray[np.int64]]:
 
 
 def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
-    """Return the size (rows, cols) of the smallest tile whose repetition, cut at the edges, gives
-    the array `codes`; else the size of the array."""
+    """Return the size (rows, cols) of the smallest tile that gives the array `codes` when it is
+    repeated.
+
+    The last repetitions may be cut. If the array does not repeat, this is its own size."""
     rows = _period(codes)
     return rows, _period(codes[:rows].T)
 

@@ -15,18 +15,18 @@ _CLOCK_CLASS = 7 << 19
 
 
 class WordsCost(Record):
-    """A number of words, and their time in microseconds, including launches."""
+    """A number of words and their time in microseconds."""
 
     words: int
     us: float
 
 
 class FrameCost(Record):
-    """The costs of one frame of a container.
+    """The costs of one frame of a container, without the words of images and planes.
 
     `stored_words` are in the instruction store. `words` are executed per frame, in `busy_us`, with
-    `launches` kernel launches. `frame_us` is the sum of all slots, `busiest_us` the longest time of
-    words at one boundary."""
+    `launches` starts of kernels (lists of words). `frame_us` is the sum of all slots, `busiest_us`
+    the longest time of words at one boundary."""
 
     stored_words: int
     words: int
@@ -37,9 +37,9 @@ class FrameCost(Record):
 
 
 def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
-    """Return number and time (us) of words, without the time of a launch.
+    """Return number and time of words, without the time of a launch.
 
-    Words that the target adds may have a time of their own."""
+    Words that only the target has may have a time of their own."""
     analog = digital = 0
     own_us = []
     for word in words:
@@ -67,10 +67,11 @@ def words_us(analog: int, digital: int, target: Target) -> float:
 
 
 def refresh_count(words: Sequence[Op]) -> int:
-    """Return the number of `words` that only refresh registers.
+    """Return the number of `words` that only write a register again, before it loses its bits.
 
-    These are REFRESH pairs, and the words that allow refreshing the masked register (SET of its
-    mask, whose code is saved in FLAG)."""
+    These are REFRESH pairs. A masked register can be written only where its mask is 1, so the words
+    around its refresh count, too: SET of the mask, and those that save the mask's own code in FLAG
+    and restore it."""
     count = 0
     for i, word in enumerate(words):
         if not word.operation.name.startswith("REFRESH"):
@@ -85,13 +86,13 @@ def refresh_count(words: Sequence[Op]) -> int:
 
 
 def kernel_cost(kernel: StoredKernel, target: Target) -> WordsCost:
-    """Return the cost of one launch of a kernel."""
+    """Return the cost of starting and running a kernel (a list of words) once."""
     cost = words_cost(kernel.words, target)
     return WordsCost(cost.words, cost.us + target.launch_us)
 
 
 def frame_cost(container: Container) -> FrameCost:
-    """Return the cost of one frame of a container."""
+    """Return the cost of one frame of a container, without the words of images and planes."""
     costs = [kernel_cost(kernel, container.target) for kernel in container.kernels]
     at_instant = [0.0] * (container.slots + 1)
     words = 0

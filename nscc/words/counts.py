@@ -12,7 +12,7 @@ from nscc.words import pictures as p
 
 
 class CountRange(Record):
-    """The values of a count: all attainable ones are among `low`, `low` + `stride`, .., `high`."""
+    """The values that a count can have: some of `low`, `low` + `stride`, .., `high`."""
 
     low: Fraction
     high: Fraction
@@ -20,11 +20,11 @@ class CountRange(Record):
 
     @property
     def peak(self) -> Fraction:
-        """Return the largest absolute value."""
+        """The largest absolute value."""
         return max(-self.low, self.high)
 
     def half_way(self, level: Fraction, *, or_equal: bool) -> Fraction | None:
-        """Return the level half-way between the counts above `level` and all lower counts.
+        """Return the level half-way between the lowest count above `level` and the next lower one.
 
         With `or_equal`, a count equal to `level` belongs to the upper counts. Return None if all
         counts are on the same side."""
@@ -39,13 +39,17 @@ class CountRange(Record):
 def counts_of(
     node: p.Value, known: Mapping[str, CountRange], weights: Mapping[str, p.Weights]
 ) -> CountRange | None:
-    """Return the attainable values of a node; None for electrons. `known`: counts by image.
-    `weights`: kernels by name."""
+    """Return the values that an image can have if it is a count (an image of integers); None if it
+    is in electrons.
+
+    `known` has the ranges of the counts computed before, `weights` the convolution kernels, both by
+    name."""
     match node:
         case p.Source():
             return known.get(node.name)
         case p.Agreement():
             number = len(weights[node.kernel].taps)
+            # Each neighbour adds +1 or -1, so the sum changes in steps of 2.
             return CountRange(Fraction(-number), Fraction(number), Fraction(2))
         case p.Sum():
             return _total([(f, counts_of(value, known, weights)) for f, value in node.terms])
@@ -77,8 +81,8 @@ def counts_of(
 
 
 def _total(terms: list[tuple[Fraction, CountRange | None]]) -> CountRange | None:
-    """Return the range of a weighted sum of counts; None if a term is no count, or without
-    terms."""
+    """Return the range of a sum of factors times counts; None if a term is not a count or there are
+    no terms."""
     low, high, strides = Fraction(0), Fraction(0), []
     for factor, counts in terms:
         if counts is None:
@@ -96,7 +100,7 @@ def _common(*numbers: Fraction) -> Fraction:
 
 
 def counts_by_name(pictures: p.Pictures) -> dict[str, CountRange]:
-    """Return the attainable values of the images of `pictures` that are counts, by name."""
+    """Return the ranges of the images that are counts, by name."""
     known: dict[str, CountRange] = {}
     for item in pictures.items:
         if not isinstance(item.node, p.Condition):
@@ -107,10 +111,11 @@ def counts_by_name(pictures: p.Pictures) -> dict[str, CountRange]:
 
 
 class CountUnit(Record):
-    """The representation of one count: `steps` of IN.
+    """How many steps of IN (the value that all pixels receive) represent a count of 1.
 
     `steps` is the largest multiple of `least` with which the largest count, `peak`, fits into
-    `steps_available`; 0 if even `least` is too large. `name`: the image or plane of `peak`."""
+    `steps_available`; 0 if even `least` is too large. `name` is the image or plane in which `peak`
+    occurs."""
 
     steps: int
     steps_available: int
@@ -120,9 +125,9 @@ class CountUnit(Record):
 
 
 def count_unit(pictures: p.Pictures, target: Target) -> CountUnit | None:
-    """Return the representation of a program's counts; None for a program without counts.
+    """Return how a program's counts are represented; None for a program without counts.
 
-    A count must fit the registers and IN, and levels and factors must be whole steps."""
+    The largest count must fit the registers and IN, and levels and factors must be whole steps."""
     known, weights = counts_by_name(pictures), pictures.weights_by_name
     peak, name, least = Fraction(0), "", 1
     for item, expression in pictures.expressions.items():

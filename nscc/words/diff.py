@@ -20,7 +20,10 @@ _OF_DATA = (".machine", ".pictures", ".pixels plane")
 
 
 def differences(first: Container, second: Container) -> list[str]:
-    """Return the changes from `first` to `second`; empty if the files are equal."""
+    """Return the changes from one compiled program to another as lines of text, by part of their
+    assembly texts.
+
+    The result is empty if the files are equal. At most `_MOST_LINES` lines of a part are shown."""
     if to_bytes(first) == to_bytes(second):
         return []
     changes = {"costs": _costs(frame_cost(first), frame_cost(second))}
@@ -41,8 +44,8 @@ def differences(first: Container, second: Container) -> list[str]:
 
 
 def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
-    """Yield a line for each cost, such as words or microseconds, that differs between two
-    programs, with the change in percent."""
+    """Yield a line for each cost that differs, such as words or microseconds, with the change in
+    percent."""
     for subject, before, after, unit in (
         ("words stored", old.stored_words, new.stored_words, ""),
         ("words a frame", old.words, new.words, ""),
@@ -57,8 +60,9 @@ def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
 
 
 def _text_change(old: Sequence[str], new: Sequence[str]) -> Iterator[str]:
-    """Yield the lines that differ between two parts of an assembly text; of data in base64, only
-    that they differ."""
+    """Yield the lines that differ between two versions of a part of an assembly text.
+
+    Of data in base64, and of very long parts, only the fact that they differ is told."""
     if old == new:
         return
     if max(len(old), len(new)) > _LONGEST_SECTION:
@@ -72,7 +76,7 @@ def _text_change(old: Sequence[str], new: Sequence[str]) -> Iterator[str]:
 
 
 def _split(section: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Return the lines of a section that are text, and those that are base64."""
+    """Return the lines of a part that are text, and those that are base64 data."""
     lines: tuple[list[str], list[str]] = [], []
     directive = ""
     for line in section:
@@ -83,8 +87,9 @@ def _split(section: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def _planes(first: Container, second: Container) -> Iterator[str]:
-    """Yield which bit planes, and which destinations of light, differ between two programs for
-    chips without logic."""
+    """Yield a line for what differs in the bit planes of two programs for chips without logic.
+
+    These are bits and the destinations of light, with their slots."""
     old, new = first.stream, second.stream
     if old is None or new is None:
         return

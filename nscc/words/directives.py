@@ -27,7 +27,8 @@ class Token(Record):
 
 
 class Instruction(Record):
-    """The words of one line; `ops` is empty for a `.word`."""
+    """The words of one line and the operations `ops` that they encode; `ops` is empty for a
+    `.word`."""
 
     words: tuple[Word, ...]
     ops: tuple[Op, ...]
@@ -36,7 +37,7 @@ class Instruction(Record):
 
 @dataclass
 class KernelDraft:
-    """A `.kernel` and the lines below it."""
+    """A kernel (a list of words): its name and the instructions below its `.kernel` line."""
 
     name: Token
     lines: list[Instruction] = field(default_factory=list)
@@ -76,7 +77,7 @@ class TextBlock:
 
 
 class Faults:
-    """The errors of a text; collection stops after too many."""
+    """Collects the errors of an assembly text; `add` raises Rejected when there are 50."""
 
     _MOST = 50
 
@@ -88,8 +89,7 @@ class Faults:
     def add(
         self, code: str, message: str, span: Span, *, label: str = "", helps: tuple[str, ...] = ()
     ) -> None:
-        """Add an error at `span`; raise Rejected with all errors if there are as many as are
-        shown."""
+        """Add an error at `span`; raise Rejected with all errors if there are `_MOST`."""
         place = Label(span, label)
         self.found.append(Diagnostic(code, message, source=self.source, label=place, helps=helps))
         if len(self.found) >= self._MOST:
@@ -108,7 +108,7 @@ def shown(text: str) -> str:
 
 @dataclass
 class Draft:
-    """The content of a text, in order."""
+    """The content of an assembly text by directive, in order, before names are resolved."""
 
     target: TextBlock | None = None
     source: TextBlock | None = None
@@ -129,9 +129,10 @@ class Draft:
     words: int = 0
 
     def add(self, line: Instruction, faults: Faults) -> None:
-        """Add a line to the current kernel; without `.kernel` this is `main`.
+        """Add the words of a line to the last kernel; before any `.kernel` line, that is one named
+        `main`.
 
-        Raises Rejected (NS0718) with all errors if there are too many words."""
+        Raises Rejected with all errors (NS0718) if there are too many words."""
         if not self.kernels:
             self.kernels.append(KernelDraft(Token(_IMPLIED_KERNEL, line.span)))
         self.kernels[-1].lines.append(line)
@@ -160,8 +161,8 @@ class Directive:
 def _block(
     attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults
 ) -> TextBlock:
-    """Begin a block of lines that is stored in `attribute` of the draft; a second one is a
-    fault."""
+    """Begin a block of lines, which is stored in `attribute` of the draft; report a second such
+    block."""
     if getattr(draft, attribute) is not None:
         faults.add("NS0719", f"{head.text} appears twice", head.span)
     block = TextBlock(head, tuple(tokens))
@@ -170,14 +171,13 @@ def _block(
 
 
 def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> TextBlock | None:
-    """Begin the block of a target table; None if operands are left over."""
+    """Begin the block of a target's table; return None if the line names a target instead."""
     block = _block("target", head, tokens, draft, faults)
     return None if tokens else block
 
 
 def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add the note `tokens`, a key and a text, to `draft`; a second note with this key is a
-    fault."""
+    """Add a note (a key and a text) to the draft; report a second one with the same key."""
     key, text = tokens
     if key.text in draft.notes:
         faults.add("NS0719", f"the note {shown(key.text)} appears twice", key.span)
@@ -186,8 +186,9 @@ def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add the slot lengths `tokens` to `draft`. A token `x64` repeats the slot before it, 64 slots
-    in all."""
+    """Add slot lengths to the draft; report an invalid length or too many slots.
+
+    A token such as `x64` repeats the slot before it, so that there are 64 of them."""
     for token in tokens:
         if token.text.startswith("x"):  # the number of slots, starting with the previous slot
             repeats = int(token.text[1:]) - 1
@@ -206,8 +207,8 @@ def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _kernel(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Begin a kernel (a list of words stored on the controller); a second one of this name is a
-    fault."""
+    """Begin a kernel (a list of words stored on the controller); report a second one of the same
+    name."""
     (name,) = tokens
     if any(kernel.name.text == name.text for kernel in draft.kernels):
         faults.add("NS0719", f"two kernels have the name {shown(name.text)}", name.span)
@@ -215,8 +216,7 @@ def _kernel(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> N
 
 
 def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add the instruction `tokens`, five 32-bit integers, to `draft`; larger integers are a
-    fault."""
+    """Add a word that is given as five 32-bit integers; report larger integers."""
     a, b, c, d, e = (int(t.text, 16 if t.text[:2] in ("0x", "0X") else 10) for t in tokens)
     span = head.span.to(tokens[-1].span)
     if max(a, b, c, d, e) >= 1 << 32:
@@ -226,8 +226,7 @@ def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add the launch `tokens`, a range of boundaries and kernels, to `draft`; an invalid range is a
-    fault."""
+    """Add a line that starts kernels at a range of boundaries; report an invalid range."""
     place, *kernels = tokens
     instants = read_ranges(place.text, MOST_SLOTS)
     if instants is None:
@@ -238,8 +237,8 @@ def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add the readout of a register, with its bucket and gain (1 if not given); an invalid gain is
-    a fault."""
+    """Add the readout of a register, with its bucket and gain (by default 1); report an invalid
+    gain."""
     register, *operands = tokens
     gain = read_number(operands[1].text) if len(operands) > 1 else 1.0
     if gain is None:
@@ -249,7 +248,7 @@ def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> 
 
 
 def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add a file with the contents of a register, and its digest if there is one."""
+    """Add a file with the bits of a register, and the file's stated digest if there is one."""
     register, file, *sha256 = tokens
     draft.planes.append(PlaneDraft(register, file, sha256[0] if sha256 else None))
 

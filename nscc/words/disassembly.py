@@ -44,8 +44,8 @@ def disassemble(container: Container) -> str:
 
 
 def sections(container: Container) -> dict[str, list[str]]:
-    """Return the lines of each part of the text of `container` by the part's title, in the order of
-    the text."""
+    """Return the lines of each part of the assembly text by the part's title, in the order of the
+    text."""
     kernels, lines = enumerate(container.kernels), container.source_lines
     parts: dict[str, Iterable[str]] = {
         "target": _head(container),
@@ -63,10 +63,11 @@ def sections(container: Container) -> dict[str, list[str]]:
 
 
 def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, str, str]]:
-    """Return the lines of a kernel: (index of the first word, instruction, comment).
+    """Return the lines of a kernel (a list of words) as (index of the first word, instruction,
+    comment).
 
-    An in-place pair is one line. A word without an instruction on this target is a `.word`, with
-    the reason as comment."""
+    Two words that form one instruction are one line. A word without an instruction on this target
+    becomes `.word`, with the reason as comment."""
     lines: list[tuple[int, str, str]] = []
     ops = [matching(word, target.words) for word in words]
     faults: dict[Op, str | None] = {op: target_fault(op, target) for op in ops if op is not None}
@@ -91,8 +92,9 @@ def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, 
 
 
 def _pair(first: Op, second: Op | None) -> str | None:
-    """Return the in-place instruction, such as `NOR d, x`, that two half-words form; None if
-    they form none."""
+    """Return the instruction, such as `NOR d, x`, that two words form; None if they form none.
+
+    The first word reads registers, the second writes the result to one of them."""
     kind = pair_kind(first, second) if second is not None else None
     if kind is None or second is None:
         return None
@@ -110,14 +112,15 @@ def _pair(first: Op, second: Op | None) -> str | None:
 
 
 def _commented(text: str, comment: str) -> str:
-    """Return a line with a comment to its right."""
+    """Return a line with a comment to its right, from column `_COMMENT_COLUMN` on; without one, the
+    line."""
     return f"{text:<{_COMMENT_COLUMN}} ; {comment}" if comment else text
 
 
 def _head(container: Container) -> Iterator[str]:
     """Yield the first lines: costs as comments, the target, and notes.
 
-    A built-in target is named; any other is written out."""
+    A built-in target is named; any other is written out as a table."""
     cost, target = frame_cost(container), container.target
     slots = _counted(container.slots, "slot")
     yield f"; {slots}, {number_text(round(cost.frame_us, 3))} us of light a frame"
@@ -136,12 +139,12 @@ def _head(container: Container) -> Iterator[str]:
 
 
 def _counted(count: int, word: str, plural: str = "") -> str:
-    """Return a number with its word, singular or plural."""
+    """Return a number with its word, such as `1 word`, `2 words`."""
     return f"{count} {word if count == 1 else plural or word + 's'}"
 
 
 def _times(slot_us: Sequence[float]) -> Iterator[str]:
-    """Yield `.wait` lines with the slot lengths `slot_us`; equal lengths are written as a count."""
+    """Yield the `.wait` lines; equal slots in a row are written as `125us x64`."""
     at, pending = 0, ""
     for index in range(1, len(slot_us) + 1):
         if index < len(slot_us) and slot_us[index] == slot_us[at]:
@@ -155,8 +158,9 @@ def _times(slot_us: Sequence[float]) -> Iterator[str]:
 
 
 def _kernel(container: Container, number: int) -> Iterator[str]:
-    """Yield the lines of kernel `number`, with its cost and the boundaries of its launches as
-    comments."""
+    """Yield the lines of kernel (list of words) number `number`.
+
+    Comments give its cost and the boundaries at which it starts."""
     kernel: StoredKernel = container.kernels[number]
     instants = [launch.instant for launch in container.launches if launch.kernel == number]
     instants_text = ranges_text(sorted(set(instants))) if instants else "nowhere"
@@ -170,8 +174,8 @@ def _kernel(container: Container, number: int) -> Iterator[str]:
 
 
 def _schedule(container: Container) -> Iterator[str]:
-    """Yield one line for each distinct list of kernels that `container` launches, with all its
-    boundaries."""
+    """Yield a `.slot` line for each different list of kernels, with all boundaries at which it
+    runs."""
     at_instant: dict[int, list[int]] = {}
     for launch in container.launches:
         at_instant.setdefault(launch.instant, []).append(launch.kernel)
@@ -184,7 +188,7 @@ def _schedule(container: Container) -> Iterator[str]:
 
 
 def _readouts(container: Container) -> Iterator[str]:
-    """Yield the lines that name the buckets of `container`, and the register and gain of each."""
+    """Yield the line with the names of buckets, and a line for the register and gain of each."""
     yield f".bucket {' '.join(map(name_text, container.buckets))}"
     for readout in container.readouts:
         bucket = name_text(readout.bucket)
@@ -192,7 +196,7 @@ def _readouts(container: Container) -> Iterator[str]:
 
 
 def _table(container: Container) -> Iterator[str]:
-    """Yield the lines of the decode table: the encoding and slots of each shutter, then each
+    """Yield the lines of the decode table: register bits and open slots of each shutter, then each
     code."""
     table, registers = container.table, container.target.digital_registers
     if container.code_registers:
@@ -211,8 +215,10 @@ def _table(container: Container) -> Iterator[str]:
 
 
 def _machine(container: Container) -> Iterator[str]:
-    """Yield the comparisons of `container` as comments, then its state machine and levels of IN as
-    data; nothing without a state machine."""
+    """Yield the comparisons of pixels that look as comments, then their state machine and the
+    levels of IN as base64.
+
+    Yield nothing for other programs."""
     machine, step_e = container.machine, container.target.electrons_per_step
     if not machine.stages:
         return
@@ -229,8 +235,9 @@ def _machine(container: Container) -> Iterator[str]:
 
 
 def _pictures(container: Container) -> Iterator[str]:
-    """Yield the words of the images and planes of `container` as comments, then all of them as
-    data; nothing without outputs."""
+    """Yield the words of images and planes as comments, then all about them as base64.
+
+    Yield nothing for programs without images and planes."""
     pictures, target = container.pictures, container.target
     if not pictures.outputs:
         return
@@ -255,7 +262,7 @@ def _pictures(container: Container) -> Iterator[str]:
 
 
 def _pixels(container: Container) -> Iterator[str]:
-    """Yield the code of every pixel: the smallest tile that gives the array, else all codes in
+    """Yield the code of every pixel: the smallest tile that gives the array if it repeats, else
     base64."""
     codes = container.pixel_codes
     if codes is None:

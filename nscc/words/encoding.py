@@ -51,7 +51,7 @@ _EXTRAS_A_WORD = 13
 
 
 def _bit(line: int) -> int:
-    """Return the 160-bit integer in which only control line `line` is raised."""
+    """Return the 160-bit word in which only control line `line` is 1."""
     if line < FIRST_EXTRA_LINE:
         return 1 << (32 * (line // 16) + line % 16)
     extra = line - FIRST_EXTRA_LINE
@@ -59,7 +59,7 @@ def _bit(line: int) -> int:
 
 
 def _raised(lines: Iterable[int]) -> int:
-    """Return the word, as one integer, in which these control lines are 1."""
+    """Return the 160-bit word in which these control lines are 1."""
     word = 0
     for line in lines:
         word |= _bit(line)
@@ -83,7 +83,8 @@ _KIND_DIGITAL = _raised((S_IN, WRF, PLWB, PLRB, NBIT, BIT, BITMODE, RID))
 
 @cache
 def _fixed(row: Operation) -> int:
-    """Return the bits that every word of an operation sets."""
+    """Return the bits that every word of an operation has: indices, clock class and its own control
+    lines."""
     return _INDEX | row.clock << _CLOCK_SHIFT | _raised(row.lines)
 
 
@@ -104,7 +105,7 @@ def _joined(word: Word) -> int:
 
 
 def _encoded(operation: Op) -> int:
-    """Return the word of an operation as one integer: its fixed lines and those of its
+    """Return the 160-bit word of an operation: its fixed bits and the control lines of its
     registers."""
     word = _fixed(operation.operation)
     for register in operation.destinations:
@@ -116,15 +117,16 @@ def _encoded(operation: Op) -> int:
 
 @lru_cache(maxsize=1 << 14)
 def encode(operation: Op) -> Word:
-    """Return the five 32-bit integers of an operation."""
+    """Return the word of an operation as five 32-bit integers."""
     return _split(_encoded(operation))
 
 
 @lru_cache(maxsize=1 << 14)
 def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | None:
-    """Return the operation that encodes to exactly this word, or None if there is none.
+    """Return the operation whose word is exactly this one; None if there is none.
 
-    `target_operations` are a target's own words, in addition to the table's."""
+    `target_operations` are operations that only the target has, in addition to those of all chips.
+    """
     if len(word) != 5 or not all(0 <= integer <= _INTEGER for integer in word):
         return None
     bits = _joined(word)
@@ -138,6 +140,7 @@ def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | 
     for row in (*rows, *target_operations):
         sources = read
         if row.effect in (WordEffect.BUS, WordEffect.RESET_PIX, WordEffect.NONE):
+            # Selecting a destination raises the same line as reading it.
             sources = [name for name in read if not _fixed(row) & _READ[name]]
             sources = [name for name in sources if name not in destinations]
         if not _fits(len(destinations), row.destinations) or not _fits(len(sources), row.sources):
@@ -152,15 +155,15 @@ def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | 
 
 
 def _fits(count: int, allowed: tuple[int, int | None]) -> bool:
-    """Return whether a count is in a range, whose end may be open (None)."""
+    """Return whether a count is in a range (fewest, most); `most` None means no limit."""
     low, high = allowed
     return count >= low and (high is None or count <= high)
 
 
 def decode(word: Word, place: str = "") -> Op:
-    """Return the operation of the table that encodes to this word; messages name its `place`.
+    """Return the operation, of those that all chips have, whose word this is.
 
-    Raises Rejected (NS0701) if no operation encodes to it."""
+    `place` tells where it is, for the message. Raises Rejected (NS0701) if there is none."""
     operation = matching(word)
     if operation is None:
         raise Rejected(no_operation(word, place))
@@ -168,8 +171,10 @@ def decode(word: Word, place: str = "") -> Op:
 
 
 def no_operation(word: Word, place: str = "") -> Diagnostic:
-    """Return the error (NS0701) for a word that matches no operation, with the control lines
-    that it raises; `place` names it."""
+    """Return the error (NS0701) for a word that matches no operation.
+
+    Its notes list the control lines that are 1 and wrong indices. `place` tells where the word is;
+    "" if unknown."""
     notes = []
     bits = _joined(word)
     wrong_indices = [i for i in range(5) if word[i] >> 16 & 7 != i]
@@ -197,18 +202,16 @@ def word_lines(word: Word) -> tuple[int, ...]:
 
 
 def word_text(word: Word) -> str:
-    """Return the five integers in the usual notation: `0x` and lower-case hexadecimal, five
-    digits."""
+    """Return the five integers of a word in hexadecimal, such as `0x80020`, separated by blanks."""
     return " ".join(f"0x{integer:05x}" for integer in word)
 
 
 class Masks(NamedTuple):
-    """The layout of words as masks, by operation or register.
+    """The layout of words as masks, by name of operation or register.
 
-    `fixed` are the lines that every word of an operation raises, `read` those of a source,
-    `written` those of a destination; `write` is the line that identifies a destination.
-    `kind_analog` and `kind_digital` are the lines that distinguish operations of analog and of
-    digital words."""
+    `fixed` are the bits that every word of an operation has, `read` those that a source adds,
+    `written` those that a destination adds. `kind_analog` and `kind_digital` are the control lines
+    that distinguish operations of analog and of digital words."""
 
     fixed: dict[str, Word]
     read: dict[str, Word]
@@ -218,7 +221,7 @@ class Masks(NamedTuple):
 
 
 def masks() -> Masks:
-    """Return the bits of all operations and operands, from which the firmware's decoder is
+    """Return the bits of all operations and registers, from which the firmware's decoder is
     generated."""
     return Masks(
         {row.name: _split(_fixed(row)) for row in OPERATIONS},

@@ -55,7 +55,7 @@ _NO_LEVEL = -(2**31)
 
 @dataclass(frozen=True)
 class _Counts:
-    """The lengths of the arrays; `pixels` is whether there are pixel codes."""
+    """The lengths of a file's arrays; `pixels` tells whether there are pixel codes."""
 
     slots: Length
     codes: Length
@@ -66,7 +66,9 @@ class _Counts:
 
 @dataclass(frozen=True)
 class _Header:
-    """The header of a file; `kernels` are the names and the numbers of words."""
+    """The header of a file: all of a container but its arrays.
+
+    `kernels` has the name and the number of words of each."""
 
     target: Mapping[str, object]
     buckets: tuple[str, ...]
@@ -97,13 +99,13 @@ class _Words(Record):
 
 
 class _Levels(Record):
-    """The levels of IN at the launches, before the arrays of a state machine."""
+    """The value of IN that each launch sets, which files of programs with senses have."""
 
     levels: Annotated[NDArray[np.int32], "launches"]
 
 
 def _layout(header: _Header, target: Target) -> list[StoredArray]:
-    """Return the arrays that a header describes, in file order."""
+    """Return the arrays that a header describes, with types and shapes, in file order."""
     counts = header.counts
     rows, cols = (target.rows, target.cols) if counts.pixels else (0, 0)
     sizes = {
@@ -125,8 +127,9 @@ def _layout(header: _Header, target: Target) -> list[StoredArray]:
 
 
 def to_bytes(container: Container) -> bytes:
-    """Return the container as a file; raise ValueError for an inconsistent container (a bug of its
-    maker)."""
+    """Return the container as the bytes of a file.
+
+    Raises ValueError for an inconsistent container, which is a fault of whoever made it."""
     problems = faults(container)
     if problems:
         raise ValueError(f"unsound container: {problems[0]}")
@@ -169,7 +172,7 @@ def _header(container: Container) -> _Header:
 
 
 def _arrays(container: Container) -> dict[str, NDArray[Any]]:
-    """Return the arrays of a container, by name."""
+    """Return the arrays of a container by name, also those that its file does not need."""
     words = [word for kernel in container.kernels for word in kernel.words]
     launches = [(launch.instant, launch.kernel) for launch in container.launches]
     levels = [_NO_LEVEL if row.level is None else row.level for row in container.launches]
@@ -189,7 +192,7 @@ def _arrays(container: Container) -> dict[str, NDArray[Any]]:
 
 
 def read_container(path: Path) -> Container:
-    """Read the container in a file.
+    """Return the container in the file `path`.
 
     Raises Rejected: NS0709 (status 2) if the file cannot be read, otherwise as `from_bytes` does.
     """
@@ -229,8 +232,9 @@ def from_bytes(data: bytes, name: str) -> Container:
 
 
 def _rejected(code: str, name: str, reason: str) -> Rejected:
-    """Return the error that a container file `name` cannot be used, with `reason`; a .nsl file gets
-    other help."""
+    """Return the error `code` that the container file `name` cannot be used, for `reason`.
+
+    The help is to build a container; a program text (.nsl) gets the command that compiles it."""
     again = "`nscc build PROGRAM.nsl -o FILE.icw` writes a valid container"
     if name.endswith(".nsl"):
         build = shlex.join(["nscc", "build", name])
@@ -245,9 +249,9 @@ def _rejected(code: str, name: str, reason: str) -> Rejected:
 
 
 def _check_frame(data: bytes, name: str) -> int:
-    """Return the length of the header after checking magic, version, length and checksum of a file.
+    """Check magic, version, length and checksum of a file, and return the length of its header.
 
-    Raises Rejected (NS0702, NS0704, NS0705), in which `name` names the file."""
+    Raises Rejected (NS0702, NS0704 to NS0707), which names the file `name`."""
     if not data.startswith(MAGIC):
         reason = "it is empty" if not data else "it is not a container of instruction words (.icw)"
         raise _rejected("NS0702", name, reason)

@@ -20,8 +20,10 @@ _MOST_SHOWN = 10
 
 
 def refuse_planes(target: Target, refusal: str, help_text: str) -> None:
-    """Raise NS0510 (status 1) for a chip without logic, which has no words; `refusal` is half a
-    sentence."""
+    """Raise Rejected (NS0510, status 1) for a chip without logic, which runs no words; else do
+    nothing.
+
+    `refusal` is the first half of the message, `help_text` says what to do instead."""
     if not target.has_logic:
         raise rejected(
             "NS0510",
@@ -33,14 +35,18 @@ def refuse_planes(target: Target, refusal: str, help_text: str) -> None:
 
 
 def refuse_pictures(container: Container, refusal: str, note: str, help_text: str) -> None:
-    """Raise NS0542 (status 1) for a program with images or planes."""
+    """Raise Rejected (NS0542, status 1) for a program with images or planes; else do nothing.
+
+    `refusal` is the message, `note` the reason, `help_text` what to do instead."""
     if container.pictures.outputs:
         raise rejected("NS0542", refusal, notes=(note,), helps=(help_text,), status=1)
 
 
 def loader_fault(container: Container) -> str | None:
-    """Return what a program needs that no loader and no devkit program does, as half a sentence;
-    None if there is nothing."""
+    """Return what a program needs that neither a device's loader nor a devkit program can do, as a
+    clause.
+
+    Return None if there is nothing."""
     pictures = container.pictures
     if pictures.has_host_values:
         return "the host sets its parameters or loads its input planes"
@@ -52,15 +58,18 @@ def loader_fault(container: Container) -> str | None:
 
 
 def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
-    """Return the operations of every kernel, in order.
+    """Return the operations of every kernel (list of words), in order.
 
-    Raises Rejected with the errors of the first ten invalid words."""
+    Raises Rejected with the errors of the first ten invalid words: NS0701 (no operation), NS0703
+    (half of a pair) and NS0708 (not on this chip)."""
     kernels = ((kernel.name, kernel.words) for kernel in container.kernels)
     return _decoded(kernels, container.target, target_fault)
 
 
 def picture_kernels(container: Container) -> tuple[tuple[Op, ...], ...]:
-    """Return the operations of every kernel of images and planes; raise Rejected as `decoded`."""
+    """Return the operations of every kernel (list of words) of images and planes.
+
+    Raises Rejected as `decoded` does."""
     kernels = container.pictures.kernels
     named = ((f"{number} of the images", words) for number, words in enumerate(kernels))
     return _decoded(named, container.target, picture_fault)
@@ -69,9 +78,10 @@ def picture_kernels(container: Container) -> tuple[tuple[Op, ...], ...]:
 def picture_words(
     container: Container, params: Mapping[str, int] = MappingProxyType({})
 ) -> list[tuple[Op, int | None]]:
-    """Return the words of images and planes in execution order, each with the value of IN in steps.
+    """Return the words of images and planes as a frame executes them, each with the value of IN in
+    steps.
 
-    The value is None if IN is not set. `params`: values of parameters, by default their starts.
+    The value is None if IN is not set. `params` has values of parameters, by default their starts.
     Raises Rejected as `decoded` does."""
     kernels = picture_kernels(container)
     launches = container.pictures.executed(params)
@@ -83,9 +93,10 @@ def _decoded(
     target: Target,
     fault_of: Callable[[Op, Target], str | None],
 ) -> tuple[tuple[Op, ...], ...]:
-    """Return the operations of named kernels; `fault_of` tells why the target does not support one.
+    """Return the operations of named kernels (lists of words).
 
-    Raises Rejected with the errors of the first ten invalid words."""
+    `fault_of` tells why the target does not support an operation. Raises Rejected with the errors
+    of the first ten invalid words."""
     diagnostics: list[Diagnostic] = []
     operations: list[tuple[Op, ...]] = []
     faults: dict[Op, str | None] = {}
@@ -121,10 +132,10 @@ def _decoded(
 
 
 def target_fault(operation: Op, target: Target) -> str | None:
-    """Return why `target` does not support this word during the exposure, as half a sentence, or
-    None.
+    """Return why `target` does not support this word during the exposure, as a clause; None if it
+    does.
 
-    Words that reach neighbours run after the exposure: see `picture_fault`."""
+    Words that reach neighbours only run after the exposure: see `picture_fault`."""
     if _reaches_by_bits(operation) or NEIGHBOURS.keys() & {
         *operation.destinations,
         *operation.sources,
@@ -134,8 +145,8 @@ def target_fault(operation: Op, target: Target) -> str | None:
 
 
 def picture_fault(operation: Op, target: Target) -> str | None:
-    """Return why `target` does not support this word after the exposure, as half a sentence, or
-    None."""
+    """Return why `target` does not support this word after the exposure, as a clause; None if it
+    does."""
     known = (
         *target.analog_registers,
         *target.digital_registers,
@@ -174,7 +185,9 @@ def _reaches_by_bits(operation: Op) -> bool:
 
 
 def _neighbour_fault(operation: Op, target: Target) -> str | None:
-    """Return why `target` does not support a word that reaches neighbours; None if it does."""
+    """Return why `target` does not support a word that reaches neighbours, as a clause.
+
+    Return None if it does, and for any other word."""
     row = operation.operation
     digital = _reaches_by_bits(operation)
     written = NEIGHBOURS.keys() & operation.destinations
@@ -200,14 +213,18 @@ def _neighbour_fault(operation: Op, target: Target) -> str | None:
 
 
 def pair_kind(first: Op, second: Op) -> str | None:
-    """Return OR, NOR, REFRESH or PROP if these are the two words of an in-place form, else None."""
+    """Return the instruction that two words form: OR, NOR, REFRESH or PROP; None if they form none.
+
+    The first word reads, the second writes."""
     kind, _, half = first.name.partition(".")
     return kind if half == "read" and second.name == f"{kind}.write" else None
 
 
 def split_pairs(kernel: str, ops: Sequence[Op]) -> list[Diagnostic]:
-    """Return an error (NS0703) for each half of a pair of words without the other half beside
-    it; `kernel` is the name in messages."""
+    """Return an error (NS0703) for each word that is half of a pair without the other half beside
+    it.
+
+    `ops` are the operations of the kernel that messages call `kernel`."""
     diagnostics = []
     for index, operation in enumerate(ops):
         before, phase = ops[index - 1] if index else None, operation.operation.phase

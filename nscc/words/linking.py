@@ -36,8 +36,9 @@ NO_TABLE = {"table": "none"}
 
 
 def link(draft: Draft, base: Path, faults: Faults) -> Container:
-    """Return the container of a draft; raise Rejected with all errors, including those in
-    `faults`."""
+    """Return the container of an assembly text's draft; files are relative to `base`.
+
+    Raises Rejected with all errors, including those already in `faults`."""
     target = find_target(draft, base, faults)
     if target is None:
         faults.stop()
@@ -97,9 +98,9 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
 
 
 def _with_blocks(container: Container, draft: Draft, faults: Faults) -> Container:
-    """Return the container with the state machine and the images that the text contains as data.
+    """Return the container with the state machine and the images that the text contains as base64.
 
-    Raises Rejected if a block does not match the program."""
+    Raises Rejected if such data do not match the program."""
     for block, add in (
         (draft.machine, with_machine_data),
         (draft.pictures, lambda c, data: replace(c, pictures=from_json(Pictures, data))),
@@ -117,8 +118,10 @@ def _with_blocks(container: Container, draft: Draft, faults: Faults) -> Containe
 
 
 def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
-    """Return the target that the text names, by default scamp5; None after reporting an error.
-    `base` is the folder of target files."""
+    """Return the target that the text names or contains, by default scamp5; None after reporting an
+    error.
+
+    `base` is the folder of target files. Raises Rejected if such a file cannot be read."""
     block = draft.target
     if block is None:
         return load_target(DEFAULT_NAME, base)
@@ -143,8 +146,7 @@ def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
 
 
 def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
-    """Add a fault for each instruction that the target does not have, and if the kernels exceed
-    its store."""
+    """Report each instruction that the target does not have, and kernels that exceed its store."""
     stored = 0
     for kernel in draft.kernels:
         for line in kernel.lines:
@@ -164,7 +166,7 @@ def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
 
 
 def _check_complete(draft: Draft, faults: Faults) -> None:
-    """Add a fault if the draft has no slot lengths or no readout."""
+    """Report if the draft has no slot lengths or no readout."""
     if not draft.slot_us:
         helps = ("write `.wait 125us x64`: 64 slots of 125 us each",)
         faults.add("NS0715", "the lengths of the slots are missing", _START, helps=helps)
@@ -174,8 +176,9 @@ def _check_complete(draft: Draft, faults: Faults) -> None:
 
 
 def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int:
-    """Return the index of `token` in `names`, which are of this `kind`; report an unknown name to
-    `faults` and return 0."""
+    """Return the index of a name in `names`; report an unknown name and return 0.
+
+    `kind` names in the message what is looked for."""
     index = names.get(token.text)
     if index is not None:
         return index
@@ -185,8 +188,9 @@ def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int
 
 
 def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
-    """Return the index of each of the names `tokens` in order; a name that occurs twice is reported
-    to `faults`."""
+    """Return the index of each name, in order; report a name that occurs twice.
+
+    `kind` names in the message what is defined."""
     names: dict[str, int] = {}
     for token in tokens:
         if token.text in names:
@@ -196,8 +200,9 @@ def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
 
 
 def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
-    """Return all launches, by boundary, in the order of the text; unknown kernels and boundaries
-    beyond the frame are faults."""
+    """Return the starts of kernels, by boundary, and at one boundary in the order of the text.
+
+    Unknown kernels and boundaries beyond the frame are reported."""
     kernels = {kernel.name.text: i for i, kernel in enumerate(draft.kernels)}
     at_instant: dict[int, list[int]] = {}
     slots = len(draft.slot_us)
@@ -221,8 +226,8 @@ def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
 def _readouts(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[Readout, ...]:
-    """Return the readouts of `draft` with their names checked: each of `buckets` must be read out
-    exactly once. Reports other readouts to `faults`."""
+    """Return the readouts; report unknown registers and buckets, and a bucket that is not read
+    exactly once."""
     registers = {name: i for i, name in enumerate(target.analog_registers)}
     known = {name: i for i, name in enumerate(buckets)}
     readouts, read = [], set()
@@ -253,11 +258,12 @@ def _table_of_planes(
     buckets: tuple[str, ...],
     faults: Faults,
 ) -> tuple[DecodeTable, NDArray[np.bool_], NDArray[np.int32] | None, tuple[str, ...]]:
-    """Return a table without open slots, for pixels of which only register contents are known,
-    with encoding, pixel codes and loading order.
+    """Return a decode table for a program of which only the bit planes of registers are known.
 
-    Without planes all codes share one shutter, else each code has its own. By default the masked
-    register is loaded first, while its mask is 1."""
+    No shutter of it is open. The results are table, encoding, pixel codes and registers in loading
+    order, as in `Container`. Each distinct content of the registers is a code; without planes there
+    is one. By default the masked register is loaded first, before the plane of its mask forbids it.
+    """
     planes = read_planes(draft.planes, target, base, faults)
     faults.stop()
     if load and set(load) != set(planes):
@@ -281,10 +287,10 @@ def _table_of_planes(
 def _table(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[DecodeTable, NDArray[np.bool_]]:
-    """Return the decode table, and the register bits of each shutter, bool (shutters, registers),
-    from the lines of the draft.
+    """Return the decode table, and the register bits of each shutter, bool (shutters, registers).
 
-    Faults are added to `faults`; raises Rejected for a table that is too large."""
+    They come from the `.shutter` and `.code` lines of the draft, whose errors are reported. Raises
+    Rejected for a table that is too large."""
     shutters, slots = len(draft.shutters), len(draft.slot_us)
     fields = tuple(_indexed(draft.fields, "field", faults))
     for lines, name in ((draft.shutters, ".shutter"), (draft.codes, ".code")):
@@ -336,9 +342,10 @@ def _table(
 
 
 def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray[np.int32] | None:
-    """Return the code of every pixel, int32 (rows, cols), from a tile or a whole plane.
+    """Return the code of every pixel, int32 (rows, cols), from a tile or the whole array.
 
-    None without a `.pixels` block, and after adding a fault. `codes` is the number of codes."""
+    Return None without a `.pixels` block, and after reporting an error. `codes` is the number of
+    codes."""
     block = draft.pixels
     if block is None:
         return None

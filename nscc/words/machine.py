@@ -120,7 +120,7 @@ class StateMachine(Record, eq=False):
         return len(self.first) - 1
 
     def nodes(self, stage: int) -> slice:
-        """Return the indices of the nodes of a stage."""
+        """Return the indices of a stage's nodes, for the first axis of the arrays."""
         return slice(int(self.first[stage]), int(self.first[stage + 1]))
 
     def at(self, boundary: int) -> tuple[Comparison, ...]:
@@ -130,11 +130,12 @@ class StateMachine(Record, eq=False):
         )
 
     def order(self, boundary: int) -> list[int]:
-        """Return the indices of a boundary's comparisons in the order of the words.
+        """Return the indices of a boundary's comparisons in the order in which words make them.
 
         If two signals are the same light, such as PIX and a bucket that is still open, only this
         order determines which of them a word compares."""
         comparisons = self.at(boundary)
+        # Buckets come before the light since the reset, LIGHT = -1.
         return sorted(range(len(comparisons)), key=lambda number: -comparisons[number].signal)
 
     def starts(self, stage: int) -> int:
@@ -146,7 +147,8 @@ class StateMachine(Record, eq=False):
         return self.looks[stage] if stage < len(self.looks) else self.slots
 
     def start_nodes(self) -> NDArray[np.int64]:
-        """Return for each behaviour the node with the start values of all states (behaviours,)."""
+        """Return for each behaviour its node of stage 0 in which all states have their start
+        values, int64 (behaviours,)."""
         nodes = np.arange(self.first[1])
         starts = np.array([state.start for state in self.states], np.int64)
         chosen = nodes[(self.values[: self.first[1]] == starts).all(axis=1)]
@@ -171,15 +173,19 @@ NO_LOOKS = StateMachine(
 
 
 class StatePlanes(Record, eq=False):
-    """The registers of a state: `bits` bool (values, registers) encode each of its possible
-    `values`."""
+    """The registers that hold a state at the end of a frame.
+
+    Row k of `bits`, bool (values, registers), is their content for `values[k]`."""
 
     registers: tuple[str, ...]
     values: tuple[int, ...]
     bits: NDArray[np.bool_]
 
     def read(self, planes: Mapping[str, NDArray[np.bool_]], shape: tuple[int, ...]) -> Values:
-        """Return the value at every pixel of `shape`; the first value for unknown bits."""
+        """Return the value of the state at every pixel, int64 of `shape`.
+
+        `planes` are the bits of registers, bool of `shape`. Pixels with bits that no value has get
+        the first value."""
         pixel_values = np.full(shape, self.values[0], np.int64)
         for value, row in zip(self.values, self.bits.tolist(), strict=True):
             matches = np.ones(shape, np.bool_)

@@ -12,7 +12,8 @@ from nscc.words.stored_arrays import array_faults
 
 
 def faults(container: Container) -> Iterator[str]:
-    """Yield the errors of a container's machine, each as part of a sentence."""
+    """Yield the errors of a container's state machine, each as the end of a sentence about the
+    container."""
     machine = container.machine
     if not machine.stages:
         if any(launch.level is not None for launch in container.launches):
@@ -75,7 +76,7 @@ def faults(container: Container) -> Iterator[str]:
 
 
 def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:
-    """Yield what is wrong with the states: names, ranges, and the registers that hold their
+    """Yield the errors of the states: their names, ranges, and the registers that hold their
     bits."""
     names = [state.name for state in machine.states]
     if len({*names}) != len(names):

@@ -125,7 +125,8 @@ class Times(Record):
     factor: int = 0
 
     def at(self, params: Mapping[str, int]) -> int:
-        """Return the number for these values of parameters."""
+        """Return the number of steps for these values of parameters; a missing parameter counts as
+        0."""
         return max(0, self.offset + self.factor * params.get(self.param, 0))
 
 
@@ -472,9 +473,9 @@ class Pictures:
         return bool(self.params or any(plane.is_open for plane in self.inputs))
 
     def executed(self, params: Mapping[str, int] = MappingProxyType({})) -> list[TailLaunch]:
-        """Return all launches of a frame in order, with every step of loops.
+        """Return all launches (starts of kernels) of a frame in order, with every step of loops.
 
-        `params`: values of parameters, by default their starts."""
+        `params` has values of parameters, by default their starts."""
         values = {param.name: param.start for param in self.params} | {**params}
         launches = list(self.launches)
         for level in self.levels_of:
@@ -490,14 +491,14 @@ class Pictures:
 
     @property
     def expressions(self) -> dict[str, Node]:
-        """Return images, planes and next values of states by name, in evaluation order."""
+        """The images, planes and next values of states by name, in evaluation order."""
         items: dict[str, Node] = {item.name: item.node for item in self.items}
         items |= {state.name: state.next for state in self.states}
         return items | {image.name: image.next for image in self.kept_images}
 
     @property
     def planes(self) -> frozenset[str]:
-        """Return the names of planes and states."""
+        """The names of planes, input planes and states that are bits."""
         items = self.expressions.items()
         planes = frozenset(name for name, node in items if isinstance(node, Condition))
         return planes | {plane.name for plane in self.inputs}
@@ -515,12 +516,12 @@ class Pictures:
 
     @property
     def repeated(self) -> dict[str, RepeatedImage | RepeatedPlane]:
-        """Return the repeated images and planes by name."""
+        """The repeated images and planes by name."""
         items = ((item.name, item.node) for item in self.items)
         return {name: node for name, node in items if isinstance(node, Repeated)}
 
     def loop_of(self, name: str) -> list[str]:
-        """Return the names that step together with a repeated image or plane, in order."""
+        """Return the names that step together with the repeated image or plane `name`, in order."""
         leader = self.repeated[name].leader
         return [each for each, node in self.repeated.items() if node.leader == leader]
 
@@ -528,7 +529,7 @@ class Pictures:
     def held_planes(self) -> dict[str, int]:
         """The bits that the host loads before the first frame, by name of state or input plane.
 
-        -1 stands for a 1 in every pixel; otherwise as `InputPlane.bits`."""
+        They are numbers as in `InputPlane.bits`; -1 stands for a 1 in every pixel."""
         bits = {state.name: -state.start for state in self.states}
         return bits | {plane.name: plane.bits for plane in self.inputs}
 
@@ -554,14 +555,14 @@ class Pictures:
 
     @property
     def images_read(self) -> tuple[str, ...]:
-        """Return the names of the images that are read out."""
+        """The names of the images that are read out, in order."""
         images = {item.name for item in self.items if not item.is_plane}
         images |= {state.name for state in self.kept_images}
         return tuple(name for name in self.reads if name in images)
 
     @property
     def words(self) -> int:
-        """The number of words executed after the last slot."""
+        """The number of words executed after the last slot, if parameters have their starts."""
         return sum(len(self.kernels[launch.kernel]) for launch in self.executed())
 
 
@@ -570,14 +571,14 @@ NO_PICTURES = Pictures((), (), None, {}, (), ())
 
 
 def operands(node: Node) -> tuple[Node, ...]:
-    """Return the direct operands of a node."""
+    """Return the direct operands of an expression."""
     if isinstance(node, Sum):
         return tuple(value for _, value in node.terms)
     return tuple(value for value in vars(node).values() if isinstance(value, Node))
 
 
 def with_operands(node: Node, change: Callable[[Any], Any]) -> Node:
-    """Return a node with `change(operand)` in place of each direct operand."""
+    """Return an expression with `change(operand)` in place of each direct operand."""
     if isinstance(node, Sum):
         return Sum(tuple((factor, change(value)) for factor, value in node.terms))
     make: Any = type(node)
@@ -586,14 +587,15 @@ def with_operands(node: Node, change: Callable[[Any], Any]) -> Node:
 
 
 def subexpressions(node: Node) -> Iterator[Node]:
-    """Yield a node and all its subexpressions."""
+    """Yield an expression and all expressions inside it, each before its operands."""
     yield node
     for operand in operands(node):
         yield from subexpressions(operand)
 
 
 def packed_bits(bits: NDArray[np.bool_]) -> int:
-    """Return bits (rows, cols) as one number; the first bit, in reading order, is the lowest."""
+    """Return bits (rows, cols) as one number, whose lowest bit is the first pixel of the first
+    row."""
     return int.from_bytes(np.packbits(bits, bitorder="little").tobytes(), "little")
 
 

@@ -26,10 +26,11 @@ class _BadPlaneError(Exception):
 def read_planes(
     drafts: list[PlaneDraft], target: Target, base: Path, faults: Faults
 ) -> dict[str, NDArray[np.bool_]]:
-    """Return the bit planes, bool (rows, cols), by register, in the order of the target's
-    registers.
+    """Return the bit planes of `.plane` lines, bool (rows, cols), by register, in the target's
+    order.
 
-    Reports NS0712, NS0716 and NS0719 in `faults`; after an error the result is incomplete."""
+    Files are relative to `base`. Errors (NS0712, NS0716, NS0719) are added to `faults`; the result
+    is then incomplete."""
     planes: dict[str, NDArray[np.bool_]] = {}
     for draft in drafts:
         register = draft.register.text
@@ -52,10 +53,11 @@ def read_planes(
 def codes_of_planes(
     planes: Mapping[str, NDArray[np.bool_]], target: Target
 ) -> tuple[NDArray[np.bool_], NDArray[np.int32] | None]:
-    """Return the distinct register contents of pixels, bool (codes, registers), and the row of each
-    pixel.
+    """Return the distinct register contents of pixels, bool (codes, registers), and each pixel's
+    row of them.
 
-    Without planes there is one code with all registers 0, and the second result is None."""
+    The latter is int32 (rows, cols). Without planes there is one code with all registers 0, and the
+    second result is None."""
     if not planes:
         return np.zeros((1, len(target.digital_registers)), dtype=np.bool_), None
     pattern = np.zeros((target.rows, target.cols), dtype=np.int64)
@@ -73,8 +75,9 @@ def _plane(
 ) -> NDArray[np.bool_]:
     """Return a bit plane from an .npy or .npz file, bool of this `shape`.
 
-    An .npz file has one array or one with the register's name. Raises _BadPlaneError if the file
-    cannot be read, is too large, or has another digest, shape or values other than 0 and 1."""
+    An .npz file has one array, or one with the name of `register`. Raises _BadPlaneError if the
+    file cannot be read, is too large, has another digest than `stated_sha256` (None: any) or
+    another shape, or has values other than 0 and 1."""
     try:
         if not path.is_file():
             raise _BadPlaneError("it is not a file" if path.exists() else "it does not exist")

@@ -20,7 +20,7 @@ _FLAG = (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL)
 
 
 class Reach(NamedTuple):
-    """Columns and rows around a pixel on which a value of this pixel depends."""
+    """How many columns and rows around a pixel a value of this pixel depends on."""
 
     left: int = 0
     right: int = 0
@@ -28,7 +28,8 @@ class Reach(NamedTuple):
     down: int = 0
 
     def joined(self, *reaches: Reach) -> Reach:
-        """Return the reach of a value that depends on several values."""
+        """Return the reach of a value that depends on several values: the largest in each
+        direction."""
         return Reach(*map(max, self, self, *reaches))
 
     def moved(self, right: int, down: int) -> Reach:
@@ -41,8 +42,8 @@ class Reach(NamedTuple):
         )
 
     def margin(self, shape: tuple[int, int]) -> NDArray[np.bool_]:
-        """Return the pixels of an array with this `shape` (rows, cols) that depend on pixels beyond
-        the array."""
+        """Return the pixels whose value depends on pixels outside the array, bool (rows, cols) of
+        `shape`."""
         rows, cols = shape
         margin = np.ones(shape, np.bool_)
         margin[self.up : max(0, rows - self.down), self.left : max(0, cols - self.right)] = False
@@ -50,11 +51,13 @@ class Reach(NamedTuple):
 
 
 class RegisterReaches:
-    """The reach of every register after words that run one after the other.
+    """How far around a pixel the content of every register depends on other pixels, after some
+    words.
 
-    `before`: the reach of registers before the first word. With `bits_known`, bits beyond the array
-    are known constants and do not count. A bit read from a neighbour then extends the reach only in
-    directions in which the neighbour's bit itself depends on a bus."""
+    `before` is this reach of registers before the first word. With `bits_known`, bits beyond the
+    array are known constants and do not count. A bit read from a neighbour then extends the reach
+    only in directions in which the neighbour's bit itself depends on analog values beyond the
+    array."""
 
     def __init__(
         self,
@@ -74,7 +77,7 @@ class RegisterReaches:
             self._run(word)
 
     def of(self, name: str) -> Reach:
-        """Return the reach of a register, or of a neighbour's NEWS."""
+        """Return the reach of a register, or of a neighbour's NEWS (`XN`, `XE`, `XS`, `XW`)."""
         if name in NEIGHBOURS:
             return self.of("NEWS").moved(*STEPS[name])
         return self.reach.get(name, Reach())
@@ -82,8 +85,8 @@ class RegisterReaches:
     def _run(self, op: Op) -> None:
         """Update the reach of the registers that one word writes.
 
-        In pixels whose FLAG is 0 an analog word leaves the old value, so its reach is joined with
-        the new one."""
+        In pixels whose FLAG is 0 an analog word leaves the old value, so the old reach counts, too.
+        The same is true of the masked register where its mask is 0."""
         effect, phase = op.operation.effect, op.operation.phase
         reach = Reach().joined(*map(self.of, op.sources))
         if effect is WordEffect.DIGITAL_NEIGHBOURS:
@@ -111,17 +114,19 @@ class RegisterReaches:
             self.reach[name] = written
 
     def _of_propagation(self, own: Reach) -> Reach:
-        """Return the reach of propagated bits.
+        """Return the reach of bits after a propagation, if the register itself has the reach `own`.
 
-        The proof takes a propagation as one unknown function of both registers, so that its
-        distance does not count there."""
+        The distance counts only with `bits_known`: a proof takes a propagation as one unknown
+        function of both registers."""
         reach = own.joined(self.of(self.target.mask_register or ""))
         far = self.target.propagation_pixels if self.bits_known else 0
         return Reach(*(near + far if near else 0 for near in reach))
 
     def _of_neighbours(self, source: str) -> Reach:
-        """Return the reach of a bit that a pixel reads from those neighbours that R1 to R4
-        choose."""
+        """Return the reach of a bit that a pixel reads from those neighbours that R1 to R4 choose.
+
+        `source` is the register that is read there. R1 to R4 that are not known to be 0 may choose.
+        """
         own, reach = self.of(source), Reach().joined(*map(self.of, STEERING))
         for name, step in STEERING.items():
             if self._constant.get(name, True):
@@ -139,9 +144,10 @@ def beyond_reaches(
     before: Mapping[str, Reach] = MappingProxyType({}),
     params: Mapping[str, int] = MappingProxyType({}),
 ) -> dict[str, Reach]:
-    """Return how far around a pixel each output and each state depends on buses, by name.
+    """Return how far around a pixel each output and each state depends on values outside the array,
+    by name.
 
-    `before` is the result for the previous frame, on whose states this frame depends. `params`:
+    `before` is the result for the previous frame, on whose states this frame depends. `params` has
     values of parameters, by default their starts."""
     pictures = container.pictures
     words = (op for op, _ in picture_words(container, params))
@@ -157,9 +163,10 @@ def reaches_of_frames(
     first: dict[str, Reach] | None = None,
     params: Iterable[Mapping[str, int]] = repeat(MappingProxyType({})),
 ) -> Iterator[dict[str, Reach]]:
-    """Yield `beyond_reaches` frame by frame; `first` is that of the first frame.
+    """Yield the result of `beyond_reaches` frame by frame.
 
-    `params`: the values of parameters in each frame, by default their starts without end."""
+    `first` is that of the first frame, if known. `params` has the values of parameters in each
+    frame; by default their starts, without end."""
     names = container.pictures.stepping
     before: dict[str, Reach] = {}
     known: dict[object, dict[str, Reach]] = {}
@@ -174,8 +181,9 @@ def reaches_of_frames(
 
 
 def film_reaches(container: Container) -> list[dict[str, Reach]] | None:
-    """Return `beyond_reaches` of every frame of a film, up to the frame from which they stay the
-    same. Return None if they grow with every further frame."""
+    """Return `beyond_reaches` of consecutive frames, up to the frame from which they stay the same.
+
+    Return None if they grow with every further frame."""
     film: list[dict[str, Reach]] = []
     # Growth from state to state passes each state once, unless it goes on for ever.
     kept = len(container.pictures.stepping)

@@ -29,8 +29,10 @@ class Preparation(Record):
 
 
 def preparation_of(container: Container) -> Preparation:
-    """Return the words that run before the readout: FLAG is set everywhere and, if a register is
-    free, exposures are spread over all converter codes."""
+    """Return the words that run before the readout.
+
+    They set FLAG in all pixels and, if an analog register is free, spread the exposures over all
+    converter codes."""
     target = container.target
     copy = free_register(target, _read(container))
     # Readout would skip pixels without FLAG.
@@ -45,7 +47,7 @@ def preparation_of(container: Container) -> Preparation:
 
 
 def converted_buckets(container: Container) -> dict[str, str]:
-    """Return the buckets that the converter reads, by register.
+    """Return the names of the buckets that the converter reads, by register.
 
     Exposures that only images use are not converted, and other values may be in their registers."""
     registers = {readout.bucket: readout.register for readout in container.readouts}
@@ -54,8 +56,10 @@ def converted_buckets(container: Container) -> dict[str, str]:
 
 
 def spreading(target: Target, register: str, copy: str) -> tuple[Op, Op, Op]:
-    """Return words that replace a register's content x by 2 x minus a full well, using the register
-    `copy`."""
+    """Return three words that replace the exposure x in `register` by 2 x minus a full well.
+
+    They overwrite the register `copy` and the scratch register, and need IN at minus a full well.
+    """
     scratch = target.analog_scratch
     return (
         op("bus", [copy], [register, "IN"]),
@@ -72,20 +76,22 @@ def converter_of(container: Container) -> Target:
 
 
 def converter_of_registers(target: Target, read: Iterable[str]) -> Target:
-    """Return the target of a program that reads these registers, as `converter_of` does."""
+    """Return the target with the conversion that is used if these registers are read out.
+
+    It is the converter's own if no register is free for spreading."""
     if target.spread_level is None or free_register(target, read) is not None:
         return target
     return replace(target, readout="full")
 
 
 def _read(container: Container) -> Iterable[str]:
-    """Return the registers that are read out."""
+    """Return the registers that are read out, or hold images and planes."""
     return container.pictures.registers.values() or [each.register for each in container.readouts]
 
 
 def free_register(target: Target, read: Iterable[str]) -> str | None:
-    """Return the last analog register that keeps a value and is not in `read`; None if there is
-    none."""
+    """Return the last analog register, except the scratch register, that is not in `read`; None if
+    there is none."""
     unavailable = {*read}
     free = [name for name in target.analog_available if name not in unavailable]
     return free[-1] if free else None

@@ -16,8 +16,8 @@ _LONGEST_LABEL = 30
 class Shutters:
     """The shutters of a figure, in order.
 
-    `rows` bool (rows, buckets, N) are the shutters, with `labels`. `rank` int (shutters of the
-    table,) is the row of each shutter, -1 if no pixel has it."""
+    `rows` bool (rows, buckets, N) are the shutters, each with a label. `rank` int64 (shutters of
+    the decode table,) is the row of each shutter, -1 if no pixel has it."""
 
     rows: NDArray[np.bool_]
     labels: tuple[str, ...]
@@ -25,8 +25,8 @@ class Shutters:
 
 
 def shutters_of(container: Container) -> Shutters:
-    """Return the distinct used shutters (all if there are no pixel codes), sorted by opening and
-    length."""
+    """Return the shutters that pixels have (all if there are no pixel codes), sorted by opening,
+    then length."""
     table = container.table
     codes = container.pixel_codes
     used_codes = np.arange(len(table.codes)) if codes is None else np.unique(codes)
@@ -46,7 +46,8 @@ def shutters_of(container: Container) -> Shutters:
 
 
 def _label(container: Container, codes: list[int]) -> str:
-    """Return the first code of a shutter, and the number of its other codes, as text."""
+    """Return the label of a shutter: its first code of `codes` (rows of the table), and how many
+    others it has."""
     fields = container.table.fields
     if not fields:
         return "all pixels"

@@ -19,7 +19,8 @@ _SHORTEST_SLOT_US, _LONGEST_SLOT_US = 1e-9, 1e15
 
 
 def faults(container: Container) -> list[str]:
-    """Return the errors of a container, each as part of a sentence; empty if it is consistent.
+    """Return the errors of a container, each as the end of a sentence about it; [] if it is
+    consistent.
 
     Words are only checked to be five 32-bit integers each and to fit the target's store. The module
     `nscc.words.legality` checks their meaning."""
@@ -38,7 +39,8 @@ def faults(container: Container) -> list[str]:
 
 
 def _names(kind: str, names: Sequence[str]) -> Iterator[str]:
-    """Yield what is wrong with a list of names: unprintable, too long, or twice the same."""
+    """Yield the errors of a list of names: unprintable, too long, or twice the same. `kind` says of
+    what."""
     for name in names:
         if not name or len(name) > _LONGEST_NAME or not name.isprintable():
             yield f"the {kind} name {name[:_LONGEST_NAME]!a} is not one line of visible text"
@@ -47,8 +49,7 @@ def _names(kind: str, names: Sequence[str]) -> Iterator[str]:
 
 
 def _time_faults(container: Container) -> Iterator[str]:
-    """Yield what is wrong with slots and buckets of `container`: their number, lengths (us) and
-    names."""
+    """Yield the errors of slots and buckets: their number, lengths (in us) and names."""
     if not 1 <= container.slots <= MOST_SLOTS:
         yield f"it has {container.slots} slots, but 1 to {MOST_SLOTS} are allowed"
     for index, length in enumerate(container.slot_us):
@@ -61,7 +62,7 @@ def _time_faults(container: Container) -> Iterator[str]:
 
 
 def _table_faults(container: Container) -> Iterator[str]:
-    """Yield what is wrong with the decode table of `container`: shapes, types and indices."""
+    """Yield the errors of the decode table: shapes, types and indices."""
     table = container.table
     yield from _names("field", table.fields)
     codes, shutters = len(table.codes), len(table.shutters)
@@ -83,8 +84,8 @@ def _table_faults(container: Container) -> Iterator[str]:
 
 
 def _kernel_faults(container: Container) -> Iterator[str]:
-    """Yield what is wrong with kernels and launches of `container`: words, sizes, indices and
-    order."""
+    """Yield the errors of kernels (lists of words) and launches (their starts): words, sizes,
+    indices, order."""
     yield from _names("kernel", [kernel.name for kernel in container.kernels])
     stored = 0
     for kernel in container.kernels:
@@ -112,8 +113,7 @@ def _kernel_faults(container: Container) -> Iterator[str]:
 
 
 def _register_faults(container: Container) -> Iterator[str]:
-    """Yield what is wrong with code registers and readouts: unknown or repeated registers,
-    gains."""
+    """Yield the errors of code registers and readouts: unknown or repeated registers, gains."""
     target = container.target
     for register in container.code_registers:
         if register not in target.digital_registers:
@@ -132,8 +132,7 @@ def _register_faults(container: Container) -> Iterator[str]:
 
 
 def _pixel_faults(container: Container) -> Iterator[str]:
-    """Yield what is wrong with the pixel codes of `container`: shape, type, or a code that does not
-    exist."""
+    """Yield the errors of the pixel codes: shape, type, or a code that does not exist."""
     pixels, target = container.pixel_codes, container.target
     if pixels is not None:
         shape = target.rows, target.cols
@@ -143,8 +142,9 @@ def _pixel_faults(container: Container) -> Iterator[str]:
 
 
 def _stream_faults(container: Container) -> Iterator[str]:
-    """Yield what is wrong with bit planes: only chips without logic have them, and these have no
-    words."""
+    """Yield the errors of bit planes.
+
+    Only chips without logic have them, and these have no words."""
     target, sent = container.target, container.stream
     if target.has_logic:
         if sent is not None:
@@ -161,7 +161,7 @@ def _stream_faults(container: Container) -> Iterator[str]:
 
 
 def _picture_faults(container: Container) -> Iterator[str]:
-    """Yield the errors of a container's images and planes, each as part of a sentence."""
+    """Yield the errors of images and planes, each as the end of a sentence about the container."""
     pictures = container.pictures
     if pictures == NO_PICTURES:
         return
@@ -200,8 +200,8 @@ def _picture_faults(container: Container) -> Iterator[str]:
 
 
 def _loop_faults(container: Container) -> Iterator[str]:
-    """Yield what is wrong with loops and parameters, such as launches or parameters that do not
-    exist."""
+    """Yield the errors of loops and parameters of images, such as launches or parameters that do
+    not exist."""
     pictures, target, end = container.pictures, container.target, 0
     params = {param.name: param for param in pictures.params}
     for param in pictures.params:
@@ -224,8 +224,7 @@ def _loop_faults(container: Container) -> Iterator[str]:
 
 
 def _text_faults(container: Container) -> Iterator[str]:
-    """Yield which free texts of `container` contain a lone surrogate, which cannot be stored as
-    UTF-8."""
+    """Yield which texts contain a lone surrogate, which cannot be stored as UTF-8."""
     for place, text in (
         ("its program's source", "".join(container.source_lines)),
         ("a note", "".join(note_text for note in container.notes.items() for note_text in note)),
@@ -235,5 +234,5 @@ def _text_faults(container: Container) -> Iterator[str]:
 
 
 def _within(indices: np.ndarray[tuple[int, ...], np.dtype[np.int32]], count: int) -> bool:
-    """Return whether all indices are from 0 up to `count`."""
+    """Return whether all indices are from 0 to `count` - 1."""
     return bool(indices.size == 0 or (indices.min() >= 0 and indices.max() < count))

@@ -29,7 +29,9 @@ class StoredArray(NamedTuple):
 
 
 def layout_of(kind: type, sizes: Mapping[str, int]) -> list[StoredArray]:
-    """Return the arrays of a record class, in order, for the sizes of its dimensions by name."""
+    """Return the arrays that the hints of a record class declare, in order.
+
+    `sizes` has the lengths of their dimensions by name."""
     return [
         StoredArray(name, dtype, tuple(sizes[dimension] for dimension in dimensions))
         for name, dtype, dimensions in _arrays_of(kind)
@@ -38,7 +40,7 @@ def layout_of(kind: type, sizes: Mapping[str, int]) -> list[StoredArray]:
 
 @cache
 def _arrays_of(kind: type) -> list[tuple[str, np.dtype[Any], list[str]]]:
-    """Return the name, type and dimensions of each array of the record class `kind`."""
+    """Return the name, type and names of dimensions of each array of a record class."""
     arrays = []
     for name, hint in get_type_hints(kind, include_extras=True).items():
         if get_origin(hint) is Annotated:
@@ -57,7 +59,10 @@ def number_type(hint: Any) -> Any:
 
 
 def array_faults(record: object, sizes: Mapping[str, int]) -> Iterator[str]:
-    """Yield the arrays of a record that have another shape or type than its hints say."""
+    """Yield the errors of a record's arrays whose shape or type differs from the hints of its
+    class.
+
+    `sizes` has the lengths of their dimensions by name."""
     for name, dtype, shape in layout_of(type(record), sizes):
         yield from array_fault(name, getattr(record, name), dtype, shape)
 
@@ -71,7 +76,7 @@ def array_fault(
 
 
 def packed(layout: Sequence[StoredArray], arrays: Mapping[str, NDArray[Any]]) -> list[bytes]:
-    """Return the bytes of each array of `layout`."""
+    """Return the bytes of each array of `layout`, in order; `arrays` has them by name."""
     return [
         np.packbits(arrays[name], axis=None, bitorder="little").tobytes()
         if dtype == np.bool_
@@ -81,7 +86,9 @@ def packed(layout: Sequence[StoredArray], arrays: Mapping[str, NDArray[Any]]) ->
 
 
 def unpacked(layout: Sequence[StoredArray], data: bytes, start: int) -> dict[str, NDArray[Any]]:
-    """Return the arrays from byte `start` on; raise ValueError unless they fill `data`."""
+    """Return the arrays of `layout` by name, from byte `start` of `data` on.
+
+    Raises ValueError unless they fill the data exactly."""
     need = start + sum(array.nbytes for array in layout)
     if need != len(data):
         raise ValueError(f"its arrays need {need} bytes and it has {len(data)}")

@@ -37,10 +37,11 @@ class StoredPlanes(Record):
 
 @dataclass(frozen=True)
 class StoredMachine:
-    """The parts of a state machine that are not arrays.
+    """The parts of a state machine that are not arrays, as they are written to JSON.
 
     `first` are the first nodes of the stages and, last, the number of nodes. `outcomes` is the
-    largest number of outcomes of a look. In assembly text, `levels` are those of all launches."""
+    largest number of outcomes of a look. In assembly text, `levels` are the values of IN of all
+    launches."""
 
     states: tuple[State, ...]
     comparisons: tuple[Comparison, ...]
@@ -53,7 +54,7 @@ class StoredMachine:
     def layout(self, buckets: int, slots: int) -> list[StoredArray]:
         """Return the names, types and shapes of the machine's arrays, in file order.
 
-        Raises ValueError if there are no stages."""
+        `buckets` and `slots` are the numbers of these. Raises ValueError if there are no stages."""
         if not self.first:
             raise ValueError("its machine has no nodes")
         sizes = {
@@ -66,13 +67,15 @@ class StoredMachine:
         return layout_of(StateMachine, sizes)
 
     def machine(self, arrays: Mapping[str, NDArray[Any]]) -> StateMachine:
-        """Return the machine with these arrays; other names are ignored."""
+        """Return the state machine with these arrays, which are given by name; others are
+        ignored."""
         by_node = (arrays[name] for name in StateMachine.field_names[4:])
         first = np.array(self.first, np.int32)
         return StateMachine(self.states, self.comparisons, self.looks, first, *by_node)
 
     def state_planes(self) -> dict[str, StatePlanes]:
-        """Return the registers of the states; raise ValueError unless the bits fit them."""
+        """Return the registers of the states by name; raise ValueError unless their bits have the
+        right number."""
         return {
             planes.state: StatePlanes(
                 planes.registers,
@@ -99,8 +102,10 @@ def stored_machine(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> 
 
 
 def machine_data(container: Container) -> bytes:
-    """Return the machine of `container` as a block of assembly text: the record, the machine's
-    arrays, and the levels of IN."""
+    """Return the data of `.machine` in assembly text: the record as JSON after its length, then the
+    arrays.
+
+    The record also has the values of IN of all launches."""
     levels = tuple(launch.level for launch in container.launches)
     record = replace(stored_machine(container.machine, container.state_planes), levels=levels)
     text = to_json(record).encode("ascii")
@@ -110,7 +115,7 @@ def machine_data(container: Container) -> bytes:
 
 
 def with_machine_data(container: Container, data: bytes) -> Container:
-    """Return a container with the state machine and the levels of IN of a block.
+    """Return a container with the state machine and the values of IN that `data` contain.
 
     Raises ValueError for data that `machine_data` does not return for a machine of this program."""
     end = 4 + int.from_bytes(data[:4], "little")

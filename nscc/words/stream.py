@@ -43,8 +43,8 @@ class Stream(Record, eq=False):
         return unpacked.view(np.bool_)
 
     def place(self, slot: int, cols: int) -> NDArray[np.int8]:
-        """Return the destination of each pixel's light in a slot (rows, cols): the index of a tap,
-        or DRAIN."""
+        """Return the destination of each pixel's light in a slot, int8 (rows, cols): the index of a
+        tap, or DRAIN."""
         destinations: NDArray[np.int8] = np.where(
             self.bits(slot, cols), self.ones[slot], self.zeros[slot]
         )
@@ -63,8 +63,10 @@ class Loading(Record):
 
 
 def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
-    """Yield for each slot when its plane begins to load and when it acts; on a pipelined chip it
-    loads during the slot before."""
+    """Yield for each slot when its bit plane begins to load and when it takes effect.
+
+    On a pipelined chip the plane loads at the end of the slot before, else at the start of its own
+    slot."""
     start, load = 0.0, target.plane_load_us
     for length in slot_us:
         yield Loading(start - load, start) if target.pipelined else Loading(start, start + load)
@@ -72,13 +74,15 @@ def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
 
 
 def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator[str]:
-    """Yield the errors of the planes in `stream`, each as part of a sentence, for a chip `target`
-    and a program of `slots` slots and `buckets` buckets."""
+    """Yield the errors of the bit planes, each as the end of a sentence about the container.
+
+    `slots` and `buckets` are the numbers that the program has."""
     sizes = {"slots": slots, "rows": target.rows, "row_bytes": -(-target.cols // 8)}
     if wrong := list(array_faults(stream, sizes)):
         yield wrong[0]
         return
     behind = target.cols % 8
+    # A row is padded to whole bytes; the padding must be 0.
     if behind and np.any(stream.planes[:, :, -1] >> behind):
         yield "a plane has bits after the last column"
     places = np.concatenate([stream.ones, stream.zeros])

@@ -13,6 +13,7 @@ import nscc
 import nscc_runtime
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.neighbours.picture_report import pictures_us
 from nscc.neighbours.pictures_proof import pictures_fault
 from nscc.operations import op
 from nscc.pipeline import Options, run_passes
@@ -344,3 +345,16 @@ def test_a_kept_image_leaks_and_a_sum_is_exact() -> None:
     leaking = nscc_runtime.film(program, light, effects="leakage").images["s"].mean(axis=(1, 2))
     assert leaking[0] < 12000
     assert leaking[2] < leaking[1] < leaking[0]
+
+
+def test_every_step_of_a_loop_takes_time() -> None:
+    containers = [
+        container_of(HEAD + f"plane p = exposure > 6% plane q = p repeat {steps} q[1, 0] read q")
+        for steps in (1, 100)
+    ]
+    target = containers[0].target
+    few_us, many_us = (pictures_us(made.pictures, made.target) for made in containers)
+    words_a_step = (containers[1].pictures.words - containers[0].pictures.words) / 99
+    step_us = target.launch_us + words_a_step * target.digital_word_us
+    assert words_a_step == 2
+    assert many_us - few_us == pytest.approx(99 * step_us)

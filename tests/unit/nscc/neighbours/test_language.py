@@ -196,6 +196,18 @@ def test_changes_of_a_program_are_tried_for_a_limited_number_of_steps(
     assert found.helps == ("use smaller factors, or fewer and smaller convolution kernels",)
 
 
+def test_a_divisor_beyond_2_to_the_40_needs_too_many_halvings() -> None:
+    options = Options(level=1, cache=False)
+    source = Source("p.nsl", ONE + f"image i = exposure / {2**41} read i")
+    with pytest.raises(Rejected) as caught:
+        run_passes(source, Path(), options)
+    [diagnostic] = caught.value.diagnostics
+    assert diagnostic.code == "NS0535"
+    assert diagnostic.data["resource"] == "halvings"
+    assert diagnostic.helps == ("divide by at most 2^40 in all",)
+    run_passes(Source("p.nsl", ONE + f"image i = exposure / {2**40} read i"), Path(), options)
+
+
 def test_too_large_values_have_ways_out_that_compile() -> None:
     kernel = "kernel s = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] image i = s(exposure) read i"
     with pytest.raises(Rejected) as caught:
