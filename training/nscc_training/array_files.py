@@ -29,11 +29,12 @@ ARRAYS = (".mat", ".npy", ".npz")
 
 
 def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
-    """Read the array of a file: (rows, cols) or (T, rows, cols), finite real numbers.
+    """Read one picture (rows, cols) or clip (T, rows, cols) of finite real numbers from a file.
 
-    Accepts `.npy`, `.npz` and `.mat` files; `key` names one of several arrays. The arrays `orig`
-    and `video` of .mat files are (rows, cols, T) and are transposed. Also accepts linear pictures,
-    as luminance, and grey display pictures, as stored. Raises Rejected: NS0801 for a file that
+    Accepts `.npy`, `.npz` and `.mat` files; `key` names one of several arrays. None takes the first
+    of `KEYS`, or the only array. The arrays `orig` and `video` of .mat files are (rows, cols, T)
+    and are transposed. Also accepts linear pictures, as luminance, and grey display pictures, as
+    stored. A clip of one frame is returned as a picture. Raises Rejected: NS0801 for a file that
     cannot be read, NS0802 for other shapes, NS0804 for values that are not finite."""
     array = _read(path, key)
     if array.dtype.kind not in "uifb":
@@ -90,10 +91,11 @@ def _read(path: Path, key: str | None) -> NDArray[Any]:
 def _stored(
     path: Path, choose: Callable[[list[str]], str | None], most_bytes: int = MOST_BYTES
 ) -> tuple[list[str], str | None, NDArray[Any] | None]:
-    """Return the names of the arrays in a .mat, .npy or .npz file, the name that `choose` selects,
-    and its array.
+    """Return the names of the arrays in a .mat, .npy or .npz file, the name that `choose` selects
+    from them, and its array.
 
-    Name and array are None if `choose` returns None; a .npy file has no names."""
+    Name and array are None if `choose` returns None. A .npy file has no names, so `choose` is not
+    called. An array above `most_bytes` raises InvalidArrays."""
     suffix = path.suffix.lower()
     if suffix == ".npy":
         return [], None, npy_array(path, most_bytes)
@@ -107,9 +109,10 @@ def _stored(
 
 
 def _chosen(path: Path, key: str | None, names: list[str]) -> str:
-    """Return the name of the array to read: `key`, a usual name, or the only one.
+    """Return the name of the array to read: `key` if given, else the first of `KEYS` that the file
+    has, else its only array.
 
-    Raises Rejected (NS0801) with the names in the file if that is not decided."""
+    Raises Rejected (NS0801), with the names in the file at `path`, if there is no such array."""
     candidates = [key] if key is not None else [name for name in KEYS if name in names]
     if key is None and not candidates and len(names) == 1:
         candidates = names
@@ -173,7 +176,8 @@ MOST = 1e15
 
 
 def array_names(path: Path) -> list[str]:
-    """Return the names of arrays in a .mat or .npz file; raise Rejected (NS0845)."""
+    """Return the names of the arrays in a .mat or .npz file. Raise Rejected (NS0845) if it cannot
+    be read."""
     return _named(path, None)[0]
 
 
@@ -200,7 +204,10 @@ def real_array(path: Path, name: str) -> Floats:
 
 
 def _named(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None]:
-    """Return the names in a file, and the array `name`, or the only one for a mask, or None."""
+    """Return the names of the arrays in a file, and the array `name`.
+
+    For the name "mask", the only array of a file counts, whatever its name. The array is None if it
+    is missing, or if `name` is None. Raises Rejected (NS0845) if the file cannot be read."""
     reads(path)
     suffix = path.suffix.lower()
     if suffix not in ARRAYS or not path.is_file():
@@ -208,7 +215,8 @@ def _named(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None
         raise refused(path, reason if path.is_file() else "the file does not exist")
 
     def choose(names: list[str]) -> str | None:
-        """Return the asked name, also if it is missing; without one, the only array, for a mask."""
+        """Return the wanted name if the file has it; None, to read nothing, if it does not. The
+        only array of a file may be a mask by any name."""
         if name is None or name in names:
             return name
         return names[0] if len(names) == 1 and name == "mask" else None
@@ -268,7 +276,8 @@ def ambiguous_axes(path: Path, shape: tuple[int, ...]) -> Rejected:
 
 
 def is_square_tile(shape: tuple[int, ...]) -> bool:
-    """Return whether a mask is (rows, cols, slots) by its sizes: equal ones, and another one."""
+    """Return whether a mask of three axes must be (rows, cols, slots): the first two sizes are
+    equal, the last is another."""
     return shape[0] == shape[1] != shape[2]
 
 

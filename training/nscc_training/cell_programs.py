@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class CellFiles:
-    """The program of a cell: its text, the bytes of its kernel file, and the names of the planes
-    that are read."""
+    """The program of a cell: its text, the bytes of its kernel file (`.npz`), and the names of the
+    planes that are read, one for each output."""
 
     text: str
     kernels: bytes
@@ -38,9 +38,9 @@ def cell_files(
 ) -> CellFiles:
     """Return the program of a cell.
 
-    The maximum of several counts exceeds a threshold if one of the counts does. The program
-    therefore pools by dilating the bits of outputs (`any`), in steps of 3 x 3 pixels. The host uses
-    only the pixels in the middle of the squares (`cell_film`).
+    A pooled output is 1 if the gate's count exceeds the threshold in any pixel of a square. The
+    program therefore dilates the bits of outputs (`any`), in steps of 3 x 3 pixels. The host
+    uses only the pixels in the middle of the squares (`cell_film`).
 
     Parameters
     ----------
@@ -117,7 +117,8 @@ def compiled_cell(
 ) -> ShutterProgram:
     """Compile and prove the program of a cell.
 
-    `kernels_name` is the argument of `cell_files`. Raises Rejected with the compiler's errors."""
+    `kernels_name` is the argument that `cell_files` received. `target` is the chip; None leaves it
+    to the text. Raises Rejected with the compiler's errors."""
     from nscc.shutter_program import compile
 
     with tempfile.TemporaryDirectory() as folder:
@@ -127,8 +128,8 @@ def compiled_cell(
 
 
 def level_on_chip(level: float, target: Target) -> float:
-    """Return `level`, in full wells, in whole steps of IN, so that a cell gives the same bits in
-    torch and on the chip."""
+    """Return `level`, in full wells, rounded to a whole step of IN, the value that the controller
+    sends to all pixels. A cell then gives the same bits in torch and on the chip."""
     step_e = target.electrons_per_step
     return round(level * target.full_well_e / step_e) * step_e / target.full_well_e
 
@@ -176,12 +177,13 @@ def cell_film(
 
 
 def _numbered(name: str, count: int) -> list[str]:
-    """Return `count` names; a single one has no number."""
+    """Return `count` names: `name` followed by 1, 2, ..; a single one has no number."""
     return [name] if count == 1 else [f"{name}{number + 1}" for number in range(count)]
 
 
 def _kernel_name(gate: str, plane: str, states: list[str]) -> str:
-    """Return `wf` for gate f over x, and `uf` over h; with two states `uf_h1` and `uf_h2`."""
+    """Return the name of the kernel with which a gate counts the bits of a plane: `wf` for gate f
+    over the exposure x, and `uf` over the state h; with two states `uf_h1` and `uf_h2`."""
     if plane == "x":
         return f"w{gate}"
     return f"u{gate}" if len(states) == 1 else f"u{gate}_{plane}"

@@ -38,11 +38,12 @@ class CellNoise:
 
     @classmethod
     def of(cls, program: ShutterProgram) -> CellNoise:
-        """Return the noise that the emulator gives the compiled program of a cell.
+        """Return the noise that the emulator gives the compiled program of a cell, from the default
+        sensor of its chip.
 
-        Words and comparators are independent. A word of a count is an addition in half of the
-        pixels, and a move in the others. The fixed offsets of comparators are included as noise,
-        so that a cell is trained for every device. The gain of words is not included."""
+        The errors of words and comparators are independent. A word of a count is an addition in
+        half of the pixels, and a move in the others. The fixed offsets of comparators are included
+        as noise, so that a cell is trained for every device. The gain of words is not included."""
         from nscc_runtime.exposing import sensor_for
 
         values = sensor_for(program).values
@@ -104,11 +105,11 @@ class PixelCell(nn.Module):
         level: float = 0.5,
         outside: int = 0,
     ) -> None:
-        """Build a cell with random weights, thresholds of 0 and the given settings. Raises
-        ValueError for settings that a program cannot have.
+        """Build a cell with random weights and thresholds of 0. Raise ValueError for settings that
+        a program cannot have.
 
-        `kernel` and `pool` are odd sizes in pixels, `level` is the light that sets a bit, in parts
-        of a full well, and `outside` is the bit beyond the array."""
+        `kernel` and `pool` are odd sizes in pixels, `level` is the light above which a bit of the
+        exposure is set, as a part of a full well, and `outside` is the bit beyond the array."""
         super().__init__()
         for name, value, low, high, step in (
             ("kernel", kernel, 3, MOST_KERNEL, 2),
@@ -140,17 +141,23 @@ class PixelCell(nn.Module):
         return torch.sign(self.weight.detach()).long()
 
     def thresholds(self) -> Tensor:
-        """Return the largest attainable count of each gate that does not exceed its threshold.
-        Attainable counts are -places, -places + 2, .., places; the result is int64."""
+        """Return the largest attainable count of each gate that does not exceed its threshold,
+        int64 (gates,).
+
+        Attainable counts are -places, -places + 2, .., places, where places is the number of
+        weights that are not 0. The smallest and the second largest are the limits, so that each
+        gate can be +1 and -1."""
         places = self.kernels().abs().sum((1, 2, 3))
         steps = torch.floor((self.threshold.detach() + places) / 2).long()
         # At least one attainable count is above the result, and at least one is not.
         return 2 * torch.minimum(steps.clamp(min=0), (places - 1).clamp(min=0)) - places
 
     def counts(self, bits: Tensor) -> Tensor:
-        """Return the counts of all gates (batch, gates, rows, cols) for the bits of exposure and
-        states (batch, 1 + states, rows, cols). Real weights are divided by their mean size, so that
-        counts have the same unit as with binary weights."""
+        """Return the counts of all gates (batch, gates, rows, cols).
+
+        `bits` (batch, 1 + states, rows, cols), +1 or -1, are those of the exposure and the states.
+        A binary cell counts with the signs of its weights, but their gradients are those of real
+        weights. Real weights are divided by their mean size, so that counts have the same unit."""
         size = self.weight.detach().abs().mean((1, 2, 3), keepdim=True)
         weights = self.weight / size
         if self.is_binary:
@@ -191,10 +198,11 @@ class PixelCell(nn.Module):
         noise: CellNoise | None = None,
         generator: torch.Generator | None = None,
     ) -> Tensor:
-        """Return the outputs of films, +1 or -1: (batch, frames, outputs, rows // pool, ..).
+        """Return the outputs of films, +1 or -1: (batch, frames, outputs, rows // pool, cols //
+        pool).
 
-        `exposure` (batch, frames, rows, cols) is in full wells. Without a generator there is no
-        noise."""
+        `exposure` (batch, frames, rows, cols) is in full wells. All states are +1 before the first
+        frame. Without `generator` or without `noise` there is no noise."""
         batch, frames, rows, cols = exposure.shape
         state = self.weight.new_ones(batch, self.states, rows, cols)
         noise = noise or CellNoise(0.0, 0.0)
@@ -209,8 +217,12 @@ class PixelCell(nn.Module):
         return torch.stack(frame_outputs, 1)
 
     def _compared(self, margins: Tensor) -> Tensor:
-        """Return +1 where a margin is positive, else -1; its gradient reaches as far as the
-        standard deviation of counts of random bits."""
+        """Return +1 where a margin (a count minus its threshold) is positive, else -1. Without
+        binary weights, return tanh.
+
+        The gradient of the comparison is that of a smooth step, as wide as the standard deviation
+        of counts of random bits."""
+        # A sum of n random bits has the standard deviation sqrt(n).
         width = sqrt(self.weight[0].numel())
         if self.is_binary:
             return 2 * opened(margins, width) - 1
@@ -226,7 +238,8 @@ def _read_settings(cell: PixelCell, _keys: object) -> None:
 
 
 def set_moving_edges(cell: PixelCell) -> None:
-    """Set the weights of a cell to detectors of moving edges, one direction for each output.
+    """Set the weights of a cell in place to detectors of moving edges, one direction for each
+    output; their sizes stay.
 
     The weights of the exposure detect an edge at its present position, those of the states detect
     the same edge one frame earlier. The gate of a state becomes a majority of the exposure's bits.
@@ -238,6 +251,8 @@ def set_moving_edges(cell: PixelCell) -> None:
             angle = torch.tensor(2 * torch.pi * output / cell.outputs)
             ahead = torch.cos(angle) * places[None, :] + torch.sin(angle) * places[:, None]
             size = cell.weight[cell.states + output].abs()
+            # The edge is half a pixel ahead of the centre now, and half a pixel behind it one frame
+            # ago.
             side = torch.where(torch.arange(1 + cell.states).reshape(-1, 1, 1) == 0, 0.5, -0.5)
             cell.weight[cell.states + output] = size * torch.sign(side - ahead)
             cell.threshold[cell.states + output] = size.numel() / 2

@@ -75,6 +75,7 @@ class ShutterSpec:
 
 
 def over_array(tile: NDArray[Any], rows: int, cols: int) -> NDArray[Any]:
-    """Return a tile (.., r, c), repeated from the top left corner and cut to (.., rows, cols)."""
+    """Return a tile (.., r, c), repeated from the top left corner over an array, and cut to (..,
+    rows, cols)."""
     repeats = (-(-rows // tile.shape[-2]), -(-cols // tile.shape[-1]))
     return np.tile(tile, (1,) * (tile.ndim - 2) + repeats)[..., :rows, :cols]

@@ -115,8 +115,11 @@ def _path(call: str, value: object) -> Path:
 
 
 def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.int64]:
-    """Return the codes of a field, int64 (rows, cols); raise Rejected (NS0805) for other types
-    or shapes."""
+    """Return `values` as the codes of a field, int64 (rows, cols). Raise Rejected (NS0805) for
+    other types or shapes.
+
+    `name` is the field and `path` the file, for the message. Floats that are whole numbers are
+    accepted."""
     integral = values.dtype.kind in "iub"
     if values.dtype.kind == "f":
         reals = values.astype(np.float64)
@@ -137,8 +140,8 @@ def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.
 
 
 def _small(values: NDArray[np.int64]) -> NDArray[np.generic]:
-    """Return the values in the smallest of uint8, uint16 and int32 that holds all of them, else
-    unchanged."""
+    """Return the values in the first of uint8, uint16 and int32 that holds all of them; if none
+    does, return them unchanged."""
     low, high = int(values.min()), int(values.max())
     for kind in (np.uint8, np.uint16, np.int32):
         if np.iinfo(kind).min <= low and high <= np.iinfo(kind).max:

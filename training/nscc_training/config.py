@@ -23,7 +23,8 @@ def load_config(path: Path, changes: Sequence[str] = ()) -> RunSettings:
 
 
 def settings_of(values: Mapping[str, Any], changes: Sequence[str] = ()) -> RunSettings:
-    """Return the settings in a dictionary of sections, as `load_config` does."""
+    """Return the settings in a dictionary of sections (`{"train": {"steps": 100}}`), changed and
+    checked as `load_config` does."""
     return _settings(*SCHEMA.read(values), changes)
 
 
@@ -42,16 +43,18 @@ def config_toml(settings: RunSettings, *, remarks: bool = False) -> str:
 
 
 def values_of(settings: RunSettings) -> dict[str, Any]:
-    """Return the value of each setting, by its path, such as `train.steps`."""
+    """Return the value of each setting by the path of its key, such as `train.steps`."""
     return {key.path: getattr(getattr(settings, key.section), key.attribute) for key in SCHEMA.keys}
 
 
 def _settings(
     values: KeyValues, problems: Sequence[Diagnostic], changes: Sequence[str]
 ) -> RunSettings:
-    """Return the settings of a configuration with `changes` such as `train.steps=100` applied.
+    """Return the default settings, replaced by `values` (by path of the key) and then by `changes`,
+    texts such as `train.steps=100`.
 
-    Raises Rejected with all problems together."""
+    Raises Rejected (status 2) with all `problems` together: those that were found while `values`
+    were read, and those of `changes`."""
     changed, change_problems = SCHEMA.changed(changes)
     if problems or change_problems:
         raise Rejected([*problems, *change_problems], status=2)

@@ -33,7 +33,7 @@ and glare."""
 
 
 def mu_law(x: Array, mu: float = MU) -> Array:
-    """Return log(1 + mu x) / log(1 + mu), for x relative to the data range."""
+    """Return log(1 + mu x) / log(1 + mu), for x relative to the data range: 0 at 0, and 1 at 1."""
     return _as(x, log_curve(_wide(x), 1.0 / mu) / math.log1p(mu))
 
 
@@ -70,8 +70,9 @@ def srgb_inverse(y: Array) -> Array:
 def pu21(luminance: Array) -> Array:
     """Return the perceptually uniform encoding (PU21) of a luminance in cd/m2.
 
-    It is about 256 at 100 cd/m2 and 0 at 0.005 cd/m2. Outside `PU21_LOW`..`PU21_HIGH` it continues
-    as a straight line with the slope at that end."""
+    A difference of 1 is about equally visible at every luminance. The value is about 256 at 100
+    cd/m2 and 0 at 0.005 cd/m2. Outside `PU21_LOW`..`PU21_HIGH` the curve continues as a straight
+    line with the slope at that end."""
     xp, wide = _library(luminance), _wide(luminance)
     inside = xp.clip(wide, PU21_LOW, PU21_HIGH)
     low, high = (_pu21_slope(end) for end in (PU21_LOW, PU21_HIGH))
@@ -111,7 +112,7 @@ def _wide(x: Any) -> Any:
 
 
 def _as(x: Array, y: Any) -> Array:
-    """Return y in the precision of x; integers give float64."""
+    """Return y (float64) in the precision of x. If x holds integers, return y as it is."""
     if _library(x) is not np:
         return cast(Array, y.to(x.dtype) if x.is_floating_point() else y)
     kind = np.asarray(x).dtype

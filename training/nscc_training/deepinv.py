@@ -78,9 +78,9 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
     ) -> None:
         """Lay the shutters over an array of `size` (rows, cols), by default one tile.
 
-        `still` images one picture instead of a clip. `slot_share` (slots,) are slot lengths as
-        fractions of the frame. `options` go to DeepInverse. Raises WrongArgument for a wrong shape.
-        """
+        `still` images one picture instead of a clip. `slot_share` (slots,) is the fraction of a
+        still's light in each slot. `options` go to DeepInverse. Raises WrongArgument for a wrong
+        shape."""
         encoder = shutters if isinstance(shutters, Encoder) else None
         tile = _tile(shutters)
         rows, cols = tile.shape[-2:] if size is None else size
@@ -102,8 +102,11 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         self.to(device)
 
     def A(self, x: Tensor, shutters: Tensor | None = None, **parameters: Any) -> Tensor:  # noqa: N802 (deepinv's)
-        """Return electrons (batch, buckets, rows, cols) of the light x. `shutters` replace the
-        buffer if given."""
+        """Return the electrons (batch, buckets, rows, cols) that each bucket collects from light x,
+        of the shape (batch, *img_size).
+
+        If `shutters` are given, they replace the buffer of the same name, also for later calls.
+        Raises WrongArgument for light of another shape."""
         self.update_parameters(shutters=shutters, **parameters)
         if x.shape[1:] != self.img_size:
             raise wrong_argument(
@@ -115,13 +118,17 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         return torch.stack([(light * bucket).sum(dim=1) for bucket in buckets], dim=1)
 
     def A_adjoint(self, y: Tensor, shutters: Tensor | None = None, **parameters: Any) -> Tensor:  # noqa: N802
-        """Return the frame copied to its open slots: from (batch, buckets, rows, cols) to x."""
+        """Return the frames copied to their open slots and added up: from y (batch, buckets, rows,
+        cols) to the shape of x.
+
+        If `shutters` are given, they replace the buffer of the same name, also for later calls."""
         self.update_parameters(shutters=shutters, **parameters)
         light = (y.unsqueeze(2) * self._weights(y)).sum(dim=1)
         return light if self.still else light.unsqueeze(1)
 
     def A_A_adjoint(self, y: Tensor, **parameters: Any) -> Tensor:  # noqa: N802
-        """Return `A(A_adjoint(y))`: each pixel's buckets times the common open times."""
+        """Return `A(A_adjoint(y))`, of the shape of y, in closed form: the matrix of common open
+        times of each pixel's buckets, times its values."""
         self.update_parameters(**parameters)
         return _times(self._overlap(y), y)
 
@@ -130,8 +137,10 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         return self.A_adjoint(_times(_inverse(self._overlap(y)), y))
 
     def prox_l2(self, z: Any, y: Tensor, gamma: Any, *solver: Any, **options: Any) -> Tensor:
-        """Return the x that minimises gamma / 2 |A x - y|^2 + 1 / 2 |x - z|^2, for one number
-        gamma."""
+        """Return the x that minimises gamma / 2 |A x - y|^2 + 1 / 2 |x - z|^2.
+
+        For one number `gamma` the result is exact and in closed form. For several, DeepInverse
+        iterates. `z` may be a number, also None for 0."""
         if isinstance(gamma, Tensor) and gamma.numel() > 1:
             result: Tensor = super().prox_l2(z, y, gamma, *solver, **options)
             return result
@@ -140,10 +149,11 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         return x + self.A_adjoint(_times(inverse, y - self.A(x)))
 
     def _weights(self, like: Tensor) -> Tensor:
-        """Return the fractions of light that each bucket collects, (buckets, slots, rows, cols), in
-        the type of `like`.
+        """Return the fraction of a slot's light that each bucket collects, (buckets, slots, rows,
+        cols), in dtype and device of `like`.
 
-        A still has one slot, the frame."""
+        A still has one slot, the frame. The shutters of an encoder are computed at each call and
+        pass gradients."""
         weights: Tensor = self.shutters
         if self.encoder is not None:
             weights = laid(_of_buckets(self.encoder(), self.encoder), *self.img_size[-2:])
@@ -152,8 +162,8 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         return weights.to(like)
 
     def _overlap(self, like: Tensor) -> Tensor:
-        """Return for each pixel how much light two buckets have in common, (rows, cols, buckets,
-        buckets)."""
+        """Return for each pixel the inner products of two buckets' weights over the slots, (rows,
+        cols, buckets, buckets), in dtype and device of `like`."""
         weights = self._weights(like)
         return torch.einsum("ithw,jthw->hwij", weights, weights)
 
@@ -173,7 +183,8 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
     """
 
     def __init__(self, sensor: SensorModel, rng: torch.Generator | None = None) -> None:
-        """Begin with the sensor and a generator of random numbers."""
+        """Store the sensor, and the generator of random numbers for DeepInverse; None lets the
+        noise follow `torch.manual_seed`."""
         super().__init__(rng=rng)
         self.sensor = sensor
 
@@ -181,12 +192,16 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
     def of(
         cls, program: ShutterProgram, sensor: SensorLike = None, rng: torch.Generator | None = None
     ) -> SensorNoise:
-        """Return the noise of a program's chip, or of a `sensor` as of `nscc_runtime.capture`."""
+        """Return the noise of the chip that `program` is compiled for.
+
+        `sensor` replaces its properties, as the argument of that name of `nscc_runtime.capture`.
+        `rng` is the generator of the noise; None lets it follow `torch.manual_seed`."""
         chip = sensor_of("SensorNoise.of", sensor, converter_of(program.container))
         return cls(SensorModel.of(chip, program.container.target), rng)
 
     def forward(self, input: Tensor, seed: int | None = None, **_parameters: Any) -> Tensor:
-        """Return electrons with the noise of one readout; `seed` restarts the generator."""
+        """Return the electrons that one readout with noise gives for the exact electrons `input`,
+        in the same dtype. A `seed` restarts the generator; None continues it."""
         self.rng_manual_seed(seed)
         generator = self.rng
         if generator is None:
@@ -197,7 +212,10 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
 
 
 def _tile(shutters: object) -> Tensor:
-    """Return shutters (buckets, N, rows, cols), for an encoder those of its current codes."""
+    """Return the shutters (buckets, N, rows, cols) of a program, a container, an encoder (its
+    current codes), or a tensor with or without an axis of buckets.
+
+    Raises WrongArgument for anything else."""
     if isinstance(shutters, Encoder):
         return _of_buckets(shutters.hard(), shutters)
     if isinstance(shutters, Container):
@@ -214,14 +232,15 @@ def _tile(shutters: object) -> Tensor:
 
 
 def _of_buckets(shutters: Tensor, encoder: Encoder) -> Tensor:
-    """Return an encoder's shutters (N, rows, cols) as (buckets, N, rows, cols)."""
+    """Return an encoder's shutters (N, rows, cols), those of the first bucket, as the shutters of
+    all its buckets (buckets, N, rows, cols)."""
     bucket_shutters = shared_out(shutters, encoder.spec.buckets)
     return bucket_shutters if bucket_shutters.ndim == 4 else bucket_shutters.unsqueeze(0)
 
 
 def _shares(shutters: object, slots: int) -> Tensor:
-    """Return the fraction of the frame that each slot lasts; equal fractions for shutters
-    without slot lengths."""
+    """Return the fraction of the frame that each slot lasts, (slots,). Shutters from a tensor or an
+    encoder have no slot lengths: their slots are equal."""
     if not isinstance(shutters, ShutterProgram | Container):
         return torch.full((slots,), 1.0 / slots)
     lengths = torch.tensor(shutters.slot_us, dtype=torch.float64)
@@ -234,7 +253,8 @@ def _times(matrix: Tensor, y: Tensor) -> Tensor:
 
 
 def _inverse(matrix: Tensor, damping: Any = 0.0) -> Tensor:
-    """Return each pixel's inverse of matrix + damping; the pseudo-inverse of singular matrices."""
+    """Return the inverse of matrix + damping * identity for each pixel, (rows, cols, buckets,
+    buckets); the pseudo-inverse where it is singular."""
     count = matrix.shape[-1]
     damped = matrix + damping * torch.eye(count).to(matrix)
     if count == 1:

@@ -14,7 +14,10 @@ def generator_of(device: torch.device, *numbers: int) -> torch.Generator:
 
 
 def normal(like: Tensor, generator: torch.Generator, dtype: torch.dtype | None = None) -> Tensor:
-    """Return standard normal numbers like `like`, drawn on the generator's device in `dtype`."""
+    """Return standard normal numbers of the shape, dtype and device of `like`.
+
+    They are drawn on the generator's device in `dtype` (None: that of `like`), so that the same
+    generator gives the same numbers on every device."""
     drawn = torch.randn(
         like.shape, generator=generator, dtype=dtype or like.dtype, device=generator.device
     )
@@ -24,6 +27,7 @@ def normal(like: Tensor, generator: torch.Generator, dtype: torch.dtype | None =
 def uniform(
     like: Tensor, generator: torch.Generator, shape: tuple[int, ...] | None = None
 ) -> Tensor:
-    """Return random numbers from 0 to 1 on the device of `like`, in its shape or in `shape`."""
+    """Return random numbers from 0 to 1 in `shape` (None: that of `like`), float32, on the device
+    of `like`. They are drawn on the generator's device."""
     size = like.shape if shape is None else shape
     return torch.rand(size, generator=generator, device=generator.device).to(like.device)

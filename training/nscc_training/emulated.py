@@ -28,11 +28,13 @@ from nscc_training.gradients import rounded, saturated
 from nscc_training.sensor_model import SensorModel, laid
 
 _DARK_LEVELS = 16
+"""Number of light levels below those at which the sensor compresses, spaced geometrically."""
 _DARKEST = 1 / 64
 """Exposure, in full wells, of the longest shutter at the lowest nonzero light level."""
 _BENT = (0.85, 1.15)
 """Range in full wells in which registers and PIX compress; light levels are dense there."""
 _DENSE = 1.03
+"""Ratio of neighbouring light levels where they are dense."""
 _RECENT = 64
 """Number of tables that are kept: a search compares a few codes with the present ones."""
 CHIPS, _FRAMES = 8, 2
@@ -57,7 +59,8 @@ class EmulatedSensor:
     crosstalk: float
 
     def smeared(self, light: Tensor) -> Tensor:
-        """Return light (.., rows, cols) after crosstalk, with reflection at the border."""
+        """Return light (.., rows, cols) after crosstalk: each pixel exchanges the fraction
+        `crosstalk` with each of its four neighbours. At the border no light is lost."""
         down = light[..., 1:, :] - light[..., :-1, :]
         right = light[..., :, 1:] - light[..., :, :-1]
         pad = torch.nn.functional.pad
@@ -68,12 +71,14 @@ class EmulatedSensor:
     def read_out(
         self, exposure_e: Tensor, model: SensorModel, generator: torch.Generator | None
     ) -> tuple[Tensor, Tensor]:
-        """Return codes above the ADC's offset, float32 (batch, rows, cols), and the mask of
-        saturated pixels.
+        """Return the codes above the ADC's offset of an exposure, float32 (batch, rows, cols), and
+        the mask of saturated pixels.
 
-        `exposure_e` (float64) is in electrons of the open slots. Each is looked up at the constant
-        light that gave its pixel this exposure, also if other slots are open now. Without a
-        generator there is neither noise nor pixel variation. `model` defines the range of codes."""
+        `exposure_e` (float64, of this shape) are the electrons of the open slots. The table is
+        entered at the constant light that gave a pixel this exposure, also if other slots are open
+        now. `model` defines the range of codes. Without a generator there is neither noise nor
+        variation between pixels, and a pixel is saturated if that is likelier than not. Gradients
+        of the codes pass."""
         open_share = laid(self.share, *exposure_e.shape[-2:]).to(exposure_e)
         steady = exposure_e / open_share.clamp(min=1e-9)
         known = self.light_e.to(exposure_e)
@@ -93,7 +98,11 @@ class EmulatedSensor:
         return codes.float() - model.adc_offset_lsb, marked
 
     def _between(self, table: Tensor, after: Tensor, fraction: Tensor) -> Tensor:
-        """Interpolate a table (K, r, c) between entries `after` - 1 and `after`."""
+        """Return the values (batch, rows, cols) of a `table` (K, r, c) between its levels `after` -
+        1 and `after`: the first plus `fraction` of the difference.
+
+        `after` and `fraction` are (batch, rows, cols); the tile of the table repeats over the
+        pixels."""
         rows, cols = after.shape[-2:]
         down = torch.arange(rows, device=after.device).reshape(-1, 1) % table.shape[1]
         across = torch.arange(cols, device=after.device) % table.shape[2]
@@ -103,9 +112,10 @@ class EmulatedSensor:
 
 
 class MeasuredTables:
-    """The emulated sensor of the shutters that were measured last, and recent ones.
+    """The emulated sensor (`table`) of the shutters in use, with the sensors of shutters that were
+    in use recently.
 
-    `table`: the emulated sensor in use; None before the first measurement."""
+    `table` is None before the first measurement."""
 
     def __init__(self) -> None:
         """Begin without a table."""
@@ -114,8 +124,8 @@ class MeasuredTables:
         self._recent: dict[bytes, EmulatedSensor] = {}
 
     def use(self, shutters: Tensor, measure: Callable[[], EmulatedSensor]) -> None:
-        """Use the emulated sensor of a tile of shutters (N, r, c); call `measure` if it is not
-        known."""
+        """Set `table` to the emulated sensor of a tile of shutters (N, r, c). Call `measure` only
+        if none of the recent `_RECENT` tables is for these shutters."""
         self._shutters = shutters.detach().cpu().to(torch.uint8)
         key = self._shutters.numpy().tobytes()
         self.table = self._recent.pop(key, None) or measure()
@@ -124,15 +134,16 @@ class MeasuredTables:
             self._recent.pop(next(iter(self._recent)))
 
     def tensors(self) -> dict[str, Tensor]:
-        """Return what a checkpoint stores: the shutters and the table in use, if there is one."""
+        """Return the tensors that a checkpoint stores, by name: `shutters` and the fields of
+        `table`. Return an empty dictionary before the first measurement."""
         if self.table is None or self._shutters is None:
             return {}
         fields = {key: torch.as_tensor(value) for key, value in vars(self.table).items()}
         return {"shutters": self._shutters, **fields}
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """Use the table that the `tensors` of a checkpoint hold, or none if they are empty;
-        raise KeyError for other tensors."""
+        """Use the table that `tensors` of a checkpoint hold; with empty `tensors`, change nothing.
+        Raise KeyError if some are missing."""
         if tensors:
             table = EmulatedSensor(
                 tensors["light_e"],
@@ -151,9 +162,9 @@ def emulated_sensor(
     """Measure the emulated sensor of a program with one bucket whose codes repeat a tile (rows,
     cols).
 
-    `effects` and its errors are as for `--effects`. The measurement takes seconds, or half a minute
-    if each pixel has its own shutter. Fewer `chips` are faster, but sample less of the variation
-    between chips."""
+    `effects`, and the errors for a wrong one, are as for the option `--effects`. The measurement
+    takes seconds, or half a minute if each pixel has its own shutter. Fewer `chips` are faster, but
+    sample less of the variation between chips."""
     chosen = selected(effects)
     assert container.pixel_codes is not None
     slot_s = np.asarray(container.slot_us)
@@ -186,11 +197,12 @@ def _measured(
     effects: Selection,
     chips: int,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return mean and standard deviation of codes, and the fraction of saturated pixels, each (K,
-    r, c).
+    """Return the mean and the standard deviation of codes above the ADC's offset, and the fraction
+    of saturated pixels, each (K, r, c), at K light levels.
 
-    Light levels are exposed side by side, each on columns of whole tiles, in as many scenes as
-    needed."""
+    `light_e` (K,) are the levels in electrons over the frame. They are exposed side by side, each
+    on columns of whole tiles, in as many scenes as needed. The number of each of `chips` is its
+    seed."""
     rows, cols = container.target.rows, container.target.cols
     down, across = rows // tile[0], cols // tile[1]
     times = max(1, across // len(light_e))
@@ -210,7 +222,11 @@ def _measured(
         def mean(
             values: NDArray[Any], used: int = len(levels) * width, count: int = len(levels)
         ) -> NDArray[np.float64]:
-            """Return the mean over frames and over the copies of the tile, (levels, r, c)."""
+            """Return the mean of a quantity (frames, rows, cols) over frames and over the copies of
+            the tile, (count, r, c).
+
+            `used` is the number of columns with the `count` levels of the scene. Both are defaults
+            so that they keep the values of this turn of the loop."""
             tiles = values[:, : down * tile[0], :used].astype(np.float64)
             tiles = tiles.reshape(_FRAMES, down, tile[0], count, times, tile[1])
             return np.asarray(tiles.mean(axis=(0, 1, 4)).transpose(1, 0, 2))

@@ -89,7 +89,8 @@ class Run:
             rows = [*csv.DictReader(file)]
 
         def number(name: str, text: str) -> float:
-            """Return a cell as number: 1 for the split val, NaN if it is empty."""
+            """Return the cell `text` of the column `name` as a number: 1 for the split "val" and 0
+            for "train", NaN if it is empty."""
             if name == "split":
                 return float(text == "val")
             return float(text) if text else float("nan")
@@ -158,10 +159,10 @@ class Run:
     def _decoded(
         self, frame: FrameLike, *, force: bool = False, dark: DarkLike | None = None
     ) -> NDArray[np.float32]:
-        """Return the decoder's output for a frame file or a capture.
+        """Return the decoder's output for a frame: light in electrons, or scores of classes.
 
-        A frame that does not match the run is refused unless `force`; `dark` is a frame without
-        light, for the offset. Raises Rejected (NS0819) and WrongArgument."""
+        `frame`, `force`, `dark` and the errors are those of `reconstruct`. Warnings are shown by
+        Python's `warnings`."""
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
         elif isinstance(frame, Capture):
@@ -222,7 +223,8 @@ class Run:
         )
 
     def _repr_html_(self) -> str:
-        """Return the run as HTML for notebooks: curves, shutters and the program."""
+        """Return the run as HTML for notebooks: curves, shutters and the folded text of the
+        program."""
         spec, setup = self.encoder.spec, self.folder.setup
         about = (
             f"class {spec.kind}, {spec.slots} slots, {setup.settings.decoder.name}{self._score()}"
@@ -236,13 +238,15 @@ class Run:
         )
 
     def _score(self) -> str:
-        """Return the last score of the run as text, "" without one."""
+        """Return the last score of the run as text that follows other text, such as ", 31.2 dB"; ""
+        without a score."""
         metric = self.folder.setup.protocol.metrics[0]
         scores = [v for v in self.curves.get(metric, np.array([])) if np.isfinite(v)]
         return f", {score_text(metric, scores[-1])}" if scores else ""
 
     def _shutters(self) -> html.Html:
-        """Return the chart of the distinct shutters of the tile, with the first code of each."""
+        """Return the chart of the different shutters of the tile, each labelled with the first code
+        that has it. It is empty for pixels that look, whose open time depends on the light."""
         spec, codes = self.encoder.spec, self.encoder.codes()
         if spec.kind == LOOKS:
             return html.Html()  # the open time of a pixel depends on the light
@@ -259,7 +263,8 @@ class Run:
         return shutter_chart(np.stack([rows, ~rows], axis=1), labels, slot_us, ("first", "second"))
 
     def _dark(self, dark: DarkLike) -> Dark:
-        """Return the offset and the saturation of a dark frame, a file or a capture."""
+        """Return the offset and the saturation of a dark frame, which is a file or a capture. Raise
+        Rejected (NS0819) for a file that is none."""
         if not isinstance(dark, Capture):
             return read_dark(path_of("reconstruct: dark", dark), self.folder.setup.buckets)
         codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
@@ -268,8 +273,11 @@ class Run:
         return Dark("the dark capture", offset, dark.meta, dark.container.slot_us, full)
 
     def _codes(self, frame: object) -> NDArray[np.uint8]:
-        """Check an array of converter codes, as a frame or a file of it gives them, and
-        return it."""
+        """Check an array of converter codes and return it as uint8 (rows, cols), or (2, rows, cols)
+        for two buckets.
+
+        A single bucket may have an axis of its own. Raises WrongArgument for another size or type,
+        or codes outside the converter's range."""
         target = self.folder.setup.target
         size: tuple[int, ...] = (target.rows, target.cols)
         if self.folder.setup.buckets > 1:
@@ -316,8 +324,10 @@ _WIDTH, _HEIGHT, _LEFT, _TOP, _BELOW = 350.0, 130.0, 66.0, 20.0, 20.0
 
 
 def curve_chart(curves: Mapping[str, NDArray[np.float64]]) -> html.Html:
-    """Return charts of the validation PSNR (or share of right answers) and of the training loss in
-    `curves` over the steps."""
+    """Return two charts over the training steps: the validation score (PSNR, or the fraction of
+    right classes), and the training loss.
+
+    `curves` are those of `Run.curves`."""
     val = curves["split"] == 1
     metric = "correct" if "correct" in curves else "psnr_db"
     return html.side_by_side(
@@ -332,8 +342,8 @@ def curve_chart(curves: Mapping[str, NDArray[np.float64]]) -> html.Html:
 def _chart(
     title: str, steps: NDArray[np.float64], values: NDArray[np.float64], colour: str
 ) -> html.Html:
-    """Return the chart `title` of `values` over `steps`, with its range at the axes; empty without
-    finite values."""
+    """Return the SVG chart of `values` over `steps` (both of one length), with the range of values
+    and the last step at its axes. It is empty without finite values."""
     known = np.isfinite(values)
     steps, values = steps[known], values[known]
     if not len(values):

@@ -52,8 +52,10 @@ class FrameRead:
 
 
 def read_frame(path: Path) -> FrameRead:
-    """Return the frame in file `path`, which has one exposure, or one per colour. Raises Rejected
-    (NS0819) for other files."""
+    """Read a frame file with one exposure, or with one for each colour.
+
+    Raises Rejected (NS0819) for files that cannot be read, and for frames with repeats or more than
+    two buckets."""
     file = frame_arrays(path)
     frame, saturated, stored_shutters = file.frame, file.saturated, file.shutter
     in_colours = "colours" in file.meta and frame.shape[:1] == (len(COLOURS),)
@@ -79,15 +81,22 @@ def refuse_missing(path: Path) -> None:
 
 
 def by_colour(values: Array, in_colours: bool) -> Array:
-    """Return an array ([colours,] buckets, rows, cols) as (colours, [2,] rows, cols)."""
+    """Return an array ([colours,] buckets, rows, cols) with an axis of colours, and an axis of
+    buckets only if there are two: (colours, [2,] rows, cols).
+
+    `in_colours` says whether the array has an axis of colours; otherwise the result has one colour.
+    """
     if values.shape[-3] == 1:
         return values[:, 0] if in_colours else values
     return values if in_colours else values[None]
 
 
 def frame_arrays(path: Path) -> FrameRead:
-    """Return the arrays of the frame file `path`, with shutters unpacked; without `saturated` none
-    is marked. Raises Rejected (NS0819) for other files."""
+    """Return the content of a frame file in the shapes that it has there, which may include
+    repeats; shutters are unpacked to (.., N).
+
+    Raises Rejected (NS0819) for a file that cannot be read, damaged shutters or invalid slot
+    lengths."""
     reads(path)
     try:
         arrays, meta = read_frame_arrays(path, _READ.__contains__)
@@ -117,7 +126,8 @@ def are_lengths(slot_us: Array) -> bool:
 
 
 def number_of(meta: Mapping[str, Any], name: str) -> float:
-    """Return a number of a frame's meta; raise ValueError if it is missing or not finite."""
+    """Return the number `name` in the metadata of a frame. Raise ValueError if it is missing, not a
+    number or not finite."""
     value = meta.get(name)
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     if value is not None and is_number and abs(value) <= sys.float_info.max:
@@ -130,7 +140,8 @@ def no_frame(
     reason: str,
     help_text: str = "`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",
 ) -> Exception:
-    """Return the error (NS0819) for a file that cannot be reconstructed."""
+    """Return the error (NS0819) for a file that cannot be reconstructed, with the `reason` and what
+    to do (`help_text`)."""
     message = f"'{path}' is not a frame that can be reconstructed"
     return rejected("NS0819", message, notes=(reason,), helps=(help_text,))
 
@@ -141,11 +152,12 @@ _LIT = 0.01
 
 @dataclass(frozen=True, eq=False)
 class Dark:
-    """A dark frame, from one exposure or repeated ones.
+    """A dark frame, from one exposure or repeated ones. It is subtracted from frames, because it
+    contains the offsets of words and pixels.
 
-    `offset` (rows, cols), or (2, rows, cols) for two buckets, is the mean converter code above the
-    ADC's offset. `meta` is the metadata of the file. `slot_us` (N,) are the slot lengths, None if
-    unknown. `saturated` is the fraction of saturated pixels."""
+    `name` is its file, for messages. `offset` (rows, cols), or (2, rows, cols) for two buckets, is
+    the mean converter code above the ADC's offset. `meta` is the metadata of the file. `slot_us`
+    (N,) are the slot lengths, None if unknown. `saturated` is the fraction of saturated pixels."""
 
     name: str
     offset: NDArray[np.float64]
@@ -185,7 +197,8 @@ class Dark:
         return doubts + tuple(self._bright())
 
     def _doubts(self, frame: Mapping[str, Any]) -> Iterator[str]:
-        """Yield reasons why a dark frame may not fit a frame with this metadata."""
+        """Yield the reasons why this dark frame does not fit a frame with the metadata `frame`:
+        another program, or light."""
         own_digest, frame_digest = (meta.get("program_sha256") for meta in (self.meta, frame))
         if own_digest is not None and frame_digest is not None and own_digest != frame_digest:
             yield "it was exposed with another program"
@@ -193,8 +206,8 @@ class Dark:
             yield "it was exposed to light"
 
     def _is_lit(self) -> bool | None:
-        """Return whether the scene of the dark frame has light, which makes it no dark frame;
-        None if unknown."""
+        """Return whether the dark frame was exposed to light, by the digest of its scene. Return
+        None if it has no digest, as from a chip, or no slot lengths."""
         scene, rows_cols = self.meta.get("scene_sha256"), self.offset.shape[-2:]
         if scene is None or self.slot_us is None:
             return None
@@ -207,7 +220,8 @@ class Dark:
         return bool(Light.of_clip(clip).sha256() != scene)
 
     def _bright(self) -> Iterator[Diagnostic]:
-        """Warn (NS0844) if pixels are saturated by light that cannot be excluded."""
+        """Warn (NS0844) if more pixels are saturated than hot pixels explain, and it is unknown
+        whether there was light."""
         if self.saturated > _LIT and self._is_lit() is None:
             yield Diagnostic(
                 "NS0844",
@@ -220,8 +234,11 @@ class Dark:
 
 
 def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
-    """Return the offset of each pixel (rows, cols) minus the mean over its copies in other
-    tiles."""
+    """Return the offset of each pixel (rows, cols) minus the mean over the pixels at the same place
+    of all tiles.
+
+    What remains belongs to single pixels; the mean belongs to their code. `tile` is the size (rows,
+    cols) of a tile."""
     pattern = np.empty_like(offset)
     for row, col in np.ndindex(tile):
         place = offset[row :: tile[0], col :: tile[1]]
@@ -230,14 +247,17 @@ def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.
 
 
 def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
-    """Return codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols).
+    """Return codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols), float32.
 
     The offset is repeated if the codes cover several arrays side by side."""
     return np.asarray(codes - over_array(offset, *codes.shape[-2:]), np.float32)
 
 
 def read_dark(path: Path, buckets: int) -> Dark:
-    """Read a dark frame file; raise Rejected (NS0819) for other buckets or a missing offset."""
+    """Read a dark frame file with one exposure or repeated ones, whose mean counts.
+
+    Raises Rejected (NS0819) if it cannot be read, has another number of buckets, or lacks the
+    offset of the converter."""
     file = frame_arrays(path)
     codes = file.frame.reshape(-1, *file.frame.shape[-3:])
     if codes.shape[1] != buckets or 0 in codes.shape:
@@ -252,5 +272,6 @@ def read_dark(path: Path, buckets: int) -> Dark:
 
 
 def mean_dark(codes: NDArray[Any], adc_offset: float) -> NDArray[np.float64]:
-    """Return the mean code above the ADC's offset of (repeats, buckets, rows, cols)."""
+    """Return the mean code above the ADC's offset of repeated exposures (repeats, buckets, rows,
+    cols): (rows, cols), or (2, rows, cols) for two buckets."""
     return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)

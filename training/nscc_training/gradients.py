@@ -12,7 +12,7 @@ from torch.autograd import Function
 
 
 class _Replace(Function):
-    """Return `value`, with the gradient of x: a straight-through estimator."""
+    """Return `value` in the forward pass, with the gradient of x: a straight-through estimator."""
 
     @staticmethod
     def forward(x: Tensor, value: Tensor) -> Tensor:
@@ -30,7 +30,8 @@ class _Replace(Function):
 
 
 class _Step(Function):
-    """The step function of x: 1 above 0. The surrogate gradient is a box or a tent around 0."""
+    """The step function of x: 1 above 0. Its surrogate gradient is a box around 0, or a tent if
+    `peaked`."""
 
     @staticmethod
     def forward(x: Tensor, width: float, peaked: bool) -> Tensor:
@@ -45,8 +46,8 @@ class _Step(Function):
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None]:
-        """Return the gradient of a box of half-width `width`, or of a tent of area 1 if
-        `peaked`."""
+        """Return the gradient of x, multiplied by a box of height 1 and half-width `width`, or if
+        `peaked`, by a tent of the same half-width and of area 1."""
         (x,) = ctx.saved_tensors
         if ctx.peaked:
             slope = torch.clamp(1 - x.abs() / ctx.width, min=0) / ctx.width
@@ -65,13 +66,14 @@ class _Saturate(Function):
 
     @staticmethod
     def setup_context(ctx: Any, inputs: tuple[Any, ...], output: Tensor) -> None:
-        """Store where x is in the range."""
+        """Store where x is within the range, and the slope beyond it."""
         x, low, high, ctx.slope = inputs
         ctx.save_for_backward((x >= low) & (x <= high))
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None, None]:
-        """Return the gradient of x, smaller by `slope` outside of the range."""
+        """Return the gradient of x: unchanged within the range, and multiplied by `slope` outside
+        of it."""
         (inside,) = ctx.saved_tensors
         return torch.where(inside, grad, grad * ctx.slope), None, None, None
 
@@ -82,7 +84,8 @@ def replaced(x: Tensor, value: Tensor) -> Tensor:
 
 
 def rounded(x: Tensor) -> Tensor:
-    """Return x rounded half to even, with the gradient of x."""
+    """Return x rounded to whole numbers (halves to even). The gradient passes as if nothing was
+    rounded."""
     return replaced(x, torch.round(x.detach()))
 
 
@@ -106,6 +109,7 @@ def saturated(x: Tensor, low: float, high: float, slope: float = 0.0) -> Tensor:
 
 
 def _apply(function: Any, *arguments: Any) -> Tensor:
-    """Call a function with a gradient of its own."""
+    """Return the result of a torch `Function` with its own gradient. It gives the untyped result of
+    `apply` a type."""
     result: Tensor = function.apply(*arguments)
     return result

@@ -21,11 +21,11 @@ def is_import_path(text: str) -> bool:
 
 
 def imported(text: str, role: str) -> Any:
-    """Return the class or function that `text`, `module:name`, names; the current folder is
-    searched too.
+    """Import the object `module:name`, also from the current folder, and return it. Python's search
+    path is restored.
 
-    Raises Rejected (NS0812) if the import fails or the object cannot be called; `role` names its
-    use in the message."""
+    `role` (decoder, data or loss) names it in messages. Raises Rejected (NS0812) if it cannot be
+    imported or called."""
     module, _, name = text.partition(":")
     current_folder = str(Path.cwd())
     added = current_folder not in sys.path
@@ -56,8 +56,11 @@ def imported(text: str, role: str) -> Any:
 
 @contextmanager
 def own_code(text: str, role: str) -> Iterator[None]:
-    """Convert exceptions of user code in the `with` block into Rejected (NS0822), except lack of
-    memory. `text` and `role` name the code in the message."""
+    """Convert exceptions of user code in the `with` block into Rejected (NS0822), with their file
+    and line.
+
+    `text` is the import path of the code, `role` its use (decoder, data or loss). Errors of nscc
+    and lack of memory pass unchanged."""
     try:
         yield
     except Rejected:
@@ -73,10 +76,10 @@ def own_code(text: str, role: str) -> Iterator[None]:
 
 
 def own_failed(text: str, role: str, reason: str) -> Rejected:
-    """Return the error (NS0822) for user code that does not do what its `role` requires: decoder,
-    data or loss.
+    """Return the error (NS0822) for user code that does not do what its `role` requires (decoder,
+    data or loss).
 
-    `text` names the code."""
+    `text` is the import path of the code, and `reason` says what it did."""
     return rejected(
         "NS0822",
         f"the {role} '{text[:100]}' fails",

@@ -31,6 +31,7 @@ Codes = dict[str, NDArray[np.int64]]
 _MOST_BITS = 62
 """Most bits of a code of class e, an int64."""
 _MOST_SHAPES = 4096
+"""Most different shutters of a mask that become rows of a codebook."""
 
 
 @dataclass(frozen=True)
@@ -38,8 +39,8 @@ class ImportedMask:
     """A program that opens the shutters of a mask.
 
     `text` is the program, `codes` the content of its code file (empty if not needed), `kind` its
-    class, and `tile` its size (rows, cols). `axes` says how the axes of the mask were read.
-    `reasons` explain why the other classes were not chosen."""
+    class, and `tile` its size (rows, cols). `words_per_slot` counts instruction words. `axes` says
+    how the axes of the mask were read. `reasons` explain why the other classes were not chosen."""
 
     text: str
     codes: bytes
@@ -128,8 +129,8 @@ def import_mask(
 
 
 def read_binary_mask(path: Path) -> Floats:
-    """Return the binary mask in file `path`; raise Rejected (NS0847) for values other than 0 and
-    1."""
+    """Read a mask of three axes with values 0 and 1, float64. Raise Rejected: NS0847 for other
+    values, and the errors of `read_mask`."""
     mask = read_mask(path)
     count = int(np.count_nonzero((mask != 0) & (mask != 1)))
     if count:
@@ -143,7 +144,10 @@ def read_binary_mask(path: Path) -> Floats:
 
 
 def codes_of_mask(path: Path, container: Container) -> Codes:
-    """Return the codes of all pixels, by field, with which a program opens the shutters of a mask.
+    """Return the codes of all pixels, int64 (rows, cols) by field, with which a program opens the
+    shutters of a mask.
+
+    `path` is the file of the mask, `container` the compiled program.
 
     Raises
     ------
@@ -156,6 +160,7 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
     mask = _slots_first(stored, axis_name)
     known = {
         row.tobytes(): code
+        # If several codes have a shutter, the first one is used.
         for code, row in reversed(
             [*enumerate(np.packbits(table.shutters[table.shutter_of_code, 0], axis=-1))]
         )
@@ -186,10 +191,11 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
 def _slots_axis(
     path: Path, shape: tuple[int, ...], array: tuple[int, int], slots: int | None = None
 ) -> Axis:
-    """Return the axis of slots of a mask of the array, or of a tile, for a program of `slots`.
+    """Return the axis of slots ("first" or "last") of a mask with this `shape`.
 
-    The documented order has slots last. Raises Rejected (NS0845) for a tile that can be read in
-    two ways."""
+    The sizes of the `array` (rows, cols) decide if the mask has them, else the number of `slots` of
+    the program. A square tile decides, too. The documented order has slots last. Raises Rejected
+    (NS0845) for the mask of `path` if it can be read in two ways."""
     if shape[:2] == array:
         return "last"
     if shape[1:] == array:
@@ -202,14 +208,16 @@ def _slots_axis(
 
 
 def _slots_first(mask: Floats, axis: Axis) -> Bits:
-    """Return the mask as (slots, rows, cols)."""
+    """Return the mask as booleans (slots, rows, cols), true where open."""
     return (np.moveaxis(mask, 2, 0) if axis == "last" else mask) > 0
 
 
 def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
-    """Return the distinct shutters (K, slots) of a mask, and their indices in its smallest tile.
+    """Return the distinct shutters (K, slots) of a mask (slots, rows, cols), and for each pixel of
+    its smallest repeating tile the index of its shutter.
 
-    Raises Rejected (NS0847) for a mask larger than the array."""
+    `array` is the size (rows, cols) of the chip. Raises Rejected (NS0847) for the mask of `path` if
+    it is larger."""
     slots, rows, cols = mask.shape
     if rows > array[0] or cols > array[1]:
         raise rejected(
@@ -233,8 +241,11 @@ def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray
 
 
 def _period(places: NDArray[np.int64], is_whole: bool) -> int:
-    """Return the smallest period of the rows of `places`. A tile is repeated as a whole, so its
-    period divides its size; the array ends anywhere within a period (`is_whole`)."""
+    """Return the smallest period of `places` along their first axis: after it, all rows repeat.
+    Without a period it is the number of rows.
+
+    A tile is repeated as a whole, so its period must divide the number of rows. If the mask covers
+    the array (`is_whole`), the last period may be incomplete."""
     count = len(places)
     periods = (n for n in range(1, count) if is_whole or count % n == 0)
     return next((n for n in periods if np.array_equal(places[n:], places[:-n])), count)
@@ -243,7 +254,10 @@ def _period(places: NDArray[np.int64], is_whole: bool) -> int:
 def _candidates(
     shutters: Bits, tile: NDArray[np.int64], reasons: list[str]
 ) -> Iterator[tuple[ShutterSpec, Codes]]:
-    """Yield the classes of all shutters, with their codes; add `reasons` against others."""
+    """Yield each class of shutters that has all `shutters` (K, slots), with the codes of the tile.
+
+    `tile` (rows, cols) holds the index of each pixel's shutter. For every other class, a sentence
+    is appended to `reasons`."""
     count, slots = shutters.shape
     shape = (tile.shape[0], tile.shape[1])
     start, stop = shutters.argmax(axis=1), slots - shutters[:, ::-1].argmax(axis=1)

@@ -24,8 +24,10 @@ from nscc_training.problems import listed, one_line
 
 @dataclass(frozen=True)
 class ImportedNetwork:
-    """The program of an imported cell, its kernel file, its words per frame, and the level of its
-    comparisons in full wells."""
+    """An imported cell (a small recurrent network in each pixel) as a program.
+
+    `text` is the program, `kernels` the bytes of its kernel file, `words` its instruction words per
+    frame, and `level` the level of its comparisons in full wells, as the chip can set it."""
 
     text: str
     kernels: bytes
@@ -40,8 +42,8 @@ def import_network(
     """Return the program of a trained cell, from a state dict (.pt) or a forward pass (.onnx).
 
     `kernels_name` is the name of the kernel file in the program's text, `frame_us` the exposure
-    time of a frame in microseconds. Raises Rejected: NS0851 for a file without such a cell, and the
-    compiler's errors for a cell that does not fit the chip."""
+    time of a frame in microseconds, and `target` a chip's name or file. Raises Rejected: NS0851 for
+    a file without such a cell, and the compiler's errors for a cell that does not fit the chip."""
     cell = read_cell(path)
     table = load_target(target, Path())
     named = None if target.endswith(".toml") else target
@@ -87,7 +89,9 @@ _LAYERS = frozenset(
 )
 """Operations of the forward pass of a `PixelCell` in the export of torch."""
 _CHECKED_FRAMES = 8
+"""Number of random frames for which the graph and the cell are compared."""
 _MOST_PIXELS = 1 << 16
+"""Most pixels of the frames that are compared, so that the check takes little time."""
 
 
 def cell_of_onnx(path: Path, data: bytes) -> PixelCell:
@@ -134,8 +138,9 @@ def cell_of_onnx(path: Path, data: bytes) -> PixelCell:
 
 
 def _state(path: Path, graph: Any) -> dict[str, Tensor]:
-    """Return the state dict of a cell that the layers of an ONNX graph describe. Raises Rejected
-    (NS0851) for another graph."""
+    """Return the state dict of a cell (the names of `PixelCell`) from the layers of an ONNX graph.
+
+    Raises Rejected (NS0851) for the file `path` if its graph is not that of a cell."""
     from onnx import numpy_helper
 
     def the(kind: str) -> Any:
@@ -148,7 +153,8 @@ def _state(path: Path, graph: Any) -> dict[str, Tensor]:
     arrays = {tensor.name: tensor for tensor in graph.initializer}
 
     def constant(node: Any, number: int) -> Tensor:
-        """Return a layer's constant input by its number; raise Rejected if it is computed."""
+        """Return input `number` of a layer as a tensor. Raise Rejected (NS0851) if the graph
+        computes it."""
         name = node.input[number] if number < len(node.input) else ""
         if name not in arrays:
             raise refused(path, f"input {number} of layer `{node.name}` is not a constant")
@@ -171,8 +177,8 @@ def _state(path: Path, graph: Any) -> dict[str, Tensor]:
 
 
 def _check_frames(path: Path, model: Any, cell: PixelCell) -> None:
-    """Raise Rejected (NS0851) if the ONNX graph `model` of file `path` and `cell` differ for random
-    frames, or if its inputs have other shapes."""
+    """Raise Rejected (NS0851) if the ONNX `model` of the file `path` and the cell give different
+    bits for random frames, or if the model cannot be evaluated."""
     from onnx.reference import ReferenceEvaluator
 
     shapes = [
@@ -211,7 +217,11 @@ _SETTINGS = {"level": 0.5, "outside": 0, "pool_size": 1, "flips": 1}
 
 
 def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
-    """Return the cell of a state dict; raise Rejected (NS0851) for another layout."""
+    """Return the cell that a state dict describes: `weight` and `threshold`, and the settings of
+    `_SETTINGS` if they differ from their defaults.
+
+    Raises Rejected (NS0851) for the file `path` if names, shapes or values are not those of a cell.
+    """
     known = {"weight", "threshold", *_SETTINGS}
     if state and all(name.startswith("module.") for name in state):
         raise refused(
@@ -271,8 +281,11 @@ def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
 
 
 def loaded_state(path: Path, data: bytes) -> dict[str, Tensor]:
-    """Return the tensors in `data`, the content of a file `path` of `torch.save`; raise Rejected
-    (NS0851) for another file."""
+    """Return the tensors of a state dict that `torch.save` wrote, by name; `data` is the content of
+    the file at `path`.
+
+    No code in the file is run. Raises Rejected (NS0851) for other contents, and for more than
+    `MOST_BYTES`."""
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             unpacked = sum(entry.file_size for entry in archive.infolist())
@@ -292,11 +305,12 @@ def loaded_state(path: Path, data: bytes) -> dict[str, Tensor]:
 
 
 _CLASS = re.compile(r"(?:GLOBAL|global) ([\w.]+)")
+"""The class that torch's reader refuses, in its message."""
 
 
 def _why_no_state(data: bytes, error: Exception) -> tuple[str, str]:
-    """Return why `data`, which torch refused with `error`, is not a state dict, and a note with the
-    remedy."""
+    """Return why a file with the content `data` is not a state dict, and a note on what to do.
+    `error` is what torch raised."""
     named = _CLASS.search(str(error))
     if data.startswith(b"version https://git-lfs"):
         return "it is a pointer of Git LFS, not the file itself", "`git lfs pull` fetches the file"

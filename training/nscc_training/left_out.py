@@ -21,20 +21,24 @@ Decoder = Callable[[Measured[NDArray[Any]]], Clips]
 _WEIGHTS = (0.05, 0.1, 0.2, 0.5, 1.0)
 """Weights of total variation to choose from: noise and motion decide which is best."""
 _SIDE = 128
+"""Rows and columns in the middle of the frame, by which methods are compared."""
 _BLOCK = 4
 """One pixel of each square of this side is left out."""
 
 
 def with_weight(weight: float, iterations: int) -> Decoder:
-    """Return GAP-TV with a weight of total variation."""
+    """Return the decoder that applies `iterations` of GAP-TV with this `weight` of total
+    variation."""
     return lambda measured: np.asarray(gap_tv_of(measured, iterations, weight=weight)[0])
 
 
 def best_weight(
     measured: Measured[NDArray[Any]], iterations: int
 ) -> tuple[float, NDArray[np.float64]]:
-    """Return the weight of total variation whose predictions have the smallest RMS error, and their
-    `prediction_errors`."""
+    """Return the weight of total variation with which GAP-TV predicts left-out pixels best, and the
+    errors of its predictions, as `prediction_errors` returns them.
+
+    `measured` must be divided by white. Each prediction runs `iterations` iterations."""
     errors = [prediction_errors(measured, with_weight(w, iterations)) for w in _WEIGHTS]
     best = int(np.argmin([(each**2).mean() for each in errors]))
     return _WEIGHTS[best], errors[best]

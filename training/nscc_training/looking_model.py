@@ -26,10 +26,10 @@ def looked(
 
     `light` (batch, rows, cols) is in electrons over the frame. `fields` (2 looks, r, c) contains
     whole boundaries, then levels in steps of IN of `step_e` electrons; it repeats over the pixels.
-
-    Noise is drawn from `generator`, the same amount for all fields, so that two captures with equal
-    generators differ only by the fields. Without a generator there is no noise. If fields have
-    gradients, the exposure of a pixel is the drawn one, with the gradient of its probability."""
+    `slots` is the number of slots of the frame. Noise is drawn from `generator`, the same amount
+    for all fields, so that two captures with equal generators differ only by the fields. Without a
+    generator there is no noise. If fields have gradients, the exposure of a pixel is the drawn one,
+    with the gradient of its probability."""
     at, level = laid(fields.double(), *light.shape[-2:]).chunk(2)
     share = torch.cat([at / slots, torch.ones_like(at[:1])])
     light = light.double()
@@ -37,6 +37,8 @@ def looked(
     if generator is not None and sensor.shot_noise:
         between = torch.diff(share.detach(), dim=0, prepend=torch.zeros_like(share[:1]))
         photons = torch.sqrt((light.detach()[:, None] * between).clamp(min=0))
+        # The charges at successive looks share the photons that arrived before, so that their noise
+        # is added up.
         counted = (photons * normal(charge, generator)).cumsum(dim=1)
         charge = charge + sensor.noise_factor * counted
     charge_e = saturated(charge, -sensor.full_well_e, sensor.full_well_e, sensor.slope)
@@ -58,7 +60,11 @@ def looked(
 
 
 def _first(above: Tensor) -> Tensor:
-    """Return whether a pixel takes each exposure, which ends at its first look above the level."""
+    """Return the weight of each exposure that a pixel may take, (batch, looks + 1, rows, cols).
+
+    `above` (batch, looks, rows, cols) says whether each look is above its level, or with what
+    probability. The weight is 1, or the probability, for the first look above; for the last
+    exposure, that no look is above."""
     above = above.double()
     still = torch.cumprod(1 - above, dim=1)
     before = torch.cat([torch.ones_like(still[:, :1]), still[:, :-1]], dim=1)

@@ -29,7 +29,7 @@ def l1(prediction: Tensor, truth: Tensor) -> Tensor:
 
 
 def psnr(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Return minus a tenth of the PSNR in dB.
+    """Return minus a tenth of the PSNR in dB: log10 of the mean squared error of linear light.
 
     Errors are averaged over the batch, so patches of one exposure ([data] together) belong in one
     batch."""
@@ -37,13 +37,14 @@ def psnr(prediction: Tensor, truth: Tensor) -> Tensor:
 
 
 def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Return the mean absolute error in PU21 units, relative to those of `NITS` cd/m2."""
+    """Return the mean absolute error in PU21 units, a perceptually uniform scale, relative to the
+    value of `NITS` cd/m2. Light of 1 has that luminance."""
     most = pu21(torch.tensor(NITS, dtype=torch.float64)).item()
     return l1(pu21(prediction * NITS), pu21(truth * NITS)) / most
 
 
 def after(curve: Callable[[Tensor], Tensor], loss: Loss) -> Loss:
-    """Return a loss on a curve."""
+    """Return a loss that maps prediction and truth by `curve` before it compares them."""
     return lambda prediction, truth: loss(curve(prediction), curve(truth))
 
 

@@ -22,7 +22,8 @@ DIRECTIONS = (
 
 
 def still(generator: Generator, size: int) -> Picture:
-    """Return a picture (size, size) of light over four to six decades: surfaces, edges, lamps."""
+    """Return a picture (size, size) of light, in an arbitrary unit, over four to six decades:
+    surfaces, edges, lamps."""
     surface = _fractal(generator, size, 4.0)
     for _ in range(int(generator.integers(6, 14))):
         shape_mask = _shape(generator, size)
@@ -36,7 +37,8 @@ def still(generator: Generator, size: int) -> Picture:
 
 
 def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
-    """Return a clip (frames, size, size) on 0..1: textured objects cross a panning background."""
+    """Return a clip (frames, size, size) of light from 0 to 1, in which textured objects cross a
+    panning background."""
     margin = 3 * frames
     ground = _unit(_fractal(generator, size + 2 * margin, 1.0))
     pan = generator.uniform(-1.5, 1.5, 2)
@@ -53,7 +55,7 @@ def moving_texture(
     generator: Generator, frames: int, size: int, direction: str, speed: float
 ) -> NDArray[np.float32]:
     """Return a clip (frames, size, size) on 0..1 of a texture that moves by `speed` pixels per
-    frame in one of `DIRECTIONS`, blurred by its motion during each frame.
+    frame in `direction`, one of `DIRECTIONS`, blurred by its motion during each frame.
 
     The texture is periodic: what leaves the picture enters it on the opposite side. Its statistics
     are those of its mirror images, so the sum of all frames does not distinguish a direction from
@@ -70,8 +72,8 @@ def moving_texture(
 
 
 def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float64]:
-    """Return noise (size, size) with the spectrum of natural scenes, mean 0 and standard deviation
-    spread / 2."""
+    """Return noise (size, size) with mean 0 and the standard deviation `spread` / 2. Its amplitude
+    falls with spatial frequency as in natural scenes."""
     frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size)[None, :])
     frequency[0, 0] = 1.0
     white = np.fft.rfft2(generator.standard_normal((size, size)))
@@ -80,13 +82,14 @@ def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float
 
 
 def _unit(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return values from 0.1 to 0.9."""
+    """Return values scaled so that their 1 % and 99 % quantiles become 0.1 and 0.9; values beyond
+    are clipped."""
     low, high = np.percentile(values, (1, 99))
     return np.asarray(np.clip((values - low) / (high - low), 0, 1) * 0.8 + 0.1)
 
 
 def _shape(generator: Generator, size: int) -> NDArray[np.bool_]:
-    """Return a mask (size, size) of a random rotated rectangle or ellipse."""
+    """Return a mask (size, size), true in a random rotated rectangle or ellipse."""
     y, x = generator.random(2) * size
     height, width = generator.uniform(0.05, 0.3, 2) * size
     angle = generator.uniform(0, np.pi)
@@ -99,8 +102,8 @@ def _shape(generator: Generator, size: int) -> NDArray[np.bool_]:
 
 
 def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
-    """Return texture, mask, position (pixels) and speed (pixels per frame) of a random object in
-    a picture of this size."""
+    """Return a random object for a picture of `size` pixels: texture and mask (side, side),
+    position of its corner in pixels, and speed in pixels per frame (down, right)."""
     side = int(size * generator.uniform(0.2, 0.5))
     texture = _unit(_fractal(generator, side, 1.0))
     mask = _shape(generator, side) | _shape(generator, side)
@@ -109,7 +112,8 @@ def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
 
 
 def _moved(ground: NDArray[np.float64], corner: NDArray[np.float64], size: int) -> Picture:
-    """Return the window (size, size) whose corner lies at a fractional position."""
+    """Return the window (size, size) of `ground` whose corner (row, column) lies between pixels, by
+    linear interpolation."""
     base = np.floor(corner).astype(int)
     fraction = corner - base
     y, x = base
@@ -124,8 +128,8 @@ def _paste(
     mask: NDArray[np.float64],
     place: NDArray[np.float64],
 ) -> None:
-    """Paste an object into the picture, in place, rounded to whole pixels; parts outside are
-    cut."""
+    """Paste an object into `picture`, in place, where `mask` (side, side) is 1. Its corner is at
+    `place`, rounded to whole pixels; parts outside are cut."""
     side = len(texture)
     y, x = np.rint(place).astype(int)
     y0, x0 = max(y, 0), max(x, 0)

@@ -40,7 +40,8 @@ class Measured(Generic[Array]):
 
     @classmethod
     def exact(cls, value: Array, mask: Array) -> Measured[Array]:
-        """Return one frame (batch, rows, cols) without noise; masks are (.., N, rows, cols)."""
+        """Return the measurement of one bucket without noise and saturation. `value` is (batch,
+        rows, cols), `mask` (batch or 1, N, rows, cols)."""
         value, nothing = value[:, None], namespace(value).zeros_like(value[:, None])
         return cls(value, mask[:, None], nothing, nothing != 0)
 
@@ -48,7 +49,10 @@ class Measured(Generic[Array]):
     def read(
         cls, frames: NDArray[np.float32], masks: NDArray[Any], sensor: SensorModel
     ) -> Measured[NDArray[Any]]:
-        """Return the electrons of frames (B, rows, cols) in codes; masks (B, N, rows, cols)."""
+        """Return the measurement of a frame in electrons, as a batch of one.
+
+        `frames` (B, rows, cols) are codes above the ADC's offset, `masks` (B, N, rows, cols).
+        `sensor` gives the noise, and the code that counts as saturated."""
         codes = np.asarray(frames, np.float32)[None]
         value = codes * np.float32(sensor.electrons_per_lsb)
         noise_lsb2 = sensor.adc_noise_lsb**2 + 1 / 12
@@ -59,14 +63,15 @@ class Measured(Generic[Array]):
         return Measured(value, np.asarray(masks, np.float32)[None], variance, full)
 
     def tensors(self: Measured[NDArray[Any]]) -> Measured[Tensor]:
-        """Return the measurement for torch, which shares the memory of the arrays."""
+        """Return the measurement with torch tensors, which share the memory of the arrays."""
         import torch
 
         arrays = (self.value, self.mask, self.variance, self.saturated)
         return Measured(*(torch.from_numpy(np.ascontiguousarray(array)) for array in arrays))
 
     def over(self, unit: Array) -> Measured[Array]:
-        """Return the measurement with light divided by `unit` (batch,)."""
+        """Return the measurement with light divided by `unit` (batch,), and the variance by its
+        square."""
         unit = unit.reshape(-1, 1, 1, 1)
         return replace(self, value=self.value / unit, variance=self.variance / unit**2)
 
@@ -81,23 +86,28 @@ class Measured(Generic[Array]):
         return frames
 
     def missing(self, predicted: Array, target: Array) -> Array:
-        """Return target minus predicted frames; saturated pixels miss no more than 0."""
+        """Return target minus predicted frames, which a clip lacks. Where a pixel is saturated, a
+        negative value becomes 0: its light may be larger than measured."""
         gap = target - predicted
         least: Array = namespace(gap).where(self.saturated, gap.clip(min=0), gap)
         return least
 
     def trust(self, sigma: Array) -> Array:
-        """Return the fraction of a difference that is due to the clip's error, of standard
-        deviation `sigma`, not to noise."""
+        """Return the fraction of a frame's difference that is due to the clip's error, not to the
+        frame's noise: (batch, B, rows, cols).
+
+        `sigma` (batch,) is the standard deviation of the clip's error."""
         spread = self.energy * sigma.reshape(-1, 1, 1, 1) ** 2
         error_share: Array = spread / (spread + self.variance).clip(min=1e-20)
         return error_share
 
     def correction(self, gap: Array, sigma: Array) -> Array:
-        """Return the most likely correction of a clip whose frames differ from the target by `gap`.
+        """Return the most likely correction (batch, N, rows, cols) of a clip that lacks `gap`
+        (batch, B, rows, cols) in its frames.
 
-        The error of the clip has the standard deviation `sigma` everywhere. Without noise, and with
-        frames that share no light, this is the projection onto all clips that match the frames."""
+        `sigma` (batch,) is the standard deviation of the clip's error, the same in all pixels and
+        slots. Without noise, and with frames that share no light, this is the projection onto all
+        clips that match the frames."""
         if self.disjoint:
             noise = self.variance / sigma.reshape(-1, 1, 1, 1) ** 2
             shares = gap / (self.energy + noise).clip(min=1e-6)
@@ -115,7 +125,8 @@ class Measured(Generic[Array]):
 
     @cached_property
     def disjoint(self) -> bool:
-        """Return whether no light of a pixel is in two frames, as in the frames of a film."""
+        """Return whether each pixel is open in at most one of the frames in every slot, as in the
+        frames of a film. The frames of a pixel are then independent."""
         shared = (self.mask != 0).sum(1) > 1
         return self.mask.shape[1] == 1 or not bool(shared.any())
 
@@ -133,15 +144,19 @@ class Measured(Generic[Array]):
         return squares
 
     def mean(self) -> Array:
-        """Return the mean light (batch, rows, cols) in each pixel's open slots, else 0."""
+        """Return the mean light (batch, rows, cols) of each pixel over the slots in which it was
+        open, in all frames; 0 if it never was."""
         total = self.mask.sum((1, 2))
         light = self.value.sum(1) / total.clip(min=1e-6)
         known: Array = namespace(light).where(total > 0, light, namespace(light).zeros_like(light))
         return known
 
     def planes(self: Measured[Tensor]) -> Tensor:
-        """Return the inputs of a denoiser, (batch, 3, N, rows, cols): the mask, the value over the
-        mask, and its deviation up to 1."""
+        """Return the inputs of a denoiser, (batch, 3, N, rows, cols): the mask summed over the
+        frames, the mean light, and its standard deviation up to 1.
+
+        The last two are the same in all N slots. The deviation of a pixel that is saturated or
+        never opens is 1."""
         import torch
 
         mask = self.mask.sum(dim=1).expand(len(self.value), -1, -1, -1)

@@ -29,8 +29,8 @@ _METRIC_TEXTS = {"psnr_db": "{:.2f} dB", "ssim": "SSIM {:.4f}", "correct": "{:.1
 
 
 def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
-    """Raise Rejected unless `truth` and `result` have one shape that metrics support (NS0802) and
-    values whose squares are finite (NS0804)."""
+    """Raise Rejected unless metrics can compare both arrays: NS0802 for different or too small
+    shapes, NS0804 for values above `LARGEST`."""
     if truth.shape != result.shape:
         raise rejected(
             "NS0802",
@@ -59,8 +59,11 @@ def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
 def measures(
     truth: NDArray[Any], result: NDArray[Any], data_range: float, nits: float = NITS
 ) -> dict[str, Any]:
-    """Return every metric of a checked pair as JSON values; of clips also of each frame. Infinite
-    dB are "inf"."""
+    """Return every metric of a pair of arrays that `check_pair` accepts, as JSON values by name.
+
+    `truth` and `result` are (rows, cols), or clips (T, rows, cols), which also have `sd_db` and a
+    list of metrics for each frame (`frames`). `data_range` is the value that counts as white, and
+    `nits` its luminance in cd/m2 for PU21. Infinite dB are "inf"."""
     frames = [(truth, result)] if truth.ndim == 2 else list(zip(truth, result, strict=True))
     scores = metrics.frame_scores((mean_square_error(a, b) for a, b in frames), data_range)
     values: dict[str, Any] = {
@@ -83,8 +86,8 @@ def measures(
 
 
 def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -> dict[str, Any]:
-    """Return PSNR and SSIM of `result`, one frame of a clip, against `truth` as JSON values.
-    `data_range`: the largest value."""
+    """Return the metrics `psnr_db` and `ssim` of `result`, one frame of a clip, as JSON values.
+    `data_range` is the peak value."""
     return {
         "psnr_db": decibels(metrics.psnr(truth, result, data_range)),
         "ssim": metrics.ssim(truth, result, data_range),
@@ -92,7 +95,7 @@ def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -
 
 
 def stamp(path: Path) -> dict[str, str]:
-    """Return the name and the digest of a file."""
+    """Return the name (`file`) and the digest (`sha256`) of a file."""
     return {"file": path.name, "sha256": file_sha256(path)}
 
 
@@ -125,11 +128,12 @@ def measure_files(
     truth_key: str | None = None,
     result_key: str | None = None,
 ) -> dict[str, Any]:
-    """Return every metric of two files as JSON values, with names and digests of the files.
+    """Return every metric of two files as JSON values (`measures`), with names and digests of the
+    files.
 
     The files contain pictures (rows, cols) or clips (T, rows, cols); the keys select one of several
-    arrays. Raises Rejected for files and values without metrics, NS0803 for an invalid data range.
-    """
+    arrays, None the usual one. Raises Rejected for files and values without metrics, NS0803 for an
+    invalid data range."""
     if not 1 / LARGEST <= data_range <= LARGEST:
         raise rejected(
             "NS0803",

@@ -22,7 +22,7 @@ Array = NDArray[Any]
 
 
 def mean_square_error(truth: Array, result: Array) -> float:
-    """Return the mean of the squared differences, computed in float64.
+    """Return the mean of the squared differences of two arrays, computed in float64.
 
     Like all metrics here, raises WrongArgument for arrays of different shapes, for empty arrays,
     and for values that are not finite."""
@@ -32,7 +32,10 @@ def mean_square_error(truth: Array, result: Array) -> float:
 
 
 def psnr_of_mse(mse: float, data_range: float) -> float:
-    """Return 10 log10(data_range^2 / mse) in dB; +inf if the error is 0."""
+    """Return the PSNR in dB of a mean square error: 10 log10(data_range^2 / mse); +inf if the error
+    is 0.
+
+    Raises WrongArgument for an error below 0 or not finite, or an invalid data range."""
     _check_range(data_range)
     if not 0 <= mse < math.inf:
         raise wrong_argument(f"a mean square error is a finite number from 0 on, not {mse}")
@@ -129,7 +132,8 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
 def finite_mean(scores_db: Iterable[float]) -> float:
     """Return the mean of the finite scores, without +inf, the score of identical pictures.
 
-    The mean is +inf if all scores are. Raises WrongArgument for an empty sequence, NaN or -inf."""
+    If all scores are +inf, so is the mean. Raises WrongArgument for an empty sequence, NaN or -inf.
+    """
     scores = list(scores_db)
     if not scores or any(math.isnan(score) or score == -math.inf for score in scores):
         raise wrong_argument(f"a mean is taken of numbers of dB, not of {scores[:5]}")
@@ -152,8 +156,8 @@ class FrameScores:
 
 
 def frame_scores(mses: Iterable[float], data_range: float) -> FrameScores:
-    """Return the scores of frames with the mean square errors `mses`; `data_range` is the largest
-    value, which defines PSNR."""
+    """Return the summary of the PSNR of frames that have the mean square errors `mses`;
+    `data_range` is the peak value."""
     errors = [float(mse) for mse in mses]
     scores = [psnr_of_mse(mse, data_range) for mse in errors]
     finite = [score for score in scores if math.isfinite(score)]
@@ -200,8 +204,9 @@ def ssim(truth: Array, result: Array, data_range: float) -> float:
 
 
 def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.float64]:
-    """Return the SSIM of `truth` and `result` (rows, cols) in every window, (rows - 10, cols - 10),
-    in float64. `data_range`: the largest value."""
+    """Return the SSIM of `truth` and `result` (rows, cols) in every whole window of 11 x 11 pixels,
+    (rows - 10, cols - 10), float64. `data_range` is the peak value. The pictures are not checked.
+    """
     x, y = truth.astype(np.float64), result.astype(np.float64)
     # Subtract a common offset: variances do not depend on it, but their rounding errors do.
     base = 0.5 * (float(x.mean()) + float(y.mean()))
@@ -219,8 +224,8 @@ def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.flo
 
 
 def _blur(picture: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the means of all complete windows of `picture` (rows, cols), with Gaussian weights,
-    (rows - 10, cols - 10)."""
+    """Return the Gaussian-weighted mean of every whole window of 11 x 11 pixels, (rows - 10, cols -
+    10)."""
     offsets = np.arange(WINDOW) - WINDOW // 2
     weights = np.exp(-0.5 * (offsets / SIGMA) ** 2)
     weights /= weights.sum()
@@ -263,8 +268,8 @@ def temporal_error(truth: Array, result: Array, data_range: float) -> float:
 
 
 def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
-    """Return `truth` and `result` as arrays; raise WrongArgument unless they are finite numbers of
-    one shape."""
+    """Return `truth` and `result` as arrays. Raise WrongArgument unless they have the same shape,
+    at least one value, and only finite real numbers."""
     first = as_array("a metric", "the truth", truth)
     second = as_array("a metric", "the reconstruction", result)
     if first.shape != second.shape or {first.dtype.kind, second.dtype.kind} - {*"buif"}:

@@ -18,19 +18,21 @@ DECODER, STATE = "direction.decoder.safetensors", "direction.pt"
 
 @dataclass(frozen=True)
 class LinearDecoder:
-    """Scores for directions: `weight` (directions, outputs) times shares of 1 bits, plus `bias`
-    (directions,)."""
+    """A linear classifier of the direction of motion. The scores are `weight` (directions, outputs)
+    times the fraction of 1 bits of each output, plus `bias` (directions,)."""
 
     weight: NDArray[np.float32]
     bias: NDArray[np.float32]
 
     def direction(self, bits: NDArray[np.bool_]) -> str:
-        """Return the direction of a film's bits (frames, outputs, rows, cols)."""
+        """Return the name of the direction with the largest score, from a film's output bits
+        (frames, outputs, rows, cols)."""
         return DIRECTIONS[int((self.weight @ bits.mean((0, 2, 3)) + self.bias).argmax())]
 
 
 def shipped_cell() -> tuple[PixelCell, LinearDecoder]:
-    """Return the cell of `examples/direction.nsl`, and its decoder for every effect."""
+    """Return the cell of `examples/direction.nsl`, and the decoder of its bits that was trained
+    under every sensor effect."""
     from safetensors.numpy import load_file
 
     folder = Path(__file__).with_name("shipped_cell")

@@ -29,6 +29,7 @@ _STILLS: dict[str, dict[str, Any]] = {
     "loss": {"name": "psnr+psnr-mu"},
     "train": {"steps": 2500, "batch": 8, "validate_every": 250},
 }
+"""Settings that differ from the defaults for stills, by section of the configuration."""
 _CLIPS: dict[str, dict[str, Any]] = {
     "shutter": {
         "class": "d",
@@ -52,17 +53,19 @@ _CLIPS: dict[str, dict[str, Any]] = {
     "loss": {"name": "psnr-display"},
     "train": {"steps": 4000, "batch": 4, "validate_every": 500, "code_rate": 2e-4},
 }
+"""Settings that differ from the defaults for clips, by section of the configuration."""
 
 
 def folder_settings(
     folder: Path, changes: Sequence[str] = (), tell: Callable[[str], object] = lambda _text: None
 ) -> RunSettings:
-    """Return the settings to train on a folder, with `changes`, each SECTION.KEY=VALUE.
+    """Return the settings to train on a folder of pictures or clips, with `changes`, each
+    SECTION.KEY=VALUE.
 
-    Linear pictures are stills of high dynamic range. Films, and photographs of a display, become
-    clips. Patches are as large as the smallest file allows, at most 128 x 128. `tell` is called
-    with a text that describes the settings. Raises Rejected: NS0811 for a folder without pictures
-    and clips, and the errors of `settings_of`."""
+    Linear pictures are stills of high dynamic range. Films, and photographs in display encoding,
+    become clips. Patches are as large as the smallest file allows, at most 128 x 128. `tell` is
+    called with a text that describes the settings. Raises Rejected: NS0811 for a folder without
+    pictures and clips, and the errors of `settings_of`."""
     stills = files_in(folder, LINEAR)
     files = stills or files_in(folder, (*CLIPS, *DISPLAY))
     if not files:

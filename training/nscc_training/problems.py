@@ -10,19 +10,20 @@ from nscc.npy import InvalidArrays
 
 
 def listed(names: Sequence[str], most: int = 12) -> str:
-    """Return the names as text: `a, b, c and 4 more`, or `nothing`."""
+    """Return at most `most` names as text, each cut to 40 characters: `a, b, c and 4 more`, or
+    `nothing`."""
     shown = ", ".join(name[:40] for name in names[:most]) or "nothing"
     return shown + (f" and {len(names) - most} more" if len(names) > most else "")
 
 
 def one_line(error: object, most: int = 200) -> str:
-    """Return the text of an exception in one line."""
+    """Return the text of an exception in one line of at most `most` characters."""
     return " ".join(str(error).split())[:most]
 
 
 def why_no_arrays(error: InvalidArrays | OSError) -> str:
-    """Return why a file could not be read as an .npz of named arrays, from the `error` that was
-    raised."""
+    """Return why a file could not be read as an .npz of named arrays: the part of the message after
+    its name."""
     if isinstance(error, OSError):
         missing = isinstance(error, FileNotFoundError)
         return "the file does not exist" if missing else (error.strerror or str(error)).lower()
@@ -30,8 +31,8 @@ def why_no_arrays(error: InvalidArrays | OSError) -> str:
 
 
 def is_out_of_memory(error: Exception) -> bool:
-    """Return whether `error` says that memory is exhausted, on the GPU or on the host. Does not
-    import torch."""
+    """Return whether an error says that memory is exhausted, on the GPU or on the host. Torch,
+    which has its own types for this, is not imported."""
     return isinstance(error, MemoryError) or (
         isinstance(error, RuntimeError)
         and (type(error).__name__ == "OutOfMemoryError" or "DefaultCPUAllocator" in str(error))
@@ -39,7 +40,9 @@ def is_out_of_memory(error: Exception) -> bool:
 
 
 def unreadable(code: str, message: str, error: Exception, help_text: str) -> Rejected:
-    """Return the error for a file that its reader could not read."""
+    """Return the refusal with `code` and `message` of a file that its reader could not read.
+
+    The reader's `error` becomes a note, and `help_text` says what to do."""
     notes = (f"the reader says: {one_line(error)}",) if one_line(error) else ()
     return rejected(code, message, notes=notes, helps=(help_text,))
 

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from nscc_training.encoders import Encoder
 
 CODES_FILE = "codes.npz"
+"""The file of codes beside a program."""
 TARGET_FILE = "target.toml"
 SENSOR_FILE = "sensor.toml"
 """Files of the user's chip and sensor, beside the program."""
@@ -79,7 +80,8 @@ class Chip:
 
 @dataclass(frozen=True)
 class ProgramFiles:
-    """A program's `text`, and the bytes of its code file: all fields, and the `book`."""
+    """A program's `text`, and the bytes of its code file with all fields and the `book` of a
+    codebook; empty for class a."""
 
     text: str
     codes: bytes
@@ -121,8 +123,9 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
 def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> ProgramFiles:
     """Return the program of codes, with `remark` as a comment at the top.
 
-    Codes for every pixel are stored in the code file, and so are tiles of more than 4096 pixels,
-    repeated over the array, as the compiler requires."""
+    `codes` are int64 (rows, cols) of the tile by field, with `book` for a codebook. A tile of more
+    than `MOST_LISTED` pixels is not written into the text: it covers the array, and the text names
+    the code file."""
     packed = codes_bytes(codes) if codes else b""
     lines = [*(f"# {line}" for line in remark.splitlines()), "nsl 1", ""]
     # A file's path is relative to the current folder, not to the program, so it is an option
@@ -146,8 +149,10 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
 def compiled(
     files: ProgramFiles, chip: Chip, *, level: int = 1, every_code: bool = False
 ) -> Compiled:
-    """Compile and prove the program in `files` for `chip` at optimisation `level`; with
-    `every_code` for all codes that its class allows."""
+    """Compile and prove a program for `chip`. Raise Rejected with the compiler's errors.
+
+    `level` is the optimisation level. With `every_code` the program must work for all codes that
+    its class allows, not only for those of its pixels."""
     with tempfile.TemporaryDirectory() as folder:
         if files.codes:
             (Path(folder) / CODES_FILE).write_bytes(files.codes)
@@ -159,11 +164,12 @@ def compiled(
 def begun_with(
     path: Path, spec: ShutterSpec, chip: Chip
 ) -> tuple[dict[str, NDArray[np.int64]], NDArray[np.bool_] | None]:
-    """Return the codes of a program on the pixels of a tile, and the shutters that it opens for
-    them, (buckets, N, rows, cols); for pixels that look times and levels, and None.
+    """Return the codes of the program at `path` on the pixels of a tile, and the shutters that it
+    opens for them, bool (buckets, N, rows, cols).
 
-    Raises ValueError for a program with other slots, fields, levels or buckets, or whose pixels are
-    not a repetition of this tile, and the compiler's errors."""
+    For pixels that look, return the boundaries and levels of their looks, and None. `spec` is what
+    the run expects. Raises ValueError for a program with other slots, fields, looks or buckets, or
+    whose pixels are not a repetition of this tile, and Rejected with the compiler's errors."""
     target = chip.table or load_target(chip.target, Path())
     compiled_program = compile_file(path, Options(level=0, target=target))
     container = compiled_program.container
@@ -210,8 +216,8 @@ def begun_with(
 
 
 def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[np.int64]:
-    """Return the open slots (K, N) of all rows in the codebook of a compiled program for
-    `target`."""
+    """Return the codebook (K, N) of a compiled program, 1 where a slot is open, with the rows that
+    no pixel uses. `path` is the program's file, for the files that it names."""
     source = compiled_program.program.source
     table = analyse(
         source, compiled_program.tree, base=path.parent, codes="open", target=target
@@ -220,15 +226,16 @@ def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[
 
 
 def words_per_slot(compiled_program: Compiled) -> float:
-    """Return the mean number of words per slot of all kinds; 0 for a chip without words."""
+    """Return the number of instruction words of a frame divided by its slots; 0 for a chip without
+    words."""
     container = compiled_program.container
     assert container is not None
     return container.words_per_frame / container.slots
 
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
-    """Return all codes (codes, fields) that the class of `spec` and its `require` allow on `chip`.
-    Raises Rejected if there is an error in them."""
+    """Return all codes, int64 (codes, fields), that the class and the `require` of `chip` allow.
+    Raise Rejected if `require` is invalid."""
     source = Source("shutter.nsl", program(spec, {}, chip).text)
     tree, problems = parse(source)
     if any(problem.severity is Severity.ERROR for problem in problems):
@@ -254,7 +261,8 @@ _RULES = {
 
 
 def _rules(spec: ShutterSpec) -> list[str]:
-    """Return the statements that declare the fields of the code and the buckets of `spec`."""
+    """Return the statements of a program that declare the code's fields, and when its one or two
+    buckets open."""
     *fields, opened = _RULES[spec.kind]
     if spec.buckets == 1:
         return [*fields, opened]
@@ -268,8 +276,8 @@ def _rules(spec: ShutterSpec) -> list[str]:
 
 
 def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:
-    """Return the lines that declare a codebook; a large one is read from the file of codes, with
-    its digest."""
+    """Return the lines that declare the codebook `book` (K, N). A large one is read from the file
+    of codes, whose content is `packed`; its digest is then named, too."""
     if book.size > _MOST_DIGITS:
         return [f'shutters book from "{CODES_FILE}" sha256 "{sha256(packed).hexdigest()}"']
     rows = ("".join(map(str, row)) for row in book.tolist())
@@ -278,8 +286,10 @@ def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:
 
 
 def _pixels(spec: ShutterSpec, codes: Codes, fields: list[str], packed: bytes) -> list[str]:
-    """Return the lines that give the `codes` of a tile; those of a large tile are in a file,
-    `packed`, which the program names with its digest."""
+    """Return the lines that give the codes of the tile, for each of `fields`.
+
+    Those of a large tile are read from the file of codes, whose content is `packed`; its digest is
+    then named, too."""
     if spec.places > MOST_LISTED:
         return [f'pixels from "{CODES_FILE}" sha256 "{sha256(packed).hexdigest()}"']
     lines = []

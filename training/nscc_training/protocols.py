@@ -69,10 +69,9 @@ class Protocol:
     @property
     def mid_grey_e(self) -> float | None:
         """The electrons over the frame at the median of a scene, if the protocol defines the
-        illuminance.
+        illuminance; None if scenes are scaled to a full well.
 
-        None if scenes are scaled to a full well. A lens with f-number A passes 1 / (4 A^2) of the
-        light of a matt surface to the sensor."""
+        A lens with f-number A passes 1 / (4 A^2) of the light of a matt surface to the sensor."""
         if "illuminance_lux" not in self.values:
             return None
         lux = self["illuminance_lux"] * self["reflectance"] / (4 * self["f_number"] ** 2)
@@ -82,14 +81,15 @@ class Protocol:
 
 
 def packaged(name: str, place: str) -> Path:
-    """Return a file or folder of the installed package; in a checkout it is at `place` in
-    training."""
+    """Return the path of the file or folder `name` of the installed package. In a checkout, which
+    has no such file, return the path of `place` in the folder `training`."""
     installed = Path(__file__).with_name(name)
     return installed if installed.exists() else Path(__file__).resolve().parents[1] / place
 
 
 def load_protocol(name: str) -> Protocol:
-    """Return a protocol by name; raise Rejected (NS0806) for an unknown one."""
+    """Return the protocol with this name from its file. Raise Rejected (NS0806) for an unknown
+    name."""
     if name not in NAMES:
         raise unknown_name("NS0806", "unknown protocol '{}'", name, NAMES, "the protocols are {}")
     data = (packaged("protocol_files", "protocols") / f"{name}.toml").read_bytes()

@@ -54,15 +54,18 @@ _DARK_HELPS = ("`--dark FRAME` subtracts the charge that words and dark current 
 def reconstruct(
     run: Path, frame: Path, *, force: bool, dark: Path | None = None, trust_code: bool = False
 ) -> Reconstruction:
-    """Reconstruct a frame file with a run's decoder.
+    """Reconstruct the frame file `frame` with the decoder of `run`, a folder or the name of a
+    shipped run.
 
     `dark` is a frame file of the same program without light, with many repeats. Its mean (offsets
     of words, and dark charge) is subtracted from the frame. A decoder that was trained with effects
     knows the mean of each pixel of its tile, so only the deviations from that mean are subtracted.
+    `trust_code` allows a run that names Python code of its own.
 
-    Raises Rejected: the errors of `load_run`; NS0819 for a file that is not a frame, for a frame of
-    another program or sensor (with `force` a warning, unless its size differs), and for a dark
-    frame of another program or with light (with `force` a warning)."""
+    Raises Rejected: the errors of `load_run`; NS0821 for a run that names classes; NS0819 for a
+    file that is not a frame, for a frame of another program or sensor (with `force` a warning,
+    unless its size differs), and for a dark frame of another program or with light (with `force` a
+    warning)."""
     folder = load_run(run, trust_code=trust_code)
     if folder.setup.classes:
         raise rejected(
@@ -77,10 +80,10 @@ def reconstruct(
 def classify(
     run: Path, frame: Path, *, force: bool, dark: Path | None = None, trust_code: bool = False
 ) -> tuple[dict[str, float], tuple[Diagnostic, ...]]:
-    """Return the likelihoods of a frame's classes, most likely first, and warnings.
+    """Return the likelihoods of a frame's classes by name, most likely first, and warnings.
 
-    Arguments and errors are as for `reconstruct`. Raises Rejected (NS0821) for a run without
-    classes."""
+    Arguments and errors are as for `reconstruct`, but NS0821 is raised for a run without classes.
+    """
     folder = load_run(run, trust_code=trust_code)
     if not folder.setup.classes:
         raise rejected(
@@ -96,10 +99,11 @@ def classify(
 
 
 def likelihoods(classes: Sequence[str], scores: NDArray[np.float32]) -> dict[str, float]:
-    """Return the likelihoods of classes, most likely first, with a sum of 1.
+    """Return the likelihoods of classes by name, most likely first, with a sum of 1: the softmax of
+    `scores`.
 
-    `scores` (classes,) or (classes, colours): logarithms of likelihoods up to a constant; the mean
-    over colours is used."""
+    `scores` (classes,) or (classes, colours) are logarithms of likelihoods up to a constant; the
+    mean over colours is used."""
     scores = scores if scores.ndim == 1 else scores.mean(axis=-1)
     shares = np.exp(scores - scores.max(), dtype=np.float64)
     shares /= shares.sum()
@@ -107,8 +111,8 @@ def likelihoods(classes: Sequence[str], scores: NDArray[np.float32]) -> dict[str
 
 
 def _decoded(folder: RunFolder, frame: Path, force: bool, dark: Path | None) -> Reconstruction:
-    """Decode the file `frame` with the run `folder`, as `reconstruct` does; `dark` is a file of
-    dark frames."""
+    """Decode the frame file `frame` with a run, and measure the time. The arguments and errors are
+    those of `reconstruct`, without the check for classes."""
     read, begin = read_frame(frame), working_s()
     dark_frames = None if dark is None else read_dark(dark, folder.setup.buckets)
     light, messages = reconstructed(folder, read, str(frame), dark_frames, force=force)
@@ -119,9 +123,10 @@ def _decoded(folder: RunFolder, frame: Path, force: bool, dark: Path | None) -> 
 def reconstructed(
     folder: RunFolder, read: FrameRead, name: str, dark: Dark | None, *, force: bool
 ) -> tuple[NDArray[np.float32], tuple[Diagnostic, ...]]:
-    """Return the picture or clip of a frame, colours last, and warnings.
+    """Return the decoder's output for a frame, colours on the last axis, and warnings.
 
-    Messages call the frame `name`. Raises Rejected (NS0819) as `reconstruct` does."""
+    Messages call the frame `name`. `dark` is the dark frame to subtract, or None. Raises Rejected
+    (NS0819) as `reconstruct` does."""
     size = (folder.setup.target.rows, folder.setup.target.cols)
     dark_doubts = () if dark is None else dark.checked(read.meta, size, force=force)
     offset = None if dark is None else dark.offset
@@ -156,8 +161,9 @@ def reconstructed(
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
-    """Yield the reasons to believe that the frame `read` was exposed with other shutters than the
-    run's."""
+    """Yield the reasons why the frame was exposed with other shutters than the run's.
+
+    Its shutters are compared if it contains them, else the digest of its program."""
     if read.shutter is not None:
         hard = shutters_at(folder.setup, read.frame.shape[-2:]).numpy().astype(bool)
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
@@ -168,7 +174,8 @@ def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 
 def _is_program(folder: RunFolder, digest: object) -> bool:
-    """Return whether a digest is that of the run's program, compiled at any level."""
+    """Return whether `digest` is that of the run's program, compiled at any level. The usual level
+    2 is tried first."""
     source = Source("shutter.nsl", folder.program)
     for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
         options = Options(level=level, target=folder.setup.chip.file)
@@ -179,8 +186,8 @@ def _is_program(folder: RunFolder, digest: object) -> bool:
 
 
 def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
-    """Yield reasons to believe that the frame came from another sensor than the run was trained
-    for."""
+    """Yield the reason why the frame comes from another sensor than the run was trained for;
+    nothing if the sensors are the same."""
     model, own_sensor = folder.setup.model, folder.setup.sensor
     # Defaults change between versions: a frame may be as old as the run.
     if read.meta.get("sensor_sha256") in (sensor_sha256(own_sensor), _trained_sensor(folder)):
@@ -202,8 +209,8 @@ def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 
 def _trained_sensor(folder: RunFolder) -> str:
-    """Return the digest of the sensor that the run `folder` was trained for; empty if it is not
-    stated."""
+    """Return the digest of the sensor that the run was trained for, from its `capture.toml`; empty
+    if that cannot be read."""
     try:
         capture = tomllib.loads((folder.path / CAPTURE_FILE).read_text("utf-8"))
     except (OSError, ValueError):
@@ -212,8 +219,8 @@ def _trained_sensor(folder: RunFolder) -> str:
 
 
 def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagnostic]:
-    """Yield a warning (NS0842) if the frame `name` has effects that the decoder was not trained
-    with."""
+    """Yield a warning (NS0842) if the frame `name` was simulated with effects that the decoder was
+    not trained with."""
     learned = folder.setup.settings.sensor.effects
     known = {effect.name for effect in selected(learned).effects} if learned else set(_OF_MODEL)
     plan = read.meta.get("plan") or {}
@@ -232,8 +239,8 @@ def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagno
 
 
 def _doubt(path: Path | str, reason: str, *, warning: bool) -> Diagnostic:
-    """Return the diagnostic (NS0819) that a frame does not match the run, as a warning or an
-    error."""
+    """Return the diagnostic (NS0819) that a frame does not match the run for this `reason`: a
+    warning or an error."""
     return Diagnostic(
         "NS0819",
         f"'{path}' does not match this run: {reason}",

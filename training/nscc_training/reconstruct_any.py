@@ -62,7 +62,8 @@ class Reconstruction:
 
     @property
     def content(self) -> Content:
-        """The reconstruction in the form for all output formats."""
+        """The reconstruction in the form that all output formats accept. Files for MATLAB have time
+        as the last axis of clips."""
         arrays = {"image" if self.still else "video": self.light}
         if self.method:
             arrays["method"] = np.array(self.method)
@@ -80,7 +81,8 @@ class Reconstruction:
 
 
 def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
-    """Yield a warning (NS0844) if too many pixels of a frame are saturated."""
+    """Yield a warning (NS0844) if more than `_OVEREXPOSED` of the pixels of the frame `name` are
+    saturated."""
     share = float(saturated.mean()) if saturated.size else 0.0
     if share > _OVEREXPOSED:
         yield Diagnostic(
@@ -93,8 +95,12 @@ def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]
 
 
 Method = Literal["network", "merge", "gap-tv"]
+"""How frames of any code are reconstructed: by the network, by merging neighbours (stills), or by
+GAP-TV (clips)."""
 _ITERATIONS = 40
+"""Iterations of GAP-TV."""
 _WHITE = 0.995
+"""The quantile of light that counts as white."""
 _CHANCE = 1.5
 """GAP-TV is chosen if its predictions are better by this number of standard errors. On 288 frames
 of 9 codes and 8 clips, without noise and under every effect, the choices lost 0.09 dB in the mean
@@ -102,7 +108,8 @@ beside always choosing the better method."""
 
 
 def method_for(still: bool, method: Method | None = None) -> Method:
-    """Return the given method, or the network, or without torch merging or GAP-TV."""
+    """Return `method` if it is given. Otherwise return the network, or if torch is not installed,
+    merging for stills and GAP-TV for clips."""
     if method is None and find_spec("torch") is None:
         return "merge" if still else "gap-tv"
     return method or "network"
@@ -111,9 +118,11 @@ def method_for(still: bool, method: Method | None = None) -> Method:
 def gap_tv_clip(
     measured: Measured[NDArray[Any]], iterations: int = _ITERATIONS
 ) -> NDArray[np.float32]:
-    """Return the clip (N, rows, cols) that GAP-TV reconstructs from a batch of one, in its unit.
+    """Return the clip (N, rows, cols) that GAP-TV reconstructs from a batch of one, in the unit of
+    the measurement.
 
-    The weight of total variation is the one that predicts pixels best that are left out."""
+    Of several weights of total variation, the one is used that best predicts pixels that are left
+    out."""
     relative, white = _relative(measured)
     weight, _ = best_weight(relative, iterations)
     clip = with_weight(weight, iterations)(relative)
@@ -121,8 +130,8 @@ def gap_tv_clip(
 
 
 def _relative(measured: Measured[NDArray[Any]]) -> tuple[Measured[NDArray[Any]], float]:
-    """Return a measurement in units of white, and white: the 99.5 % quantile of the light of opened
-    pixels."""
+    """Return the measurement divided by white, and white: the 99.5 % quantile of the mean light of
+    pixels that open; 1 if none does."""
     opened = np.broadcast_to(measured.mask.sum(axis=(1, 2)) > 0, measured.mean().shape)
     light = measured.mean()[opened]
     white = float(np.quantile(light, _WHITE).clip(min=1e-6)) if light.size else 1.0
@@ -130,10 +139,10 @@ def _relative(measured: Measured[NDArray[Any]]) -> tuple[Measured[NDArray[Any]],
 
 
 def chosen_for_clip(measured: Measured[NDArray[Any]]) -> tuple[Method, str]:
-    """Return the network, unless GAP-TV certainly better predicts pixels that are left out of the
-    measurement of a clip.
+    """Return the method for a clip: GAP-TV if it predicts pixels that are left out of the
+    measurement better than the network, by more than chance, else the network.
 
-    The second result says why it is not the network, and is empty if it is."""
+    The second result is a sentence that says why it is not the network, and is empty if it is."""
     from nscc_training.any_code.decode import decoded_clip
 
     relative, _ = _relative(measured)
@@ -154,8 +163,8 @@ def chosen_for_clip(measured: Measured[NDArray[Any]]) -> tuple[Method, str]:
 
 
 def merged_still(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
-    """Return the light (rows, cols) of `measured`, a batch of one still, merged over neighbourhoods
-    with the inverse of its variance as weight."""
+    """Return the light (rows, cols) over the frame of a batch of one still, in the unit of the
+    measurement: each pixel is the mean of its neighbourhood, weighted by precision."""
     value, mask = measured.value[0].astype(np.float64), measured.mask[0, :, 0]
     opened, full = mask > 0, measured.saturated[0]
     light = np.where(opened, value / np.where(opened, mask, 1), 0)
@@ -179,13 +188,14 @@ def reconstruct_any(
     method: Method | None = None,
     progress: Progress = unseen,
 ) -> Reconstruction:
-    """Reconstruct a frame of any program with the decoder for any code.
+    """Reconstruct a frame of any program with the decoder for any code, or without a network.
 
     `program` exposed the frame; it is needed if the file does not contain its shutters. `dark` is a
     dark frame file of the program, with many repeats. Without `kind` the result is an image if all
     shutters open at the start of the frame (class b), else a clip. `method` "merge" is for images,
-    "gap-tv" for clips; the default is the network if torch is installed. Each colour is decoded
-    separately. Raises Rejected as `read_coded_frames` does."""
+    "gap-tv" for clips. None takes the network if torch is installed, but for clips GAP-TV if that
+    predicts left-out pixels better. Each colour is decoded separately. Raises Rejected as
+    `read_coded_frames` does."""
     kind = kind or _KINDS.get(method or "network")
     doubts: list[Diagnostic] = []
     coded_frames = read_coded_frames(frame, program, dark, doubts.append)
@@ -205,8 +215,11 @@ def reconstruct_any(
 def _light(
     coded: CodedFrame, still: bool, method: Method, progress: Progress
 ) -> NDArray[np.float32]:
-    """Return the light of the frame `coded` by `method`: electrons over the frame (rows, cols) of a
-    `still`, else electrons per slot (N, rows, cols)."""
+    """Return the reconstruction of one colour: electrons over the frame (rows, cols), or per slot
+    (N, rows, cols).
+
+    Decoders return light per slot of mean length; here it is multiplied by the length of each slot.
+    """
     measured = coded.still() if still else coded.clip()
     if still and method == "merge":
         return merged_still(measured)
@@ -222,8 +235,8 @@ def _light(
 def _clip(
     measured: Measured[NDArray[Any]], method: Method, progress: Progress
 ) -> NDArray[np.float32]:
-    """Return the clip (N, rows, cols) of `measured`, a batch of one, by the network or by
-    GAP-TV."""
+    """Return the clip (N, rows, cols) of a batch of one, by the network or by GAP-TV, in the unit
+    of the measurement per slot."""
     if method != "network":
         return gap_tv_clip(measured)
     from nscc_training.any_code.decode import decoded_clip
@@ -236,8 +249,10 @@ _KEYS = frozenset(("mask", "meas"))
 
 @dataclass(frozen=True)
 class NoiseModel:
-    """Noise of a measurement, in its unit: the readout's standard deviation, and the photon noise's
-    variance over the value."""
+    """Noise of a measurement in its own unit.
+
+    `read_sd` is the standard deviation of the readout. `gain` is what one photon adds to the
+    measurement: the variance of photon noise is `gain` times the value."""
 
     read_sd: float = 0.0
     gain: float = 0.0
@@ -272,7 +287,8 @@ class NoiseModel:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """Measurements (K, rows, cols) with one mask (slots, rows, cols); `axes` says how read."""
+    """K measurements `values` (K, rows, cols) that were taken with one `mask` (slots, rows, cols).
+    `axes` says in words how the axes of the file were read."""
 
     values: Floats
     mask: Floats
@@ -280,7 +296,10 @@ class Measurement:
 
 
 def is_measurement(path: Path, mask: Path | None) -> bool:
-    """Return whether a file is a measurement: an array file with `meas`, or with a mask."""
+    """Return whether a file is a measurement of another camera instead of a frame file of nscc.
+
+    It is one if a file of the `mask` is given, if it is .mat or .npy, or if it is an .npz with
+    `meas` or `mask` but without `meta`."""
     suffix = path.suffix.lower()
     if mask is not None or suffix in (".mat", ".npy"):
         return True
@@ -353,10 +372,11 @@ def reconstruct_measurement(
     method: Method | None = None,
     progress: Progress = unseen,
 ) -> Reconstruction:
-    """Reconstruct the clip (K * slots, rows, cols) of `measurement`, in its unit per slot.
+    """Reconstruct the clips of all K measurements, one after the other: (K * slots, rows, cols), in
+    the unit of the measurement per slot.
 
-    `noise` gives the variance of each value. Without `method`, the network or GAP-TV is chosen from
-    the first of the K measurements."""
+    `method` None takes the network if torch is installed, unless GAP-TV predicts left-out pixels of
+    the first measurement better."""
     begin, reason = working_s(), ""
     given, method = method, method_for(still=False, method=method)
     # The decoders are made for masks up to 1.

@@ -33,8 +33,12 @@ _ELECTRONS = (".npz", ".npy")
 
 @dataclass(frozen=True)
 class RunCapture:
-    """The conditions under which a run's decoder expects frames; no `sensor` or `target` means the
-    default one. `classifies`: the decoder names classes."""
+    """The conditions under which a run's decoder expects frames.
+
+    `program` is the run's own, with `slots` slots of `slot_us` microseconds. `exposure` and
+    `transfer` are values of the options of the same names of `nscc run`; a `transfer` of None
+    leaves it to the file. `sensor` and `target` are the run's own files, None for the default ones.
+    `classifies` means that the decoder names classes."""
 
     program: Path
     still: bool
@@ -47,11 +51,13 @@ class RunCapture:
     classifies: bool
 
     def exposure_of(self, scene: str) -> str | None:
-        """Return the exposure of a scene by name; None for scenes in electrons."""
+        """Return the value of the option --exposure for a scene by its name; None for scenes that
+        are in electrons already, and for `builtin:dark` and `builtin:flat`."""
         return None if scene.startswith(_DARK) or scene.endswith(_ELECTRONS) else self.exposure
 
     def check(self, container: Container, program: Path) -> None:
-        """Raise Rejected (NS0821) for a program with other slots than the run."""
+        """Raise Rejected (NS0821) if `container`, the compiled `program`, has another number or
+        length of slots than the run."""
         away_us = (abs(length_us - self.slot_us) for length_us in container.slot_us)
         if container.slots == self.slots and max(away_us) <= _SLOT_ERROR_US:
             return
@@ -65,7 +71,8 @@ class RunCapture:
 
 
 def shipped_runs() -> Mapping[str, Path]:
-    """Return the folders of the runs that come with nscc, by name."""
+    """Return the folders of the runs that come with nscc, by name; in a checkout, those in
+    training/results."""
     runs = packaged("shipped_runs", "results/shipped")
     installed = runs.name == "shipped_runs"
     return {name: runs / (name if installed else place) for name, place in _SHIPPED.items()}
@@ -82,14 +89,16 @@ def searched_codes() -> Path:
 
 
 def run_path(folder: Path) -> Path:
-    """Return a run folder, or the folder of the shipped run with that name."""
+    """Return `folder` if it is a run folder, else the folder of the shipped run with that name. A
+    name of neither is returned as it is."""
     if (folder / CONFIG).is_file():
         return folder
     return shipped_runs().get(str(folder), folder)
 
 
 def run_capture(folder: Path) -> RunCapture:
-    """Return the capture conditions of a run; raise Rejected (NS0818) for another folder."""
+    """Return the capture conditions of a run, a folder or the name of a shipped run. Raise Rejected
+    (NS0818) for another folder."""
     path = run_path(folder)
     config, program = path / CONFIG, path / PROGRAM
     missing = [file.name for file in (config, program) if not file.is_file()]

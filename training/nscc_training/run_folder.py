@@ -29,8 +29,10 @@ _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
 
 @dataclass(frozen=True, eq=False)
 class RunFolder:
-    """A loaded run: learned codes and weights, program, result, and digests of the files that it
-    has seen."""
+    """A loaded run: its objects with learned codes and weights (`setup`), the text of its program,
+    and `result`, the content of `result.json`.
+
+    `seen_digests` are the digests of the scene files that it was trained or validated with."""
 
     path: Path
     setup: TrainingSetup
@@ -40,11 +42,12 @@ class RunFolder:
 
 
 def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
-    """Load the run in a folder, or the shipped run with that name.
+    """Load the run in a folder, or the shipped run with that name. Codes, chip and sensor are read
+    from its folder.
 
-    Raises Rejected (NS0818) for a missing or unfinished run. A run may name Python code of its
-    author, `module:name`, as decoder or loss. Loading executes this code, which needs `trust_code`;
-    otherwise Rejected (NS0823) is raised."""
+    Raises Rejected (NS0818) for a missing, unfinished or damaged run. A run may name Python code of
+    its author, `module:name`, as decoder or loss. Loading executes this code, which needs
+    `trust_code`; otherwise Rejected (NS0823) is raised."""
     from safetensors.torch import load_file
 
     path = run_path(path)
@@ -104,8 +107,8 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
 
 
 def run_codes(path: Path) -> Encoder:
-    """Return the shutters of the run in a folder, without loading its decoder; raise Rejected as
-    `started_encoder`."""
+    """Return the encoder with the codes of the run in a folder, without loading its decoder. Raise
+    Rejected as `started_encoder`."""
     settings = load_config(path / CONFIG)
     chosen = replace(settings.shutter, init=str(path / CODES_FILE))
     file = path / TARGET_FILE
@@ -116,8 +119,8 @@ def run_codes(path: Path) -> Encoder:
 
 
 def _refuse_code(path: Path, settings: RunSettings) -> None:
-    """Raise Rejected (NS0823) if the `settings` of the run `path` name code that is not nscc's,
-    which loading would execute."""
+    """Raise Rejected (NS0823) if loading the run would execute Python code that its decoder or loss
+    names (`module:name`)."""
     named = {"decoder": [settings.decoder.name], "loss": settings.loss.name.split("+")}
     code = [
         f"its {role} is `{name.strip()[:100]}`"
@@ -140,7 +143,8 @@ def _refuse_code(path: Path, settings: RunSettings) -> None:
 
 
 def _check_whole(path: Path, result: dict[str, Any]) -> None:
-    """Raise ValueError for a file whose digest is not in the result: it belongs to another run."""
+    """Raise ValueError if a file in the folder `path` is missing, or has another digest than
+    `result` (the content of `result.json`) says: it then belongs to another run."""
     named = {name: result["files"].get(name) for name in _TOLD}
     named |= {
         name: result[key]
@@ -156,8 +160,7 @@ def _check_whole(path: Path, result: dict[str, Any]) -> None:
 
 
 def _no_run(path: Path, reason: str) -> Exception:
-    """Return the error (NS0818) that the folder `path` is not a finished run, because of
-    `reason`."""
+    """Return the error (NS0818) that a folder is not a finished run, with the `reason`."""
     return rejected(
         "NS0818",
         f"'{path}' is not a finished run of nscc train",

@@ -21,12 +21,14 @@ from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, clip_white, mat_shape
 from nscc_runtime.scenes.picture_files import PICTURES, open_pages, read_frames
 
 _PICKED = re.compile(r"(.+)#(\d+(?:,\d+)*)/([1-9]\d*)")
+"""The ending `#K,L/N` of a folder's name, which selects some of its files."""
 CLIPS = (*picture_files.CLIPS, ".mat")
 """File endings of clips: videos, and the arrays of the benchmark."""
 
 
 def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
-    """Return the files with one of `endings`, sorted by name; empty if the folder does not exist.
+    """Return the files with one of `endings` (in lower case), sorted by name; empty if the folder
+    does not exist.
 
     `folder` may join several folders by +, contain * for any name, and end in #K,L/N, which selects
     the files at positions K and L (from 0) of every N files."""
@@ -49,8 +51,8 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
 
 
 def folders_of(text: str) -> list[Path]:
-    """Return the folders that `text` names: a folder, or patterns joined by `+`, as in
-    `files_in`."""
+    """Return the folders that `text` names: one folder, or patterns joined by `+`, as in
+    `files_in`. A folder without * is returned even if it does not exist."""
     if Path(text).is_dir():
         return [Path(text)]
     names = (_PICKED.sub(r"\1", pattern) for pattern in text.split("+"))
@@ -65,10 +67,11 @@ def folders_of(text: str) -> list[Path]:
 def data_files(
     folder: Path, endings: Collection[str], contents: str, kind_text: str, expected: str
 ) -> list[Path]:
-    """Return the files of `files_in`; raise Rejected (NS0811) if there are none.
+    """Return the files of `files_in`. Raise Rejected (NS0811) if there are none.
 
-    The message says that the folder has no `contents`, that files of this kind (`kind_text`) have
-    the endings, and that the user should name a folder of `expected`."""
+    Three arguments are parts of the message: the folder has no `contents`, files of this kind have
+    the endings (`kind_text`, such as "clips end in"), and the user should name a folder of
+    `expected`."""
     matching = files_in(folder, endings)
     if not matching:
         exists = any(map(Path.is_dir, folders_of(str(folder))))
@@ -83,18 +86,23 @@ def data_files(
 
 
 def centre_of(frame: NDArray[Any], size: int) -> NDArray[Any]:
-    """Return the middle of a frame, or the whole frame if it is smaller than `size`."""
+    """Return the middle `size` x `size` pixels of a frame (rows, cols, ..). A side that is smaller
+    stays whole."""
     first_row, first_col = (max(0, side - size) // 2 for side in frame.shape[:2])
     return frame[first_row : first_row + size, first_col : first_col + size]
 
 
 def light_in(stored: NDArray[Any], colours: Transfer | Colours) -> NDArray[np.float64]:
-    """Return the light (rows, cols) of a stored picture or frame, for colours the luminance."""
+    """Return the light (rows, cols) of a picture or frame as stored in a file; `colours` is its
+    encoding. Of colours, return the luminance."""
     return grey(stored, colours, None)
 
 
 def frames_in(path: Path) -> Iterable[NDArray[Any]]:
-    """Return the stored frames of the clip `path`; white is 1 in float frames."""
+    """Return the frames of a clip file as stored, one after the other; in frames of floating-point
+    numbers white is 1.
+
+    In a .mat file of the benchmark, time is the last axis."""
     if path.suffix.lower() != ".mat":
         return read_frames(path)
     key, stored = read_mat(path, lambda _shape: None)
@@ -105,10 +113,9 @@ def frames_in(path: Path) -> Iterable[NDArray[Any]]:
 
 
 def frame_size(path: Path) -> tuple[int, int]:
-    """Return rows and columns of a picture, or of the frames of a clip; raise Rejected as their
-    readers do.
+    """Return rows and columns of a picture, or of the frames of a clip.
 
-    Pictures, videos and .mat files are not decoded."""
+    Pictures, videos and .mat files are not decoded. Raises Rejected as their readers do."""
     if path.suffix.lower() in PICTURES + picture_files.CLIPS:
         return open_pages(path).sizes[0]
     if path.suffix.lower() == ".mat":
@@ -120,7 +127,8 @@ def frame_size(path: Path) -> tuple[int, int]:
 
 
 def labels(files: Iterable[Path]) -> dict[str, str]:
-    """Return a label for each file name: the name without its ending, if that is unique."""
+    """Return a label for each file name: the name without its ending, if no other file has the
+    same. Otherwise the ending follows after an underscore."""
     paths = list(files)
     alike = Counter(path.stem for path in paths)
     return {p.name: p.stem if alike[p.stem] == 1 else p.name.replace(".", "_") for p in paths}

@@ -160,9 +160,7 @@ class SensorModel:
     @property
     def full_e(self) -> float:
         """The electrons at which a pixel saturates: a full well, or the converter's range if that
-        is less.
-
-        Decoders represent them as 1."""
+        is less. Decoders represent this light as 1."""
         codes = max(self.top_code - self.adc_offset_lsb, 1.0)
         end_e = codes * self.electrons_per_lsb
         return self.full_well_e if end_e > self.full_well_e * (1 - 1e-9) else end_e
@@ -254,7 +252,8 @@ def differentiable_capture(
 
 
 def check_light(light: Tensor) -> None:
-    """Raise ValueError if values of `light` are complex, negative or not finite."""
+    """Raise ValueError if the light has values that are complex, negative or not finite, with their
+    number."""
     if light.is_complex():
         reason = "light is complex, but must contain real values: the electrons of each slot"
         raise ValueError(reason)
@@ -271,8 +270,11 @@ def check_light(light: Tensor) -> None:
 
 
 def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
-    """Return the frame of one scene as codes above the ADC's offset, ([buckets,] rows, cols), with
-    noise of a seed."""
+    """Return the frame of one scene as float32 codes above the ADC's offset, ([buckets,] rows,
+    cols).
+
+    `light` is in electrons: (rows, cols) of a still over the frame, or (N, rows, cols) of each
+    slot. `tile` ([buckets,] N, r, c) are the shutters, and `seed` is that of the noise."""
     light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
     frame = differentiable_capture(light_batch, tile, sensor, generator=generator).frame[0]
@@ -280,8 +282,8 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
 
 
 def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:
-    """Raise ValueError for shapes that would be broadcast to an unintended capture, with the
-    expected shape."""
+    """Raise ValueError for shapes that torch would broadcast to an unintended capture. The message
+    says the expected shape."""
     if shutters.ndim not in (3, 4) or 0 in shutters.shape:
         raise ValueError(f"shutters are ([buckets,] N, rows, cols), not {tuple(shutters.shape)}")
     if light.ndim not in (3, 4):
@@ -310,13 +312,17 @@ def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
 
 
 def shared_out(shutters: Tensor, buckets: int) -> Tensor:
-    """Return the shutters, for two buckets (2, N, rows, cols) with their complement."""
+    """Return the shutters of all buckets. For two buckets that is (2, N, rows, cols): the second
+    one is open where the first is closed."""
     return shutters if buckets == 1 else torch.stack([shutters, 1 - shutters])
 
 
 def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -> Tensor:
-    """Return the electrons (batch, [buckets,] rows, cols) of open slots, float64, for a repeating
-    tile of shutters."""
+    """Return the electrons (batch, [buckets,] rows, cols) of open slots, float64.
+
+    `light` is (batch, N, rows, cols) in electrons per slot, or (batch, rows, cols) over the frame.
+    `shutters` ([buckets,] N, r, c) are a repeating tile. `slot_share` (N,) is the part of a still's
+    light in each slot; None means equal parts. Raises ValueError for another number of slots."""
     if shutters.ndim == 4:
         return torch.stack(
             [exposed(light, bucket_shutters, slot_share) for bucket_shutters in shutters], dim=1
@@ -338,9 +344,10 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
 def read_out(
     exposure: Tensor, sensor: SensorModel, generator: torch.Generator | None = None
 ) -> Tensor:
-    """Return the codes of a frame with noise, saturation, rounding half to even, and clipping.
+    """Return the codes of a frame, float32, from the electrons `exposure` (float64, of any shape).
 
-    `exposure` is float64 in electrons, of any shape; the result is float32."""
+    The steps are noise, saturation, rounding half to even, and clipping to the range of codes.
+    Without a generator there is no noise. Gradients pass."""
     charge = exposure
     if generator is not None and sensor.shot_noise:
         drawn = normal(charge, generator, torch.float32)
@@ -357,7 +364,8 @@ def read_out(
 
 
 def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
-    """Return a frame whose saturated pixels are raised to the value of a full pixel.
+    """Return a frame in which saturated pixels are raised to the smallest value that a full pixel
+    can have.
 
     `frame` (.., rows, cols) is from `SensorModel.relative`, `saturated` is bool, `shutters`
     ([buckets,] N, r, c) is a repeating tile. The photodiode also fills while a shutter is not yet

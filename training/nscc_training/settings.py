@@ -461,14 +461,15 @@ class RunSettings:
 
     @property
     def classes(self) -> tuple[str, ...]:
-        """The classes that the decoder distinguishes; empty if it reconstructs light."""
+        """The names of the classes that the decoder distinguishes; empty if it reconstructs
+        light."""
         classifies = load_protocol(self.data.protocol).classifies
         return self.data.classes or DIRECTIONS if classifies else ()
 
     @property
     def settle_share(self) -> float:
-        """The fraction of the steps in which the codes settle: 0 if the codes do not learn, or if
-        the decoder has nothing to learn."""
+        """The fraction of the steps in which the codes are frozen and only the decoder learns: 0 if
+        the codes do not learn, or if the decoder has nothing to learn."""
         decoder = DECODERS.get(self.decoder.name)
         can_settle = self.decoder.learn and (decoder is None or decoder.has_weights)
         return self.shutter.settle if self.shutter.learn and can_settle else 0.0

@@ -9,15 +9,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 RESAMPLES = 2000
+"""Number of samples of a bootstrap."""
 
 
 def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> dict[str, Any]:
-    """Return `mean`, `sd` and `ci95` of scores; infinite scores are excluded and counted in
-    `infinite`.
+    """Return the statistics of scores by name: `mean`, `sd` (standard deviation), `ci95` (95 %
+    interval of the mean), and `infinite`, the number of infinite scores, which are left out.
 
     `groups` names the scene of each value. The interval is a bootstrap over scenes, because crops
-    of one scene are not independent. It is None for a single scene; all three are None without
-    finite values. Raises ValueError for NaN."""
+    of one scene are not independent; `seed` is that of its samples. It is None for a single scene;
+    all three are None without finite values. Raises ValueError for NaN."""
     if any(np.isnan(value) for value in values):
         raise ValueError("NaN is not a score")
     finite = [(v, g) for v, g in zip(values, groups, strict=True) if np.isfinite(v)]
@@ -35,7 +36,9 @@ def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> di
 
 
 def bootstrap(values: ArrayLike, groups: Sequence[str], seed: int = 0) -> tuple[float, float]:
-    """Return the 95 % interval of the mean of values, from a bootstrap over groups."""
+    """Return the limits of the 95 % interval of the mean of values, from a bootstrap over groups.
+
+    `groups` names the group of each value; values of one group are drawn together."""
     names, of_value = np.unique(np.asarray(groups, np.str_), return_inverse=True)
     sums = np.bincount(of_value, weights=np.asarray(values, np.float64), minlength=len(names))
     counts = np.bincount(of_value, minlength=len(names)).astype(np.float64)
@@ -48,9 +51,12 @@ def bootstrap(values: ArrayLike, groups: Sequence[str], seed: int = 0) -> tuple[
 def paired(
     first: Mapping[str, float], second: Mapping[str, float], scene_of: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return the gain of second scores over first scores on their common items, matched by name.
+    """Return the statistics of the gain, second minus first score, on the items that both have.
 
-    Infinite scores are excluded and counted. `ci95` is a bootstrap over scenes."""
+    Scores are by the name of the item, and `scene_of` names its scene. `items` and `scenes` are
+    counts, `only_first` and `only_second` count items without a partner, and `gain_db` is the mean
+    gain. `sd`, `ci95` and `infinite` are those of `summary`; a gain is infinite if a score is.
+    Raises ValueError for NaN."""
     common = sorted(set(first) & set(second))
     if any(np.isnan(score) for score in (*first.values(), *second.values())):
         raise ValueError("NaN is not a score")

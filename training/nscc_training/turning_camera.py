@@ -22,12 +22,13 @@ def turned(
     """Return a clip (frames, size, size) of linear light from an equirectangular panorama (rows,
     cols).
 
-    The camera starts near the horizon and rotates uniformly. One to three objects, other parts of
-    the panorama, cross the picture."""
+    The camera starts near the horizon and rotates uniformly, mostly sideways. One to three objects,
+    elliptical pieces of other parts of the panorama, cross the picture."""
     import cv2
 
     def somewhere() -> tuple[float, float]:
-        """Return a random direction: longitude and latitude near the horizon, in radians."""
+        """Return a random direction in radians: longitude, and latitude within 15 degrees of the
+        horizon."""
         return np.radians(generator.uniform(0, 360)), np.radians(generator.uniform(-15, 15))
 
     yaw, pitch = somewhere()
@@ -52,14 +53,16 @@ def turned(
 
 
 def _velocity(generator: np.random.Generator, limits: tuple[float, float]) -> NDArray[np.float64]:
-    """Return a random velocity (down, right), with its magnitude uniform in the logarithm."""
+    """Return a random velocity (down, right) in any direction. Its magnitude is uniform in the
+    logarithm between the `limits`."""
     size = np.exp(generator.uniform(*np.log(limits)))
     angle = generator.uniform(0, 2 * np.pi)
     return np.asarray(size * np.array([np.sin(angle), np.cos(angle)]))
 
 
 def view(panorama: Picture, yaw: float, pitch: float, size: int) -> Picture:
-    """Return the view (size, size) of a camera in direction `yaw` and `pitch` (radians)."""
+    """Return the view (size, size) of a camera that looks in direction `yaw` (sideways) and `pitch`
+    (upwards), both in radians, inside an equirectangular panorama."""
     import cv2
 
     half = np.tan(np.radians(FIELD_OF_VIEW) / 2)

@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _MOST_FRAMES = 64
+"""Most frames of a clip that are drawn."""
 _MOST_DRAWN_PIXELS = 1 << 22
 _MOST_FRAME_PIXELS = 1 << 20
 """Most pixels of each drawn frame of a clip, because all frames are in memory."""
@@ -53,8 +54,8 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
     """Return the PNG of a frame file or reconstruction (.npz), a picture, a clip, a run folder, or
     a result (.json) or sensor (.toml) file.
 
-    `tone` names a tone curve for light. Raises Rejected: NS0801 for another file, and the errors of
-    the readers for damaged files."""
+    `tone` names a tone curve for light; None takes the usual one of the kind of file. Raises
+    Rejected: NS0801 for another file, and the errors of the readers for damaged files."""
     folder = run_path(path)
     if folder.is_dir():
         if not (folder / "metrics.csv").is_file():
@@ -95,9 +96,11 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
 
 
 def _of_arrays(path: Path, tone: str | None) -> bytes:
-    """Return the PNG of a frame file, or of an .npz file with an `image` or a `video`.
+    """Return the PNG of the .npz file at `path`: a frame file, or a file with an array `image` or
+    `video`.
 
-    `tone` is the tone curve, None the usual one. Raises Rejected (NS0801) for other files."""
+    `tone` names the tone curve, None takes the usual one. Raises Rejected (NS0801) for other files.
+    """
     try:
         _, array_names = npz_arrays(path, lambda _: False)
         most_bytes = MOST_BYTES if "frame" in array_names else _MOST_DRAWN_BYTES
@@ -126,7 +129,8 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
 
 
 def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[Any]:
-    """Return a picture reduced to at most `most` pixels by means over areas."""
+    """Return a picture reduced to at most `most` pixels by means over areas; a smaller one is
+    returned as it is."""
     import cv2
 
     rows, cols = picture.shape[:2]
@@ -141,8 +145,10 @@ def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[A
 
 
 def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
-    """Return the PNG of what `sheet` draws from the tables of a file; raise Rejected (NS0801) if
-    they are invalid."""
+    """Return the PNG of the figure that `sheet` draws from `arguments`, which were read from the
+    file `path`.
+
+    Raises Rejected (NS0801) if their content cannot be drawn."""
     try:
         return png_of(sheet, *arguments)
     except (csv.Error, AttributeError, LookupError, TypeError, ValueError) as error:
@@ -152,8 +158,11 @@ def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
 def frame_view(
     arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str, tone: str | None
 ) -> Figure:
-    """Draw the buckets of a frame file with its images, planes and events; of repeated frames the
-    first, of colours all."""
+    """Draw each bucket of a frame file: codes, electrons and saturated pixels, or if it has them,
+    images, planes and events.
+
+    `arrays` and `meta` are the content of the file, and `tone` names the tone curve of electrons.
+    Of repeated frames the first is drawn, of colours all."""
     missing = np.zeros(arrays["frame"].shape)
     frame, exposure, marks = (arrays.get(key, missing) for key in _FRAME_KEYS)
     if "margin" in arrays:
@@ -190,7 +199,8 @@ def _is_drawn(name: str) -> bool:
 
 
 def _json(path: Path) -> dict[str, Any]:
-    """Return the object in the JSON file `path`; raise Rejected (NS0801) for another file."""
+    """Return the object in a JSON file. Raise Rejected (NS0801) if it cannot be read or holds
+    another kind of value."""
     try:
         document = json.loads(read_whole(path))
     except (OSError, ValueError, RecursionError) as error:
@@ -219,8 +229,10 @@ _ELSEWHERE = "with another sensor or exposure"
 
 
 def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
-    """Return a sheet of the training curves of the run `path`, and of its scores in `result` under
-    changed conditions."""
+    """Draw the training and validation scores of the run in the folder `path` over its steps, and
+    its scores under changed conditions.
+
+    `result` is the content of its `result.json`, or empty."""
     with open(path / "metrics.csv", encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
     changes, metric = _changes(result), _metric(result)
@@ -246,8 +258,10 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
 
 
 def result_sheet(values: dict[str, Any], title: str) -> Figure:
-    """Return a sheet, under `title`, of the scores in `values`: of a run (`robustness`) or an
-    evaluation (`items`), worst first."""
+    """Draw the scores of a run under changed conditions (`robustness`), or the mean scores of an
+    evaluation by file or class (`items`), the worst first.
+
+    `values` is the content of a result file."""
     changes, metric = _changes(values), _metric(values)
     if changes:
         figure, (axes,) = panels(1, _PANEL, 1)
@@ -275,8 +289,10 @@ def result_sheet(values: dict[str, Any], title: str) -> Figure:
 
 
 def sensor_sheet(path: Path) -> Figure:
-    """Return a sheet of the response of the sensor file `path` to uniform light in one slot, and of
-    its standard deviation."""
+    """Draw the mean code over uniform light in one slot of 1 ms, and the scatter of codes from
+    frame to frame and from pixel to pixel.
+
+    `path` is a sensor file. The emulator exposes two frames whose columns have increasing light."""
     target = load_target(DEFAULT_NAME, Path())
     sensor = load_sensor(target, path)
     electrons = np.geomspace(10.0, 3 * sensor.full_well_e, target.cols)
@@ -289,6 +305,7 @@ def sensor_sheet(path: Path) -> Figure:
     noise, fixed = (theme().of(number)["color"] for number in (0, 1))
     response.plot(electrons, codes.mean(axis=(0, 1)), color=theme().ink)
     response.set_title("response")
+    # The difference of two frames has twice the variance of one.
     temporal = np.sqrt(np.mean(np.diff(codes, axis=0)[0] ** 2, axis=0) / 2)
     pattern = codes.mean(axis=0).std(axis=0)
     scatter.plot(electrons, temporal, color=noise, label="of a pixel from frame to frame")
@@ -307,7 +324,7 @@ def sensor_sheet(path: Path) -> Figure:
 
 
 def _bars(axes: Axes, values: dict[str, float], title: str, metric: str) -> None:
-    """Draw horizontal bars of values by name; `metric` labels the axis."""
+    """Draw horizontal bars of `values` by name, the first at the top. `metric` labels the axis."""
     places = range(len(values))
     axes.barh(places, list(values.values()), color=theme().bar, height=0.6)
     axes.set_yticks(places, list(values))
@@ -317,20 +334,22 @@ def _bars(axes: Axes, values: dict[str, float], title: str, metric: str) -> None
 
 
 def _metric(values: dict[str, Any]) -> str:
-    """Return the metric of a run's result or of an evaluation."""
+    """Return the metric to draw: "correct" for a run or an evaluation with classes, else
+    "psnr_db"."""
     rows = (*(values.get("robustness") or ()), *(values.get("items") or ()))
     return "correct" if any("correct" in row for row in rows) else "psnr_db"
 
 
 def _changes(result: dict[str, Any]) -> dict[str, float]:
-    """Return the scores of a run under changed conditions, by name."""
+    """Return the scores of a run by the name of the changed condition; empty if `result` has
+    none."""
     rows = result.get("robustness") or ()
     scores = {str(row["change"]): _number(row[_metric(result)]) for row in rows}
     return {name: value for name, value in scores.items() if value is not None}
 
 
 def _number(value: object) -> float | None:
-    """Return a finite number from a value of a table, or None."""
+    """Return a finite number from a cell of a table; None for other text, an infinity or NaN."""
     try:
         number = float(str(value))
     except ValueError:

@@ -26,11 +26,14 @@ from nscc_training.measured import Measured
 
 WEIGHTS = "weights.safetensors"
 _BRIGHT = 0.995
+"""The quantile of light that counts as white."""
 
 
 @cache
 def shipped(kind: str) -> ClipDenoiser:
-    """Return the denoiser for clips or stills, `kind` "clip" or "still", with its weights."""
+    """Return the denoiser whose weights come with nscc, for evaluation only: it holds no gradients.
+
+    `kind` is "clip" or "still". The result is cached, so all callers share one network."""
     from safetensors.torch import load_file
 
     with as_file(files(__package__) / WEIGHTS) as path:
@@ -46,7 +49,10 @@ def shipped(kind: str) -> ClipDenoiser:
 
 
 def write_shipped(clip: Path, still: Path, out: Path) -> None:
-    """Write the weights of a clip run and a still run in half precision, as nscc ships them."""
+    """Write the denoisers of two training runs into one safetensors file, in half precision.
+
+    `clip` and `still` are the folders of the runs, `out` is the file that `shipped` reads as part
+    of the package. Other weights of their decoders are left out."""
     from safetensors.torch import load_file, save_file
 
     state = {
@@ -64,9 +70,10 @@ def decoded_clip(
 ) -> Tensor:
     """Reconstruct the clip (batch, N, rows, cols) from frames, in their unit, in `count` stages.
 
-    If one of several readouts was always open, `joined` adds static content from all readouts. A
-    last step brings the clip closer to the frames. The denoiser expects white to be 1, so the
-    measurement is first divided by an estimate of white."""
+    A stage is a correction towards the frames and a denoiser. If one of several readouts was always
+    open, `joined` adds static content from all readouts. The denoiser expects white to be 1, so the
+    measurement is first divided by an estimate of white. `progress` receives the stages and may
+    show a bar."""
     unit = white(measured)
     measured = measured.over(unit)
     number = always_open(measured)
@@ -79,7 +86,10 @@ def decoded_clip(
 
 
 def _coded_clip(measured: Measured[Tensor], count: int, first: int, progress: Progress) -> Tensor:
-    """Return the mean clip of stages `first` to `count`, led towards the frames; white is 1."""
+    """Return the mean of the clips after stages `first` to `count` (1 is the first stage),
+    corrected once towards the frames.
+
+    The measurement must be divided by white. `progress` receives the stages."""
     clip, target = gap_tv_of(measured)
     mean = torch.zeros_like(clip)
     with bf16_where_multiplied():
@@ -100,8 +110,10 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int, progress: Pr
 
 @torch.no_grad()
 def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tensor:
-    """Reconstruct the light over the frame (batch, rows, cols), in the frames' unit, by `count`
-    stages."""
+    """Reconstruct the light over the whole frame (batch, rows, cols), in the frames' unit, by
+    `count` stages.
+
+    A stage is a correction towards the frames and a denoiser."""
     # Scale so that nearly the largest value is 1, as the stages require.
     unit = measured.value.amax(dim=(1, 2, 3)).clamp(min=1e-6)
     measured = measured.over(unit)
@@ -112,15 +124,21 @@ def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tens
 
 
 def _still_in_tiles(light: Tensor, planes: Tensor, level: Tensor) -> Tensor:
-    """Denoise a still in tiles, by the network for stills that comes with nscc."""
+    """Denoise a still (batch, 1, rows, cols) in tiles, by the network for stills that comes with
+    nscc.
+
+    `planes` are the network's other inputs for the whole still, `level` (batch,) is the assumed
+    standard deviation of the error."""
     return denoised_in_tiles(
         shipped("still"), light, lambda rows, cols: planes[..., rows, cols], level
     )
 
 
 def white(measured: Measured[Tensor]) -> Tensor:
-    """Return the level that counts as white (batch,): the 99.5 % quantile of the light of opened
-    pixels; 1 if none opens."""
+    """Return the light that counts as white for each frame of the batch (batch,): the 99.5 %
+    quantile of the mean light of pixels that open at all.
+
+    It is 1 for a frame whose pixels never open, and at least 1e-6."""
     total = measured.mask.sum(dim=(1, 2))
     mean = measured.mean()
     opened = (total > 0).expand_as(mean).flatten(1)
@@ -148,8 +166,10 @@ _STILL, _MOVING = 0.25, 0.6
 
 
 def always_open(measured: Measured[Tensor]) -> int | None:
-    """Return the index of the readout whose shutters never close; None if there is none, or if all
-    are such."""
+    """Return the index of the readout whose shutters never close in any slot and pixel.
+
+    If there are several, the first is returned. Return None if there is none, or if all readouts
+    are always open."""
     opened = (measured.mask > 0).all(dim=2).flatten(2).all(dim=2).all(dim=0)
     if bool(opened.all()) or not bool(opened.any()):
         return None
@@ -157,14 +177,15 @@ def always_open(measured: Measured[Tensor]) -> int | None:
 
 
 def joined(measured: Measured[Tensor], clip: Tensor, number: int) -> Tensor:
-    """Return the clip (batch, N, rows, cols), static where the readouts agree, elsewhere `clip`.
+    """Return the clip (batch, N, rows, cols) with static light where the readouts agree, and `clip`
+    elsewhere.
 
-    Readout `number` is always open. Without motion all readouts measure the same light, and their
-    mean has less noise than an ordinary frame. This needs no training, because the noise of every
-    readout is known. The static light is the mean of all readouts, weighted by
-    precision. It is moved towards the mean of `clip` if their difference is within the noise. Its
-    error is therefore close to the noise of the readouts at most, and it is smooth if `clip` is
-    right."""
+    `number` is the index of the readout that is always open. Without motion all readouts measure
+    the same light, and their mean has less noise than an ordinary frame. This needs no training,
+    because the noise of every readout is known. The static light is the mean of all readouts,
+    weighted by precision. It is moved towards the mean of `clip` if their difference is within the
+    noise. Its error is therefore close to the noise of the readouts at most, and it is smooth if
+    `clip` is right."""
     opened = measured.mask.sum(dim=2)
     light = measured.value / opened.clamp(min=1e-9)
     variance = measured.variance / opened.clamp(min=1e-9).square()
@@ -188,15 +209,19 @@ def joined(measured: Measured[Tensor], clip: Tensor, number: int) -> Tensor:
 
 
 def motion(deviation: Tensor) -> Tensor:
-    """Return a measure of motion (batch, rows, cols) from deviations (batch, B, rows, cols).
+    """Return a measure of motion (batch, rows, cols): about 0 where nothing moves.
 
-    A deviation is the difference of a coded readout from the static prediction, in standard
-    deviations. The measure adds the mean square in a wide window minus 1 and the squared mean in a
-    narrow one."""
+    `deviation` (batch, B, rows, cols) is the difference of each coded readout from the light that
+    it would have without motion, in standard deviations of its noise. The measure is the mean
+    square in a wide window minus 1, plus the squared mean in a narrow window, averaged over
+    readouts."""
     wide = _around(deviation.square(), _WIDE) - 1
     return (wide + _around(deviation, _NARROW).square()).mean(dim=1)
 
 
 def _around(values: Tensor, side: int) -> Tensor:
-    """Return the mean of a window around each pixel of (batch, [B,] rows, cols)."""
+    """Return the mean of `values` (batch, [B,] rows, cols) in a square of `side` pixels (odd)
+    around each pixel.
+
+    At the border only the pixels inside count."""
     return functional.avg_pool2d(values, side, 1, side // 2, count_include_pad=False)

@@ -24,6 +24,7 @@ from nscc_training.measured import Measured
 from nscc_training.sensor_model import laid, shared_out
 
 _STAGES = {"paper": 8, "small": 4}
+"""Number of stages for clips, by the size of the decoder that the settings name."""
 _NOISE = (1e-5, 3e-5)
 """Variance of a dark pixel, and its increase up to a full pixel, relative to the squared full well.
 
@@ -42,10 +43,11 @@ class AnyCode(nn.Module):
     cols). Clips start from GAP-TV, which passes no gradient."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
-        """Begin with the shipped weights if the widths are those of the shipped network.
+        """Build the decoder. Take the shipped weights if `channels`, the widths of its three
+        scales, are those of the shipped network, else random ones.
 
-        `channels` are its widths, `size` chooses the number of stages for clips. The noise
-        parameters are learned."""
+        `task` says whether to decode stills or clips. `size` ("paper" or "small") chooses the
+        number of stages for clips. The two noise parameters are learned, too."""
         super().__init__()
         self.still = task.kind == "still"
         self.stages = STILL_STAGES if self.still else _STAGES[size]
@@ -55,15 +57,18 @@ class AnyCode(nn.Module):
         self.noise = nn.Parameter(torch.tensor(_NOISE).log())
 
     def begin_anew(self) -> None:
-        """Replace nscc's weights by random weights."""
+        """Replace the weights of the denoiser, which may be those that nscc ships, by random
+        weights."""
         self.denoiser = ClipDenoiser(self.denoiser.widths)
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        """Return the light of a frame, (batch, rows, cols) for stills and (batch, N, rows, cols)
-        for clips.
+        """Return the light of frames: (batch, rows, cols) for stills, (batch, N, rows, cols) for
+        clips.
 
-        `frame` (batch, [buckets,] rows, cols) is a fraction of a full well, and `shutters` are
-        those of a tile. The light of a slot is in units of a full well / N."""
+        `frame` (batch, [buckets,] rows, cols) is in full wells; a value of 1 counts as saturated.
+        `shutters` (N, r, c) are 1 where the first bucket is open, for one tile that is repeated
+        over the frame. Light over the frame is in full wells, the light of a slot in full wells /
+        N."""
         opened = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
         slots = 1 if self.still else opened.shape[-3]
         mask = opened.mean(dim=-3, keepdim=True) if self.still else opened
@@ -72,6 +77,7 @@ class AnyCode(nn.Module):
         else:
             masks = shared_out(mask, frame.shape[1])
         dark, gained = self.noise.exp()
+        # Frames of clips are multiplied by N, because light is in units of a full well / N.
         variance = slots**2 * (dark + gained * frame.clamp(min=0))
         masks = masks if masks.ndim == 5 else masks.unsqueeze(0)
         measured = Measured(slots * frame, masks, variance, frame >= 1)

@@ -58,7 +58,10 @@ class CodedFrame:
 
     @property
     def is_still(self) -> bool:
-        """Return whether all shutters open at the start (class b), for stills, not motion."""
+        """Return whether every shutter is open from the start until some slot (class b), or never
+        opens.
+
+        Such frames are decoded as stills: they contain no information about motion."""
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
     def crop(self, rows: slice, cols: slice) -> CodedFrame:
@@ -74,20 +77,22 @@ class CodedFrame:
         )
 
     def clip(self) -> Measured[NDArray[Any]]:
-        """Return the measurement of a clip, in electrons per slot of mean length."""
+        """Return the measurement for a clip decoder, with masks of N slots. Light is in electrons
+        per slot of mean length."""
         weights = (self.opened * (self.slot_us / self.slot_us.mean())).astype(np.float32)
         return self._measured(weights)
 
     def still(self) -> Measured[NDArray[Any]]:
-        """Return the measurement of a still, in electrons over the whole frame."""
+        """Return the measurement for a still decoder, with masks of one slot: the open fraction of
+        the frame. Light is in electrons over the whole frame."""
         share = self.opened @ (self.slot_us / self.slot_us.sum())
         return self._measured(share[..., None].astype(np.float32))
 
     def _measured(self, weights: NDArray[np.float32]) -> Measured[NDArray[Any]]:
-        """Return the frame as a batch of one measurement, whose mask has the `weights` (shutters,
-        buckets, slots) of each pixel's shutter.
+        """Return the frame as a batch of one measurement. `weights` (shutters, buckets, slots) say
+        how much of the light of a slot each shutter collects.
 
-        Raises ValueError for an array that would be too large."""
+        Raises ValueError if the masks of all pixels would have more than `_MOST_VALUES` values."""
         if weights.shape[2] * self.row.size > _MOST_VALUES:
             raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
@@ -101,13 +106,14 @@ def read_coded_frames(
     dark: Path | None = None,
     warn: Callable[[Diagnostic], None] = lambda _doubt: None,
 ) -> tuple[CodedFrame, ...]:
-    """Read a frame file of any program: return one frame, or the frames of red, green and blue.
+    """Read a frame file that any program wrote. Return one frame, or three (red, green, blue) if it
+    was exposed once for each colour.
 
-    Repeated frames are averaged. `program` is the container or text that exposed the frame, needed
-    if the file contains no shutters. `dark` is a frame file of the same program without light: each
-    pixel's dark value replaces the mean offset of the words. `warn` receives warnings about `dark`.
-    Raises Rejected: NS0819 for an invalid file or missing shutters, and the errors of loading
-    `program`."""
+    Repeated frames are averaged. `program` is the container or text that exposed the frame; it is
+    needed if the file contains no shutters, and checked if it does. `dark` is a frame file of the
+    same program without light: each pixel's dark value replaces the mean offset of the words.
+    `warn` receives warnings about `dark`. Raises Rejected: NS0819 for an invalid file or missing
+    shutters, and the errors of loading `program`."""
     try:
         arrays, meta = read_frame_arrays(
             path, lambda name: name == "saturated" or name.startswith("decode_")
@@ -158,12 +164,13 @@ def _dark_of(
     meta: Mapping[str, Any],
     warn: Callable[[Diagnostic], None],
 ) -> NDArray[np.float64]:
-    """Return the dark value (B, rows, cols) of each pixel of an array, for a frame with these
-    arrays.
+    """Return the dark value (B, rows, cols) of each pixel, in codes above the ADC's offset, from
+    the dark frame in the file `path`.
 
-    The number of buckets and pixels must match the frame or, for a frame that consists of several
-    arrays, one array. Raises Rejected (NS0819) for another size or program, or a frame with light.
-    """
+    `arrays` and `meta` are those of the frame to be corrected. A large picture may be exposed in
+    parts, by several arrays of pixels: then the dark frame may have the size of one array. `warn`
+    receives doubts about the dark frame. Raises Rejected (NS0819) for another size or program, or a
+    dark frame that contains light."""
     dark_frame = read_dark(path, arrays["decode_shutter"].shape[-2])
     frame_pixels, dark = arrays["frame"].shape[-2:], dark_frame.offset.shape[-2:]
     # A picture that was exposed in parts may end within the last part.
@@ -186,7 +193,10 @@ def _dark_of(
 def exposed_frame(
     container: Container, light: Light, sensor: Sensor, request: Request
 ) -> CodedFrame:
-    """Expose light with a program, and return the frame of the emulated chip."""
+    """Expose `light` with the program in `container` on the emulated chip. Return the frame with
+    its shutters, noise and saturation.
+
+    `request` chooses the effects and the seed."""
     return coded_capture(container, light, sensor, simulate(container, light, sensor, request))
 
 
@@ -206,10 +216,14 @@ def coded_frame(
     meta: Mapping[str, Any],
     dark: NDArray[np.float64] | None = None,
 ) -> CodedFrame:
-    """Convert the arrays and `meta` of a frame file, of one frame or of repeated frames.
+    """Convert the arrays and `meta` of a frame file, which holds one frame or repeated frames
+    (averaged).
 
-    `dark` (B, rows, cols) is the array's dark value in codes above the ADC's offset. Raises
-    KeyError, ValueError, IndexError or TypeError for arrays that are missing or do not match."""
+    `arrays` contains `frame`, perhaps `saturated`, and the decode table (`decode_shutter`,
+    `decode_row`, `decode_slot_us`, `decode_gain`, `decode_bias_e`, `decode_variance_e2`). `dark`
+    (B, rows, cols) is each pixel's code in the dark above the ADC's offset; None subtracts the bias
+    of the table instead. Raises KeyError, ValueError, IndexError or TypeError for arrays that are
+    missing or do not match."""
     codes = arrays["frame"]
     codes = codes[None] if codes.ndim == 3 else codes
     saturated = arrays.get("saturated", arrays["frame"] == _TOP)
@@ -250,11 +264,11 @@ def coded_frame(
 
 
 def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDArray[Any]]:
-    """Return the decode table that an older frame file at `path` lacks, computed from its program
+    """Return the decode table that an older frame file at `path` lacks, computed from its `program`
     and its `meta`.
 
-    Raises Rejected (NS0819) for a damaged meta, and NS0819 if the codes do not determine the
-    shutters."""
+    Raises Rejected (NS0819) for a damaged meta, or if the codes do not determine the shutters, as
+    in pixels that look."""
     container = with_pixels(load_container(program)[0], program)
     values = meta.get("sensor", default_sensor(container.target).values)
     try:
@@ -278,8 +292,12 @@ def _is_exposed_by(
     meta: Mapping[str, Any],
     table: Mapping[str, NDArray[Any]],
 ) -> bool:
-    """Return whether the frame was exposed with the program's shutters, its `table`, by its own
-    shutters or its digest."""
+    """Return whether a frame was exposed with the shutters of a program, whose decode table is
+    `table`.
+
+    If the frame's `arrays` contain shutters, these are compared. Otherwise the digest in `meta` is
+    compared with the compiled program's at each optimisation level; a frame without a digest
+    passes."""
     if "decode_row" in arrays:
         same_slots = np.array_equal(arrays["decode_slot_us"], table["decode_slot_us"])
         opened, table_shutters = (

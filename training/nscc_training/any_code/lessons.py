@@ -31,13 +31,17 @@ Mask = NDArray[np.float32]
 Light = NDArray[np.float32]
 
 _NOISE = (3 / 255, 40 / 255)
+"""Limits of the standard deviation of noise in lessons of denoising; white is 1."""
 _LENGTHS = (4, 6, 8, 8, 8, 8, 12, 16)
 """Numbers of frames of a clip; 8 is most frequent because the benchmark has 8."""
 _FILM_LENGTHS = (8, 16, 16)
+"""Numbers of frames of a filmed lesson; the searched code has 16."""
 SEARCHED_SLOTS = 16
 """Slots of the searched code."""
 _FULL_WELL_E = (2_000.0, 60_000.0)
+"""Limits of the full well of the sensors that lessons simulate."""
 _READ_LSB = (0.2, 2.0)
+"""Limits of the standard deviation of their read noise, in steps of the converter."""
 _TOP = 255.0
 
 
@@ -45,9 +49,10 @@ class Lesson(NamedTuple):
     """The examples of one training step.
 
     `light` is a batch of clips (batch, T, rows, cols) from 0 to 1 in display encoding, or of stills
-    (batch, 1, rows, cols) in full wells; `mask` has the same shape. `exact` means that there is no
-    measurement noise, as in benchmarks. `filmed` means linear light with unknown white, as a camera
-    records it."""
+    (batch, 1, rows, cols) in full wells; `mask`, of the same shape, is the open fraction of each
+    slot. `exact` means that there is no measurement noise, as in benchmarks. `filmed` means linear
+    light with unknown white, as a camera records it. `names` is the kind of lesson, for the
+    trainer's interface of batches."""
 
     light: Tensor
     mask: Tensor
@@ -57,20 +62,22 @@ class Lesson(NamedTuple):
 
 
 class LessonSet(Dataset[Lesson]):
-    """The lessons of a run, by step; longer clips come in smaller batches."""
+    """The lessons of a training run: item `step` is the batch of that step. Longer clips come in
+    smaller batches, so that all batches have about as many values."""
 
     def __init__(
         self, pictures: Sequence[Picture] | Sequence[Light], settings: RunSettings
     ) -> None:
-        """Draw lessons from these pictures as the settings say."""
+        """Prepare lessons whose light is drawn from `pictures`: for clips those that `moving`
+        shifts, for stills linear arrays (rows, cols)."""
         self.pictures, self.settings = pictures, settings
 
     def __getitem__(self, step: int) -> Lesson:
-        """Return the examples of one training step; the same step always gives the same light and
-        codes.
+        """Return the examples of training step `step`; the same step always gives the same light
+        and codes.
 
-        The settings decide the kind: stills, noisy clips to denoise, or coded clips with random or
-        searched codes."""
+        `settings.decoder.lessons` decides the kind: "stills", "denoise" (noisy clips), or coded
+        clips with random codes and sometimes the searched code."""
         settings = self.settings
         generator = np.random.default_rng([settings.train.seed, DrawStream.LESSONS, step])
         kind, size, batch = settings.decoder.lessons, settings.data.patch, settings.train.batch
@@ -102,8 +109,8 @@ class LessonSet(Dataset[Lesson]):
 
 
 def noisy(clip: Tensor, generator: torch.Generator) -> tuple[Tensor, Tensor]:
-    """Return the clips `clip` (batch, T, rows, cols) with Gaussian noise, and its standard
-    deviation (batch,), which is drawn for each clip."""
+    """Return `clip` (batch, T, rows, cols) plus Gaussian noise, and the noise's standard deviation
+    (batch,), which is drawn uniformly for each clip."""
     low, high = _NOISE
     sigma = low + (high - low) * uniform(clip, generator, clip.shape[:1])
     drawn = torch.randn(clip.shape, generator=generator, device=generator.device).to(clip)
@@ -113,12 +120,14 @@ def noisy(clip: Tensor, generator: torch.Generator) -> tuple[Tensor, Tensor]:
 def measured_lesson(
     lesson: Lesson, generator: torch.Generator
 ) -> tuple[Tensor, Measured[Tensor], Tensor | None]:
-    """Return the ground truth of a lesson, its measurement, and the display's white (batch,).
+    """Return the ground truth of a lesson, its measurement, and the light that a display shows as
+    white (batch,).
 
-    White is only returned for filmed lessons, whose errors are measured in display encoding. Their
-    full well is set near the light of an always open pixel at the brightest percent of pixels, as
-    in protocol video-v1, so that noise is realistic for short shutters. The full well of a still is
-    1; in other lessons some pixels may saturate."""
+    White is None except for filmed lessons, whose errors are measured in display encoding; their
+    truth and measurement are divided by the white that the decoder estimates. Their full well is
+    within a factor of 2 of the light that the brightest percent of pixels would collect if always
+    open. This is as in protocol video-v1, so that noise is realistic for short shutters. The full
+    well of a still is 1. In other lessons some pixels may saturate."""
     light, mask = lesson.light, lesson.mask
     if lesson.filmed:
         light = srgb_inverse(light)
@@ -141,11 +150,11 @@ def measured_lesson(
 
 
 def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> tuple[Light, Mask]:
-    """Return a random still (size, size) in full wells, and for how much of the frame each pixel is
-    open.
+    """Return a random still (size, size) in full wells, cut from one of the `pictures`, and the
+    open fraction of the frame of each pixel (size, size).
 
-    Part of the light would saturate an open pixel, which only pixels with a short exposure measure.
-    """
+    Part of the light would saturate a pixel that is always open; only pixels with a short exposure
+    measure it."""
     picture = pictures[int(generator.integers(len(pictures)))]
     step = int(generator.integers(1, 3))
     row, col = (int(generator.integers(side - step * size + 1)) for side in picture.shape)
@@ -164,8 +173,11 @@ def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> 
 
 
 def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
-    """Return random shutters (frames, size, size) of bits, bumps, tiles of bumps, a codebook or
-    stops; every pixel opens."""
+    """Return random shutters (frames, size, size), 1 where open. Every pixel opens in at least one
+    frame.
+
+    Their kind is random, too: free bits, bumps of one length, bumps of any length, rows of a
+    codebook, or stops. Some are drawn for each pixel, others for a tile that is repeated."""
     kind = generator.choice((*["bits"] * 6, "bump", "bumps", "book", "stops"))
     tile = size
     if generator.random() < (0.3 if kind == "bits" else 0.6):
@@ -195,12 +207,16 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
 
 
 def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
-    """Return random shutters (frames, size, size): half of them of any class, half of them bumps
-    in a 4 x 4 tile that open one after another."""
+    """Return random shutters (frames, size, size), 1 where open.
+
+    Half of the draws are those of `mask_drawn`. The other half are bumps of a quarter of the frame
+    in a 2 x 2 or 4 x 4 tile, which open one after another."""
     if generator.random() < 0.5:
         return mask_drawn(generator, frames, size)
     length = max(1, frames // 4)
     side, kind = 4, int(generator.integers(3))
+    # Kind 2: sixteen starts, which may continue at the start of the frame. Kind 0: four starts in a
+    # 2 x 2 tile. Kind 1: four starts, delayed by half a bump in half of the places.
     begin = np.arange(16) * frames // 16
     if kind < 2:
         begin = np.tile(np.arange(4) * (frames - length) // 3, 4)
@@ -215,15 +231,18 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
 
 @cache
 def _searched_tile() -> Mask:
-    """Return the shutters (16, 8, 8) of the searched code that comes with nscc."""
+    """Return the shutters (16, 8, 8), 1 where open, of the searched code that comes with nscc."""
     encoder = make_encoder(ShutterSpec("e", SEARCHED_SLOTS, (8, 8)), "random", 0)
     encoder.load_codes(load_codes(searched_codes()))
     return np.asarray(encoder.hard().numpy(), np.float32)
 
 
 def _searched_mask(generator: Generator, frames: int, size: int) -> Mask:
-    """Return the searched code (frames, size, size), repeated over the patch and randomly shifted,
-    rotated and reversed in time."""
+    """Return the searched code, repeated to (16, size, size), 1 where open, and randomly shifted,
+    rotated and reversed in time.
+
+    `frames` must be `SEARCHED_SLOTS`; it is a parameter because all functions that draw masks have
+    it."""
     tile = np.rot90(_searched_tile(), int(generator.integers(4)), axes=(1, 2))
     tile = tile[:: int(generator.choice((1, -1)))]
     row, col = generator.integers(8, size=2)
@@ -234,11 +253,12 @@ def _searched_mask(generator: Generator, frames: int, size: int) -> Mask:
 def _read_out(
     value: Tensor, masks: Tensor, generator: torch.Generator, full: Tensor | None
 ) -> tuple[Tensor, Tensor, Tensor, Tensor]:
-    """Simulate a random sensor's readout of frames (batch, 1, rows, cols); return fields of
-    `Measured`.
+    """Simulate the readout of frames by a sensor with random full well and read noise. Return the
+    four fields of `Measured`: values, masks, variances, saturation.
 
-    `full` (batch,) is the value of a full well; without it, the well is drawn so that some pixels
-    may saturate."""
+    `value` (batch, 1, rows, cols) is the light of the open slots. `full` (batch,) is the value that
+    fills a well. None draws it: 60 % of the frames do not saturate, and up to 15 % of the pixels of
+    the others do."""
     wide = (-1, 1, 1, 1)
 
     def drawn(limits: tuple[float, float]) -> Tensor:

@@ -26,7 +26,8 @@ class ClipDenoiser(nn.Module):
     motion, and the weights do not depend on the number of frames."""
 
     def __init__(self, widths: tuple[int, ...] = WIDTHS) -> None:
-        """Build the network of three scales with these widths. It begins as the identity."""
+        """Build a network of three scales; `widths` are the numbers of channels from fine to
+        coarse. It begins as the identity, because its last weights are 0."""
         super().__init__()
         self.widths = widths
         fine, middle, coarse = widths
@@ -52,11 +53,11 @@ class ClipDenoiser(nn.Module):
             self.first.weight[:, planes:-1] = 0
 
     def forward(self, clip: Tensor, measured_planes: Tensor, sigma: Tensor) -> Tensor:
-        """Return the clip (batch, frames, rows, cols) without its noise of standard deviation
-        `sigma` (batch,).
+        """Return an estimate of the clip (batch, frames, rows, cols) without its noise.
 
-        `measured_planes` (batch, SEEN, frames, rows, cols) are features of the measurement. Sides
-        that do not fit the scales are padded and cut again."""
+        `sigma` (batch,) is the standard deviation of the noise. `measured_planes` (batch, SEEN,
+        frames, rows, cols) are features of the measurement: `Measured.planes`, or 0. Sides that are
+        no multiple of the coarsest scale are padded and cut again."""
         batch, frames, rows, cols = clip.shape
         x = torch.cat([clip.unsqueeze(1), measured_planes], dim=1)
         multiple = _FOLD * 2 ** len(self.down)
@@ -74,8 +75,8 @@ class ClipDenoiser(nn.Module):
         return clip + residual.reshape(clip.shape) * sigma.reshape(-1, 1, 1, 1)
 
     def _through(self, x: Tensor, frames: int) -> Tensor:
-        """Return the output of the U-Net for frames as a batch (batch x frames, channels, rows,
-        cols)."""
+        """Return the output (batch * frames, channels, rows, cols) of the U-Net. `x` has the shape
+        of frames that are stacked as a batch, and `frames` says how many belong to a clip."""
         skips = []
         for blocks, shrink in zip(self.down, self.shrink, strict=True):
             for block in blocks:  # type: ignore[attr-defined]
@@ -102,7 +103,8 @@ class FrameExchangeBlock(nn.Module):
         self.two = nn.Conv2d(width, width, 3, padding=1)
 
     def forward(self, x: Tensor, frames: int) -> Tensor:
-        """Return x plus two convolutions of x, before which frames exchange channels."""
+        """Return `x` (batch * frames, channels, rows, cols) plus two convolutions of it. Before the
+        first, the frames of a clip exchange channels (`exchanged`)."""
         inner = functional.relu(self.one(exchanged(x, frames)), inplace=True)
         output: Tensor = x + self.two(inner)
         return output
@@ -118,7 +120,8 @@ def exchanged(x: Tensor, frames: int) -> Tensor:
 
 
 class _Exchanged(torch.autograd.Function):
-    """`exchanged` with its own gradient, because that of slices is slow."""
+    """The function `exchanged` with a gradient written by hand, because the automatic gradient of
+    slices is slow."""
 
     @staticmethod
     def forward(ctx: Any, x: Tensor, frames: int) -> Tensor:
@@ -136,8 +139,8 @@ class _Exchanged(torch.autograd.Function):
 
     @staticmethod
     def backward(ctx: Any, slope: Tensor) -> tuple[Tensor, None]:
-        """Return the gradient of x: each exchanged channel goes back to the frame that it came
-        from."""
+        """Return the gradient of x from that of the result, `slope`: each exchanged channel goes
+        back to the frame that it came from. The number of frames has no gradient (None)."""
         x_slope = slope.clone(memory_format=torch.channels_last)
         old, new = (values.view(-1, ctx.frames, *slope.shape[1:]) for values in (slope, x_slope))
         count = slope.shape[1] // 4
@@ -153,11 +156,12 @@ class _Exchanged(torch.autograd.Function):
 
 
 def _pair(width: int) -> nn.ModuleList:
-    """Return two blocks."""
+    """Return two blocks of `width` channels, one after the other."""
     return nn.ModuleList([FrameExchangeBlock(width), FrameExchangeBlock(width)])
 
 
 def bf16_where_multiplied() -> AbstractContextManager[object]:
-    """Return an autocast to bfloat16 on processors that multiply it, else nothing."""
+    """Return a context in which torch multiplies in bfloat16, if this processor does so in
+    hardware; otherwise a context that changes nothing."""
     knows = [torch.cpu._is_avx512_bf16_supported(), torch.cpu._is_amx_tile_supported()]
     return torch.autocast("cpu", torch.bfloat16) if any(knows) else nullcontext()

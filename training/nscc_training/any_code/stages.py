@@ -21,6 +21,7 @@ Denoiser = Callable[[Tensor, Tensor, Tensor], Tensor]
 """A function of a clip, measurement planes and sigma; see `ClipDenoiser`."""
 
 STAGES = 12
+"""Number of stages for clips."""
 _SIGMA = (16 / 255, 12 / 255)
 """Assumed standard deviation of the clip's error before the first and before the last stage."""
 _LEFT = 4 / 255
@@ -30,29 +31,37 @@ _MIRRORS = ((), (-1,), (-2,), (-2, -1))
 
 
 def schedule(count: int, still: bool = False) -> list[float]:
-    """Return the assumed error (sigma) before each of `count` stages."""
+    """Return the assumed standard deviation of the error before each of `count` stages, falling
+    linearly. `still` chooses the values for stills, whose error is that of a logarithm."""
     return [float(sigma) for sigma in np.linspace(*(_STILL_SIGMA if still else _SIGMA), count)]
 
 
 def stage(
     measured: Measured[Tensor], denoiser: Denoiser, clip: Tensor, target: Tensor, sigma: float
 ) -> tuple[Tensor, Tensor]:
-    """Return clip and target after one stage of accelerated GAP (Liao, Li and Carin 2014).
+    """Return clip and target after one stage of accelerated GAP (Liao, Li and Carin 2014): a
+    correction towards the frames, then the denoiser.
 
-    The target is the frames plus the residuals of earlier stages, which accelerates convergence."""
+    `sigma` is the assumed standard deviation of the clip's error before the stage. The target is
+    the frames plus the residuals of earlier stages, which accelerates convergence; the first stage
+    receives the frames."""
     level = clip.new_full((len(clip),), sigma)
     clip, target = gap_step(measured, clip, target, level)
     return denoiser(clip, measured.planes(), level), target
 
 
 def mirror_axes(number: int) -> tuple[int, ...]:
-    """Return the axes along which the denoiser sees the clip mirrored in stage `number`."""
+    """Return the axes along which the denoiser sees the clip mirrored in stage `number` (0 is the
+    first)."""
     return _MIRRORS[number % len(_MIRRORS)]
 
 
 def mirrored(denoiser: Denoiser, number: int) -> Denoiser:
-    """Return the denoiser for stage `number`, which sees the clip mirrored, so that errors of the
-    network with a direction do not add up: 0.2 dB."""
+    """Return a denoiser that mirrors its inputs along the axes of stage `number`, and mirrors the
+    result back.
+
+    The network's errors have a direction. If stages see the clip in different ways, these errors do
+    not add up: this gains 0.2 dB."""
     axes = mirror_axes(number)
 
     def denoised(clip: Tensor, planes: Tensor, level: Tensor) -> Tensor:
@@ -63,7 +72,8 @@ def mirrored(denoiser: Denoiser, number: int) -> Denoiser:
 
 
 def led(measured: Measured[Tensor], clip: Tensor) -> Tensor:
-    """Return the last stage's clip, corrected once towards the frames."""
+    """Return a clip corrected once towards the frames, as in a stage without a denoiser. The error
+    of the clip after the last stage is assumed to be `_LEFT`."""
     gap = measured.missing(measured.of(clip), measured.value)
     return clip + measured.correction(gap, clip.new_full((len(clip),), _LEFT))
 
@@ -80,7 +90,8 @@ _SPAN = log(1 + 200 / _FLOOR)
 
 
 def started_still(measured: Measured[Tensor]) -> Tensor:
-    """Return a first estimate of the light over the frame (batch, rows, cols).
+    """Return a first estimate of the light over the frame (batch, rows, cols), from which the
+    stages start.
 
     Each pixel is the mean of its own and its neighbours' measurements, weighted by precision. A
     saturated pixel has at least the light at which it saturates."""
@@ -101,9 +112,11 @@ def started_still(measured: Measured[Tensor]) -> Tensor:
 def still_stage(
     measured: Measured[Tensor], denoiser: Denoiser, light: Tensor, sigma: float
 ) -> Tensor:
-    """Return the light after one stage: the most likely light given estimate and frames, denoised.
+    """Return the light (batch, rows, cols) after one stage: the most likely light, given the
+    estimate `light` and the frames, and then denoised.
 
-    The unit of light is such that about 1 fills a well."""
+    `sigma` is the assumed standard deviation of the error of `coded_light`, the scaled logarithm.
+    Light of about 1 fills a well."""
     spread = sigma * _SPAN * (light + _FLOOR)
     mask = measured.mask[:, :, 0]
     data_precision = mask.square() / measured.variance.clamp(min=1e-12)
@@ -120,14 +133,16 @@ def still_stage(
 def still_stages(
     measured: Measured[Tensor], denoiser: Denoiser, light: Tensor, count: int
 ) -> Iterator[Tensor]:
-    """Yield the light after each of `count` stages that begin with an estimate of `light`."""
+    """Yield the light (batch, rows, cols) after each of `count` stages, which begin with the
+    estimate `light`."""
     for sigma in schedule(count, still=True):
         light = still_stage(measured, denoiser, light, sigma)
         yield light
 
 
 def coded_light(light: Tensor) -> Tensor:
-    """Return the scaled logarithm of light that the denoiser takes."""
+    """Return the scaled logarithm of light that the denoiser for stills takes: 0 for 0, and 1 for
+    the light 200 of a full well."""
     return torch.log1p(light.clamp(min=0) / _FLOOR) / _SPAN
 
 
@@ -137,8 +152,11 @@ def light_of(coded: Tensor) -> Tensor:
 
 
 def _planes(measured: Measured[Tensor]) -> Tensor:
-    """Return the denoiser's inputs (batch, 3, 1, rows, cols) for a still: logarithms of open
-    share, light and noise of the frame with least noise."""
+    """Return the denoiser's inputs (batch, 3, 1, rows, cols) that describe the measurement of a
+    still.
+
+    They are logarithms of the open fraction, the light and its noise, for each pixel from the
+    readout with the least noise. A saturated readout has noise 1, the largest."""
     mask = measured.mask[:, :, 0]
     opened = mask > 0
     alone = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0).clamp(min=0)

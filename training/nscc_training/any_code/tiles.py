@@ -13,11 +13,13 @@ from torch import Tensor
 from nscc_training.any_code.stages import Denoiser, mirror_axes, mirrored
 
 _MARGIN = 40
+"""Pixels around a tile that the network reads with it."""
 _GRID = 8
 """Tiles begin at multiples of the largest square that the network shrinks to one value."""
 MOST_VALUES = 3 << 18
 """Largest number of values, pixels times frames, of a tile."""
 _SMALLEST = 64
+"""Least side of a tile in pixels."""
 
 
 def denoised_in_tiles(
@@ -27,10 +29,12 @@ def denoised_in_tiles(
     level: Tensor,
     number: int = 0,
 ) -> Tensor:
-    """Return a clip (batch, T, rows, cols) denoised in stage `number`.
+    """Return a clip (batch, T, rows, cols) denoised tile by tile, which gives almost the result of
+    the whole clip.
 
-    `planes` returns the denoiser's inputs for rows and columns of the clip, `level` (batch,) is the
-    assumed standard deviation of the clip's error."""
+    `planes` returns the denoiser's other inputs for a range of rows and a range of columns. `level`
+    (batch,) is the assumed standard deviation of the clip's error. `number` is the stage, which
+    decides along which axes the denoiser sees the clip mirrored."""
     frames, (rows, cols) = clip.shape[0] * clip.shape[1], clip.shape[-2:]
     side = max(_SMALLEST, int(sqrt(MOST_VALUES / frames)) // _GRID * _GRID)
     axes = mirror_axes(number)
@@ -46,11 +50,11 @@ def denoised_in_tiles(
 
 
 def _tiles(length: int, side: int, is_mirrored: bool) -> Iterator[tuple[slice, slice]]:
-    """Yield the range of each tile along an axis of `length` pixels, and the range that is read for
-    it, which has a margin.
+    """Yield two ranges for each tile along an axis of `length` pixels: the tile's own pixels, and
+    those that are read for it, with a margin.
 
-    The grid of the tiles begins at the first pixel, or at the last if the network sees the clip
-    mirrored. `side` is the length of a tile."""
+    `side` is the length of a tile. The grid of tiles begins at the first pixel, or at the last if
+    the network sees the clip mirrored along this axis."""
     for first in range(0, length, side):
         ends = (first, min(first + side, length))
         for_tile = (max(0, first - _MARGIN), min(first + side + _MARGIN, length))

@@ -14,9 +14,13 @@ from nscc_training.baselines.tv_loop import Clip
 from nscc_training.least_squares import solve
 
 SIDE = 8
+"""Side of a block in pixels; blocks lie `STRIDE` pixels apart. A dictionary has `ATOMS` atoms, of
+which a block uses at most `SPARSITY`."""
 STRIDE = 4
 ATOMS = 512
 SPARSITY = 8
+"""A dictionary has `ATOMS` atoms, of which a block uses at most `SPARSITY`. Blocks have a side of
+`SIDE` pixels and begin every `STRIDE` pixels."""
 
 Matrix = NDArray[np.float64]
 
@@ -28,11 +32,11 @@ _ENOUGH = 0.02
 
 
 def dictionary_clip(measurement: NDArray[np.float32], mask: Clip, atoms: Matrix) -> Clip:
-    """Reconstruct the clip (T, rows, cols) of a measurement (rows, cols), averaging overlapping
-    blocks.
+    """Reconstruct the clip (T, rows, cols) of a measurement (rows, cols), by sparse coding of
+    overlapping blocks, which are averaged.
 
-    `atoms` (T * SIDE * SIDE, K) come from `learned`. Raises ValueError for a picture smaller than a
-    block, or atoms of another length."""
+    `mask` (T, rows, cols) is the code of the measurement. `atoms` (T * SIDE * SIDE, K) come from
+    `learned`. Raises ValueError for a picture smaller than a block, or atoms of another length."""
     frames, rows, cols = mask.shape
     if min(rows, cols) < SIDE or len(atoms) != frames * SIDE * SIDE:
         raise ValueError(f"{mask.shape} with atoms of {len(atoms)} numbers")
@@ -50,10 +54,12 @@ def dictionary_clip(measurement: NDArray[np.float32], mask: Clip, atoms: Matrix)
 
 
 def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArray[np.float64]:
-    """Solve matrix @ weights = right with at most `sparsity` nonzero weights (K,).
+    """Solve matrix @ weights = right for a matrix (n, K), with at most `sparsity` nonzero weights.
+    Return the weights (K,).
 
-    Orthogonal matching pursuit stops when the residual is small, and never selects a column that
-    depends linearly on the selected ones."""
+    Orthogonal matching pursuit selects one column after another. It stops when the root mean square
+    residual is below `_ENOUGH`, and never selects a column that depends linearly on the selected
+    ones."""
     weights = np.zeros(matrix.shape[1])
     norms = np.linalg.norm(matrix, axis=0)
     usable = norms > 1e-9 * max(float(norms.max()), 1e-300)
@@ -102,7 +108,10 @@ def learned(blocks: Matrix, atoms: int, sparsity: int, rounds: int, seed: int) -
 
 @lru_cache(maxsize=4)
 def made_dictionary(frames: int) -> Matrix:
-    """Learn a dictionary for clips of `frames` frames from procedural scenes; no data is needed."""
+    """Learn a dictionary (frames * SIDE * SIDE, ATOMS) for clips of `frames` frames from procedural
+    scenes; no data is needed.
+
+    The result is cached and always the same."""
     generator = np.random.default_rng([0, frames])
     blocks = []
     for _ in range(_CLIPS):
@@ -114,8 +123,11 @@ def made_dictionary(frames: int) -> Matrix:
 
 
 def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
-    """Return the weights (n, K) of complete blocks by matching pursuit, for all blocks together,
-    with inner products of atoms."""
+    """Return the weights (n, K) that represent blocks (n, d) by atoms (d, K), at most `sparsity` of
+    them nonzero in a row.
+
+    The same orthogonal matching pursuit as `pursued`, but for all blocks together, with the inner
+    products of atoms computed once. It always uses `sparsity` atoms."""
     products, right = atoms.T @ atoms, blocks @ atoms
     count = len(blocks)
     chosen = np.zeros((count, 0), np.int64)
@@ -134,11 +146,12 @@ def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
 
 
 def _unit(atoms: Matrix) -> Matrix:
-    """Return the columns with length 1; columns of zeros stay."""
+    """Return the columns of `atoms`, scaled to length 1; columns of zeros stay."""
     lengths = np.linalg.norm(atoms, axis=0)
     return np.asarray(atoms / np.where(lengths > 0, lengths, 1.0))
 
 
 def _places(size: int) -> list[int]:
-    """Return the first pixels of blocks along an axis: every `STRIDE`, and the last that fits."""
+    """Return the first pixels of blocks along an axis of `size` pixels: every `STRIDE`-th, and the
+    last at which a block fits."""
     return sorted({*range(0, size - SIDE + 1, STRIDE), size - SIDE})

@@ -56,17 +56,20 @@ def gap_tv_of(
 def gap_step(
     measured: Measured[Array], clip: Array, target: Array, sigma: Array
 ) -> tuple[Array, Array]:
-    """Return the clip after a step towards the frames, and the updated `target`, as in `gap_tv_of`.
+    """Return the clip after one step towards the frames, and the updated `target`, as in
+    `gap_tv_of`.
 
-    `sigma` (batch,) is the standard deviation of the clip's error."""
+    `target` has the shape of the frames; the first step receives the frames themselves. `sigma`
+    (batch,) is the standard deviation of the clip's error: the smaller it is, the less is
+    corrected."""
     predicted = measured.of(clip)
     target = target + measured.missing(predicted, measured.value) * measured.trust(sigma)
     return clip + measured.correction(measured.missing(predicted, target), sigma), target
 
 
 def _denoised(clip: Array, weight: float) -> Array:
-    """Denoise a clip by `INNER` iterations of total variation with this weight; differences in
-    time count `TIME`."""
+    """Denoise a clip (batch, T, rows, cols) by `INNER` iterations of total variation of this
+    `weight`, in which differences in time count `TIME`. Works on arrays of numpy and of torch."""
     if isinstance(clip, np.ndarray):
         return tv_denoised_arrays(clip, weight, INNER, TIME)
     from nscc_training.baselines.tensor_tv import tv_denoised

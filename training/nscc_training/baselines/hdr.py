@@ -20,13 +20,14 @@ def merged(
     saturated: NDArray[np.bool_],
     read_noise_e: float,
 ) -> Picture:
-    """Estimate the light over the whole frame in electrons (rows, cols), from codes above the
-    offset.
+    """Estimate the light over the whole frame in electrons (rows, cols), as if every pixel had
+    always been open.
 
-    `open_share` is the open fraction of the frame of each pixel. The light of a pixel is the mean
-    of the measurements around it, weighted by precision; saturated measurements have weight 0. The
-    neighbourhood grows until it contains a measurement. A saturated pixel has at least the light
-    that saturates it."""
+    `frame` (rows, cols) are converter codes above the offset, `open_share` is the open fraction of
+    the frame of each pixel, and `saturated` marks codes that are lower limits. The light of a pixel
+    is the mean of the measurements around it, weighted by precision; saturated measurements have
+    weight 0. The neighbourhood grows until it contains a measurement. A saturated pixel has at
+    least the light that saturates it."""
     exposure = frame.astype(np.float64) * electrons_per_lsb
     share = np.where(open_share > 0, open_share, 1.0)
     usable = ~saturated & (open_share > 0)
@@ -40,10 +41,11 @@ def merged(
 
 
 def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Picture:
-    """Return the mean of the light around each pixel, weighted by precision, and at least `least`.
+    """Return the mean of `light` (rows, cols) around each pixel, weighted by `precision`, and at
+    least `least`.
 
-    The neighbourhood of a pixel grows until it holds a measurement of a precision above 0. If no
-    pixel has one, the light itself is the result."""
+    The neighbourhood of a pixel doubles until it holds a pixel with a precision above 0. If no
+    pixel has one, the larger of `light` and `least` is returned."""
     weighted = precision * light
     result = light.copy()
     missing = np.full(light.shape, bool((precision > 0).any()))
@@ -62,6 +64,7 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
 
 
 def _from_first_to_last(marked: NDArray[np.bool_], margin: int) -> slice:
-    """Return the places from the first to the last marked one, with a margin."""
+    """Return the slice from the first to the last true element of `marked`, with `margin` more
+    elements at both ends where the array has them."""
     places = np.flatnonzero(marked)
     return slice(max(0, int(places[0]) - margin), int(places[-1]) + margin + 1)

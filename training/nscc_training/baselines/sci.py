@@ -15,6 +15,7 @@ from nscc_training.measured import Measured
 
 ITERATIONS = 40
 _RIDGE = 0.01
+"""Weight of the constraint that both solutions of ADMM agree."""
 
 
 def gap_tv(
@@ -23,7 +24,9 @@ def gap_tv(
     iterations: int = ITERATIONS,
     weight: float = WEIGHT,
 ) -> Clip:
-    """Reconstruct a clip by `gap_tv_of`, from the measurement divided among the open frames;
+    """Reconstruct a clip by `gap_tv_of`, without noise. It starts from the measurement divided
+    among the open frames.
+
     `weight` is that of total variation."""
     measured = Measured.exact(measurement[None], mask[None])
     start = adjoint(measurement, mask)[None]
@@ -40,8 +43,8 @@ def admm_tv(
     """Reconstruct a clip x by the alternating direction method of multipliers (ADMM): minimise
     |measurement - sum over T of mask x|^2 / 2 + `_RIDGE` weight TV(x).
 
-    TV is the total variation of `gap_tv_of`. The method solves for the data term and for TV in
-    turn, and `dual` sums the differences of both solutions."""
+    TV is the total variation of `gap_tv_of`. Each of the `iterations` solves for the data term and
+    then for TV. `dual` sums the differences of both solutions, which brings them together."""
     energy = _energy(mask) + np.float32(_RIDGE)
     clip = mask * (measurement / energy)
     dual = np.zeros_like(clip)
@@ -55,20 +58,22 @@ def admm_tv(
 
 
 def from_dictionary(measurement: NDArray[np.float32], mask: Clip) -> Clip:
-    """Reconstruct a clip by sparse coding (`nscc_training.baselines.dictionary`)."""
+    """Reconstruct a clip by sparse coding (`nscc_training.baselines.dictionary`). The first call
+    for a number of frames learns a dictionary."""
     return dictionary_clip(measurement, mask, made_dictionary(len(mask)))
 
 
 def adjoint(measurement: NDArray[np.float32], mask: Clip) -> Clip:
-    """Return S^T E divided by the number of open frames of each pixel: the start of decoders."""
+    """Return the measurement shared among the frames in which a pixel was open: S^T E, divided by
+    the sum of squares of its mask. Decoders start from it."""
     return np.asarray(mask * (measurement / _energy(mask)), np.float32)
 
 
 def bilinear(clip: Clip, mask: Clip) -> Clip:
-    """Interpolate each coded frame, before integration, with tent weights that grow until they find
-    data.
+    """Interpolate the pixels of each frame of `clip` that its mask opens, with tent weights that
+    grow until they find data.
 
-    This is a reference method: it uses the ground truth instead of the measurement."""
+    This is a reference method: it uses the ground truth `clip` instead of the measurement."""
     pairs = zip(clip, mask, strict=True)
     return np.stack([_inpainted(frame * open_mask, open_mask) for frame, open_mask in pairs])
 
@@ -77,9 +82,10 @@ _STEP = 4
 
 
 def thin_out(clip: Clip) -> Clip:
-    """Keep every fourth pixel in x and y in all frames, and interpolate linearly.
+    """Keep every fourth pixel in x and y of all frames of `clip`, and interpolate the others
+    linearly.
 
-    This is a reference method: it uses the ground truth instead of the measurement."""
+    This is a reference method: it uses the ground truth `clip` instead of the measurement."""
     rows, cols = clip.shape[1:]
     down, right = _between(rows, _STEP), _between(cols, _STEP)
     return np.asarray(down @ clip[:, ::_STEP, ::_STEP] @ right.T, np.float32)
@@ -94,10 +100,11 @@ def _energy(mask: Clip) -> NDArray[np.float32]:
 def _inpainted(
     values: NDArray[np.float32], sample_mask: NDArray[np.float32]
 ) -> NDArray[np.float32]:
-    """Return a picture whose missing pixels are means of the known ones around them.
+    """Return a picture (rows, cols) whose missing pixels are means of the known ones around them.
 
-    `values` are sums of samples, and `sample_mask` their weights, 0 where a pixel is missing. The
-    neighbourhood doubles until every pixel has a known one."""
+    `values` are light times `sample_mask`, which is the weight of each pixel and 0 where the pixel
+    is missing. The neighbourhood doubles until every pixel has a known one; without any, the
+    picture is 0."""
     picture = np.zeros_like(values)
     missing = np.ones(values.shape, bool)
     reach = 2
@@ -116,6 +123,7 @@ def _inpainted(
 
 
 def _between(length: int, step: int) -> NDArray[np.float64]:
-    """Return the matrix (length, samples) of linear interpolation from every step-th place."""
+    """Return the matrix (length, samples) that interpolates linearly between samples at every
+    `step`-th of `length` places. After the last sample its value is repeated."""
     places = np.arange(0, length, step)
     return np.stack([np.interp(np.arange(length), places, unit) for unit in np.eye(len(places))], 1)

@@ -37,11 +37,12 @@ def sparse_coded(
     iterations: int = ITERATIONS,
     weight: float = WEIGHT,
 ) -> Picture:
-    """Return a picture that follows `measured` where `confidence` (0..1) is high, else `coarse`,
-    blurred.
+    """Return the picture (rows, cols) that follows `measured` where `confidence` (0..1) is high,
+    and elsewhere `coarse`, blurred.
 
-    All three are (rows, cols); the pictures are square roots of light relative to a full well.
-    `filters` (K, 1, side, side) come from `made_filters`."""
+    The three arrays are (rows, cols); pictures are square roots of light relative to a full well.
+    `filters` (K, 1, side, side) come from `made_filters`. FISTA minimises |confidence (measured -
+    blurred coarse - sum of filters)|^2 / 2 + `weight` * sum of the absolute filter weights."""
     base = blurred(torch.from_numpy(coarse).float()[None, None])
     mask = torch.from_numpy(confidence).float()[None, None]
     target = mask * (torch.from_numpy(measured).float()[None, None] - base)
@@ -67,17 +68,20 @@ def coded_still(
     full_well_e: float,
     iterations: int = ITERATIONS,
 ) -> Picture:
-    """Reconstruct the light over the frame in electrons (rows, cols), from codes and a coarse
-    result.
+    """Reconstruct the light over the frame in electrons (rows, cols).
 
-    Photon noise of the square root of light depends on the open time alone, which is the confidence
-    of a pixel. A saturated pixel has confidence 0, and at least the light that saturates it."""
+    `frame` are converter codes above the offset, `open_share` is the open fraction of each pixel,
+    and `coarse_e` an estimate of the light by another method. Photon noise of the square root of
+    light depends on the open time alone, which is the confidence of a pixel. A saturated pixel has
+    confidence 0, and at least the light that saturates it."""
     share = np.where(open_share > 0, open_share, 1.0)
     relative = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
     usable = ~saturated & (open_share > 0)
     root = sparse_coded(
         np.sqrt(np.maximum(coarse_e, 0) / full_well_e),
         np.sqrt(np.maximum(relative, 0)),
+        # The variance of the root falls as 1 / share; confidence grows more slowly than its
+        # inverse.
         np.where(usable, share**0.25, 0.0),
         made_filters(),
         iterations,
@@ -88,7 +92,8 @@ def coded_still(
 
 @cache
 def made_filters() -> Tensor:
-    """Learn filters (K, 1, side, side) of length 1 from the details of procedural stills."""
+    """Learn filters (K, 1, side, side) of length 1 from the details of procedural stills. They are
+    always the same, and cached."""
     generator = np.random.default_rng([0, SIDE])
     blocks = []
     for _ in range(16):
@@ -110,7 +115,8 @@ def summed(maps: Tensor, filters: Tensor) -> Tensor:
 
 
 def spread(picture: Tensor, filters: Tensor) -> Tensor:
-    """Return the maps (1, K, rows, cols) of a picture: the adjoint of `summed`."""
+    """Return the correlation (1, K, rows, cols) of a picture (1, 1, rows, cols) with each filter:
+    the adjoint of `summed`."""
     return functional.conv2d(picture, filters, padding=SIDE // 2)
 
 
@@ -125,8 +131,11 @@ def blurred(picture: Tensor) -> Tensor:
 
 
 def largest_gain(filters: Tensor, mask: Tensor) -> float:
-    """Return an upper bound of the largest eigenvalue of A A^T, where A convolves each map with its
-    filter of `filters`, adds them up and multiplies by `mask`. Found by power iteration."""
+    """Return an upper bound of the largest eigenvalue of A A^T, where A adds maps, each convolved
+    with its filter of `filters`, and multiplies the sum by `mask` (1, 1, rows, cols).
+
+    Twelve power iterations estimate it; they begin with the mask itself. Its inverse is the step of
+    FISTA."""
     picture = mask.clone()
     gain = 1.0
     for _ in range(12):
@@ -134,4 +143,5 @@ def largest_gain(filters: Tensor, mask: Tensor) -> float:
         gain = float(following.norm() / picture.norm().clamp(min=1e-20))
         picture = following / max(gain, 1e-20)
     # The iteration converges from below.
+    # The estimate may still be too small, by less than 10 %.
     return 1.1 * max(gain, 1e-6)

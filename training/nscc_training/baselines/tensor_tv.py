@@ -16,29 +16,34 @@ torch.library.define(
 
 
 def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Denoise clips (batch, T, rows, cols) as `tv_denoise`: on the CPU by the compiled loop, which
-    reads memory less, else by operators."""
+    """Denoise clips (batch, T, rows, cols) as `tv_loop.tv_denoise` does.
+
+    On the CPU a compiled loop computes, which reads memory less often; on other devices torch's
+    operators do."""
     denoised: Tensor = torch.ops.nscc.tv_denoise(clips, weight, iterations, time)
     return denoised
 
 
 def _by_loop(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Denoise clips on the CPU by the compiled loop."""
+    """Denoise clips (batch, T, rows, cols) on the CPU by the compiled loop. The result has no
+    gradient."""
     # The same memory as an array: nothing is copied.
     image = np.from_dlpack(clips.detach().float().contiguous())
     return torch.from_numpy(tv_denoised_arrays(image, weight, iterations, time))
 
 
 def _shape(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Return an empty result, from which torch learns its shape."""
+    """Return an empty float32 tensor with the shape of the result, from which torch learns it
+    without computing."""
     return torch.empty_like(clips, dtype=torch.float32)
 
 
 def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Denoise clips (batch, T, rows, cols) like `tv_denoised`, but with torch's operators, on
-    any device."""
+    """Denoise clips (batch, T, rows, cols) like `tv_denoised`, but with torch's operators, on any
+    device. The result is float32 and has no gradient."""
     image = clips.detach().float()
     scales = (time, 1.0, 1.0)
+    # 1 / (2 dimensions) is where the projection is known to converge.
     step = 1.0 / (4.0 + 2.0 * time * time)
     field = [torch.zeros_like(image) for _ in scales]
     out = image

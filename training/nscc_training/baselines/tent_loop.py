@@ -18,9 +18,11 @@ _LANES = 8
 
 @record
 class AxisLines:
-    """The lines along an axis of a picture: `count` lines of `length` pixels, which are `stride`
-    elements apart; neighbouring lines begin `step` elements apart. `padded`: pixels of a line with
-    the margins. Windows reach over `reach` - 1 pixels to both sides."""
+    """The lines along one axis of a picture, as positions in its flat array of `pixels` elements.
+
+    There are `count` lines of `length` pixels. Pixels of a line are `stride` elements apart, and
+    neighbouring lines begin `step` elements apart. `padded` is the number of pixels of a line with
+    its margins. Windows reach over `reach` - 1 pixels to both sides."""
 
     pixels: int
     count: int
@@ -33,7 +35,12 @@ class AxisLines:
 
 @inlined
 def _boxes(count: int, reach: int, lanes: int, values: Floats, sums: Floats) -> None:
-    """Compute sums[i] = values[i] + .. + values[i + reach - 1] for i < count, for each lane."""
+    """Compute sums[i] = values[i] + .. + values[i + reach - 1] for i < count.
+
+    Both arrays hold `lanes` independent sequences, interleaved: element i of a sequence is at `i *
+    lanes + lane`."""
+    # Blocks of `reach` sums: the part of a sum within the block is added from its end backwards,
+    # the part beyond from there forwards. No term is ever subtracted.
     first = 0
     while first < count:
         end = min(first + reach, count)
@@ -57,8 +64,10 @@ def tent_lines(
     values: Written[Floats],
     sums: Written[Floats],
 ) -> None:
-    """Replace a picture by its weighted sums along one axis. `values` and `sums` are working
-    memory for `padded` pixels of eight lines; `values` is 0."""
+    """Replace `picture` by its weighted sums along the axis that `lines` describes.
+
+    `values` and `sums` are working memory for `padded` pixels of eight lines. `values` must be 0,
+    and is 0 again at the end."""
     reach, length, stride, step = lines.reach, lines.length, lines.stride, lines.step
     margin = (reach - 1) * _LANES
     for first in range(0, lines.count, _LANES):
@@ -79,14 +88,14 @@ def tent_lines(
 
 
 def tent_sums(values: NDArray[np.float64], reach: int) -> NDArray[np.float64]:
-    """Sum over windows with weights that fall linearly to 0 at `reach` pixels.
+    """Sum over square windows, with weights that fall linearly to 0 at `reach` pixels.
 
     Parameters
     ----------
     values : array
         A picture (rows, cols).
     reach : int
-        At least 1.
+        At least 1, which leaves the picture as it is. The weight of the pixel itself is 1.
 
     Returns
     -------

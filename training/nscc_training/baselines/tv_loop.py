@@ -25,10 +25,13 @@ def _primal_row(
     right: Floats32,
     out: Floats32,
 ) -> None:
-    """Compute out = image + div(field) in the row that begins at `at`.
+    """Compute out = image + div(field) in one row, of `cols` pixels, that begins at index `at`; all
+    arrays are flat.
 
-    The neighbours are `above` and `before` elements back. If a neighbour is missing, that element
-    is in the last row or frame, where its component of the field is 0."""
+    `right`, `down` and `later` are the field: one component for each direction of a difference. The
+    pixel above is `above` elements back, that in the previous frame `before` elements. If such a
+    neighbour is missing, the element there is in the last row or frame, where its component of the
+    field is 0."""
     for k in range(at + 1, at + cols):
         out[k] = (
             image[k]
@@ -56,10 +59,12 @@ def _dual_row(
     down: Floats32,
     right: Floats32,
 ) -> None:
-    """Take a descent step of the field in one row, projected back into the ball of radius `weight`.
+    """Take a descent step of the field (`right`, `down`, `later`) in one row, projected back into
+    the ball of radius `weight`.
 
-    The neighbours are `below` and `after` elements ahead; 0 if a neighbour is missing, so that its
-    component of the field stays 0."""
+    The row begins at index `at`. The pixel below is `below` elements ahead, that in the next frame
+    `after` elements. If the neighbour is missing, the distance is 0, so that the difference is 0
+    and its component of the field stays 0. `pull` is `step` / `weight`."""
     end = at + cols - 1
     last_down, last_later = out[end + below] - out[end], time * (out[end + after] - out[end])
     for k in range(at, end):
@@ -75,7 +80,8 @@ def _dual_row(
 
 @record
 class Volume:
-    """Size of clips; `time` weights differences in time relative to those in space."""
+    """Size of a batch of clips, and how they are denoised: number of iterations, weight of total
+    variation, and `time`, the weight of differences in time relative to those in space."""
 
     clips: int
     frames: int
@@ -99,11 +105,11 @@ def _denoise_clip(
     right: Floats32,
     out: Floats32,
 ) -> None:
-    """Denoise one clip of `image` by dual projections (Chambolle 2004), into `out`, in place.
+    """Denoise clip number `clip` of `image` by dual projections (Chambolle 2004), and write the
+    result into `out`.
 
-    Clip number `clip` holds its frames one after the other. `later`, `down` and `right` are the
-    dual field in time and space, which also begins from earlier iterations. Several frames are not
-    computed twice because a frame's field changes only after its neighbours in time."""
+    `later`, `down` and `right` are the dual field in time and space; it is updated in place. Arrays
+    are flat and hold the frames of a clip one after the other."""
     frames, rows, cols, iterations = volume.frames, volume.rows, volume.cols, volume.iterations
     plane = rows * cols
     begin = clip * frames * plane
@@ -150,11 +156,11 @@ def denoise(
     right: Written[_Clip],
     out: Written[_Clip],
 ) -> None:
-    """Denoise each clip by Chambolle's projection (2004): minimise |out - image|^2 / 2 + weight
-    TV(out).
+    """Denoise each clip of `image` by Chambolle's projection (2004): minimise |out - image|^2 / 2 +
+    weight TV(out).
 
-    `later`, `down` and `right` are the dual field, updated in place; 0 where a neighbour is
-    missing."""
+    `out` receives the result. `later`, `down` and `right` are the dual field, updated in place: 0
+    at the start, and always 0 where a neighbour is missing."""
     for clip in range(volume.clips):
         _denoise_clip(volume, clip, image, later, down, right, out)
 
@@ -176,8 +182,8 @@ def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) ->
 
 
 def tv_denoised_arrays(clips: NDArray[Any], weight: float, iterations: int, time: float) -> Clip:
-    """Return `clips` (batch, T, rows, cols), each denoised as `tv_denoise` does with `weight` and
-    `iterations`; `time` is the weight of differences between frames."""
+    """Return clips (batch, T, rows, cols), float32, each denoised as `tv_denoise` does. The
+    arguments are not checked."""
     image = np.ascontiguousarray(clips, np.float32)
     field = np.zeros((3, *image.shape), np.float32)
     out = np.empty_like(image)

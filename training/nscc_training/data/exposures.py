@@ -67,17 +67,21 @@ class Batch:
 
     @cached_property
     def goal(self) -> Tensor:
-        """Return the ground truth divided by the peak, clipped to 1."""
+        """Return the ground truth divided by the peak and clipped to 1, which losses compare with
+        predictions. Shape of `truth`."""
         return self._relative.clamp(max=1)
 
     @cached_property
     def most(self) -> Tensor:
-        """Return the limit of predictions over the peak: 1 where the truth reaches it, else inf."""
+        """Return the limit to which losses clip predictions over the peak: 1 where the truth
+        reaches 1, else infinity.
+
+        A decoder is so not punished for light beyond white, but is for a false bright pixel."""
         return torch.where(self._relative >= 1, 1.0, torch.inf)
 
     @cached_property
     def _relative(self) -> Tensor:
-        """The truth with the brightest light at 1."""
+        """The truth in units of the peak, the light that counts as 1."""
         return self.truth / self.peak.reshape(-1, *([1] * (self.truth.ndim - 1)))
 
 
@@ -103,7 +107,7 @@ class Exposures(NamedTuple):
 
 
 class ExposureSet(Dataset[Exposures]):
-    """The exposures of a run, by training step."""
+    """The random exposures of a training run: item `step` is those of that training step."""
 
     def __init__(
         self,
@@ -117,13 +121,17 @@ class ExposureSet(Dataset[Exposures]):
     ) -> None:
         """Prepare to draw `batch` patches a step from the training scenes.
 
-        `classes` are the classes of scenes, if the decoder classifies."""
+        `slots` is the number of frames of a clip. `seed` and the step determine all draws.
+        `classes` are the names of the scenes' classes, if the decoder classifies; empty otherwise.
+        """
         self.lights = [_without_poles(scene, settings) for scene in scenes.train]
         self.names = [scene.name for scene in scenes.train]
         self.settings, self.slots, self.batch, self.seed = settings, slots, batch, seed
         wanted_side = max(settings.patch, EXPOSED)
         self.side = min(wanted_side, *(side for light in self.lights for side in light.shape[-2:]))
         grey = load_protocol(settings.protocol).mid_grey_e is not None
+        # The exposure of a clip follows its median or its brightest percent (`cut_batch`), so that
+        # this fraction of its pixels must have light.
         self._lit = 0.5 if grey else 0.01
         self._classes = torch.tensor(
             [[float(scene.label == name) for name in classes] for scene in scenes.train]
@@ -132,8 +140,8 @@ class ExposureSet(Dataset[Exposures]):
     def __getitem__(self, step: int) -> Exposures:
         """Return the light of one training step and how it is cut, turned and exposed.
 
-        `together` patches come from the same region of a scene, with the same exposure. The same
-        step gives the same draws."""
+        Groups of `settings.together` patches come from the same region of a scene, with the same
+        exposure. The same step always gives the same draws."""
         lights: list[Tensor] = []
         draws: list[tuple[float, float, int, bool, bool, float]] = []
         source: list[int] = []
@@ -183,10 +191,11 @@ class ExposureSet(Dataset[Exposures]):
     def _surroundings(
         self, scene: int, generator: np.random.Generator
     ) -> tuple[NDArray[np.float32], float, str]:
-        """Return a random region of a scene's light, with what the augmentation needs around a
-        patch; the share of its pixels that will saturate; and its coordinates as text.
+        """Return a random region of the light of scene number `scene`, of `self.side` rows and
+        columns; the fraction of its pixels that will saturate; and its coordinates as text.
 
-        A region that is dark everywhere is drawn again, some times."""
+        The region of a clip has `self.slots` frames. A region with too few lit pixels to saturate
+        is drawn again, up to `_TRIES` times; then the last one is returned."""
         light, region, share, place = self.lights[scene], None, self._lit, ""
         low, high = sorted(self.settings.saturated)
         for _ in range(_TRIES):
@@ -208,8 +217,12 @@ class ExposureSet(Dataset[Exposures]):
 def cut_batch(
     drawn: Exposures, settings: DataSettings, full_well_e: float, device: torch.device
 ) -> Batch:
-    """Return the patches of a batch, which `drawn` describes: the regions are exposed for a chip
-    with this full well, cut and augmented on `device`."""
+    """Return the patches of a batch: the regions in `drawn` are exposed for a chip with this full
+    well, cut and augmented on `device`.
+
+    Stills are exposed so that the drawn fraction of a region saturates if it is always open. The
+    brightest percent of a clip's pixels would fill a well in a frame; under a protocol with a
+    mid-grey, its median has that exposure."""
     light, share, contrast, turns, mirrored, backwards, source, corner, brightness = (
         tensor.to(device, non_blocking=True) for tensor in drawn[:9]
     )
@@ -251,11 +264,12 @@ def _cut(
     source: Tensor,
     corner: Tensor,
 ) -> Tensor:
-    """Return the patches (batch, [N,] patch, patch) that begin at `corner` in the regions `source`
-    of `light`.
+    """Return the patches (batch, [N,] patch, patch) that begin at `corner` (row, column) in the
+    regions `source` of `light`.
 
     A region is first rotated by `turns` right angles, mirrored, and, if `backwards`, reversed in
-    time."""
+    time. All tensors are on the device of `light`. One gather copies the pixels, because loops over
+    patches are slow on a GPU."""
     last = light.shape[-1] - 1
     step = torch.arange(patch, device=light.device)
     rows = (corner[:, 0, None] + step)[:, :, None]
@@ -295,8 +309,8 @@ def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
 
 
 def _without_poles(scene: SourceScene, settings: DataSettings) -> NDArray[np.float32]:
-    """Return a scene's light; a panorama twice as wide as high loses its distorted top and
-    bottom."""
+    """Return the light of a scene. A panorama, twice as wide as high, loses the distorted eighths
+    at its top and bottom, if enough rows remain for a region."""
     light = scene.light
     side = max(settings.patch, EXPOSED)
     if light.ndim == 2 and light.shape[1] == 2 * light.shape[0] >= 4 * side:

@@ -22,6 +22,7 @@ Picture = NDArray[np.uint8]
 Generator = np.random.Generator
 
 _SHORT = 1000
+"""Photographs are halved until their shorter side is below this number of pixels."""
 _LOOKED_AT = 3
 """Number of random places of a picture; the one with most detail is used."""
 _SPEEDS = (0.03, 6.0)
@@ -35,11 +36,12 @@ _BLURRED = 3
 def moving(
     pictures: Sequence[Picture], generator: Generator, frames: int, size: int
 ) -> NDArray[np.float32]:
-    """Return a clip (frames, size, size) with values from 0 to 1, composed of parts of `pictures`.
+    """Return a clip (frames, size, size), float32, with values from 0 to 1, composed of parts of
+    `pictures`.
 
     Pictures have 8 bits and are larger than `size`. The background and up to three objects come
-    from different pictures. Half of the clips have motion blur. The values are in display encoding,
-    or raised to a random power."""
+    from randomly chosen pictures. Half of the clips have motion blur. The values are in display
+    encoding, changed by a random power and range."""
     layers = [_Layer.drawn(pictures, generator, size, background=True)]
     for _ in range(int(generator.integers(0, 4))):
         layers.append(_Layer.drawn(pictures, generator, size, background=False))
@@ -67,9 +69,10 @@ def moving(
 class _Layer:
     """A moving picture.
 
-    At time t, place p of the clip shows `picture` at centre + turn(t) (p - size / 2 - velocity t) *
-    scale * zoom^t, distorted by waves. `outline` contains the radii of a polygon around `middle`;
-    it is None for a background."""
+    At time t, in frames from the middle of the clip, place p shows `picture` at centre + turn(angle
+    + spin t) (p - size / 2 - velocity t) * scale * zoom^t, distorted by waves. Velocity is in
+    pixels per frame, angles are in radians. `outline` contains the radii of a polygon around
+    `middle`; it is None for a background."""
 
     picture: Picture
     centre: NDArray[np.float64]
@@ -112,7 +115,8 @@ class _Layer:
         places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
 
         def detail(place: NDArray[np.float64]) -> float:
-            """Return the contrast of the picture around a place."""
+            """Return the standard deviation of the picture around a place (row, column): a measure
+            of its detail."""
             row, col = (int(at) - size // 2 for at in place)
             region = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
             return float(region.std())
@@ -131,8 +135,8 @@ class _Layer:
         )
 
     def picture_at(self, moment: float, size: int) -> NDArray[np.float32]:
-        """Return the layer's picture, (size, size), at a time in frames from the middle of the
-        clip."""
+        """Return what the layer shows at time `moment`, in frames from the middle of the clip:
+        (size, size), values 0 to 255. Beyond its border the picture is mirrored."""
         import cv2
 
         rows, cols = np.mgrid[:size, :size].astype(np.float32)
@@ -159,8 +163,8 @@ class _Layer:
         return np.asarray(warped, np.float32)
 
     def cover_at(self, moment: float, size: int) -> NDArray[np.float32]:
-        """Return the fraction of each pixel of a picture (size, size) that the object covers at
-        a moment; its edge is one pixel wide."""
+        """Return the fraction (0 to 1) of each pixel of (size, size) that the object covers at time
+        `moment`, in frames from the middle of the clip. Its edge is one pixel wide."""
         assert self.outline is not None
         y, x = self.middle + self.velocity * moment
         rows, cols = np.mgrid[:size, :size].astype(np.float32)
@@ -173,7 +177,8 @@ class _Layer:
 
 
 def pictures_below(folder: Path) -> list[Path]:
-    """Return all pictures below a folder; raise Rejected (NS0811) if there are none."""
+    """Return the paths of all pictures in a folder and its subfolders, sorted. Raise Rejected
+    (NS0811) if there are none."""
     files = sorted(
         {
             path
@@ -193,7 +198,8 @@ def pictures_below(folder: Path) -> list[Path]:
 
 
 def light_of_picture(path: Path) -> NDArray[np.float32]:
-    """Return the light of a picture, halved until its shorter side is below 1000 pixels.
+    """Return the linear light of a picture file (rows, cols), halved until its shorter side is
+    below `_SHORT` pixels.
 
     The reduction gives as much detail per pixel as small cameras have."""
     import cv2
@@ -207,6 +213,7 @@ def light_of_picture(path: Path) -> NDArray[np.float32]:
 
 
 def shown_picture(light: NDArray[np.float32]) -> Picture:
-    """Return the 8-bit display picture of light; white is the 98 % quantile of the light."""
+    """Return the 8-bit display picture of linear light. White is the 98 % quantile of the light;
+    brighter pixels are clipped."""
     level = max(float(np.percentile(light, 98)), 1e-30)
     return np.asarray(np.rint(srgb(np.clip(light / level, 0, 1)) * 255), np.uint8)

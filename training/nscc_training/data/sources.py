@@ -69,7 +69,8 @@ class Scenes:
     val: tuple[SourceScene, ...]
 
     def split(self) -> dict[str, list[dict[str, str]]]:
-        """Return the content of `split.json`: names and digests."""
+        """Return the content of `split.json`: for "train" and "val", a list with the `file` name
+        and `sha256` of each scene."""
         return {
             split_name: [{"file": s.name, "sha256": s.sha256} for s in scenes]
             for split_name, scenes in (("train", self.train), ("val", self.val))
@@ -88,11 +89,12 @@ def load_scenes(
 ) -> Scenes:
     """Load the training and validation scenes that a configuration names.
 
-    With `pictures`, the training scenes are the light of all pictures in a folder and its
-    subfolders. With `classes`, each scene has one of these classes, the name of its file's folder.
-    `tell` is called with messages on the validation split and on changes of a scene. Raises
-    Rejected: NS0811 for a folder without suitable scenes, or if training and validation would share
-    a scene; NS0812 for an import path."""
+    `still` chooses stills, otherwise clips of at least `slots` frames. `seed` determines procedural
+    scenes and camera paths. With `pictures`, the training scenes are the light of all pictures in a
+    folder and its subfolders. With `classes`, each scene has one of these classes, the name of its
+    file's folder. `tell` is called with messages on the validation split and on changes of a scene.
+    Raises Rejected: NS0811 for a folder without suitable scenes, or if training and validation
+    would share a scene; NS0812 for an import path."""
     kind = _Kind(settings, still, slots, seed, classes, tell)
     train = (
         [
@@ -137,7 +139,8 @@ def load_scenes(
 
 @dataclass(frozen=True)
 class _Kind:
-    """The kind of scenes to load: stills, or clips of at least `slots` frames."""
+    """The kind of scenes to load, and how: stills, or clips of at least `slots` frames. The other
+    fields are the arguments of `load_scenes`."""
 
     settings: DataSettings
     still: bool
@@ -149,18 +152,19 @@ class _Kind:
     def light(
         self, stored: NDArray[Any], colours: Transfer | Colours, name: str
     ) -> NDArray[np.float64]:
-        """Return the light of a stored picture, converted as by `nscc run`."""
+        """Return the light of a picture as stored in a file, converted as by `nscc run`. `colours`
+        is its encoding, `name` names it in messages; warnings are passed to `tell`."""
         return picture_light(
             stored, colours, name, warn=lambda diagnostic: self.tell(diagnostic.message)
         )
 
 
 def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
-    """Return the scenes of a source: procedural, a Python function (module:name), or files in a
-    folder.
+    """Return the scenes of a source: "procedural", a Python function (module:name), or the files in
+    a folder.
 
-    `split_name` is "train" or "validation". Raises Rejected for functions that return unusable
-    scenes."""
+    `split_name` is "train" or "val". Raises Rejected (NS0811, NS0812) for scenes that training
+    cannot use."""
     if source == "procedural":
         return _procedural_scenes(kind, split_name)
     if is_import_path(source):
@@ -197,8 +201,8 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
 
 
 def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
-    """Return the synthetic scenes of a split, determined by the seed; for validation a quarter
-    as many as for training."""
+    """Return the synthetic scenes of a split, "train" or "val", determined by the seed. For
+    validation there are a quarter as many as for training."""
     count, stream = kind.settings.scenes, DrawStream.TRAINING_SCENES
     if split_name != "train":
         count, stream = -(-count // 4), DrawStream.VALIDATION_SCENES
@@ -222,8 +226,8 @@ def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
 
 
 def _read(path: Path, kind: _Kind) -> list[SourceScene]:
-    """Return the scenes of the file `path` for training of this `kind`: one, or the clips of camera
-    movements over a panorama or a photograph."""
+    """Return the scenes of a file: a still; the first frames of a video; clips of a camera that
+    turns in a linear panorama; or clips whose layers are cut from a display photograph."""
     digest = file_sha256(path)
     suffix = path.suffix.lower()
     if suffix not in PICTURES:
@@ -246,9 +250,11 @@ def _read(path: Path, kind: _Kind) -> list[SourceScene]:
 def _turned(
     panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind
 ) -> list[SourceScene]:
-    """Return clips of a camera that turns in a panorama; file and seed determine its paths.
+    """Return clips of a camera that turns in `panorama` (rows, cols). The file's `digest` and the
+    seed determine its paths.
 
-    The clips are in display encoding if the settings treat stored values as light."""
+    Light is divided by its 99 % quantile. It is then put in display encoding if the settings treat
+    stored values as light, because such runs learn from display values."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
     scenes = []
     for index, generator in enumerate(_generators(digest, kind)):
@@ -261,7 +267,8 @@ def _turned(
 
 
 def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
-    """Return synthetic clips whose layers all come from one photograph.
+    """Return synthetic clips whose layers all come from the photograph at `path`; its `digest` and
+    the seed determine their motion.
 
     Clips of different files share no content, so that training and validation stay separate."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
@@ -279,8 +286,8 @@ def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
 
 
 def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
-    """Return a generator for each clip made of the file with this `digest`; file and seed determine
-    its numbers."""
+    """Return a generator of random numbers for each clip that is made of a file. The file's
+    `digest` and the seed determine it."""
     return [
         np.random.default_rng([kind.seed, DrawStream.CAMERA_PATHS, int(digest[:8], 16), index])
         for index in range(kind.settings.paths)
@@ -290,10 +297,11 @@ def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
 def _clip_light(
     path: Path, stored: Iterable[NDArray[Any]], colours: Transfer | Colours, kind: _Kind
 ) -> NDArray[np.float32]:
-    """Return the light of at most `frames` of the stored frames, (frames, rows, cols), cut to their
-    middle.
+    """Return the light of the first of the `stored` frames, (frames, rows, cols), cut to at most
+    `_MOST_SIDE` rows and columns in their middle.
 
-    `path` names them in messages."""
+    The settings limit the number of frames. `colours` is their encoding, and `path` names them in
+    messages."""
     frames = [
         kind.light(centre_of(np.asarray(frame), _MOST_SIDE), colours, f"{path}, frame {number}")
         for number, frame in enumerate(islice(stored, kind.settings.frames))
@@ -302,8 +310,11 @@ def _clip_light(
 
 
 def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> SourceScene:
-    """Return the scene `name` of `light`: (rows, cols), or (frames, rows, cols) for clips. Raises
-    Rejected (NS0811) if training cannot use it."""
+    """Return the scene with this name and light, float32. Raise Rejected (NS0811), with the reason,
+    if training cannot use it.
+
+    `digest` is that of its file; None takes that of the light. A still whose light is far from 1 is
+    divided by its maximum."""
     patch, reason = kind.settings.patch, ""
     if light.dtype.kind not in "uifb":
         reason = f"its light is {light.dtype}, not real numbers"

@@ -16,7 +16,11 @@ Size = tuple[int, int]
 
 
 def unfold_blocks(pictures: Tensor, block: Size, step: Size) -> Tensor:
-    """Return blocks (batch, blocks, pictures * pixels), `step` apart, row by row."""
+    """Return overlapping blocks of `pictures` (batch, count, rows, cols), as (batch, blocks, count
+    * pixels of a block).
+
+    `block` (rows, cols) is the size of a block. Blocks begin every `step` (rows, cols) pixels and
+    are ordered row by row."""
     blocks = pictures.unfold(2, block[0], step[0]).unfold(3, block[1], step[1])
     batch, count, down, across = blocks.shape[:4]
     return blocks.permute(0, 2, 3, 1, 4, 5).reshape(
@@ -25,10 +29,11 @@ def unfold_blocks(pictures: Tensor, block: Size, step: Size) -> Tensor:
 
 
 def fold_blocks(blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size) -> Tensor:
-    """Return the sums of overlapping blocks in pictures (batch, *size): the adjoint of
+    """Return the pictures (batch, *size) in which overlapping blocks are added up: the adjoint of
     `unfold_blocks`.
 
-    The block size is a multiple of the step, and the blocks fill the pictures."""
+    `size` is (count, rows, cols). `block` must be a multiple of `step` in both directions, and the
+    blocks must fill the pictures."""
     batch, (count, rows, cols) = len(blocks), size
     down, across = ((n - b) // s + 1 for n, b, s in zip((rows, cols), block, step, strict=True))
     again = block[0] // step[0], block[1] // step[1]
@@ -42,7 +47,8 @@ def fold_blocks(blocks: Tensor, size: tuple[int, int, int], block: Size, step: S
 
 
 class _Taken(Function):
-    """Cut pictures into overlapping blocks. The gradient adds blocks up again (`_Put`)."""
+    """The function `unfold_blocks` with a gradient that adds the blocks' gradients up again
+    (`_Put`), faster than torch's own."""
 
     @staticmethod
     def forward(ctx: Any, pictures: Tensor, block: Size, step: Size) -> Tensor:
@@ -52,12 +58,14 @@ class _Taken(Function):
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None]:
-        """Return the gradient of the pictures: those of their blocks, added."""
+        """Return the gradient of the pictures: the gradients of their blocks, added up. The sizes
+        have none (None)."""
         return _Put.apply(grad, *ctx.how), None, None  # type: ignore[no-untyped-call]
 
 
 class _Put(Function):
-    """Add overlapping blocks up to pictures. The gradient cuts blocks out again (`_Taken`)."""
+    """The function `fold_blocks` with a gradient that cuts blocks out again (`_Taken`), faster than
+    torch's own."""
 
     @staticmethod
     def forward(
@@ -69,22 +77,22 @@ class _Put(Function):
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None, None]:
-        """Return the gradient of the blocks."""
+        """Return the gradient of the blocks: the gradient of the pictures, cut into blocks. The
+        sizes have none (None)."""
         return _Taken.apply(grad, *ctx.how), None, None, None  # type: ignore[no-untyped-call]
 
 
 class BlockNet(nn.Module):
-    """Fully connected layers that map every block of 2 x 2 tiles of the frame to N pictures of it.
+    """Fully connected layers that map every block of 2 x 2 tiles of the frame to the same block of
+    N slots.
 
     Blocks overlap by a tile in both directions; each pixel is the average over the blocks that
     contain it. The network does not receive the code, but blocks always begin at the corner of a
     tile. `overlapping` (down, across) may be switched off after training to use fewer blocks."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, _size: str) -> None:
-        """Build fully connected layers from a block of 2 x 2 tiles of a frame to the same block of
-        all slots.
-
-        `channels` is the one width of the hidden layers."""
+        """Build the layers for the tile and the slots of `task`. `channels` has one number, the
+        width of the hidden layers."""
         super().__init__()
         self.slots, self.tile = task.slots, task.tile
         self.block = (2 * task.tile[0], 2 * task.tile[1])
@@ -104,7 +112,8 @@ class BlockNet(nn.Module):
         """Return the clip (batch, N, rows, cols): the mean of the outputs of all blocks that
         contain a pixel.
 
-        `frame` is (batch, rows, cols). The shutters are not used: the network learns one code."""
+        `frame` is (batch, rows, cols), of any size. `shutters` are not used: the network learns one
+        code."""
         rows, cols = frame.shape[-2:]
         step = self.step
         down, across = (self.grown(size, k) for k, size in enumerate((rows, cols)))
@@ -121,11 +130,13 @@ class BlockNet(nn.Module):
 
     @property
     def step(self) -> tuple[int, int]:
-        """Return the distance between blocks in pixels, down and across."""
+        """Return the distance between the corners of neighbouring blocks in pixels, down and
+        across: a tile if blocks overlap, else a block."""
         down, across = self.overlapping
         return (self.tile if down else self.block)[0], (self.tile if across else self.block)[1]
 
     def grown(self, size: int, axis: int) -> int:
-        """Return the smallest size, at least `size`, that whole blocks fill along an axis."""
+        """Return the smallest size in pixels, at least `size`, that whole blocks fill along an axis
+        (0 is down)."""
         block, step = self.block[axis], self.step[axis]
         return block + max(0, -(-(size - block) // step)) * step

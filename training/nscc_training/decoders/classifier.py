@@ -21,7 +21,8 @@ class Classifier(nn.Module):
     logarithms of likelihoods, up to a constant that all classes share. Frames may have any size."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, _size: str) -> None:
-        """Build a convolutional network for `task`; `channels` are the widths of its levels."""
+        """Build the network for the slots, buckets and classes of `task`. `channels` are the widths
+        of its levels."""
         super().__init__()
         self.slots, self.sees_code = task.slots, task.sees_code
         layers: list[nn.Module] = []
@@ -34,8 +35,9 @@ class Classifier(nn.Module):
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         """Return the score of each class, (batch, classes), before softmax.
 
-        If the network sees the code, the frame copied to the open slots of each pixel is also an
-        input."""
+        `frame` is (batch, [buckets,] rows, cols), `shutters` (N, r, c) are those of the first
+        bucket for a tile. If the network sees the code, the frame copied to the open slots of each
+        pixel is also an input."""
         frames = frame if frame.ndim == 4 else frame.unsqueeze(1)
         inputs = [relative(frames, torch.ones_like(frames))]
         if self.sees_code:
@@ -49,7 +51,10 @@ class Classifier(nn.Module):
 
 
 def relative(values: Tensor, weight: Tensor) -> Tensor:
-    """Return values (batch, channels, rows, cols) over their mean where `weight` is 1, less 1."""
+    """Return `values` (batch, channels, rows, cols) divided by their mean, minus 1.
+
+    `weight` (0 or 1) marks the values that count: the mean is taken over them, and the result is 0
+    at the others."""
     places = tuple(range(1, values.ndim))
     weight = weight.expand_as(values)
     mean = (values * weight).sum(places, keepdim=True) / weight.sum(places, keepdim=True)

@@ -13,12 +13,12 @@ SIZES = ("paper", "small")
 
 @dataclass(frozen=True)
 class DecoderTask:
-    """The task of a decoder.
+    """What a decoder has to reconstruct, and from what.
 
     `kind` is "still" or "clip". The frame has `slots` slots, coded by a tile (rows, cols), in one
-    or two `buckets`. With `classes`, the decoder names the class of a clip.
-    `sees_code` means that the network receives the shutters as input. `guess`
-    means that a U-Net starts from a first guess; None leaves this to the decoder's size."""
+    or two `buckets`. With `classes`, the decoder names the class of a clip instead. `sees_code`
+    means that the network receives the shutters as input. `guess` means that a U-Net starts from a
+    first guess; None leaves this to the decoder's size."""
 
     kind: str
     slots: int
@@ -118,7 +118,10 @@ DECODERS = {decoder.name: decoder for decoder in _OWN}
 
 
 def added_decoders() -> dict[str, Callable[..., Any]]:
-    """Return the decoders of other distributions by name; raise NS0905 for unusable ones."""
+    """Return the decoders that installed packages add (entry points `nscc.decoders`): a function
+    that builds the network, by name.
+
+    Raises Rejected (NS0905) for one that is not callable."""
     makers = added("nscc.decoders", DECODERS)
     for name, make in makers.items():
         if not callable(make):

@@ -104,8 +104,10 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
 
 
 def _check_guess(name: str, guesses: bool, task: DecoderTask) -> None:
-    """Raise ValueError if `task` asks for a first guess that the decoder `name` does not make, or
-    that lacks the code. `guesses`: whether the decoder can make one."""
+    """Raise ValueError if the task asks for a first guess that decoder `name` cannot make, or asks
+    for one without letting the decoder see the code.
+
+    `guesses` says whether the decoder can make one."""
     if task.guess is not None and not guesses:
         takers = " and ".join(decoder.name for decoder in DECODERS.values() if decoder.guesses)
         raise ValueError(f"decoder.guess applies to {takers}, not to {name}")
@@ -114,7 +116,8 @@ def _check_guess(name: str, guesses: bool, task: DecoderTask) -> None:
 
 
 def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.Module:
-    """Build a decoder whose layers have `width` times the declared channels, at least one."""
+    """Build the network of a declared decoder. Its layers have `width` times the channels that are
+    declared for this size, rounded down, at least one."""
     module, _, name = declared.network.partition(":")
     # rounded first, so that the width is exactly a multiple of 1/24
     channels = tuple(max(1, int(round(full * width, 6))) for full in declared.channels[size])
@@ -132,7 +135,9 @@ def _called(
 ) -> Tensor:
     """Return the output of the user's decoder for a frame and its shutters.
 
-    Raises Rejected (NS0822) if it fails or returns another shape than the task needs."""
+    `module` is the decoder, `forward` its own method, and `name` its import path for messages.
+    Raises Rejected (NS0822) if it fails, returns another shape than the task needs, or has weights
+    but passes no gradient during training."""
     with own_code(name, "decoder"):
         output = forward(frame, shutters)
     expected_shape = (len(frame), *frame.shape[-2:])
@@ -158,8 +163,8 @@ def parameter_count(module: nn.Module) -> int:
 
 
 def flops(module: nn.Module, slots: int, rows: int, cols: int, buckets: int = 1) -> int:
-    """Return the operations of a decoder for one exposure of rows x cols pixels; a
-    multiplication and an addition count as two."""
+    """Return the number of arithmetic operations of a decoder for one frame of rows x cols pixels
+    and `slots` slots. A multiplication and an addition count as two."""
     from torch.utils.flop_counter import FlopCounterMode
 
     device = next((p.device for p in module.parameters()), torch.device("cpu"))

@@ -24,12 +24,12 @@ _FAINT = 0.01
 
 
 def still_guess(frame: Tensor, share: Tensor) -> Tensor:
-    """Estimate the light of a still over the whole frame, in full wells, from `frame` (batch, rows,
-    cols).
+    """Estimate the light of a still over the whole frame, (batch, rows, cols) in full wells.
 
-    `share` is the open fraction of the frame of each pixel, of the same shape or without the batch.
-    Measurements are weighted by their precision. Saturated measurements have weight 0; a saturated
-    pixel gets at least the light that saturates it."""
+    `frame` (batch, rows, cols) is in full wells, and saturated from 1. `share` is the open fraction
+    of the frame of each pixel, of the same shape or without the batch. Each pixel is the mean
+    around it, weighted by precision. Saturated measurements have weight 0; a saturated pixel gets
+    at least the light that saturates it. Raises ValueError for values that are not finite."""
     opened = share.clamp(min=1e-6)
     alone = frame / opened
     refuse_not_finite(frame, "frame")
@@ -41,9 +41,12 @@ def still_guess(frame: Tensor, share: Tensor) -> Tensor:
 
 
 def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
-    """Estimate the light of a clip slot by slot from S^T E, `volume` (batch, N, rows, cols) of
-    `lifted`. `opened` (N, rows, cols) are the shutters of each bucket. A measurement is weighted by
-    the inverse of the number of slots in which the pixel's bucket was open."""
+    """Estimate the light of a clip (batch, N, rows, cols) slot by slot.
+
+    `volume` (batch, N, rows, cols) is S^T E, the frame copied to the slots in which each pixel was
+    open (`lifted`). `opened` are the shutters (N, rows, cols) of each bucket. Each slot is the
+    weighted mean of the pixels that are open in it. The weight of a pixel is the inverse of the
+    number of its open slots. Raises ValueError for values that are not finite."""
     refuse_not_finite(volume, "volume")
     weight = torch.stack([shutter / shutter.sum(dim=0).clamp(min=1) for shutter in opened]).sum(
         dim=0
@@ -52,7 +55,8 @@ def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
 
 
 def refuse_not_finite(values: Tensor, name: str) -> None:
-    """Raise ValueError for values that are not finite, which averages would spread."""
+    """Raise ValueError if any value is not finite; an average would spread it over the picture.
+    `name` names the values in the message."""
     if torch.compiler.is_compiling():  # compiled code cannot branch on values
         return
     count = int((~torch.isfinite(values.detach())).sum())
@@ -66,8 +70,9 @@ def refuse_not_finite(values: Tensor, name: str) -> None:
 def averaged(values: Tensor, weights: Tensor) -> Tensor:
     """Return the weighted mean around every pixel of `values` (batch, channels, rows, cols).
 
-    `weights` has the same shape. Autocast is switched off, so that the inputs' precision is kept.
-    """
+    `weights` has the same shape. The mean is over the 3 x 3 neighbours; where their weights are
+    small, over wider neighbourhoods, up to the whole picture. Autocast is switched off, so that the
+    inputs' precision is kept."""
     with torch.autocast(values.device.type, enabled=False):
         totals = [tuple(_tent(plane) for plane in (values * weights, weights))]
         while max(totals[-1][0].shape[-2:]) > 1:
@@ -86,7 +91,8 @@ def averaged(values: Tensor, weights: Tensor) -> Tensor:
 
 
 class _Tent(Function):
-    """A self-adjoint convolution, faster than torch's gradient of single-channel convolutions."""
+    """A convolution with a tent of 3 x 3 pixels. Its own gradient is faster than torch's for
+    convolutions of single channels."""
 
     @staticmethod
     def forward(_ctx: Any, x: Tensor) -> Tensor:
@@ -98,11 +104,15 @@ class _Tent(Function):
 
     @staticmethod
     def backward(_ctx: Any, grad: Tensor) -> Tensor:
-        """Return the gradient: the filter is its own adjoint."""
+        """Return the gradient of x: the tent is symmetric, so it is the tent of the gradient."""
         return _tent(grad)
 
 
 def _tent(x: Tensor) -> Tensor:
-    """Sum over 3 x 3 pixels with weights 1, 1/2, 1/4; the pixel itself counts `_OWN` times."""
+    """Return the weighted sum over the 3 x 3 pixels around each pixel of (batch, channels, rows,
+    cols).
+
+    Direct neighbours have the weight 1/2, diagonal ones 1/4, the pixel itself `_OWN`. Beyond the
+    border values are 0."""
     sums: Tensor = _Tent.apply(x)  # type: ignore[no-untyped-call]
     return sums

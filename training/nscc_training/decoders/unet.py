@@ -21,7 +21,8 @@ _GUESSES = {"paper": False, "small": True}
 
 
 def _guesses(task: DecoderTask, size: str) -> bool:
-    """Return whether a decoder of this size makes a first guess, unless the task decides."""
+    """Return whether a decoder of this size makes a first guess: as `task.guess` says, or if that
+    is None, only the small ones."""
     return _GUESSES[size] if task.guess is None else task.guess
 
 
@@ -34,7 +35,8 @@ class UNet(nn.Module):
     def __init__(self, inputs: int, outputs: int, widths: Sequence[int], dimensions: int) -> None:
         """Build a U-Net with `inputs` and `outputs` channels in two or three `dimensions`.
 
-        `widths` are the channels of its levels; each level halves the sides."""
+        `widths` are the channels of its levels, from fine to coarse; each level halves the sides.
+        In three dimensions, slots are an axis like rows and columns."""
         super().__init__()
         self.dimensions = dimensions
         convolution = nn.Conv2d if dimensions == 2 else _Convolution3d
@@ -96,7 +98,8 @@ class _Convolution3d(nn.Conv3d):
     processors with AVX512-BF16."""
 
     def forward(self, x: Tensor) -> Tensor:
-        """Convolve `x`, in float32 where bfloat16 is slow: volumes of two frames on a CPU."""
+        """Convolve x (batch, channels, N, rows, cols); in float32 if it has two slots and is on a
+        CPU, whatever autocast says."""
         if x.device.type != "cpu" or x.shape[2] != 2:
             return super().forward(x)
         with torch.autocast("cpu", enabled=False):
@@ -117,8 +120,8 @@ class StillUNet(nn.Module):
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
         """Build a two-dimensional U-Net for stills, or for clips with slots as channels.
 
-        Its inputs are the frame, the shutters if the task lets it see the code, and a first guess
-        if this `size` makes one."""
+        `channels` are the widths of its levels. Its inputs are the frame, the shutters if `task`
+        lets it see the code, and a first guess if this `size` makes one."""
         super().__init__()
         slots = None if task.kind == "still" else task.slots
         self.slots, self.sees_code = slots, task.sees_code
@@ -130,14 +133,19 @@ class StillUNet(nn.Module):
         self.network = begin_with_nothing(network) if self.guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        """Return the light of stills or clips from their frames."""
+        """Return the light of stills (batch, rows, cols) or clips (batch, N, rows, cols), in full
+        wells, or full wells / N for a slot.
+
+        `frame` is (batch, [buckets,] rows, cols) in full wells, `shutters` (N, r, c) are those of
+        the first bucket for a tile."""
         return self._clip(frame, shutters) if self.slots else self._still(frame, shutters)
 
     def _still(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        """Return the light of stills, (batch, rows, cols), from frames of the same shape.
+        """Return the light of stills (batch, rows, cols), in full wells, from frames of the same
+        shape.
 
-        The network works on the logarithm of the light and, if it guesses, adds to a first guess.
-        """
+        The network works on the logarithm of the light. If it guesses, it predicts the difference
+        to the first guess."""
         inputs, guess = [frame], None
         if self.sees_code:
             share = laid(shutters.mean(dim=-3), *frame.shape[-2:]).expand_as(frame)
@@ -151,8 +159,8 @@ class StillUNet(nn.Module):
         return log_curve_inverse(output if guess is None else output + guess, LOG_FLOOR)
 
     def _clip(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        """Return the light of clips, (batch, N, rows, cols), from a frame (batch, [buckets,]
-        rows, cols)."""
+        """Return the light of clips (batch, N, rows, cols), in full wells / N, from a frame (batch,
+        [buckets,] rows, cols)."""
         assert self.slots is not None
         inputs, guess = [frame if frame.ndim == 4 else frame.unsqueeze(1)], None
         if self.sees_code:
@@ -172,16 +180,20 @@ class ClipUNet(nn.Module):
     its gain (`gated`)."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
-        """Build a three-dimensional U-Net for clips; its input is the frame divided over the
-        open slots, and a first guess if this `size` makes one."""
+        """Build a three-dimensional U-Net for clips, with levels of `channels` channels.
+
+        Its inputs are the frame copied to the open slots, for each bucket, and a first guess if
+        this `size` makes one."""
         super().__init__()
         self.slots, self.guesses = task.slots, _guesses(task, size)
         network = UNet(task.buckets + self.guesses, 2 if self.guesses else 1, channels, 3)
         self.network = begin_with_nothing(network) if self.guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        """Return the light of clips, (batch, N, rows, cols), from frames lifted to their open
-        slots."""
+        """Return the light of clips (batch, N, rows, cols), in full wells / N.
+
+        `frame` is (batch, [buckets,] rows, cols) in full wells, `shutters` (N, r, c) are those of
+        the first bucket for a tile."""
         volumes, opened = _lifted(frame, shutters, self.slots)
         guess = clip_guess(_added(volumes), *opened) if self.guesses else None
         inputs = volumes if guess is None else [*volumes, guess]
@@ -198,10 +210,11 @@ def gated(guess: Tensor, added: Tensor, extra_share: Tensor) -> Tensor:
 
 
 def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], tuple[Tensor, ...]]:
-    """Return S^T E (batch, N, rows, cols) of each bucket, and the shutters of the buckets (N, rows,
-    cols).
+    """Return S^T E (batch, N, rows, cols) of each bucket, the frame copied to the bucket's open
+    slots, and the shutters of each bucket (N, rows, cols).
 
-    The buckets stay separate, because their sum has light in every slot."""
+    `slots` is N; light is in full wells / N. The buckets stay separate, because their sum has light
+    in every slot."""
     frames = frame.unbind(1) if frame.ndim == 4 else (frame,)
     array_shutters = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
     opened = (
@@ -212,11 +225,12 @@ def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], 
 
 
 def _added(volumes: Sequence[Tensor]) -> Tensor:
-    """Return the sum of tensors."""
+    """Return the sum of tensors of one shape; a single one is returned itself, not copied."""
     return volumes[0] if len(volumes) == 1 else torch.stack([*volumes]).sum(dim=0)
 
 
 def begin_with_nothing(network: UNet) -> UNet:
-    """Set the last layer to zero, so that the untrained network adds nothing to the guess."""
+    """Set the weights of the last layer to zero in place, so that the untrained network adds
+    nothing to the guess. Return the network."""
     nn.init.zeros_(network.last.weight)
     return network

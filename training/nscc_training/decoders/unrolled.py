@@ -15,6 +15,7 @@ from nscc_training.measured import Measured
 from nscc_training.sensor_model import laid, lifted
 
 _STAGES = {"paper": 9, "small": 3}
+"""Number of stages, by the size of the decoder."""
 
 
 class Unrolled(nn.Module):
@@ -28,10 +29,11 @@ class Unrolled(nn.Module):
     The clip starts from the first guess, or from `tv_iterations` of GAP-TV."""
 
     tv_iterations = 0
+    """Iterations of GAP-TV that the clip starts from; 0 starts from the first guess."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
-        """Build a denoiser with these `channels` and a step size for each stage; `size` chooses the
-        number of stages."""
+        """Build a denoiser, whose levels have `channels` channels, and a step size for each stage.
+        `size` ("paper" or "small") chooses the number of stages."""
         super().__init__()
         self.slots = task.slots
         self.steps = nn.Parameter(torch.ones(_STAGES[size]))
@@ -41,10 +43,10 @@ class Unrolled(nn.Module):
         )
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        """Return the light of clips, (batch, N, rows, cols), in units of a full well / N for each
-        slot.
+        """Return the light of clips (batch, N, rows, cols), in full wells / N for each slot.
 
-        Each stage first corrects the clip so that it fits the measurement, then denoises it."""
+        `frame` (batch, rows, cols) is in full wells, `shutters` (N, r, c) are those of a tile. Each
+        stage first corrects the clip so that it fits the measurement, then denoises it."""
         opened = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
         energy = opened.square().sum(dim=0).clamp(min=1)
         # 1 is a full well for a frame, a full well / N for a slot.
@@ -62,7 +64,11 @@ class Unrolled(nn.Module):
 
     @torch.no_grad()
     def _gap_tv(self, total: Tensor, opened: Tensor) -> Tensor:
-        """Return clips by GAP-TV, from which the stages start."""
+        """Return clips (batch, N, rows, cols) by GAP-TV, from which the stages start; they pass no
+        gradient.
+
+        `total` (batch, rows, cols) is the frame in units of a slot, `opened` (N, rows, cols) its
+        shutters."""
         measured = Measured.exact(total.float(), opened.float().unsqueeze(0))
         return gap_tv_of(measured, self.tv_iterations)[0].to(total)
 

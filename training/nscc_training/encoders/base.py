@@ -43,8 +43,8 @@ class CodeTrial:
 
 
 def drawn(fields: Tensor, generator: torch.Generator, share: float) -> Tensor:
-    """Return standard normal numbers for a random `share` of the pixels, and 0 for the others,
-    in the shape of `fields`."""
+    """Return standard normal numbers in the shape of `fields` (.., rows, cols), and 0 for all
+    pixels but a random fraction `share`."""
     numbers = normal(fields, generator)
     if share < 1:
         numbers *= uniform(fields, generator, fields.shape[-2:]) < share
@@ -54,11 +54,12 @@ def drawn(fields: Tensor, generator: torch.Generator, share: float) -> Tensor:
 def decided(
     margins: Tensor, spread: Tensor, generator: torch.Generator, share: float
 ) -> tuple[Tensor, Tensor, Tensor]:
-    """Decide whether noisy margins are above 0, on both sides of an antithetic draw.
+    """Decide whether noisy margins are above 0, on both sides of an antithetic draw: with the noise
+    added, and with it subtracted.
 
-    Only a `share` of the pixels gets noise, with the standard deviation `spread`. Returns both
-    decisions and the displacement of the first side, averaged over all draws with this decision; it
-    is 0 if both sides decide alike."""
+    Only the fraction `share` of the pixels gets noise, of the standard deviation `spread`. Returns
+    both decisions, and the displacement of the first side: the mean of the noise over all draws
+    with this decision. It is 0 if both sides decide alike."""
     noise = spread * drawn(margins, generator, share)
     first, second = margins + noise > 0, margins - noise > 0
     beyond = margins.abs() / spread
@@ -92,7 +93,8 @@ class Encoder(nn.Module, ABC):
     jitter_unit = 0.0
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
-        """Begin without parameters; raise ValueError for an unknown relaxation."""
+        """Begin without parameters, which the classes of encoders add. Raise ValueError for an
+        unknown relaxation."""
         super().__init__()
         if relaxation not in RELAXATIONS:
             raise ValueError(f"{relaxation!r} is not one of {RELAXATIONS}")
@@ -109,7 +111,8 @@ class Encoder(nn.Module, ABC):
         """Return the legal codes of the current parameters, int64 (rows, cols) by field."""
 
     def check_finite(self) -> None:
-        """Raise ValueError if a parameter is not finite."""
+        """Raise ValueError if any parameter has a value that is not finite, with the name of the
+        parameter and the number of such values."""
         for name, parameter in self.named_parameters():
             count = int((~torch.isfinite(parameter)).sum())
             if count:

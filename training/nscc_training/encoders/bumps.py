@@ -18,6 +18,7 @@ _FAR = 1e6
 _FINEST = 2.0**-20
 """Exposure times are multiples of this, in slots, so that whole numbers stay whole."""
 _MOST_DISTANCES = 1 << 24
+"""Most distances between codes and legal codes that are computed at once, to limit memory."""
 _REACH = 2
 """Radius in pixels within which losses are credited to a trial."""
 
@@ -26,7 +27,7 @@ class AlwaysOpen(Encoder):
     """Class a: always open, with nothing to learn."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
-        """Begin; there is nothing to learn."""
+        """Begin; there is nothing to learn. A buffer follows the module to its device."""
         super().__init__(spec, relaxation)
         self.always: Tensor
         self.register_buffer("always", torch.ones(()), persistent=False)
@@ -36,7 +37,7 @@ class AlwaysOpen(Encoder):
         return {}
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
-        """Raise ValueError for codes with fields."""
+        """Accept codes without fields, and raise ValueError for any field."""
         if codes:
             raise ValueError(f"class a has no fields, and not {sorted(codes)}")
 
@@ -47,7 +48,7 @@ class AlwaysOpen(Encoder):
     def start_quad(self) -> None: ...
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """Return open shutters (N, rows, cols)."""
+        """Return shutters (N, rows, cols) that are 1 everywhere. The arguments have no effect."""
         return self.always.expand(self.spec.slots, *self.spec.tile)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
@@ -84,8 +85,8 @@ class Bump(Encoder):
     def __init__(
         self, spec: ShutterSpec, relaxation: str, limits: dict[str, tuple[int, int]]
     ) -> None:
-        """Begin with every field at its lowest value; `limits` are the lowest and highest value
-        of each."""
+        """Begin with every field at its lowest value. `limits` are the lowest and the highest value
+        of each field, in slots."""
         super().__init__(spec, relaxation)
         self.limits = limits
         self.legal: Tensor | None = None
@@ -96,8 +97,10 @@ class Bump(Encoder):
     def restrict(
         self, legal: NDArray[np.int64], generator: np.random.Generator | None = None
     ) -> None:
-        """Allow only the codes `legal` (codes, fields), to which parameters snap; with a generator
-        they are drawn anew."""
+        """Allow only the codes `legal` (codes, fields), which `require` of a program permits.
+
+        With a generator, the code of every pixel is drawn anew from them; with None, it moves to
+        the nearest legal code. The limits of the fields become those of the legal codes."""
         self.legal = torch.as_tensor(legal, dtype=torch.float64)
         if generator is None:
             self.fill(*self.codes().values())
@@ -108,19 +111,27 @@ class Bump(Encoder):
             self.limits[name] = (int(values.min()), int(values.max()))
 
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
-        """Return the opening and closing boundaries (rows, cols) of fields (fields, rows, cols)."""
+        """Return the opening and the closing boundary of each pixel, both (rows, cols), for the
+        values of its fields (fields, rows, cols). Each class of bumps defines it."""
         raise NotImplementedError
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """Return the shutters (N, rows, cols) of the present fields; a generator adds their
-        noise."""
+        """Return the shutters (N, rows, cols) of the present fields: exactly 0 and 1, or if `soft`,
+        values between them.
+
+        A generator adds noise of the standard deviation `noise` to the fields."""
         return self.opened_by(self.fields(generator), soft)
 
     def opened_by(self, fields: Tensor, soft: bool = False) -> Tensor:
         """Return the shutters (N, rows, cols) of field values (fields, rows, cols) within their
-        limits."""
+        limits.
+
+        If `soft`, the edges are sigmoids of the width `temperature`, and codes are not rounded.
+        Otherwise the shutters are 0 and 1, and pass the gradient of an edge of the width `width`.
+        """
         start, stop = self.edges(fields if soft else self.snapped(fields))
         n = torch.arange(self.spec.slots, dtype=torch.float64, device=stop.device)
+        # A slot is open if its middle is between the edges.
         middle = n.reshape(-1, 1, 1) + 0.5
         if not soft and not torch.is_grad_enabled():
             return ((middle > start) & (middle < stop)).float()
@@ -131,9 +142,11 @@ class Bump(Encoder):
         return (opened(after, self.width) * opened(before, self.width)).float()
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
-        """Return two versions of the codes, moved by the same random steps in opposite directions.
+        """Return shutters for two versions of the codes, moved by the same random steps in opposite
+        directions.
 
-        `over` lays the tile over a patch, so that each pixel of the patch moves on its own."""
+        `over` lays the tile over a patch, so that each pixel of the patch moves on its own. Only
+        the fraction `tried_share` of the pixels moves."""
         fields = over(self.fields(None))
         with torch.no_grad():
             spread = self.trial_spread(fields)
@@ -142,7 +155,8 @@ class Bump(Encoder):
         return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
     def trial_spread(self, fields: Tensor) -> Tensor:
-        """Return the standard deviation, in slots, of trials around fields (fields, rows, cols)."""
+        """Return the standard deviation of trials around fields (fields, rows, cols), in slots and
+        of the same shape."""
         return torch.full_like(fields, max(self.noise, self.least_tried))
 
     @property
@@ -152,12 +166,14 @@ class Bump(Encoder):
         return max(0.25, self.spec.slots / 256)
 
     def fields(self, generator: torch.Generator | None) -> Tensor:
-        """Return the real fields (fields, rows, cols), clipped to their limits with gradient 1."""
+        """Return the real values of the fields (fields, rows, cols) in slots, clipped to their
+        limits. A generator adds noise."""
         slots = (self.slots_of(self.get_parameter(name)) for name in self.limits)
         return self.within(torch.stack([self.noisy(field, generator) for field in slots]))
 
     def slots_of(self, parameter: Tensor) -> Tensor:
-        """Return the edge in slots for a parameter."""
+        """Return the edge in slots that a parameter means. Here they are equal; a class with
+        another unit overrides it."""
         return parameter
 
     def parameter_of(self, slots: Tensor) -> Tensor:
@@ -165,11 +181,12 @@ class Bump(Encoder):
         return slots
 
     def bound_of(self, slots: int) -> float:
-        """Return the parameter for a limit in slots, without a tensor."""
+        """Return the parameter for a limit in slots, as `parameter_of` does for tensors."""
         return slots
 
     def within(self, fields: Tensor) -> Tensor:
-        """Return fields (fields, rows, cols) clipped to their limits."""
+        """Return fields (fields, rows, cols) clipped to their limits. The gradient is 0 outside the
+        limits."""
         return torch.stack(
             [
                 torch.clamp(field, *limits)
@@ -178,10 +195,11 @@ class Bump(Encoder):
         )
 
     def snapped(self, fields: Tensor) -> Tensor:
-        """Return the legal code nearest to each pixel's `fields`, by the sum of absolute
-        differences; the gradient passes straight through.
+        """Return the legal code nearest to each pixel's `fields` (fields, rows, cols), by the sum
+        of absolute differences.
 
-        Without a list of legal codes, every whole number is legal."""
+        Without a list of legal codes, every whole number is legal. The gradient passes as if
+        nothing was rounded."""
         if self.legal is None:
             return rounded(fields)
         legal = self.legal.to(fields)
@@ -193,7 +211,7 @@ class Bump(Encoder):
         return replaced(fields, legal[torch.cat(nearest)].T.reshape(fields.shape))
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
-        """Return each field's parameter with its lowest and highest value, in the unit of the
+        """Return each field's parameter with its lowest and highest value, both in the unit of the
         parameter."""
         return [
             (self.get_parameter(name), (self.bound_of(low), self.bound_of(high)))
@@ -201,23 +219,25 @@ class Bump(Encoder):
         ]
 
     def codes(self) -> Codes:
-        """Return the fields as integers, rounded to legal codes; raise ValueError if a parameter
-        is not finite."""
+        """Return the fields rounded to legal codes, int64 (rows, cols) by name. Raise ValueError if
+        a parameter is not finite."""
         self.check_finite()
         with torch.no_grad():
             values = self.snapped(self.fields(None)).to("cpu", torch.int64).numpy()
         return dict(zip(self.limits, values, strict=True))
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
-        """Set the parameters to these codes; raise ValueError if they are out of range or not
-        legal."""
+        """Set the parameters to these codes, (rows, cols) by field. Raise ValueError if they are
+        out of range, or not legal."""
         self.fill(*(values.numpy() for values in self.checked(codes, self.limits)))
         # Round to the nearest legal codes.
+        # Reading the codes rounds them to legal ones, which shows codes that are not legal.
         if any((values != codes[name]).any() for name, values in self.codes().items()):
             raise ValueError("some of its codes are not allowed by `require`")
 
     def fill(self, *fields: NDArray[np.float64] | NDArray[np.int64]) -> None:
-        """Set the values of all fields, given in the order of `limits`."""
+        """Set the values (rows, cols) of all fields in slots, given in the order of `limits`. They
+        are not checked."""
         with torch.no_grad():
             for name, values in zip(self.limits, fields, strict=True):
                 slots = torch.as_tensor(np.asarray(values, np.float64))
@@ -236,8 +256,8 @@ class Stop(Bump):
         super().__init__(spec, relaxation, {"stop": (1, spec.slots)})
 
     def slots_of(self, parameter: Tensor) -> Tensor:
-        """Return stops in slots from octaves, in fine steps; the gradient is that of the
-        exponential."""
+        """Return stops in slots for stops in octaves: 2 to their power, in steps of `_FINEST`. The
+        gradient is that of the exponential."""
         stop = torch.exp2(parameter)
         return replaced(stop, torch.round(stop.detach() / _FINEST) * _FINEST)
 
@@ -250,20 +270,22 @@ class Stop(Bump):
         return math.log2(slots)
 
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
-        """Return edges before the frame, and the stops."""
+        """Return a boundary far before the frame for every opening, so that it has no gradient, and
+        the stops."""
         return torch.full_like(fields[0].detach(), -_FAR), fields[0]
 
     def trial_spread(self, fields: Tensor) -> Tensor:
-        """Return the standard deviation, in slots, of trials: at most a quarter of the exposure."""
+        """Return the standard deviation of trials in slots: at most a quarter of the exposure, and
+        at least `least_tried`."""
         # The ratio of exposures matters, so short exposures are changed in small steps.
         return torch.minimum(super().trial_spread(fields), fields / 4).clamp(min=self.least_tried)
 
     def start_random(self, generator: np.random.Generator) -> None:
-        """Draw all stops, 1 to N."""
+        """Draw the stop of each pixel, 1 to N with equal probability."""
         self.fill(generator.integers(1, self.spec.slots, self.spec.tile, endpoint=True))
 
     def start_uniform(self) -> None:
-        """Set all stops to the square root of N."""
+        """Set all stops to the square root of N: the middle of the range in octaves."""
         self.fill(np.full(self.spec.tile, max(1.0, np.rint(self.spec.slots**0.5))))
 
     def start_quad(self) -> None:
@@ -275,8 +297,8 @@ class Start(Bump):
     """Class c: one bump of a fixed length, opening at 0..N - length."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
-        """Begin with all bumps at slot 0; raise ValueError if the length in `spec` does not fit the
-        frame."""
+        """Begin with all bumps at slot 0. Raise ValueError if the length in `spec` is missing or
+        does not fit the frame."""
         if spec.length is None or not 1 <= spec.length <= spec.slots:
             raise ValueError(
                 f"class c needs the length of its bumps, 1 to {spec.slots} slots, not {spec.length}"
@@ -289,7 +311,7 @@ class Start(Bump):
         return fields[0], fields[0] + self.length
 
     def start_random(self, generator: np.random.Generator) -> None:
-        """Draw all starts."""
+        """Draw the start of each pixel, with equal probability for all at which the bump fits."""
         self.fill(generator.integers(0, self.last, self.spec.tile, endpoint=True))
 
     def start_uniform(self) -> None:
@@ -314,14 +336,15 @@ class StartStop(Bump):
         return fields[0], torch.maximum(fields[1], fields[0] + 1)
 
     def codes(self) -> Codes:
-        """Return starts and stops as integers, each stop after its start."""
+        """Return starts and stops, int64 (rows, cols), each stop at least one slot after its start.
+        Raise ValueError if a parameter is not finite."""
         codes = super().codes()
         codes["stop"] = np.maximum(codes["stop"], codes["start"] + 1)
         return codes
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
-        """Set the parameters to these codes; raise ValueError unless every start is before its
-        stop."""
+        """Set the parameters to these codes. Raise ValueError if they are out of range or not
+        legal, or if a stop is not after its start."""
         start, stop = self.checked(codes, self.limits)
         if not bool((start < stop).all()):
             raise ValueError("a bump stops before it starts")
@@ -334,13 +357,14 @@ class StartStop(Bump):
         self.fill(first[drawn], last[drawn] + 1)
 
     def start_uniform(self) -> None:
-        """Open all pixels in the middle half of the frame."""
+        """Open all pixels in the middle half of the frame, in at least one slot."""
         quarter = self.spec.slots // 4
         stop = max(self.spec.slots - quarter, quarter + 1)
         self.fill(np.full(self.spec.tile, quarter), np.full(self.spec.tile, stop))
 
     def start_quad(self) -> None:
-        """Open one pixel of each 2 x 2 pixels in each quarter of the frame."""
+        """Open each of the pixels of a 2 x 2 square in another quarter of the frame, in at least
+        one slot."""
         n, rank = self.spec.slots, self.quad_ranks()
         start = np.minimum(np.rint(rank * n / 4), n - 1)
         self.fill(start, np.maximum(np.rint((rank + 1) * n / 4), start + 1))

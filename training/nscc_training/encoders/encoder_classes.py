@@ -35,10 +35,10 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
 
     `two-phase`: the 2 x 2 pattern, with every other 2 x 2 block later by half a bump, or by as much
     as the frame allows. `staggered`: sixteen start times from the beginning of the frame to the
-    last at which a bump fits. `rows`: every other row opens in the second half of the frame.
-    `checker`: every other pixel does. `overlapping-rows`: as `rows`, with bumps of 11/16 of the
-    frame. `cyclic`: sixteen start times around the frame; a bump that reaches
-    the end continues at the beginning."""
+    last at which a bump fits. `cyclic`: sixteen start times around the frame; a bump that reaches
+    the end continues at the beginning. `rows`: every other row opens in the second half of the
+    frame. `checker`: every other pixel does. `overlapping-rows`: as `rows`, with bumps of 11/16 of
+    the frame."""
     if spec.kind not in _CODES:
         raise ValueError(f"{name} needs bumps for clips, classes {', '.join(_CODES)}")
     period = 2 if name in YARDSTICKS else _SIDE
@@ -57,8 +57,8 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
 
 
 def _first(name: str, spec: ShutterSpec, length: int) -> Places:
-    """Return the slot in which each pixel of the tile opens, by the named order, for bumps of
-    `length` slots."""
+    """Return the slot in which each pixel of the tile opens, int64 (rows, cols), in the start
+    `name`. Bumps have `length` slots."""
     y, x = np.mgrid[: spec.tile[0], : spec.tile[1]]
     last = spec.slots - length
     if name in YARDSTICKS:
@@ -75,31 +75,36 @@ def _first(name: str, spec: ShutterSpec, length: int) -> Places:
 
 
 def _opened(spec: ShutterSpec, first: Places, length: int) -> NDArray[np.bool_]:
-    """Return the shutters (N, rows, cols) of bumps that wrap around the end of the frame."""
+    """Return the shutters (N, rows, cols) of bumps that open in the slots `first` for `length`
+    slots. A bump that reaches the end of the frame continues at its start."""
     n = np.arange(spec.slots).reshape(-1, 1, 1)
     return np.asarray((n - first) % spec.slots < length)
 
 
 def _starts(_spec: ShutterSpec, first: Places, _length: int) -> Codes:
-    """Return codes of class c that open in the slots `first`."""
+    """Return codes of class c whose bumps open in the slots `first` (rows, cols). The class itself
+    has the length."""
     return {"start": first}
 
 
 def _edges(_spec: ShutterSpec, first: Places, length: int) -> Codes:
-    """Return codes of class d that open in the slots `first`, for `length` slots."""
+    """Return codes of class d whose bumps open in the slots `first` (rows, cols), for `length`
+    slots."""
     return {"start": first, "stop": first + length}
 
 
 def _bits(spec: ShutterSpec, first: Places, length: int) -> Codes:
-    """Return codes of class e that open in the slots `first`, for `length` slots."""
+    """Return codes of class e whose bumps open in the slots `first` (rows, cols), for `length`
+    slots. Bit n of a code is slot n."""
     weights = np.int64(1) << np.arange(spec.slots, dtype=np.int64)
     return {"bits": np.einsum("n,nrc->rc", weights, _opened(spec, first, length).astype(np.int64))}
 
 
 def _shapes(spec: ShutterSpec, first: Places, length: int) -> Codes:
-    """Return a codebook of bumps with the starts `first`, one for each pixel of the tile.
+    """Return a codebook `book` (K, N) of bumps that open in the slots `first` (rows, cols), and the
+    row `id` of each pixel.
 
-    Raises ValueError if the codebook has too few rows."""
+    Raises ValueError if the codebook has fewer rows than there are different bumps."""
     begins, row_of_place = np.unique(first, return_inverse=True)
     if spec.rows is None or len(begins) > spec.rows:
         raise ValueError(
@@ -179,9 +184,11 @@ def make_encoder(
 
 
 def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> None:
-    """Set the exposure times of a tile so that equal ones are far apart.
+    """Set the codes of an encoder so that equal exposure times are far apart in the tile.
 
-    `start` names the order. Raises ValueError unless the codes are of class b or c."""
+    `start` names the pattern, one of SCATTERED. If the class has more than `_MOST_LEVELS` values,
+    only values at distances 0, 1, 3, 7, .. from the lowest are used. Raises ValueError unless the
+    codes are of class b or c."""
     if not isinstance(encoder, Bump) or len(encoder.limits) != 1:
         raise ValueError(f"{start} needs codes with one field, classes b and c")
     ((name, (low, high)),) = encoder.limits.items()
@@ -198,18 +205,20 @@ Tile = NDArray[np.int64]
 def scattered(
     name: str, levels: Tile, tile: tuple[int, int], generator: np.random.Generator
 ) -> Tile:
-    """Return one of `levels` (values,) for each pixel of a tile, for one of SCATTERED.
+    """Return one of `levels` (values,) for each pixel of a tile (rows, cols), so that equal values
+    are apart. `name` is one of SCATTERED.
 
-    The starts are those of L-SVPE (Nguyen, Martel and Wetzstein, "Learning Spatially Varying Pixel
-    Exposures for Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around edges.
-    """
+    The patterns are those of L-SVPE (Nguyen, Martel and Wetzstein, "Learning Spatially Varying
+    Pixel Exposures for Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around
+    edges."""
     pattern = {"poisson-disc": _poisson_disc, "non-adjacent": _non_adjacent}[name]
     chosen: Tile = levels[pattern(len(levels), tile, generator)]
     return chosen
 
 
 def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
-    """Return a level index for each pixel; pixels of one level keep a distance from each other.
+    """Return the index of a level, 0 to `count` - 1, for each pixel of a tile (rows, cols); pixels
+    of one level keep a distance from each other.
 
     Each level in turn takes its share of free pixels, nearest to the points of a Poisson-disc
     sampler. Each remaining pixel gets the level whose own pixels are farthest away."""
@@ -235,8 +244,10 @@ def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Genera
 
 
 def _non_adjacent(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
-    """Return random indices below `count` for the pixels of a `tile` (rows, cols), which differ
-    from those of their eight neighbours if possible. The tile wraps around."""
+    """Return a random index of a level, 0 to `count` - 1, for each pixel of a tile (rows, cols).
+
+    In random order, each pixel gets one of the levels that are least frequent among its eight
+    neighbours: if possible, none of them has it."""
     rows, cols = tile
     chosen = np.full(tile, -1, np.int64)
     for row, col in generator.permutation(np.argwhere(chosen < 0)).tolist():
@@ -251,6 +262,7 @@ def _non_adjacent(count: int, tile: tuple[int, int], generator: np.random.Genera
 
 
 def _around(distance: NDArray[np.float64], length: int) -> NDArray[np.float64]:
-    """Return absolute distances along an axis of `length` that wraps around."""
+    """Return the distances along an axis of `length` pixels that wraps around: at most half of
+    `length`."""
     away = np.abs(distance) % length
     return np.asarray(np.minimum(away, length - away))

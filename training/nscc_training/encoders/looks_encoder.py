@@ -19,13 +19,15 @@ _REACH = 0
 
 
 class LooksEncoder(Encoder):
-    """Class looks: a tile (1, looks) of logarithms of boundaries, and of levels up to `spec.levels`
-    steps of IN."""
+    """The encoder of pixels that close at the first look (a comparison of their light) above a
+    level. All pixels have the same looks.
+
+    Its tile is (1, looks). Its parameters are the logarithms of the boundaries of looks, to base 2,
+    and the levels of looks in steps of IN, 1 to `spec.levels`."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
-        """Begin with the parameters of one look (comparison of light) for each column of the tile.
-
-        Raises ValueError if there are not enough boundaries."""
+        """Begin with all looks at boundary 1 and level 1; the tile (1, looks) says how many. Raise
+        ValueError if the frame has too few boundaries."""
         super().__init__(spec, relaxation)
         looks = spec.tile[1]
         if spec.tile[0] != 1 or looks >= spec.slots:
@@ -35,12 +37,16 @@ class LooksEncoder(Encoder):
         self.level = nn.Parameter(torch.ones(looks, dtype=torch.float64))
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
-        """Return the parameters of times and levels, each with its lowest and highest value."""
+        """Return the parameters of times (log2 of boundaries) and levels, each with its lowest and
+        highest value."""
         most = float(np.log2(self.spec.slots - 1)) or 1.0
         return [(self.moment, (0.0, most)), (self.level, (1.0, float(max(self.most, 2))))]
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """Return whole times and levels in place of shutters, (2 looks, 1, 1)."""
+        """Return whole boundaries, then whole levels, in place of shutters: (2 looks, 1, 1). The
+        open time of a pixel depends on its light.
+
+        The arguments have no effect."""
         return self.hardened(self.fields()).float()
 
     def fields(self) -> Tensor:
@@ -48,8 +54,11 @@ class LooksEncoder(Encoder):
         return torch.cat([self.moment, self.level]).reshape(-1, 1, 1)
 
     def hardened(self, fields: Tensor) -> Tensor:
-        """Return whole increasing boundaries and whole levels; the gradient passes straight
-        through."""
+        """Return whole increasing boundaries, then whole levels, (2 looks, ..), from real `fields`
+        of this shape.
+
+        A boundary is at least one after that of the look before, and leaves room for the looks
+        after it. The gradient passes as if nothing was rounded."""
         moments, levels = fields.chunk(2)
         at = 2.0**moments
         looks, slots = len(at), self.spec.slots
@@ -66,7 +75,9 @@ class LooksEncoder(Encoder):
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
         """Return two versions of times and levels, moved by the same random steps in opposite
-        directions."""
+        directions.
+
+        `over` repeats them over the pixels of a patch, each of which moves on its own."""
         fields = over(self.fields())
         with torch.no_grad():
             spread = torch.full_like(fields, _OCTAVES)
@@ -87,8 +98,8 @@ class LooksEncoder(Encoder):
         }
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
-        """Set the times `at` and levels of `codes`; raise ValueError if they are out of range, or
-        if the times do not increase."""
+        """Set the boundaries `at` and the levels `level`, both (1, looks). Raise ValueError if they
+        are out of range, or if boundaries do not increase."""
         limits = {"at": (1, self.spec.slots - 1), "level": (1, self.most)}
         at, level = self.checked(codes, limits)
         if not bool((at[0, 1:] > at[0, :-1]).all()):
@@ -96,27 +107,29 @@ class LooksEncoder(Encoder):
         self._fill(at[0].numpy(), level[0].numpy())
 
     def start_random(self, generator: np.random.Generator) -> None:
-        """Draw times and levels."""
+        """Draw different boundaries and independent levels, all with equal probability."""
         looks = self.spec.tile[1]
         at = 1 + np.sort(generator.choice(self.spec.slots - 1, looks, replace=False))
         self._fill(at, generator.integers(1, self.most, looks, endpoint=True))
 
     def start_uniform(self) -> None:
-        """Set evenly spaced times, and levels at half of the largest."""
+        """Set evenly spaced boundaries, and all levels at half of the largest."""
         looks = self.spec.tile[1]
         at = np.linspace(0, self.spec.slots, looks + 2)[1:-1]
         self._fill(at, np.full(looks, max(1, self.most // 2)))
 
     def start_quad(self) -> None:
-        """Set geometric boundaries, and levels at which the exposure at the next look nearly fills
-        the well."""
+        """Set boundaries in a geometric sequence from 1, and levels at which the exposure at the
+        next look nearly fills the well."""
         looks = self.spec.tile[1]
         ratio = self.spec.slots ** (1 / looks)
+        # From one look to the next the exposure grows by `ratio`; it then reaches 90 % of the well.
         level = 0.9 * self.most / max(ratio, 2.0)
         self._fill(ratio ** np.arange(looks), np.full(looks, max(1.0, np.rint(level))))
 
     def _fill(self, at: NDArray[np.generic], level: NDArray[np.generic]) -> None:
-        """Set the parameters to times `at` and levels."""
+        """Set the parameters to boundaries `at` and levels `level`, both (looks,). They are not
+        checked."""
         with torch.no_grad():
             self.moment.copy_(torch.log2(torch.as_tensor(np.asarray(at, np.float64)).clamp(min=1)))
             self.level.copy_(torch.as_tensor(np.asarray(level, np.float64)))

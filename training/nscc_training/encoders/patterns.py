@@ -25,22 +25,28 @@ slots)."""
 
 
 class _Digits(Encoder):
-    """Binary digits: 1 if the parameter is above 0. Parameters lie in -1..1."""
+    """Encoders whose codes consist of binary digits: 1 if the parameter (a logit) is above 0.
+    Parameters lie in -1..1."""
 
     jitter_unit = 0.1
     """A fifth of the distance to the other digit: a start keeps its digits."""
 
     def digits(self, logits: Tensor, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """Return 0 or 1 for every logit, or a value between them if `soft`."""
+        """Return the digit 0 or 1 of every logit, in its shape; if `soft`, a sigmoid of the width
+        `temperature`.
+
+        A generator adds noise of the standard deviation `noise`. Gradients pass in both cases."""
         noisy = self.noisy(logits, generator)
         return torch.sigmoid(noisy / self.temperature) if soft else signed(noisy)
 
     def trial_spread(self, logits: Tensor) -> Tensor:
-        """Return the standard deviation of trials around logits, of the same shape."""
+        """Return the standard deviation of trials around logits, of the same shape: the noise of
+        training, at least `_LEAST_TRIED`."""
         return torch.full_like(logits, max(self.noise, _LEAST_TRIED))
 
     def set_digits(self, logits: Tensor, digits: NDArray[np.bool_]) -> None:
-        """Set logits to half of their range, with the sign of the digits."""
+        """Set logits in place to 0.5 for a true digit, and to -0.5 for a false one: half of their
+        range."""
         with torch.no_grad():
             logits.copy_(torch.where(torch.as_tensor(digits), 0.5, -0.5))
 
@@ -49,8 +55,8 @@ class Bits(_Digits):
     """Class e: N independent bits for every pixel of the tile."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
-        """Begin with all slots of all pixels open (a logit of 0.5); raise ValueError for too
-        many slots."""
+        """Begin with all slots of all pixels open (a logit of 0.5). Raise ValueError for more than
+        `MOST_BITS` slots."""
         super().__init__(spec, relaxation)
         if spec.slots > MOST_BITS:
             raise ValueError(
@@ -60,12 +66,15 @@ class Bits(_Digits):
         self.logits = nn.Parameter(torch.full((spec.slots, *spec.tile), 0.5))
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """Return the shutters (N, rows, cols) of the present logits."""
+        """Return the shutters (N, rows, cols) of the present logits, as `_Digits.digits`."""
         return self.digits(self.logits, generator, soft)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
-        """Return two versions of the bits, decided by the same random numbers in opposite
-        directions."""
+        """Return shutters for two versions of the bits, decided by the same random numbers, added
+        and subtracted.
+
+        `over` repeats the logits over the pixels of a patch, each of which is decided on its own.
+        """
         fields = over(self.logits)
         with torch.no_grad():
             spread = self.trial_spread(fields)
@@ -78,14 +87,16 @@ class Bits(_Digits):
         return [(self.logits, (-1.0, 1.0))]
 
     def codes(self) -> Codes:
-        """Return each pixel's open slots as one integer: bit n is slot n."""
+        """Return the open slots of each pixel as one integer, int64 (rows, cols): bit n is slot n.
+        Raise ValueError if a parameter is not finite."""
         self.check_finite()
         opened = (self.logits.detach() > 0).cpu().numpy().astype(np.int64)
         weights = np.int64(1) << np.arange(self.spec.slots, dtype=np.int64)
         return {"bits": np.einsum("n,nrc->rc", weights, opened)}
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
-        """Set the bits of each pixel; raise ValueError if they are out of range."""
+        """Set the bits of each pixel from one integer, bit n for slot n. Raise ValueError if it is
+        out of range."""
         self.checked(codes, {"bits": (0, (1 << self.spec.slots) - 1)})
         n = np.arange(self.spec.slots, dtype=np.int64).reshape(-1, 1, 1)
         self.set_digits(self.logits, (codes["bits"][None] >> n) & 1 == 1)
@@ -99,7 +110,7 @@ class Bits(_Digits):
         self.set_digits(self.logits, np.ones((self.spec.slots, *self.spec.tile), np.bool_))
 
     def start_quad(self) -> None:
-        """Open one pixel of each 2 x 2 pixels in each quarter of the frame."""
+        """Open each of the pixels of a 2 x 2 square in another quarter of the frame."""
         self.set_digits(self.logits, quarters(self.spec.slots)[:, self.quad_ranks()])
 
 
@@ -110,8 +121,8 @@ class Codebook(_Digits):
     largest of K scores of the pixel."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
-        """Begin with open shutters in all rows, and choices spread over the rows. Raises ValueError
-        if `spec` has no rows."""
+        """Begin with open shutters in all rows, and use the rows in turn. Raise ValueError if
+        `spec` has no number of rows."""
         super().__init__(spec, relaxation)
         if spec.rows is None or spec.rows < 1:
             raise ValueError(f"a codebook of {spec.rows} rows")
@@ -121,15 +132,23 @@ class Codebook(_Digits):
         self.choose(self.spread())
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """Return the shutters (N, rows, cols) that the pixels choose."""
+        """Return the shutters (N, rows, cols) of the shapes that the pixels choose.
+
+        If `soft`, they are means of shapes weighted by the scores, and values between 0 and 1. A
+        generator adds noise to the digits."""
         digits = self.digits(self.shapes, generator, soft)
         return torch.einsum("rck,kn->nrc", self.chosen(generator, soft), digits)
 
     def chosen(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """Return the weights (rows, cols, K) of the shapes at each pixel: one-hot unless `soft`."""
+        """Return the weights (rows, cols, K) of the shapes at each pixel: one-hot, or if `soft`,
+        the softmax of the scores.
+
+        With the relaxation `gumbel` and a generator, soft weights are a random choice: the softmax
+        of scores with Gumbel noise. One-hot weights pass the gradient of the softmax."""
         scores: Tensor = self.choice
         if soft and self.relaxation == "gumbel" and generator is not None:
             drawn = torch.empty(scores.shape, device=generator.device)
+            # The negative logarithm of an exponential number is a Gumbel number.
             scores = scores - torch.log(drawn.exponential_(generator=generator)).to(scores)
         likely = functional.softmax(scores / self.temperature, dim=-1)
         if soft:
@@ -138,11 +157,12 @@ class Codebook(_Digits):
         return replaced(likely, hard)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
-        """Return two versions of the codebook: as it is, and with other digits of each pixel's
-        shape and another choice of shape.
+        """Return shutters for two versions of the codes: pixels decide anew about each digit of
+        their shape, and between it and a random other shape.
 
-        The last field is the difference of the scores of both choices, so that its gradient decides
-        between them."""
+        `over` repeats the scores over the pixels of a patch, each of which decides on its own. The
+        last of the fields is the difference of the scores of both shapes, so that its gradient
+        decides between them."""
         scores = over(self.choice.movedim(-1, 0))
         with torch.no_grad():
             current = scores.argmax(dim=0, keepdim=True)
@@ -168,13 +188,15 @@ class Codebook(_Digits):
         return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
     def shown(self, shapes: Tensor, choice: Tensor) -> Tensor:
-        """Return the shutters (N, rows, cols): for each pixel the row `choice` of `shapes`."""
+        """Return the shutters (N, rows, cols): for each pixel the row of `shapes` (K, N) that
+        `choice` (1, rows, cols) names. The gradient of `shapes` passes."""
         # as a product, whose gradient is added up in the same order every time
         weights = functional.one_hot(choice[0], self.rows).to(shapes.dtype)
         return torch.einsum("rck,kn->nrc", weights, shapes)
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
-        """Return the shapes with the range that training keeps them in."""
+        """Return the shapes with the range that training keeps them in. The scores of choices have
+        no limits."""
         return [(self.shapes, (-1.0, 1.0))]
 
     def unused_share(self) -> float:
@@ -186,13 +208,16 @@ class Codebook(_Digits):
         return np.asarray((self.shapes.detach() > 0).cpu().numpy(), np.int64)
 
     def codes(self) -> Codes:
-        """Return the row of each pixel."""
+        """Return the row of each pixel, `id`, int64 (rows, cols). The shapes are not included: see
+        `book`. Raise ValueError if a parameter is not finite."""
         self.check_finite()
         return {"id": np.asarray(self.choice.detach().argmax(dim=-1).cpu().numpy(), np.int64)}
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
-        """Set the row of each pixel (`id`), and the digits if `book` is given; raise ValueError
-        if invalid."""
+        """Set the row of each pixel from `id` (rows, cols), and the digits of the shapes if `book`
+        (K, N) is given.
+
+        Raise ValueError for rows or digits that do not exist."""
         self.checked(codes, {"id": (0, self.rows - 1)})
         book = codes.get("book")
         if book is not None:
@@ -202,7 +227,7 @@ class Codebook(_Digits):
         self.choose(codes["id"])
 
     def start_random(self, generator: np.random.Generator) -> None:
-        """Draw all shapes, and use them in turn."""
+        """Draw all digits of all shapes, and use the shapes in turn."""
         self.set_digits(self.shapes, generator.random((self.rows, self.spec.slots)) < 0.5)
         self.choose(self.spread())
 
@@ -212,7 +237,8 @@ class Codebook(_Digits):
         self.choose(self.spread())
 
     def start_quad(self) -> None:
-        """Begin with the four quarters of the frame, repeated over the rows, in 2 x 2 tiles."""
+        """Begin with the four quarters of the frame as shapes, repeated over the rows. The pixels
+        of each 2 x 2 square choose the four quarters."""
         self.set_digits(self.shapes, quarters(self.spec.slots)[:, np.arange(self.rows) % 4].T)
         rank = self.quad_ranks()
         again = self.spread() // 4 * 4 + rank
@@ -223,8 +249,8 @@ class Codebook(_Digits):
         return np.arange(self.spec.places, dtype=np.int64).reshape(self.spec.tile) % self.rows
 
     def choose(self, rows: NDArray[np.int64]) -> None:
-        """Set scores so that each pixel chooses the given shape, by a margin that training can
-        overcome."""
+        """Set the scores so that each pixel chooses the shape in `rows` (rows, cols), by a margin
+        of 1 that training can overcome."""
         with torch.no_grad():
             chosen = functional.one_hot(torch.as_tensor(rows), self.rows)
             self.choice.copy_(chosen.to(self.choice.dtype))

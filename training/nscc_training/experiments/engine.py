@@ -11,6 +11,7 @@ from typing import Any, Protocol, TypeVar
 from nscc.experiment_store import ExperimentStore
 
 _POLL_S = 0.2
+"""Seconds between two looks at the store while another process computes."""
 
 Figures = dict[str, Any]
 """Results by name: text, numbers, true, false or None. A name ends in the unit."""
@@ -41,8 +42,11 @@ class PointRow:
 
 @dataclass(frozen=True)
 class Done:
-    """The row of a task. It may be tried again if it `failed`; `other_key` is the worker's key if
-    it differs."""
+    """The row of a task that was just computed, with the time it took and the worker that computed
+    it.
+
+    If it `failed`, the row says why, and the task may be tried again. `other_key` is the key that
+    the worker computed for the task, if it differs: its version or data are different."""
 
     task: Any
     row: PointRow
@@ -57,7 +61,8 @@ Executor = Callable[[Iterable[SomeTask]], Iterator[Done]]
 
 
 def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
-    """Return all rows of `store` by key, with the text of infinity and NaN as numbers again."""
+    """Return all stored rows by the key of their task. Infinity and NaN, which the store keeps as
+    text, are numbers again."""
     return {
         key: PointRow(key, **{**row, "figures": _numbers(row["figures"])})
         for key, row in store.values().items()
@@ -65,7 +70,8 @@ def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
 
 
 def keep(store: ExperimentStore, done: Done) -> None:
-    """Store the row of a task. JSON has no infinity and no NaN, so that they become text."""
+    """Store the row of a task under its key, with label, time and worker. JSON has no infinity and
+    no NaN, so that they become text."""
     row = done.row
     figures = {name: _text(value) for name, value in row.figures.items()}
     value = {"figures": figures, "code": row.code, "error": row.error}
@@ -75,10 +81,10 @@ def keep(store: ExperimentStore, done: Done) -> None:
 def results(
     store: ExperimentStore, tasks: Sequence[SomeTask], execute: Executor[SomeTask]
 ) -> Iterator[Done]:
-    """Compute and store the tasks without a row, and yield their rows.
+    """Compute and store the tasks that have no row in the store, and yield their rows.
 
-    Several processes share the tasks of a store: a task that another process has claimed is waited
-    for, and computed if that process drops it."""
+    `execute` computes tasks. Several processes may share a store: a task that another process has
+    claimed is waited for, and computed here if that process drops it."""
     waiting = [task for task in tasks if store.get(task.key) is None]
     while waiting:
         claimed_tasks: list[SomeTask] = []
@@ -86,8 +92,10 @@ def results(
         def claimed(
             claimed_tasks: list[SomeTask] = claimed_tasks, waiting: Sequence[SomeTask] = waiting
         ) -> Iterator[SomeTask]:
-            """Yield those tasks of `waiting` that no other process computes and whose result is not
-            stored yet. Appends every task that this process claimed to `claimed_tasks`."""
+            """Claim and yield the tasks that no other process computes, and that have no row yet.
+            All claimed tasks are added to `claimed_tasks`.
+
+            The arguments are defaults so that they keep the values of this turn of the loop."""
             for task in waiting:
                 if store.claim(task.key):
                     claimed_tasks.append(task)

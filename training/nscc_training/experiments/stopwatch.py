@@ -9,6 +9,7 @@ from time import perf_counter
 from typing import Any, TypeVar
 
 _CPUINFO = Path("/proc/cpuinfo")
+"""Where Linux describes the processor."""
 
 
 def processor_name() -> str:
@@ -34,7 +35,7 @@ class Stopwatch:
     """A stopwatch that leaves out first runs, in which code is compiled and data is loaded.
 
     Runs of one `kind`, such as one method on data of one shape, share this overhead. `setting`
-    distinguishes the runs of a kind. `clock` returns seconds."""
+    distinguishes the runs of a kind. `clock` returns seconds; tests replace it."""
 
     def __init__(self, clock: Callable[[], float] = perf_counter) -> None:
         """Begin with nothing loaded."""
@@ -42,7 +43,8 @@ class Stopwatch:
         self._seen: set[Hashable] = set()
 
     def ran(self, kind: Hashable, *settings: Hashable) -> None:
-        """Record that a kind and its settings have already run."""
+        """Record that a kind and these settings of it have already run, so that `ms` does not run
+        them twice."""
         self._seen.update((kind, *((kind, setting) for setting in settings)))
 
     def ms(
@@ -54,8 +56,9 @@ class Stopwatch:
     ) -> tuple[T, float]:
         """Call `run` and return its result and its time in milliseconds.
 
-        Before the first run of a kind, `first` is called (by default `run`). A short first run of a
-        setting is repeated. So a long run is repeated at most once for its kind, and not at all if
+        Before the first run of a `kind`, `first` is called (None: `run`), and its time is dropped.
+        If the first run of a `setting` takes less than `SHORT_MS`, it is repeated, and the second
+        result counts. So a long run is repeated at most once for its kind, and not at all if
         `first` is shorter."""
         if kind not in self._seen:
             if first is None:

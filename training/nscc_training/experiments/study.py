@@ -125,12 +125,17 @@ class Study:
 def measure(
     study: Study, store: ExperimentStore | None = None, track: Progress = unseen
 ) -> StudyResult:
-    """Measure a study; the rows in `store` are not measured again."""
+    """Measure all points of a study, once for each repeat, and return their figures and times.
+
+    Rows that `store` already has are not measured again; None keeps rows in memory only. `track`
+    receives the measurements and may show a bar. Points that the study may refuse become rows with
+    a reason; other errors are raised."""
     rows_store, watch = store or ExperimentStore(), Stopwatch()
     turns = [0]
 
     def measured() -> Iterator[Done]:
-        """Yield the rows of all points, once for each repeat, until the time is used up."""
+        """Yield the rows of all points, once for each repeat. No repeat begins if one as long as
+        the last would exceed the budget of the study."""
         begin = perf_counter()
         for turn in range(study.repeats):
             before, rows = perf_counter(), rows_in(rows_store)
@@ -164,8 +169,10 @@ class _Turn:
 
 
 def _executed(tasks: Iterable[_Turn], study: Study, watch: Stopwatch) -> Iterator[Done]:
-    """Measure each task and yield its row; errors that the study expects become rows without
-    figures."""
+    """Measure each task and yield its row. A refusal that the study allows becomes a row with code
+    and text instead of figures; others are raised.
+
+    Figures other than the time are computed in the first repeat only."""
     for task in tasks:
         point, key = task.point, task.key
         try:
@@ -185,7 +192,8 @@ def _executed(tasks: Iterable[_Turn], study: Study, watch: Stopwatch) -> Iterato
 
 
 def _reason(why: Exception) -> tuple[str, str]:
-    """Return the code and the text of the reason why a point cannot be measured."""
+    """Return the code and the text of the reason why a point cannot be measured; the code is
+    `_NO_CODE` without a message of nscc."""
     if isinstance(why, Rejected):
         return why.diagnostics[-1].code, why.diagnostics[-1].message
     if isinstance(why, ModuleNotFoundError):
@@ -195,7 +203,10 @@ def _reason(why: Exception) -> tuple[str, str]:
 
 
 def _is_timed(point: StudyPoint, rows: Mapping[str, PointRow]) -> bool:
-    """Return whether a point, whose first row is known, is measured again for its time."""
+    """Return whether a point is repeated for its time.
+
+    Points that were refused in the first repeat, or that measure their times themselves, are not.
+    `rows` contains their rows."""
     row = rows[_Turn(point, 0).key]
     return point.figures is not None and not row.code and not isinstance(row.figures["ms"], list)
 
@@ -203,8 +214,11 @@ def _is_timed(point: StudyPoint, rows: Mapping[str, PointRow]) -> bool:
 def _gathered(
     points: Sequence[StudyPoint], rows: Mapping[str, PointRow], turns: int
 ) -> StudyResult:
-    """Return the rows of all turns as points of the table, with the times of a point together;
-    `turns` is how many were measured."""
+    """Return the rows of all repeats as points of the table: one point for each figure, with the
+    times of all repeats.
+
+    `turns` is the number of repeats that were measured, and `rows` are their rows by key. Points
+    without figures are listed as refused."""
     made: list[Point] = []
     refused = []
     for point in points:

@@ -37,7 +37,8 @@ def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = 
     """Return the points, measured on `device`, as CSV with COLUMNS.
 
     The column `method` combines case and method; `spread_ms` is the longest minus the shortest
-    time. The `refused` settings follow without numbers, with their code as unit."""
+    time. `dominated` says whether another point is both more accurate and faster. The `refused`
+    settings follow without numbers, with their code as unit."""
     rows = []
     for point, beaten in zip(points, dominated(points), strict=True):
         name, error = f"{point.case}, {point.method}", f"{point.error:.10g}"
@@ -60,8 +61,8 @@ def csv_of(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
 
 
 def refusals_text(refused: Sequence[Refused]) -> list[str]:
-    """Return a line for each method and reason in `refused`, with the settings that have no
-    point."""
+    """Return a line for each reason why settings of a method have no point: names, settings and
+    reason."""
     settings: dict[tuple[str, str], list[str]] = {}
     for refusal in refused:
         name = ", ".join(filter(None, (refusal.case, refusal.method)))
@@ -79,8 +80,9 @@ def table_text(
     """Return the points as a text table.
 
     `names` are the titles of the columns for method, setting and error. `time` is the unit of times
-    and its number per millisecond. Repeated cases and methods are left blank. A column of bounds is
-    added if there are any. Dominated points are marked."""
+    and its number per millisecond. Repeated cases and methods are left blank. A column of lower
+    bounds is added if any point has one. A point is marked as dominated if another is both more
+    accurate and faster."""
     head: tuple[str, ...] = ("case", *names, "bound", time[0], "spread", "")
     rows = [head]
     before = ("", "")

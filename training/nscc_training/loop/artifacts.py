@@ -48,8 +48,12 @@ _ALONE, _START = "noise_alone_", "start_alone_"
 def artifacts(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], scenes: Scenes, step: int
 ) -> dict[str, bytes]:
-    """Return the files of a run in its best state, reached at `step`, by name, with scores on the
-    scenes `shown`."""
+    """Return the files of a run, their bytes by name: program, codes, decoder, `capture.toml`,
+    `result.json` and the model card.
+
+    `setup` holds the best state of the run, which was reached at `step`. `shown` are the validation
+    scenes of the scores, and `scenes` the split that the files name. Computing the scores takes the
+    most time."""
     from safetensors.torch import save
 
     build = compiled(program_of(setup.encoder, setup.chip), setup.chip)
@@ -100,7 +104,8 @@ def artifacts(
 
 
 def environment(setup: TrainingSetup) -> dict[str, Any]:
-    """Return the versions that results of `setup` depend on; host, time and paths are left out."""
+    """Return the versions that results depend on, and the kind of machine and device. Host, time
+    and paths are left out, so that equal runs give equal files."""
     return {
         "nscc": __version__,
         "python": platform.python_version(),
@@ -112,7 +117,7 @@ def environment(setup: TrainingSetup) -> dict[str, Any]:
 
 
 def lines_of(values: Any) -> bytes:
-    """Return JSON as the bytes of a file."""
+    """Return values as indented JSON, the bytes of a file. Infinity and NaN raise ValueError."""
     return (json.dumps(values, indent=2, allow_nan=False) + "\n").encode()
 
 
@@ -127,9 +132,10 @@ def split_digest(scenes: Scenes) -> str:
 
 
 def capture_toml(setup: TrainingSetup) -> str:
-    """Return the text of capture.toml: the capture conditions that the decoder was trained for.
+    """Return the text of capture.toml: the conditions that the decoder was trained for.
 
-    They are the sensor, the slots, the effects and the exposure."""
+    They are sensor, slots, effects, and the exposure of scenes. `nscc run --like` sets them, and
+    `nscc reconstruct` compares frames with them."""
     model, slots = setup.model, "" if setup.still else " / slots in a slot"
     values = {
         "sensor_sha256": sensor_sha256(setup.sensor),
@@ -168,9 +174,10 @@ def _stages(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], container: Container
 ) -> dict[str, Any]:
     """Return the score of the validation scenes without noise, with shutters that are soft, hard,
-    compiled and emulated.
+    compiled and emulated, by these names.
 
-    Equal scores of the last three show that the compiled program has the learned shutters."""
+    `compiled_equals_hard` says whether the compiled program has the learned shutters; the scores of
+    the last three should then be equal. A score is None for shutters that a class lacks."""
     ideal, kind = setup.model.noiseless(), setup.encoder.spec.kind
     hard = setup.encoder.hard().cpu()
     if kind == LOOKS:
@@ -201,8 +208,11 @@ def _stages(
 
 
 def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[dict[str, Any]]:
-    """Return scores under changed sensors and exposures, a row for each change that the run can
-    express."""
+    """Return the scores on the scenes `shown` under changed sensors and exposures: a dictionary
+    with the name of the change and each metric.
+
+    Runs that were trained under the chip's effects skip changes of values that the chip's sensor
+    file lacks."""
     rows = []
     for name, factors, exposure in _CHANGES:
         values = {key: getattr(setup.model, key) * factor for key, factor in factors.items()}
@@ -219,8 +229,13 @@ def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[di
 
 
 def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[str, Any]:
-    """Return how many shutters and pixels of the tile the run has, how many differ from their
-    initial code, and the score of the initial codes."""
+    """Return the entry `codes` of `result.json`: how many places (pixels of the tile) and different
+    shutters the codes have, how many places differ from their start, and the score of the start
+    with this decoder.
+
+    `rank` and `condition` are those of the matrix of different shutters. `unused_share` is the
+    fraction of rows of a codebook that no pixel uses. Pixels that look have their boundaries (`at`)
+    and levels (`steps`) instead."""
     chosen = setup.settings.shutter
     start = started_encoder(chosen, setup.chip, setup.target, setup.settings.train.seed)
     if setup.encoder.spec.kind == LOOKS:
@@ -254,8 +269,8 @@ def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[
 
 
 def _headline_text(headline: dict[str, Any], metrics: Sequence[str]) -> str:
-    """Return a sentence with the scores (`metrics`) of a run, under the effects that it was
-    trained with."""
+    """Return a sentence with the scores (`metrics`) of a run. It says under which effects the
+    scores were measured, which are those of the training."""
     score = means_text({metric: headline[metric] for metric in metrics})
     if not headline["effects"]:
         return (
@@ -280,13 +295,13 @@ def _purpose(setup: TrainingSetup) -> str:
 
 
 def _card(setup: TrainingSetup, scenes: Scenes, result: dict[str, Any]) -> str:
-    """Return the text of the model card of a run: the scores in `result`, the data of `scenes`, the
-    settings of `setup`, and limits."""
+    """Return the text of the model card: scores, data, settings and limits of a run. `result` is
+    the content of `result.json`."""
     settings, metrics = setup.settings, setup.protocol.metrics
     metric, score_name = metrics[0], METRIC_NAMES[metrics[0]]
 
     def plain(value: float | str) -> str:
-        """Return a number with two decimals; text stays."""
+        """Return a number with two decimals. Text, such as an infinite score, stays."""
         return value if isinstance(value, str) else f"{value:.2f}"
 
     alone = ""

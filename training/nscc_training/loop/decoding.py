@@ -33,7 +33,8 @@ Arrays = NDArray[Any]
 
 
 def container_of(setup: TrainingSetup) -> Container:
-    """Compile the present shutters of `setup` and return their program."""
+    """Compile the program of a run's present shutters. Raise Rejected if it does not fit its
+    chip."""
     container = programs.compiled(
         programs.program_of(setup.encoder, setup.chip), setup.chip
     ).container
@@ -49,10 +50,11 @@ def scene_by_model(
     tile: Tensor | None = None,
     model: SensorModel | None = None,
 ) -> tuple[NDArray[np.float64], float]:
-    """Capture a scene with the sensor model and decode it; return the electrons, over the frame or
-    per slot, and the decoder's seconds.
+    """Capture a scene with the sensor model and decode it. Return the light in electrons, over the
+    frame or per slot, and the seconds that the decoder took.
 
-    `tile` and `model` replace the run's shutters and sensor."""
+    `light_e` is in electrons over the frame (rows, cols), or per slot (N, rows, cols); `seed` is
+    that of the noise. `tile` (N, r, c) and `model` replace the run's shutters and sensor."""
     tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
     model = setup.model if model is None else model
     if setup.encoder.spec.kind == LOOKS:
@@ -78,11 +80,13 @@ def scene_by_chip(
     effects: str,
     seeds: tuple[int, int],
 ) -> tuple[NDArray[np.float64], float]:
-    """Capture a scene with the emulated chip and decode it; return the light and decoding seconds.
+    """Capture a scene with the emulated chip and decode it. Return the light in electrons, over the
+    frame or per slot, and the seconds that the decoder took.
 
-    Equals `nscc run` followed by `nscc reconstruct`. `seeds` are the seeds of the noise and of the
-    chip. A scene smaller than the array is extended by its edge pixels; of a larger scene the upper
-    left part is exposed."""
+    Equals `nscc run` followed by `nscc reconstruct`. `light_e` is as in `scene_by_model`. `effects`
+    are as for the option `--effects`. `seeds` are the seeds of the noise and of the chip. A scene
+    smaller than the array is extended by its edge pixels; of a larger scene the upper left part is
+    exposed."""
     light = light_on_array(light_e, setup.slots, container.target)
     request = Request.of(effects=effects, seed=seeds[0], device_seed=seeds[1])
     frame = simulate(container, light, sensor, request).frame
@@ -104,8 +108,10 @@ def scene_by_chip(
 def scene_by_words(
     setup: TrainingSetup, container: Container, light_e: Arrays
 ) -> tuple[NDArray[np.float64], float]:
-    """Capture a scene as the words of a program expose it, without noise; return the electrons
-    and the decoder's seconds."""
+    """Capture a scene as the words of a program expose it, without noise, and decode it. Return the
+    light in electrons and the seconds of both.
+
+    `light_e` is as in `scene_by_model`."""
     rows, cols = light_e.shape[-2:]
     light = light_on_array(light_e, setup.slots, container.target)
     ideal = setup.model.noiseless()
@@ -136,9 +142,10 @@ def decoded_frame(
     """Decode the codes of a frame to electrons over the frame (rows, cols), or per slot (T, rows,
     cols), or to a number for each class.
 
-    Codes of two buckets are (2, rows, cols). `share` (rows, cols) is the open fraction of each
-    pixel, for pixels that look. `corner` is the place of the first pixel on the array. Frames
-    larger than the array are decoded in blocks."""
+    `frame` holds converter codes, (rows, cols), or (2, rows, cols) for two buckets. `saturated`, of
+    the same shape, marks codes that count as full. `share` (rows, cols) is the open fraction of
+    each pixel, for pixels that look. `corner` is the place of the first pixel on the array, which
+    decides its code. Large frames are decoded in blocks of `_BLOCK` pixels."""
     rows, cols = frame.shape[-2:]
     if setup.classes:
         opened = shutters_at(setup, (rows, cols), corner)
@@ -175,10 +182,11 @@ def _decoded_block(
     saturated: NDArray[np.bool_],
     shutters: Tensor,
 ) -> NDArray[np.float32]:
-    """Return the decoded light (e) of one block of a frame.
+    """Return the decoded light in electrons (or scores of classes) of one block of a frame.
 
-    `frame` holds converter codes, `saturated` marks the pixels that count as full, and `shutters`
-    belong to this block."""
+    `frame` ([2,] rows, cols) holds converter codes, `saturated` marks the pixels that count as
+    full. `shutters` (N, rows, cols) are those of this block; for pixels that look, their open
+    fraction (1, rows, cols)."""
     shutters = shutters.to(setup.device)
     codes = torch.from_numpy(frame.astype(np.float32)).to(setup.device)
     relative = setup.model.relative(codes - setup.model.adc_offset_lsb)
@@ -192,7 +200,8 @@ def _decoded_block(
 def _decoder_output(
     setup: TrainingSetup, relative: Tensor, shutters: Tensor
 ) -> NDArray[np.float32]:
-    """Return what the decoder makes of one frame relative to a full well."""
+    """Return the decoder's output, float32, for one frame `relative` to a full well ([2,] rows,
+    cols) with its `shutters`."""
     frame = relative[None].to(setup.device)
     output: Tensor = setup.decoder(frame, shutters.to(setup.device))[0]
     return np.asarray(output.float().cpu().numpy())
@@ -201,8 +210,8 @@ def _decoder_output(
 def shutters_at(
     setup: TrainingSetup, shape: tuple[int, ...], corner: tuple[int, int] = (0, 0)
 ) -> Tensor:
-    """Return the run's shutters (N, rows, cols) for a region of `shape` at `corner`; beyond the
-    array they repeat."""
+    """Return the run's shutters (N, rows, cols) for a region of the size `shape` (rows, cols),
+    whose first pixel is at `corner` of the array. Beyond the array they repeat."""
     target = setup.target
     array = laid(setup.encoder.hard(), target.rows, target.cols)
     rows, cols = (

@@ -18,7 +18,10 @@ class Muon(torch.optim.Muon):
     """`torch.optim.Muon` for convolution weights (out, ...), viewed as matrices."""
 
     def __init__(self, weights: Iterable[Tensor], lr: float) -> None:
-        """Begin; each weight is updated as a matrix with a row for each output."""
+        """Prepare to update each of the `weights` as a matrix with a row for each output. `lr` is
+        the learning rate.
+
+        The matrices are views, so that updates change the weights in place."""
         self.weights = list(weights)
         self.matrices = [_in_rows(weight.detach(), weight) for weight in self.weights]
         super().__init__(self.matrices, lr, weight_decay=0.0, adjust_lr_fn="match_rms_adamw")
@@ -32,20 +35,24 @@ class Muon(torch.optim.Muon):
 
 
 def _in_rows(values: Tensor, weight: Tensor) -> Tensor:
-    """Return values in the shape of a weight as a matrix with a row for each output, columns in the
-    order of the weight's memory: 3D networks have channels last."""
+    """Return `values`, which have the shape of `weight`, as a matrix with a row for each output.
+
+    Columns are in the order of the weight's memory, so that the matrix is a view: 3D networks have
+    channels last."""
     order = sorted(range(weight.ndim), key=weight.stride, reverse=True)
     return values.permute(order).reshape(len(weight), -1)
 
 
 def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
-    """Return the optimizers of a run: of the decoder, and of the codes if they learn.
+    """Return the optimizers of a run: Adam for the decoder and, if they learn, for the codes; with
+    `muon`, also Muon for the inner convolutions of the decoder.
 
-    The key `base` of a parameter group is its initial rate. Codes that do not learn lose their
-    gradient."""
+    The key `base` of a parameter group is its rate before the schedule. The rate of codes is
+    relative to their range. If codes do not learn, their parameters no longer receive gradients."""
     settings = setup.settings
     decoder = dict(setup.decoder.named_parameters())
     kernels = [name for name, weight in decoder.items() if weight.ndim >= 4]
+    # Muon suits weights between hidden channels; Adam keeps the first and the last convolution.
     inside = kernels[1:-1] if settings.train.optimizer == "muon" else []
     inner = [decoder[name] for name in inside]
     outer = [weight for name, weight in decoder.items() if name not in inside]

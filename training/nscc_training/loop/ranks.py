@@ -15,11 +15,12 @@ LONGEST_WAIT = timedelta(hours=6)
 
 
 class Ranks:
-    """The processes of a run: `rank` of `count`; without `torchrun`, 0 of 1."""
+    """The processes that train a run together: this one is number `rank` of `count`. Without
+    `torchrun` it is number 0 of 1."""
 
     def __init__(self) -> None:
-        """Join the other processes if `torchrun` has started several; `RANK` and `WORLD_SIZE`
-        tell."""
+        """Join the other processes if `torchrun` has started several: it sets the environment
+        variables `RANK` and `WORLD_SIZE`."""
         self.count = int(os.environ.get("WORLD_SIZE", "1"))
         self.rank = int(os.environ.get("RANK", "0"))
         self._ours = self.count > 1 and not distributed.is_initialized()
@@ -38,17 +39,20 @@ class Ranks:
         return self.rank == 0
 
     def batch_range(self, size: int) -> tuple[int, int]:
-        """Return the range of a batch's patches that this process computes."""
+        """Return the range (first, end) of the patches of a batch of `size` that this process
+        computes."""
         return self.rank * size // self.count, (self.rank + 1) * size // self.count
 
     def parallel(self, module: nn.Module) -> nn.Module:
-        """Return the module, with gradients averaged over the processes."""
+        """Return the module, wrapped so that gradients are averaged over the processes; a single
+        process gets the module itself."""
         if self.count == 1:
             return module
         return DistributedDataParallel(module, find_unused_parameters=True)
 
     def weight(self, size: int) -> float:
-        """Return the weight of this process's loss, so that all patches have equal weight."""
+        """Return the factor on this process's mean loss for a batch of `size` patches. With it, the
+        average over processes counts all patches alike, also if their shares differ."""
         first, last = self.batch_range(size)
         return (last - first) * self.count / size
 
@@ -58,7 +62,7 @@ class Ranks:
             distributed.barrier()
 
     def close(self) -> None:
-        """Leave the process group: its threads may hold gradients, at which the interpreter would
-        abort."""
+        """Leave the process group if this object joined it. Its threads may hold gradients, at
+        which the interpreter would abort when it ends."""
         if self._ours:
             distributed.destroy_process_group()

@@ -30,7 +30,9 @@ def _starts(settings: RunSettings) -> int:
 
 
 def cycle_of(settings: RunSettings, step: int) -> tuple[int, int]:
-    """Return the first step of the cycle that contains a step, and the first step after it."""
+    """Return the first step of the cycle that contains `step`, and the first step after that cycle.
+
+    A cycle is the time between two restarts of the codes, or the time in which they are settled."""
     settled, starts = settling_step(settings), _starts(settings)
     bounds = [settled * number // starts for number in range(starts + 1)]
     if settled < settings.train.steps:
@@ -40,7 +42,8 @@ def cycle_of(settings: RunSettings, step: int) -> tuple[int, int]:
 
 
 def codes_learn(settings: RunSettings, step: int) -> bool:
-    """Return whether the codes change in a step; they do not in `warm_up` and `settle`."""
+    """Return whether the codes change in a step. They do not in the fraction `warm_up` after each
+    start, nor after they are settled."""
     first, last = cycle_of(settings, step)
     waiting = settings.shutter.warm_up * settings.train.steps / _starts(settings)
     learning = settings.shutter.learn and last <= settling_step(settings)
@@ -48,7 +51,8 @@ def codes_learn(settings: RunSettings, step: int) -> bool:
 
 
 def anneal(setup: TrainingSetup, step: int) -> None:
-    """Set temperature and noise of the codes at a step."""
+    """Set temperature and noise of the encoder for a step. Within a cycle, the temperature falls
+    geometrically from its first to its last value, and the noise linearly to 0."""
     settings = setup.settings
     first, last = cycle_of(settings, step)
     settled = step >= settling_step(settings)
@@ -59,11 +63,13 @@ def anneal(setup: TrainingSetup, step: int) -> None:
 
 
 def set_rates(optimizers: Iterable[Optimizer], settings: RunSettings, step: int) -> None:
-    """Set the learning rates for a step.
+    """Set the learning rates of the optimizers for a step, from the rate `base` of each parameter
+    group.
 
-    They rise from 0 in the first `_WARM_UP` steps of a cycle: Adam's first steps have the size of
-    the rate whatever the gradient, and all weights of a wide network at once drive its output out
-    of range."""
+    They rise from 0 in the first steps of a cycle, at most `_WARM_UP`, and with the schedule
+    `cosine` fall to 0 at its end. They rise because Adam's first steps have the size of the rate
+    whatever the gradient: all weights of a wide network together would drive its output out of
+    range."""
     first, last = cycle_of(settings, step)
     factor = min(1.0, (step - first + 1) / (1 + min(_WARM_UP, (last - first) // _SHARE)))
     if settings.train.schedule == "cosine":

@@ -34,10 +34,11 @@ per slot."""
 
 
 def search(setup: TrainingSetup, batch: Batch, step: int) -> float:
-    """Move the codes to the best of some candidates if it is better; return the loss of the result.
+    """Replace the run's codes by the best of some moved candidates, if one is better. Return the
+    mean loss of the codes that the run then has.
 
     `shutter.judged` of `shutter.moves` candidates are judged: those with the largest expected gain
-    among those that compile within `shutter.most_words`. Their loss is measured on the batch, the
+    among those that compile within `shutter.most_words`. Their loss is measured on `batch`, the
     same in all steps, plus the weighted number of words. A candidate is better if its mean gain
     over patches exceeds the standard error. While codes exceed the limit of words, the best
     candidate with at least a tenth fewer words is chosen, whatever its loss."""
@@ -77,12 +78,14 @@ def search(setup: TrainingSetup, batch: Batch, step: int) -> float:
 
 
 def within(chosen: ShutterSettings, words: float) -> bool:
-    """Return whether a run may keep codes of `words` words per slot; only a search has a limit."""
+    """Return whether a run may keep codes that take `words` words per slot. Only runs that learn
+    codes and set `most_words` have a limit."""
     return not (chosen.learn and chosen.most_words) or words <= chosen.most_words
 
 
 def codes_of(setup: TrainingSetup) -> Codes:
-    """Return the codes of a run's tile; a codebook has its shapes as `book`."""
+    """Return the codes of a run's tile, int64 (rows, cols) by field; a codebook also has its shapes
+    as `book`."""
     book = getattr(setup.encoder, "book", None)
     return setup.encoder.codes() | ({} if book is None else {"book": book()})
 
@@ -90,7 +93,8 @@ def codes_of(setup: TrainingSetup) -> Codes:
 def _promising(
     setup: TrainingSetup, current: Codes, candidates: list[Codes], gain: Tensor
 ) -> list[Codes]:
-    """Return the candidates that are legal and differ from `current`, most promising first.
+    """Return the candidates that are legal and differ from `current`, the most promising first. The
+    encoder's codes are changed meanwhile.
 
     The expected gain of a candidate is the sum of `gain` (N, rows, cols) over the slots and pixels
     that it opens, minus that over those that it closes."""
@@ -107,11 +111,12 @@ def _promising(
 
 
 def expected_gain(setup: TrainingSetup, batch: Batch, step: int) -> Tensor:
-    """Return by how much the loss falls, to first order, if a pixel opens in a slot.
+    """Return by how much the mean loss of `batch` falls, to first order, if a pixel of the tile
+    opens in a slot: (N, rows, cols).
 
-    For a slot in which a pixel is open, the negative value is the gain of closing it. This is
-    -dL/dI times the light of the slot, plus the effect of the code on the decoder. Returns a tensor
-    (N, rows, cols) of the present codes' tile."""
+    For a slot in which a pixel is open, the negative value is the gain of closing it. The value is
+    minus the gradient of the loss with respect to the shutter. It includes the light that the slot
+    adds and what the decoder makes of the code. `step` chooses the noise."""
     tile = setup.encoder.hard().requires_grad_()
     with torch.enable_grad():
         losses = _batch_losses(setup, tile, batch, step)
@@ -120,13 +125,15 @@ def expected_gain(setup: TrainingSetup, batch: Batch, step: int) -> Tensor:
 
 
 def _fits(setup: TrainingSetup, codes: Codes, allowed: float) -> bool:
-    """Return whether codes compile with at most the allowed words per slot."""
+    """Return whether codes compile with at most `allowed` words per slot. The encoder keeps these
+    codes."""
     words = _words(setup, codes)
     return words is not None and words <= allowed
 
 
 def _words(setup: TrainingSetup, codes: Codes) -> float | None:
-    """Load codes and return their words per slot; None if they do not compile."""
+    """Load codes into the encoder, compile them and return their words per slot; None if they do
+    not compile."""
     every_code = setup.settings.shutter.codes == "open"
     setup.encoder.load_codes(codes)
     with suppress(Rejected):
@@ -137,7 +144,10 @@ def _words(setup: TrainingSetup, codes: Codes) -> float | None:
 
 @torch.no_grad()
 def _losses(setup: TrainingSetup, codes: Codes, batch: Batch, step: int) -> NDArray[np.float64]:
-    """Return the loss of each patch (batch,) with these codes, plus the weight of their words."""
+    """Load codes into the encoder and return the loss of each patch of `batch`, float64 (batch,),
+    plus the weighted number of their words.
+
+    `step` chooses the noise. The emulated sensor of the run follows the codes."""
     setup.encoder.load_codes(codes)
     setup.follow_codes()
     losses = _batch_losses(setup, setup.encoder.hard(), batch, step)
@@ -147,9 +157,10 @@ def _losses(setup: TrainingSetup, codes: Codes, batch: Batch, step: int) -> NDAr
 
 
 def _batch_losses(setup: TrainingSetup, tile: Tensor, batch: Batch, step: int) -> Tensor:
-    """Return the loss of each patch (batch,) that is exposed with a tile of shutters (N, r, c).
+    """Return the loss of each patch of `batch`, (batch,), that is exposed with a tile of shutters
+    (N, r, c).
 
-    All tiles have the same noise in a step, so that losses can be compared."""
+    All tiles have the same noise in a `step`, so that losses can be compared."""
     seed = setup.settings.train.seed
     place = (seed, DrawStream.TILE_WINDOWS, step)
     rows, cols = batch.light.shape[-2:]

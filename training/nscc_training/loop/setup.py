@@ -50,8 +50,12 @@ _MOST_DRAWS = 8
 
 @dataclass(frozen=True, eq=False)
 class TrainingSetup:
-    """The objects of a training run, with the user's chip and sensor `files` by their names in a
-    run folder."""
+    """The objects that the configuration of a training run (`settings`) names.
+
+    `chip` and `target` describe the chip, `sensor` its full sensor file, and `model` the sensor of
+    training steps. `files` are the contents of the user's own chip and sensor files by their names
+    in a run folder. `chips` is the number of emulated chips that `tables`, the emulated sensors,
+    are measured on."""
 
     settings: RunSettings
     protocol: Protocol
@@ -94,16 +98,17 @@ class TrainingSetup:
     def emulated(self) -> EmulatedSensor | None:
         """The emulated sensor if `[sensor] effects` is set, else None.
 
-        The first access measures it for the present codes. It changes only with `follow_codes`, so
-        it may belong to codes that are some steps old."""
+        The first access measures it for the present codes, which takes seconds. It changes only
+        with `follow_codes`, so it may belong to codes that are some steps old."""
         if self.settings.sensor.effects and self.tables.table is None:
             self.follow_codes()
         return self.tables.table
 
     def start_random(self, *numbers: int) -> None:
-        """Set random codes that compile for the chip, drawn with the run's seed and `numbers`.
+        """Set the encoder to random codes that compile for the chip, drawn with the run's seed and
+        `numbers`.
 
-        Raises Rejected with the compiler's errors if none of several draws compiles."""
+        Raises Rejected with the compiler's errors if none of `_MOST_DRAWS` draws compiles."""
         for attempt in range(_MOST_DRAWS):
             place = (self.settings.train.seed, DrawStream.RANDOM_CODES, *numbers, attempt)
             self.encoder.start_random(np.random.default_rng(place))
@@ -116,10 +121,12 @@ class TrainingSetup:
                 return
 
     def random_tile(self, number: int) -> Tensor:
-        """Return the shutters (N, rows, cols) of random codes, and use their emulated sensor.
+        """Return the shutters (N, rows, cols) of random codes number `number`, and use their
+        emulated sensor. The encoder keeps its present codes.
 
-        A decoder that learns them judges codes before it is trained for one of them. With effects
-        there are few such codes, because each needs a measurement. The present codes stay."""
+        A decoder that learns random codes can judge codes before it is trained for one of them.
+        With effects there are only `_MEASURED_CODES` different codes, because each needs a
+        measurement."""
         present = {key: value.clone() for key, value in self.encoder.state_dict().items()}
         self.start_random(number % _MEASURED_CODES if self.settings.sensor.effects else number)
         self.follow_codes()
@@ -128,18 +135,18 @@ class TrainingSetup:
         return tile
 
     def follow_codes(self) -> None:
-        """Measure the emulated sensor of the present codes, if `[sensor]
-        effects` is set and other codes were measured last.
+        """Measure the emulated sensor of the present codes, if `[sensor] effects` is set and it is
+        not known yet.
 
         A shutter's offset depends on its words: a pixel that opens after slot 0 subtracts a second
         value. A table of other codes is therefore wrong where few electrons matter. A measurement
-        takes about a second for a tile of 2 x 2 pixels, and half a minute for hundreds of
-        pixels."""
+        takes about a second for a tile of 2 x 2 pixels, and half a minute for hundreds of pixels.
+        """
         if not self.settings.sensor.effects:
             return
 
         def measure() -> EmulatedSensor:
-            """Compile the current codes and measure the emulated sensor with them."""
+            """Compile the present codes and measure their emulated sensor."""
             build = programs.compiled(programs.program_of(self.encoder, self.chip), self.chip)
             assert build.container is not None
             effects = self.settings.sensor.effects
@@ -151,7 +158,7 @@ class TrainingSetup:
 
 
 def make_setup(settings: RunSettings) -> TrainingSetup:
-    """Build the objects of a configuration in their initial state.
+    """Build the objects of a configuration in their initial state: encoder, decoder, loss, sensor.
 
     Raises Rejected: NS0815 for settings that contradict each other, NS0812 for import paths, and
     the compiler's errors if the shutters cannot be compiled for the chip."""
@@ -233,8 +240,11 @@ def make_setup(settings: RunSettings) -> TrainingSetup:
 
 
 def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
-    """Return the encoder with the initial codes of a run for a chip; raise Rejected (NS0815) for
-    invalid settings."""
+    """Return an encoder with the initial codes that the settings `chosen` name: a start, a run, a
+    file of codes or a program.
+
+    `seed` is that of random starts. Raises Rejected (NS0815) for invalid settings and for codes
+    that do not fit, and the errors of reading a file."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
     if chosen.kind == LOOKS:
@@ -286,9 +296,10 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
 
 
 def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
-    """Set the codes of an encoder to those of the program at `path`.
+    """Set the codes of an encoder to those of the program at `path`, compiled for `chip`.
 
-    Raises ValueError if its shutters are not of the encoder's class."""
+    Raises ValueError if the codes open other slots in the encoder than in the program, and for a
+    program that does not fit the encoder."""
     codes, opened = begun_with(path, encoder.spec, chip)
     encoder.load_codes(codes)
     if opened is None:
@@ -303,7 +314,8 @@ def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
 
 
 def _begin_with(decoder: nn.Module, run: str) -> None:
-    """Load the weights of a run into a decoder; raise Rejected (NS0815) if they do not fit."""
+    """Load the weights of a decoder from the folder or name of a `run`. Raise Rejected (NS0815) if
+    they do not fit the decoder."""
     from safetensors.torch import load_file
 
     path = run_path(Path(run)) / WEIGHTS
@@ -318,8 +330,8 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
 
 
 def _loss(names: str) -> Loss:
-    """Return the sum of the losses in `names`, separated by "+"; raise Rejected (NS0815) for an
-    unknown name."""
+    """Return the sum of the losses named in a text, separated by "+". Raise Rejected for an unknown
+    name or import path."""
     losses: list[Loss] = []
     for name in map(str.strip, names.split("+")):
         if not is_import_path(name) and name not in LOSSES:
@@ -333,13 +345,13 @@ def _loss(names: str) -> Loss:
 
 
 def _own_loss(name: str) -> Loss:
-    """Return the loss of a Python function (module:name), which checks what the function
-    returns."""
+    """Return the loss that a Python function (module:name) computes, in a function that checks its
+    result. Raise Rejected (NS0812) if it cannot be imported."""
     call = imported(name, "loss")
 
     def loss(prediction: Tensor, truth: Tensor) -> Tensor:
-        """Return the loss, a single number; raise Rejected if it has another shape or no
-        gradient."""
+        """Return the user's loss as a scalar. Raise Rejected (NS0822) if the function fails, or
+        returns something else or a number without gradient."""
         with own_code(name, "loss"):
             value = call(prediction, truth)
         if not isinstance(value, Tensor) or value.numel() != 1:

@@ -36,8 +36,10 @@ _KEPT = {False: {"step", "exp_avg", "exp_avg_sq"}, True: {"momentum_buffer"}}
 
 @dataclass
 class TrainingProgress:
-    """Progress after `step` updates: the lowest validation loss, and the tensors at that
-    validation."""
+    """The progress of a run after `step` updates.
+
+    `best_loss` is the lowest validation loss, reached after `best_step` updates, and `best` the
+    parameters at that time; None before the first validation that counts."""
 
     step: int = 0
     best_loss: float = float("inf")
@@ -47,7 +49,8 @@ class TrainingProgress:
 
 @dataclass(frozen=True, eq=False)
 class TrainingState:
-    """All tensors that training steps read and change."""
+    """All tensors that training steps read and change. `average` is the running average of the
+    decoder's weights, None if the settings do not ask for it."""
 
     setup: TrainingSetup
     optimizers: list[torch.optim.Optimizer]
@@ -68,7 +71,8 @@ class TrainingState:
         return tensors
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """Load the tensors; raise KeyError, RuntimeError or ValueError for others."""
+        """Load the tensors of a checkpoint, as `tensors` returns them. Raise KeyError, RuntimeError
+        or ValueError if some are missing or do not fit."""
         set_tensors(self.setup, tensors)
         self.setup.tables.set(_below("emulated.", tensors))
         if self.average is not None:
@@ -78,7 +82,8 @@ class TrainingState:
 
 
 def _other_settings_digest(settings: RunSettings) -> str:
-    """Return the digest of all settings except `train.steps`, which may increase."""
+    """Return the digest of all settings except `train.steps`, which may grow when a run is
+    resumed."""
     return config_digest(replace(settings, train=replace(settings.train, steps=1)))
 
 
@@ -98,8 +103,11 @@ def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
 
 
 def packed(state: TrainingState, scenes: Scenes, progress: TrainingProgress) -> bytes:
-    """Return the checkpoint as bytes: all tensors, with the progress and digests of settings,
-    files and split, which resuming compares."""
+    """Return the checkpoint as bytes in the format safetensors: all tensors of `state`, with the
+    best ones of `progress`.
+
+    Its metadata has the progress, and the digests of settings, files and split that `unpack`
+    compares."""
     from safetensors.torch import save
 
     tensors = state.tensors()
@@ -119,10 +127,10 @@ def packed(state: TrainingState, scenes: Scenes, progress: TrainingProgress) -> 
 
 
 def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress:
-    """Load a checkpoint into `state`, and return its progress.
+    """Load the checkpoint in the file `path` into `state`, and return its progress.
 
     The settings may have more steps than those of the checkpoint. Raises Rejected (NS0816) for a
-    damaged checkpoint, or another configuration or other scenes."""
+    damaged checkpoint, or another configuration, other files or other scenes."""
     from safetensors import safe_open
 
     try:
@@ -157,6 +165,7 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
     try:
         best = _below("best.", tensors)
         if best:
+            # The best state is loaded to check that it fits; then the last state replaces it.
             set_tensors(state.setup, best)
         state.set(tensors)
     except (KeyError, RuntimeError, ValueError) as error:
@@ -166,7 +175,8 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
 
 
 def _changed(checkpoint: Path, settings: RunSettings) -> str:
-    """Return the settings that differ from those beside a checkpoint, as the end of a sentence."""
+    """Return the settings that differ from the configuration beside a checkpoint, as the end of a
+    sentence; "" if that cannot be read."""
     try:
         before = load_config(checkpoint.with_name(CONFIG))
     except Rejected:
@@ -177,23 +187,23 @@ def _changed(checkpoint: Path, settings: RunSettings) -> str:
 
 
 def _copied(value: Tensor) -> Tensor:
-    """Return a copy without gradient."""
+    """Return a contiguous copy of a tensor, without gradient."""
     return value.detach().clone().contiguous()
 
 
 def _below(start: str, tensors: dict[str, Tensor]) -> dict[str, Tensor]:
-    """Return the tensors whose names begin with `start`, with that prefix removed."""
+    """Return the tensors whose names begin with `start`, by their names without it."""
     return {k.removeprefix(start): v for k, v in tensors.items() if k.startswith(start)}
 
 
 def _file_digests(setup: TrainingSetup) -> dict[str, str]:
-    """Return the digests of the files that the configuration names."""
+    """Return the digests of the user's chip and sensor files, by their names in the run folder."""
     return {name: sha256(data).hexdigest() for name, data in sorted(setup.files.items())}
 
 
 def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor]) -> None:
-    """Load the state of an optimiser from tensors named `index.key`; raise ValueError if keys
-    differ."""
+    """Load the state of an optimizer from tensors named `index.key`, where the index is that of a
+    parameter. Raise ValueError if an entry lacks a key."""
     state: dict[int, dict[str, Any]] = {}
     for name, value in tensors.items():
         index, _, key = name.partition(".")
@@ -211,7 +221,7 @@ def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor])
 
 
 def _refused(path: Path, reason: str) -> Exception:
-    """Return the error (NS0816) that training cannot resume from the checkpoint `path`, because of
+    """Return the error (NS0816) that training cannot resume from the checkpoint `path`, with the
     `reason`."""
     return rejected(
         "NS0816",
@@ -223,8 +233,10 @@ def _refused(path: Path, reason: str) -> Exception:
 
 @contextmanager
 def locked_folder(folder: Path) -> Iterator[None]:
-    """Create a folder and lock it until the block or the process ends; raise NS0848 if another
-    process has it."""
+    """Create `folder` if needed, and lock it until the block or the process ends. Raise Rejected
+    (NS0848) if another process has it.
+
+    A new folder that is still empty is removed if the block fails."""
     is_new = not folder.exists()
     folder.mkdir(parents=True, exist_ok=True)
     descriptor = os.open(folder, os.O_RDONLY | os.O_CLOEXEC)

@@ -31,16 +31,17 @@ class StepLoss(nn.Module):
     """The loss of a batch in one step, as a module so that ranks share its gradients."""
 
     def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
-        """Compute losses of this run; `ranks` are the processes that train together."""
+        """Prepare to compute losses of this run. `ranks` are the processes that train together."""
         super().__init__()
         self.encoder, self.decoder = setup.encoder, setup.decoder
         self._setup, self._ranks = setup, ranks
 
     def forward(self, batch: Batch, step: int) -> Tensor:
-        """Return the loss of one step, weighted by this process's share of the batch.
+        """Return the loss of one step on this process's share of the batch, times the weight of
+        that share.
 
         The codes are fixed, relaxed, or tried: with a trial, two versions of the codes are decoded,
-        and their difference pulls the codes."""
+        and the difference of their losses gives the codes a gradient."""
         setup, settings, rank = self._setup, self._setup.settings, self._ranks.rank
         seed, device = settings.train.seed, setup.device
         rows, cols = batch.light.shape[-2:]
@@ -74,10 +75,13 @@ class StepLoss(nn.Module):
 def trial_of(
     encoder: Encoder, rows: int, cols: int, seed: tuple[int, ...], place: tuple[int, ...]
 ) -> CodeTrial:
-    """Return a trial for patches of rows x cols; `place` seeds the random part of free codes."""
+    """Return a trial (`CodeTrial`) of the encoder's codes for patches of rows x cols.
+
+    `seed` is that of the trial's random moves. If the tile is larger than a patch, `place` seeds
+    the choice of its part."""
 
     def over(tile: Tensor) -> Tensor:
-        """Return the tile, or a part of it, repeated over a patch."""
+        """Return values of the tile (.., r, c), or of a part of it, repeated over a patch."""
         return laid(window(tile, rows, cols, place), rows, cols)
 
     return encoder.trial(over, generator_of(next(encoder.parameters()).device, *seed))
@@ -86,7 +90,8 @@ def trial_of(
 def pull(
     setup: TrainingSetup, batch: Batch, trial: CodeTrial, prediction: Tensor, noise: torch.Generator
 ) -> Tensor:
-    """Return a scalar 0 whose gradient with respect to the codes is the gradient of the loss.
+    """Return a scalar 0 whose gradient with respect to the codes is that of the loss, estimated
+    from a trial.
 
     A gradient through the capture shows the effect of a little more light on a measurement. It does
     not show that a saturated pixel carries no more information, nor what information its neighbours
@@ -123,8 +128,10 @@ def pull(
 def lesson_losses(
     setup: TrainingSetup, lesson: Lesson, generator: torch.Generator
 ) -> Iterator[Tensor]:
-    """Yield the losses of a lesson's updates; each is computed after the caller has made the
-    update before it."""
+    """Yield the losses of a lesson, the training examples of one step of the decoder for any code.
+
+    The caller updates the decoder after each loss; only then is the next one computed. `generator`
+    draws the noise."""
     decoder = setup.decoder
     assert isinstance(decoder, AnyCode)
     chosen = setup.settings.decoder
@@ -139,8 +146,8 @@ def lesson_losses(
 
 
 def _of_noise(decoder: AnyCode, lesson: Lesson, generator: torch.Generator) -> Tensor:
-    """Return the loss of denoising a noisy clip, relative to the standard deviation of its
-    noise."""
+    """Return the loss of denoising noisy clips: squared and absolute errors in units of the
+    standard deviation of the noise."""
     clip = lesson.light
     noise, sigma = noisy(clip, generator)
     no_features = clip.new_zeros(len(clip), SEEN, *clip.shape[1:])
@@ -152,8 +159,11 @@ def _of_noise(decoder: AnyCode, lesson: Lesson, generator: torch.Generator) -> T
 def _of_codes(
     decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int, through: int
 ) -> Iterator[Tensor]:
-    """Yield the losses of decoding coded clips in `stages`, one for each `through` stages, so
-    that gradients fit in memory."""
+    """Yield the losses of decoding coded clips in `stages` stages, one loss for each `through`
+    stages.
+
+    No gradient passes from one loss to the stages of an earlier one, so that gradients fit in
+    memory."""
     with torch.no_grad():
         truth, measured, shown = measured_lesson(lesson, generator)
         clip, target = gap_tv_of(measured)
@@ -170,8 +180,8 @@ def _of_codes(
 
 
 def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int) -> Tensor:
-    """Return the mean loss of `decoder` over all `stages` that decode the coded stills of `lesson`;
-    `generator` draws their noise."""
+    """Return the loss of decoding coded stills: the mean over the light after each of `stages`
+    stages."""
     with torch.no_grad():
         truth, measured, _ = measured_lesson(lesson, generator)
         start = started_still(measured)
@@ -180,8 +190,8 @@ def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, sta
 
 
 def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
-    """Return `clip` minus `truth`; with `shown` (batch,), the light displayed as white, both are
-    first display-encoded."""
+    """Return `clip` minus `truth`, both (batch, T, rows, cols). With `shown` (batch,), the light
+    that a display shows as white, return the difference in display encoding."""
     if shown is None:
         return clip - truth
     level = shown.reshape(-1, 1, 1, 1)
@@ -189,9 +199,13 @@ def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
 
 
 def _still_loss(light: Tensor, truth: Tensor) -> Tensor:
-    """Return the error of light and of its logarithm, over the 99.9 % quantile."""
+    """Return the error of light (batch, rows, cols): ten times the sum of an RMS error of linear
+    light, one on the mu-law curve, and a mean error of the logarithm.
+
+    The first two are relative to the 99.9 % quantile of the truth."""
     peak = quantiles(truth.flatten(1), 0.999).to(truth).clamp(min=1e-6).reshape(-1, 1, 1)
     relative, relative_truth = ((values / peak).clamp(0, 1) for values in (light, truth))
+    # The square root of 1e-6 limits the slope for errors near 0.
     linear = (relative - relative_truth).square().mean(dim=(1, 2)).add(1e-6).sqrt()
     curved = [torch.log1p(MU * values) / log(1 + MU) for values in (relative, relative_truth)]
     bent = (curved[0] - curved[1]).square().mean(dim=(1, 2)).add(1e-6).sqrt()

@@ -15,8 +15,8 @@ from nscc_training.sensor_model import SensorModel, exposed, filled, read_out, s
 
 
 def window(shutters: Tensor, rows: int, cols: int, seed: tuple[int, ...]) -> Tensor:
-    """Return the shutters for a patch of rows x cols: the whole tile, or a random part of a
-    larger one, drawn with `seed`."""
+    """Return the shutters (N, r, c) for patches of rows x cols. A tile that fits in a patch is
+    returned whole; of a larger one, a random part of that size, drawn with `seed`."""
     if shutters.shape[1] <= rows and shutters.shape[2] <= cols:
         return shutters
     draw = np.random.default_rng(list(seed))
@@ -32,9 +32,12 @@ def decoded(
     model: SensorModel,
     generator: torch.Generator | None,
 ) -> Tensor:
-    """Capture `light` with `shutters`, a tile for the first bucket, and decode it.
+    """Capture `light` and decode the frames. Return light as decoders do: (batch, rows, cols) for
+    stills, (batch, N, rows, cols) for clips.
 
-    A model without photon noise has no other effects either."""
+    `light` is in electrons over the frame, or per slot. `shutters` (N, r, c) are a tile for the
+    first bucket; for pixels that look, their boundaries and levels. A `model` without photon noise
+    has no other effects either. Without a generator there is no noise."""
     with torch.autocast(setup.device.type, enabled=False):
         # The run's own model defines the unit of a frame, under another sensor too.
         if setup.encoder.spec.kind == LOOKS:
@@ -57,8 +60,8 @@ def decoded(
 
 
 def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:
-    """Return the loss of a prediction, plus a weighted term for the number of words: how often
-    the shutters change."""
+    """Return the loss of a prediction for a batch. With `shutter.words_weight`, how often the
+    shutters change, which takes words, is added."""
     loss = setup.loss(*compared(prediction, batch))
     weight = setup.settings.shutter.words_weight
     if weight:
@@ -67,15 +70,17 @@ def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Te
 
 
 def changes_of(shutters: Tensor) -> Tensor:
-    """Return the share of slot boundaries at which the shutter of each pixel changes."""
+    """Return the fraction of the boundaries between slots at which the shutter (N, rows, cols) of
+    each pixel changes, (rows, cols)."""
     return (shutters[1:] - shutters[:-1]).abs().sum(dim=0) / max(1, len(shutters) - 1)
 
 
 def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
-    """Return prediction and truth relative to the peak, for losses.
+    """Return prediction and truth as losses compare them: relative to the peak, the light that
+    counts as 1.
 
-    As in metrics, predictions above the peak are clipped where the truth reaches the peak.
-    Classes have no peak."""
+    As in metrics, predictions above the peak are clipped where the truth reaches the peak. For
+    classes, return the prediction and the classes of the batch."""
     if batch.classes is not None:
         return prediction, batch.classes
     relative = prediction / batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
@@ -83,10 +88,11 @@ def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
 
 
 def finite_norm(loss: Tensor, setup: TrainingSetup, names: tuple[str, ...], step: int) -> Tensor:
-    """Return the norm of all gradients of the decoder.
+    """Return the norm of all gradients of the decoder, to be called before the update of step
+    `step`.
 
-    Raises Rejected (NS0817, status 3) before the update if the loss or a gradient of decoder or
-    codes is not finite. The message names the scenes of the batch."""
+    Raises Rejected (NS0817, status 3) if the loss or a gradient of decoder or codes is not finite.
+    The message contains `names`, the scenes of the batch."""
     decoder, codes = (
         {key: p.grad for key, p in module.named_parameters() if p.grad is not None}
         for module in (setup.decoder, setup.encoder)

@@ -53,17 +53,21 @@ from nscc_training.random_streams import DrawStream
 from nscc_training.settings import RunSettings
 
 METRICS = "metrics.csv"
+"""The log of a run, a table with a line for each validation."""
 EVENTS = "tensorboard"
+"""The folder of a run for events of tensorboard."""
 
 
 class Log:
-    """The log of a run in the folder `out`, with a column for each metric of its protocol; `rows`
-    are the lines of `metrics.csv`."""
+    """The log of a run in the folder `out`, with a column for each metric of its protocol.
+
+    `rows` are the lines of `metrics.csv`, the header first. With tensorboard installed, events are
+    written at once; the file itself is written by the caller."""
 
     def __init__(
         self, out: Path, metrics: Sequence[str], rows: Sequence[str] | None = None
     ) -> None:
-        """Continue the log of a run with `rows`, or begin one with a header; `metrics` name its
+        """Continue a log with `rows`, or with None begin one with a header. `metrics` name its
         columns."""
         self.out = out
         self._columns = ("loss", *metrics, "words_per_slot", "dead_share")
@@ -72,10 +76,10 @@ class Log:
 
     @classmethod
     def of_checkpoint(cls, folder: Path, step: int, out: Path, metrics: Sequence[str]) -> Log:
-        """Return the log in `folder`, up to the step of the checkpoint, to be continued in `out`;
-        later lines are dropped.
+        """Return the log in `folder` up to the step of its checkpoint, to be continued in `out`.
+        Later lines are dropped.
 
-        Raises Rejected (NS0816) for a damaged log."""
+        Without a log file, the log begins anew. Raises Rejected (NS0816) for a damaged log."""
         path = folder / METRICS
         if not path.is_file():
             return cls(out, metrics)
@@ -92,7 +96,8 @@ class Log:
         return cls(out, metrics, [head, *kept_rows])
 
     def add(self, step: int, split: str, **values: float | str | None) -> None:
-        """Add a line for a step and a split (train or val); values that are missing stay empty.
+        """Add a line for a step and a split ("train" or "val"), with `values` by column. Missing
+        values stay empty.
 
         With tensorboard installed, an event is written too."""
         cells = (values.get(name) for name in self._columns)
@@ -126,9 +131,12 @@ _FOLLOW_EVERY = 50
 
 @dataclass
 class TrainingRun:
-    """A run in progress: `dataset` draws its steps, `shown` are its validation scenes.
+    """A training run in progress.
 
-    `begun` are the tensors before the first step."""
+    `dataset` draws the data of a step, `shown` are the exposed validation scenes (in the first
+    process only), and `ranks` the processes that train together. `step_loss` computes losses and
+    shares their gradients. `begun` are the parameters before the first step, to which restarts
+    return."""
 
     state: TrainingState
     dataset: Dataset[Any]
@@ -155,12 +163,13 @@ def train(
     report: Callable[[str], None] = lambda _text: None,
     stop_after: int | None = None,
 ) -> None:
-    """Train, and write the run folder `out`.
+    """Train as `settings` say, and write the run folder `out`, which is locked meanwhile.
 
     `resume` is auto (continue from a checkpoint in `out` if it has one), never, or a run folder or
     checkpoint. `track` draws a progress bar, and `report` receives a text for each validation and
     at the end; both are used in the first process only. With `stop_after` the run stops after that
-    step and writes a checkpoint."""
+    step and writes a checkpoint. An interrupt raises KeyboardInterrupt with a sentence on how to
+    continue."""
     is_first = os.environ.get("RANK", "0") == "0"  # only the first of several processes writes
     with locked_folder(out) if is_first else nullcontext(), closing(Ranks()) as ranks:
         _check_ranks(settings, ranks)
@@ -200,8 +209,8 @@ def train(
 
 
 def _how_to_go_on(out: Path, resume: str) -> str:
-    """Return a sentence on how an interrupted training in `out` continues, given the option
-    --resume."""
+    """Return a sentence on how an interrupted training in `out` continues. `resume` is the value of
+    the option --resume."""
     if not (out / CHECKPOINT).is_file():
         return "there is no checkpoint yet; the same command starts again"
     how = "the same command continues" if resume == "auto" else "--resume auto continues"
@@ -215,11 +224,12 @@ def start(
     out: Path,
     report: Callable[[str], None] = lambda _text: None,
 ) -> TrainingRun:
-    """Return a run at step 0, or at the step of the checkpoint, with scenes, decoder, shutters and
-    log.
+    """Return a run that is ready for its next step: at step 0, or at the step of `checkpoint`, with
+    scenes, decoder, shutters and log.
 
-    `ranks` are the processes that train together; the first one calls `report`. Raises Rejected for
-    invalid settings, scenes or checkpoints."""
+    `out` is the folder of its log. `ranks` are the processes that train together; the first one
+    calls `report` with messages about scenes. Raises Rejected for invalid settings, scenes or
+    checkpoints."""
     setup = make_setup(settings)
     lessons, data, seed = settings.decoder.lessons, settings.data, settings.train.seed
     classes, metrics = setup.classes, setup.protocol.metrics
@@ -254,7 +264,8 @@ def start(
 
 
 def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
-    """Raise Rejected (NS0815) for settings that are not supported with several processes."""
+    """Raise Rejected (NS0815) for settings that several processes do not support: a batch smaller
+    than their number, searches, restarts and lessons."""
     if settings.train.batch < ranks.count:
         raise rejected(
             "NS0815",
@@ -273,14 +284,17 @@ def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
 
 
 def _settles_with_best(settings: RunSettings) -> bool:
-    """Return whether the best validated state, not the last one, settles."""
+    """Return whether the codes settle in the best validated state instead of the last one: in a
+    search, and after restarts."""
     shutter = settings.shutter
     return shutter.learn and (shutter.relaxation == "search" or shutter.restarts > 0)
 
 
 def _checkpoint(out: Path, resume: str) -> Path | None:
-    """Return the checkpoint to resume from, or None to begin; raise Rejected if the named one is
-    missing."""
+    """Return the checkpoint that the option --resume means, or None to begin anew. `out` is the
+    folder of the run.
+
+    Raises Rejected (NS0816) if a named checkpoint is missing."""
     if resume == "never":
         return None
     if resume == "auto":
@@ -298,8 +312,8 @@ def _checkpoint(out: Path, resume: str) -> Path | None:
 
 
 def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
-    """Return the random draws of steps `first` to `last`, in order, which worker processes
-    compute ahead."""
+    """Return the data that `run.dataset` draws for the steps `first` up to `last`, in order. Worker
+    processes compute it ahead, if the settings name some."""
     workers, device = run.setup.settings.train.workers, run.setup.device
     return DataLoader(
         run.dataset,
@@ -314,8 +328,10 @@ def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
 def _steps(
     run: TrainingRun, track: Track, report: Callable[[str], None], stop_after: int | None
 ) -> None:
-    """Train from the current step to the last, or to `stop_after`; validate and save at
-    intervals."""
+    """Train from the current step to the last, or to `stop_after`. At intervals and at the end,
+    validate, and write log and checkpoint.
+
+    `track` receives the steps, and `report` a text for each validation."""
     total, validate_every = run.setup.settings.train.steps, run.setup.settings.train.validate_every
     losses: list[Tensor] = []
     first = run.progress.step
@@ -337,7 +353,8 @@ def _steps(
 
 
 def _so_far(run: TrainingRun) -> dict[Path, bytes]:
-    """Return the log and the checkpoint, from which a run can resume, by path."""
+    """Return the contents of log and checkpoint, from which a run can resume, by the paths of their
+    files."""
     return {
         run.log.out / METRICS: run.log.csv(),
         run.log.out / CHECKPOINT: packed(run.state, run.scenes, run.progress),
@@ -345,18 +362,20 @@ def _so_far(run: TrainingRun) -> dict[Path, bytes]:
 
 
 def batch_of(run: TrainingRun, drawn: Exposures) -> Batch:
-    """Return this process's share of a step's batch, on the run's device."""
+    """Return this process's share of the batch of a step, exposed on the run's device. `drawn` are
+    the random draws of the step."""
     setup, settings = run.setup, run.setup.settings
     batch = cut_batch(drawn, settings.data, setup.model.full_e, setup.device)
     return batch.patches(*run.ranks.batch_range(settings.train.batch))
 
 
 def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
-    """Take one training step and return its mean loss on this process's share of the batch.
+    """Take one step, number `step`, with the data `drawn` for it: random exposures, or a `Lesson`
+    for the decoder for any code. Return its mean loss on this process's share of the batch.
 
-    `drawn` is what the data loader drew: a batch, or a Lesson for the decoder for any code. Changes
-    the parameters of decoder and encoder, learning rates, and at the start of a cycle also the
-    codes."""
+    Parameters of decoder and encoder and the learning rates change. At the start of a cycle, the
+    codes first restart, or begin to settle with the best ones. A step learns by gradients, by a
+    search, or from the updates of a lesson."""
     setup, settings = run.setup, run.setup.settings
     anneal(setup, step)
     set_rates(run.state.optimizers, settings, step)
@@ -381,7 +400,8 @@ def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
 
 
 def _begin_again(run: TrainingRun, tensors: dict[str, Tensor]) -> None:
-    """Set encoder and decoder to `tensors`, and forget what optimizers and the average know."""
+    """Set encoder and decoder to `tensors`, and clear the state of the optimizers and the running
+    average."""
     set_tensors(run.setup, tensors)
     for optimizer in run.state.optimizers:
         optimizer.state.clear()
@@ -390,9 +410,11 @@ def _begin_again(run: TrainingRun, tensors: dict[str, Tensor]) -> None:
 
 
 def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) -> Tensor:
-    """Update the parameters by the gradient of a loss, its norm limited, and return the loss.
+    """Update the parameters by the gradient of a loss, whose norm is limited, and return the loss
+    without the weight of this process.
 
-    `names` are the scenes of the batch, for the message if the gradient is not finite."""
+    `names` are the scenes of the batch and `step` its number, for the error (NS0817) if the loss or
+    a gradient is not finite."""
     setup, clip, state = run.setup, run.setup.settings.train.clip, run.state
     for optimizer in state.optimizers:
         optimizer.zero_grad(set_to_none=True)
@@ -412,10 +434,12 @@ def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) ->
 
 
 def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> None:
-    """Score the hard shutters and the decoder (or its average) on the validation scenes; log the
-    score and keep the best state.
+    """Score hard shutters and decoder on the validation scenes, log and report the scores, and keep
+    the state in `run.progress` if it is the best.
 
-    `loss` is the mean loss since the last validation."""
+    The running average replaces the decoder's weights meanwhile, if there is one. Codes that do not
+    compile, or take too many words, are never the best. `loss` is the mean loss since the last
+    validation."""
     setup, step = run.setup, run.progress.step
     settings = setup.settings
     dead = setup.encoder.dead_share() if codes_learn(settings, step - 1) else None
@@ -451,8 +475,10 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
 
 
 def take_best(run: TrainingRun) -> None:
-    """Restore the best validated state; without one, raise the compiler's errors or NS0850 for too
-    many words."""
+    """Restore the best validated state of the run, with fresh optimizers.
+
+    If no validation counted, the present state stays, after a check: Raises Rejected with the
+    compiler's errors, or NS0850 for too many words."""
     setup, most = run.setup, run.setup.settings.shutter.most_words
     if run.progress.best is not None:
         _begin_again(run, run.progress.best)

@@ -33,7 +33,8 @@ Returns electrons and seconds."""
 
 @dataclass(frozen=True)
 class Validation:
-    """The loss, and the means of metrics as JSON values; the first mean is the score."""
+    """The mean loss over validation scenes, and the means of metrics as JSON values ("inf" if
+    infinite). The first mean is the score."""
 
     loss: float
     means: dict[str, float | str]
@@ -45,7 +46,8 @@ class Validation:
 
 
 def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScene]:
-    """Return at most `val_items` validation scenes, exposed by the run's protocol.
+    """Return at most `val_items` validation scenes, exposed by the run's protocol and not larger
+    than its chip.
 
     Clips have as many frames as the run has slots. Raises Rejected (NS0811) if no scene can be
     exposed."""
@@ -79,8 +81,10 @@ def validated(
     decode: Decode | None = None,
     exposure: float = 1.0,
 ) -> Validation:
-    """Score the decoder on scenes, captured `as_trained` by default, with `exposure` times the
-    light."""
+    """Score the decoder on the scenes `shown`.
+
+    `decode` captures and decodes a scene; None does it `as_trained`. The light is multiplied by
+    `exposure`, and the result divided by it."""
     decode = decode or as_trained(setup)
     losses: list[float] = []
     scores: dict[str, list[float]] = {name: [] for name in setup.protocol.metrics}
@@ -100,8 +104,10 @@ def validated(
 
 
 def as_trained(setup: TrainingSetup, sensor: Sensor | None = None) -> Decode:
-    """Return a function that captures with the emulated chip if the run has effects, else the
-    model, and decodes."""
+    """Return a function that captures and decodes a scene under the conditions of the training: on
+    the emulated chip if the run has effects, else by the sensor model.
+
+    `sensor` replaces the sensor of the emulated chip; None keeps the run's."""
     effects = setup.settings.sensor.effects
     return by_chip(setup, effects, sensor) if effects else by_model(setup)
 
@@ -112,15 +118,20 @@ def by_model(
     model: SensorModel | None = None,
     seed: int = 0,
 ) -> Decode:
-    """Return a function that captures with `tile` by the sensor `model`, and decodes."""
+    """Return a function that captures a scene by a sensor model and decodes it.
+
+    `tile` (N, r, c) and `model` replace the run's shutters and sensor model; None keeps them. Each
+    scene has its own noise, which `seed` and the scene's index determine."""
     return lambda light_e, index: scene_by_model(setup, light_e, 1000 * seed + index, tile, model)
 
 
 def by_chip(
     setup: TrainingSetup, effects: str, sensor: Sensor | None = None, seed: int = 0
 ) -> Decode:
-    """Return a function that captures a scene on the emulated chip with `effects` and decodes
-    it; each scene has its own noise."""
+    """Return a function that captures a scene on the emulated chip with `effects` and decodes it.
+
+    `sensor` replaces the run's sensor; None keeps it. `seed` is that of the chip. Each scene has
+    its own noise, which `seed` and the scene's index determine."""
     container, used = container_of(setup), setup.sensor if sensor is None else sensor
     return lambda light_e, index: scene_by_chip(
         setup, container, used, light_e, effects, (1000 * seed + index, seed)
@@ -128,8 +139,8 @@ def by_chip(
 
 
 def _loss(setup: TrainingSetup, scene: ProtocolScene, result_e: NDArray[Any]) -> float:
-    """Return the loss of a decoder's result `result_e` for `scene`; truth and result are clipped at
-    the peak of the light."""
+    """Return the loss of a decoder's result for a scene: light in electrons, or the scores of
+    classes. Light above the peak is clipped."""
     if setup.classes:
         scores, truth = (torch.from_numpy(values)[None] for values in (result_e, scene.truth_e))
         return float(setup.loss(scores, truth))

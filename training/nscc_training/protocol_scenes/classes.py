@@ -21,7 +21,8 @@ from nscc_training.random_streams import DrawStream
 
 @dataclass(frozen=True, eq=False)
 class ClassWindow(ClipWindow):
-    """A window of class `label`, one of `classes`; results have a number for each class."""
+    """A window of a clip whose class is `label`, one of `classes`. Its reconstruction is an array
+    of scores, one for each class."""
 
     label: str
     classes: tuple[str, ...]
@@ -32,8 +33,10 @@ class ClassWindow(ClipWindow):
         return np.array([float(name == self.label) for name in self.classes])
 
     def scores(self, result_e: NDArray[Any]) -> dict[str, Any]:
-        """Return whether the class with the highest score is right, and the cross entropy
-        (nats)."""
+        """Return whether the class with the highest score is right (`correct`, 1 or 0), the
+        `cross_entropy` in nats, and the names of both classes.
+
+        `result_e` (classes,) are logarithms of likelihoods, up to a common constant."""
         decoded = self.classes[int(np.argmax(result_e))]
         scores = np.asarray(result_e, np.float64)
         surprise = np.logaddexp.reduce(scores) - scores[self.classes.index(self.label)]
@@ -46,21 +49,21 @@ class ClassWindow(ClipWindow):
 
 
 def with_class(window: ClipWindow, label: str, classes: Sequence[str]) -> ClassWindow:
-    """Return a window with the class of its clip."""
+    """Return a window with the class `label` of its clip, one of `classes`."""
     return ClassWindow(**vars(window), label=label, classes=tuple(classes))
 
 
 def class_windows(
     files: Sequence[Path], classes: Sequence[str], protocol: Protocol, seed: int
 ) -> Iterator[ProtocolScene | Unusable]:
-    """Return the windows of files, in order; without files, procedural scenes of a seed."""
+    """Return the windows of the clips in `files`, in order, with the classes that their folders
+    name. Without files, return procedural scenes, which `seed` determines."""
     if not files:
         return _moving_textures(classes, protocol, seed)
     labels = [class_of(path, classes) for path in files]
 
     def of_class(path: Path, index: int) -> Iterator[ProtocolScene | Unusable]:
-        """Yield the windows of the clip `path`, number `index` of its protocol, with the class of
-        its folder."""
+        """Yield the windows of the clip number `index`, with the class of its folder."""
         for window in windows(path, protocol):
             if isinstance(window, ClipWindow):
                 window = with_class(window, labels[index], classes)
@@ -70,7 +73,8 @@ def class_windows(
 
 
 def class_folders(folder: Path) -> Path:
-    """Return the pattern with which `files_in` finds the files of all classes in a folder."""
+    """Return the pattern with which `files_in` finds the files of all classes in a folder; a path
+    that is no folder is returned as it is."""
     return folder / "*" if folder.is_dir() else folder
 
 
@@ -98,7 +102,8 @@ def moving_texture(
     size: int,
     protocol: Protocol,
 ) -> tuple[str, NDArray[np.float32]]:
-    """Return class and light (frames, size, size) of scene `index`; the classes alternate."""
+    """Return the class of procedural scene number `index`, and its light (frames, size, size) on
+    0..1. The classes alternate, and the protocol limits the speed."""
     label = classes[index % len(classes)]
     speed = float(np.exp(generator.uniform(*np.log(protocol["speed"]))))
     clip = made_scenes.moving_texture(generator, frames, size, label, speed)
@@ -108,8 +113,8 @@ def moving_texture(
 def _moving_textures(
     classes: Sequence[str], protocol: Protocol, seed: int
 ) -> Iterator[ClassWindow | Unusable]:
-    """Yield synthetic windows of moving textures with their class, as many as `protocol` says;
-    `seed` determines them."""
+    """Yield windows of synthetic textures that move in the direction of their class. `seed`
+    determines them, and the protocol their number."""
     for index in range(int(protocol["procedural"])):
         generator = np.random.default_rng([seed, DrawStream.EVALUATION_SCENES, index])
         sides = int(protocol["frames"]), int(protocol["size"])

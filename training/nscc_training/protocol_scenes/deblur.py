@@ -30,7 +30,7 @@ class DeblurMoment(ProtocolScene):
 
     @property
     def peak_e(self) -> float:
-        """The percentile of that light that the protocol names."""
+        """The percentile of the light of the true slot that the protocol names."""
         return float(np.percentile(self.truth_e, self.protocol["normalise_percentile"]))
 
     def moment_e(self, clip_e: Picture) -> Picture:
@@ -38,8 +38,10 @@ class DeblurMoment(ProtocolScene):
         return np.asarray(clip_e[int(self.protocol["moment"])] * len(clip_e))
 
     def scores(self, result_e: Picture) -> dict[str, Any]:
-        """Return PSNR, SSIM and mu-law PSNR of one slot's light `result_e` (rows, cols), in
-        electrons; a clip is cut to this slot."""
+        """Return PSNR, SSIM and mu-law PSNR of the light of one slot, as JSON values.
+
+        `result_e` is that light, in electrons over the frame (rows, cols), or a clip (slots, rows,
+        cols), of which the slot is taken."""
         result = self.moment_e(result_e) if result_e.ndim == 3 else result_e
         pair = on_unit_range(self.truth_e, result, self.peak_e)
         mu_db = metrics.mu_psnr(*pair, 1.0, self.protocol["mu"])
@@ -47,8 +49,10 @@ class DeblurMoment(ProtocolScene):
 
 
 def moments(path: Path, index: int, protocol: Protocol) -> Iterator[DeblurMoment | Unusable]:
-    """Yield the views of a panorama, in order; `index` is the panorama's and, with the number of
-    the view, seeds the motion."""
+    """Yield the views of a turning camera in the panorama `path`, in order; `Unusable` for those
+    that cannot be exposed.
+
+    `index` is the number of the panorama. With the number of the view it determines the motion."""
     slots, size = int(protocol["frames"]), int(protocol["size"])
     light = light_of(path, protocol)
     for number in range(int(protocol["views"])):
@@ -64,8 +68,10 @@ def moments(path: Path, index: int, protocol: Protocol) -> Iterator[DeblurMoment
 def exposed_moment(
     path: Path, number: int, clip: Picture, protocol: Protocol
 ) -> DeblurMoment | Unusable:
-    """Return view `number` of the file `path`: `clip` scaled so that the median of its light over
-    the frame is the protocol's mid grey. Unusable if half of it is dark."""
+    """Return view number `number` of the panorama `path` as a scene: its light is scaled so that
+    the median over the frame is the protocol's mid grey.
+
+    `clip` (slots, rows, cols) is its light in any unit. Returns Unusable if half of it is dark."""
     grey = float(np.median(clip.sum(axis=0)))
     if not (np.isfinite(clip).all() and grey > 0):
         return Unusable(path.name, {"view": number}, "half of it is dark")

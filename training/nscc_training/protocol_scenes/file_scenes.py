@@ -37,14 +37,16 @@ _WANTED: dict[str, tuple[Sequence[str], str, str]] = {
     "class-v1": (CLIPS, "clips end in", "folders of clips, named after classes, or `procedural`"),
     "sci8": ((".mat",), "clips end in", "the benchmark's clips, or one of them"),
 }
+"""The endings of a protocol's files, and two texts for the error: what they end in, and what is
+expected."""
 
 
 def files_of(protocol: Protocol, folder: Path) -> list[Path]:
-    """Return the files of a folder that a protocol uses, by name; raise Rejected (NS0811) if there
-    are none.
+    """Return the files in a folder that a protocol uses, sorted by name. Raise Rejected (NS0811) if
+    there are none.
 
-    For sci8, `folder` may be a file; for class-v1 it holds a folder for each class, and
-    `procedural` has no files."""
+    For sci8, `folder` may be a file. For class-v1 it holds a folder for each class; the name
+    `procedural` stands for no files."""
     if protocol.classifies:
         if str(folder) == PROCEDURAL:
             return []
@@ -58,13 +60,13 @@ def files_of(protocol: Protocol, folder: Path) -> list[Path]:
 def scenes_in(
     files: Sequence[Path], protocol: Protocol, fraction: float | None = None
 ) -> Iterator[ProtocolScene | Unusable]:
-    """Return the scenes of files; `fraction` replaces the share of saturated pixels.
+    """Return the scenes of files, as the protocol defines them.
 
-    A file that cannot be read is `Unusable`, with its error."""
+    `fraction` replaces the fraction of a crop that saturates (hdr-v1); None keeps the protocol's. A
+    file that cannot be read is `Unusable`, with its error."""
 
     def scenes_of(path: Path, index: int) -> Iterable[ProtocolScene | Unusable]:
-        """Return the scenes of the file `path`, number `index` of its folder, as the protocol
-        defines them."""
+        """Return the scenes of the file number `index`, as the protocol defines them."""
         if protocol.name == "hdr-v1":
             return crops(path, protocol, fraction)
         if protocol.name == "deblur-v1":
@@ -78,8 +80,8 @@ def scenes_in(
 def readable(
     candidates: Iterable[ProtocolScene | Unusable],
 ) -> Iterator[ProtocolScene]:
-    """Yield the usable scenes among `candidates`; raise Rejected (status 2) for a file that cannot
-    be read."""
+    """Yield the scenes that the protocol can expose, and skip the others. Raise Rejected for a file
+    that cannot be read."""
     for scene in candidates:
         if isinstance(scene, ProtocolScene):
             yield scene
@@ -88,7 +90,8 @@ def readable(
 
 
 def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = None) -> Protocol:
-    """Return video-v1 or hdr-v1 with another scene size, clip length and full well.
+    """Return video-v1 for clips or hdr-v1 for stills, with another scene size in pixels, clip
+    length in frames, and full well (None keeps it).
 
     The digest stays that of the protocol's file, but scores are not comparable with the protocol's.
     """
@@ -99,8 +102,8 @@ def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = 
 
 
 def kinds_in(data: Path) -> list[Kind]:
-    """Return which kinds of scenes the folder `data` contains; raise Rejected (NS0811) if there are
-    none."""
+    """Return which kinds of scenes a folder contains, by the endings of its files. Raise Rejected
+    (NS0811) if there are none."""
     endings: dict[Kind, Sequence[str]] = {"clips": CLIPS, "stills": ENDINGS}
     all_endings = [ending for kind in KINDS for ending in endings[kind]]
     expected = "such files, or leave --data out to use synthetic scenes"
@@ -111,7 +114,10 @@ def kinds_in(data: Path) -> list[Kind]:
 def some_scenes(
     protocol: Protocol, data: Path | None, count: int, seed: int = 0
 ) -> list[ProtocolScene]:
-    """Return at most `count` scenes, of `data` or procedural; raise Rejected (NS0811)."""
+    """Return at most `count` scenes, as evenly as possible from the first files in `data`; None
+    makes procedural ones, which `seed` determines.
+
+    Raises Rejected (NS0811) if the protocol cannot expose any."""
     if data is None:
         candidates = [made_scene(index, protocol, seed) for index in range(count)]
     else:
@@ -141,8 +147,8 @@ def some_scenes(
 
 
 def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unusable:
-    """Return procedural still or clip number `index`, exposed as `protocol` (hdr-v1 or video-v1)
-    defines; `seed` determines it."""
+    """Return procedural scene number `index`, a still or a clip as the protocol needs, exposed as
+    the protocol defines. `seed` and `index` determine it."""
     generator = np.random.default_rng([seed, DrawStream.EVALUATION_SCENES, index])
     name = Path(f"made-{index}")
     if protocol.still:
@@ -155,8 +161,11 @@ def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unu
 def exposed_arrays(
     lights: Iterable[tuple[str, NDArray[Any]]], srgb: bool, protocol: Protocol, count: int
 ) -> list[ProtocolScene]:
-    """Return at most `count` scenes of arrays of light in turn; `srgb` measures errors of clips in
-    display encoding."""
+    """Return at most `count` scenes of `lights`, pairs of name and light: the first scene of each
+    array, then the second of each, and so on.
+
+    `srgb` measures errors of clips in display encoding. Arrays that cannot be exposed are left out.
+    """
     scenes_by_array = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
     turns = (scene for turn in zip_longest(*scenes_by_array) for scene in turn)
     return list(islice((scene for scene in turns if isinstance(scene, ProtocolScene)), count))
@@ -165,8 +174,11 @@ def exposed_arrays(
 def _of_array(
     name: Path, light: NDArray[Any], srgb: bool, protocol: Protocol
 ) -> Iterator[ProtocolScene | Unusable]:
-    """Yield the scenes of one array of light, cut to squares of the protocol's size or of the
-    array's, if it is smaller."""
+    """Yield the scenes of one array of light: crops of a still (rows, cols), or windows of a clip
+    (T, rows, cols).
+
+    They are squares of the protocol's size, or of the array's smaller side. `srgb` measures errors
+    of clips in display encoding."""
     if light.ndim == 2:
         yield from crops_of(name, light.astype(np.float64), protocol)
         return

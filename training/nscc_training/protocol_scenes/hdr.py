@@ -18,10 +18,12 @@ from nscc_training.protocols import Protocol
 
 Picture = NDArray[np.float64]
 ENDINGS = (".hdr", ".exr", ".pfm")
+"""Endings of panorama files."""
 
 
 class Crop(ProtocolScene):
-    """A crop of a panorama. Errors are relative to its peak, a percentile of its light."""
+    """A crop of a panorama. Errors are relative to its peak: the percentile of its light that the
+    protocol names."""
 
     @property
     def peak_e(self) -> float:
@@ -29,8 +31,11 @@ class Crop(ProtocolScene):
         return float(np.percentile(self.light_e, self.protocol["normalise_percentile"]))
 
     def scores(self, result_e: Picture) -> dict[str, Any]:
-        """Return PSNR, SSIM, mu-law and PU21 PSNR of `result_e`, in electrons, and PSNR of the
-        saturated and of the dark pixels alone, with their share."""
+        """Return PSNR, SSIM, mu-law and PU21 PSNR as JSON values, and the PSNR and the share of
+        saturated and of dark pixels.
+
+        A pixel counts as saturated if it would be when always open. The PSNR of a region is None if
+        the crop has no such pixels."""
         truth_e, protocol = self.light_e, self.protocol
         truth, result = on_unit_range(truth_e, result_e, self.peak_e)
         well_e = float(protocol["full_well_e"])
@@ -49,7 +54,8 @@ class Crop(ProtocolScene):
 
 
 def light_of(path: Path, protocol: Protocol) -> Picture:
-    """Return the light of a linear picture, with negative values set to 0."""
+    """Return the light (rows, cols) of a linear picture file: luminance by the protocol's weights,
+    with negative values set to 0."""
     picture = linear(read_picture(path), "linear")
     light = picture @ np.array(protocol["luminance"]) if picture.ndim == 3 else picture
     return np.maximum(light, 0.0)
@@ -58,8 +64,10 @@ def light_of(path: Path, protocol: Protocol) -> Picture:
 def crops(
     path: Path, protocol: Protocol, fraction: float | None = None
 ) -> Iterator[Crop | Unusable]:
-    """Yield the crops of the panorama `path`, in order; `Unusable` for crops that cannot be
-    exposed. `fraction`: the part of a crop's pixels that saturates."""
+    """Yield the crops of a panorama, in order; `Unusable` for crops that cannot be exposed, or for
+    a picture of another size than the protocol's.
+
+    `fraction` replaces the fraction of a crop that saturates; None keeps the protocol's."""
     light = light_of(path, protocol)
     if light.shape != tuple(protocol["panorama"]):
         reason = f"{light.shape}, not {tuple(protocol['panorama'])}"
@@ -71,8 +79,8 @@ def crops(
 def crops_of(
     path: Path, light: Picture, protocol: Protocol, fraction: float | None = None
 ) -> Iterator[Crop | Unusable]:
-    """Yield the crops of the picture `light` from left to right, in its middle rows. `fraction`:
-    the part of a crop's pixels that saturates."""
+    """Yield the square crops of a picture from left to right, in its middle rows. `fraction` is as
+    in `crops`; `path` names the picture."""
     size = min(int(protocol["crop_size"]), *light.shape)
     first_row = (light.shape[0] - size) // 2
     for first_col in range(0, light.shape[1] - size + 1, size):
@@ -87,11 +95,11 @@ def exposed_crop(
     protocol: Protocol,
     fraction: float | None = None,
 ) -> Crop | Unusable:
-    """Return a crop, scaled so that `fraction` of its pixels, or the protocol's, would saturate if
-    always open.
+    """Return a crop as a scene: its light is scaled so that `fraction` of its pixels would saturate
+    if always open; None takes the protocol's fraction.
 
-    `corner` is that of the crop in its picture. Returns Unusable for light that is not finite or
-    too dark."""
+    `corner` (row, column) is that of the crop in its picture. Returns Unusable for light that is
+    not finite, too dark, or equal in so many pixels that another fraction saturates."""
     share = float(protocol["saturated_fraction"]) if fraction is None else fraction
     well_e, place = float(protocol["full_well_e"]), {"crop": list(corner)}
     if not np.isfinite(light).all():

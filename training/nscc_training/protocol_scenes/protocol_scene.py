@@ -23,7 +23,11 @@ Item = dict[str, Any]
 
 @dataclass(frozen=True, eq=False)
 class ProtocolScene(ABC):
-    """A scene of a protocol: its light, over the frame or per slot, and its place in a file."""
+    """A scene of a protocol: its light, and its place in a file.
+
+    `light_e` is in electrons over the frame (rows, cols), or per slot (N, rows, cols). `crop` is
+    the corner (row, column) of a crop in its picture, `frame` the first frame of a window in its
+    clip; both are None where they do not apply."""
 
     file: Path
     crop: tuple[int, int] | None
@@ -50,7 +54,8 @@ class ProtocolScene(ABC):
         return result_e
 
     def items(self, result_e: Array) -> list[Item]:
-        """Return the scored items of a result: one for the scene, or one for each frame."""
+        """Return the scored items of a reconstruction as JSON values: one for the scene, or one for
+        each frame, with file, place and metrics."""
         crop = None if self.crop is None else list(self.crop)
         place = {"file": self.file.name, "crop": crop, "frame": self.frame}
         return [{**place, **self.scores(result_e)}]
@@ -60,7 +65,8 @@ class ProtocolScene(ABC):
 class Unusable:
     """A scene that the protocol cannot expose: its file, its place in the file, and the reason.
 
-    `damage` is the error of a file that cannot be read."""
+    `damage` is the error of a file that cannot be read; None if only the content of the scene is
+    unsuitable."""
 
     file: str
     place: Mapping[str, Any]
@@ -71,9 +77,9 @@ class Unusable:
 def in_files(
     files: Sequence[Path], scenes_of: Callable[[Path, int], Iterable[ProtocolScene | Unusable]]
 ) -> Iterator[ProtocolScene | Unusable]:
-    """Yield the scenes of files, given a function of a file and its index.
+    """Yield the scenes that `scenes_of` returns for each file and its index.
 
-    A file that cannot be read is `Unusable`, with its error."""
+    A file that cannot be read is `Unusable`, with its error, and the next file follows."""
     for index, path in enumerate(files):
         try:
             yield from scenes_of(path, index)
@@ -83,5 +89,6 @@ def in_files(
 
 
 def on_unit_range(light_e: Array, result_e: Array, peak_e: float) -> tuple[Array, Array]:
-    """Return light and reconstruction divided by the peak, clipped to 0..1."""
+    """Return true light and reconstruction, both in electrons, divided by the peak and clipped to
+    0..1."""
     return np.clip(light_e / peak_e, 0.0, 1.0), np.clip(result_e / peak_e, 0.0, 1.0)

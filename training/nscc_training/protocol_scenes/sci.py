@@ -22,8 +22,8 @@ Clip = NDArray[np.float32]
 
 @dataclass(frozen=True, eq=False)
 class SciClip(ProtocolScene):
-    """A benchmark clip with values 0..1, its mask (8, rows, cols) and measurement (rows, cols) in
-    the full scale of a frame."""
+    """A clip of the benchmark with light from 0 to 1 (8, rows, cols), its `mask` (8, rows, cols),
+    and its `measurement` (rows, cols): the sum of mask times light."""
 
     mask: Clip
     measurement: Clip
@@ -39,7 +39,8 @@ class SciClip(ProtocolScene):
         return np.asarray(np.rint(self.light_e * self.protocol["data_range"]), np.uint8)
 
     def result(self, clip: NDArray[Any]) -> NDArray[np.float64]:
-        """Return a reconstruction as it is scored: clipped, but as in the benchmark not rounded."""
+        """Return the reconstruction `clip`, on 0..1, as it is scored: clipped and scaled to 0..255,
+        but as in the benchmark not rounded."""
         top = float(self.protocol["data_range"])
         return np.clip(clip.astype(np.float64), 0, 1) * top
 
@@ -48,7 +49,8 @@ class SciClip(ProtocolScene):
         raise NotImplementedError("frames of this protocol are scored one by one")
 
     def items(self, result_e: NDArray[Any]) -> list[Item]:
-        """Return the scores of each frame of the reconstruction `result_e`."""
+        """Return the scores of each frame of the reconstruction as JSON values, with file and
+        number of the frame."""
         top = float(self.protocol["data_range"])
         pairs = enumerate(zip(self.truth_e, self.result(result_e), strict=True))
         return [
@@ -58,8 +60,11 @@ class SciClip(ProtocolScene):
 
 
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
-    """Return the clip in the `.mat` file `path`; raise Rejected (NS0809) if it is not a clip of the
-    benchmark `protocol`."""
+    """Read the clip in a `.mat` file of the sci8 benchmark, its first frames with mask and
+    measurement.
+
+    Raises Rejected (NS0809) if arrays are missing or have other shapes or values, or if the
+    measurement is not that of the clip."""
     try:
         arrays = mat_arrays(path, ["orig", "mask", "meas"])
     except FileNotFoundError:

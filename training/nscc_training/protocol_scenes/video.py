@@ -23,8 +23,8 @@ Clip = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class ClipWindow(ProtocolScene):
-    """A window of a clip: `scale_e` electrons per slot are the source's white; `srgb` measures
-    errors on display."""
+    """A window of a clip. `scale_e` is the source's white in electrons per slot. With `srgb`,
+    errors are measured in display encoding."""
 
     scale_e: float
     srgb: bool
@@ -35,8 +35,11 @@ class ClipWindow(ProtocolScene):
         return self.scale_e
 
     def scores(self, result_e: Clip) -> dict[str, Any]:
-        """Return PSNR, SSIM and the error of differences between frames of the clip `result_e`, in
-        electrons."""
+        """Return PSNR and SSIM over the frames, and the RMS error of differences between frames, as
+        JSON values.
+
+        `result_e` (N, rows, cols) is in electrons per slot. Frames without any error have infinite
+        dB and are only counted."""
         truth, result = (encoded(x / self.scale_e, self.srgb) for x in (self.light_e, result_e))
         errors = [mean_square_error(a, b) for a, b in zip(truth, result, strict=True)]
         frame_summary = metrics.frame_scores(errors, 1.0)
@@ -50,8 +53,8 @@ class ClipWindow(ProtocolScene):
 
 
 def windows(path: Path, protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
-    """Yield the windows of the clip `path`, in order; `Unusable` for windows that cannot be
-    exposed."""
+    """Yield the windows of the clip in a file, in order and cut to its centre, at most as many as
+    the protocol says; `Unusable` for windows that cannot be exposed."""
     known = protocol["transfer"]
     srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
     size = int(protocol["size"])
@@ -66,8 +69,11 @@ def windows(path: Path, protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
 def windows_of(
     path: Path, lights: Iterable[NDArray[Any]], srgb: bool, protocol: Protocol
 ) -> Iterator[ClipWindow | Unusable]:
-    """Yield the windows of one clip, given the light of its frames; each begins where the one
-    before ends."""
+    """Yield the windows of one clip from the light of its frames, each (rows, cols). A window
+    begins where the one before ends.
+
+    `path` names the clip. With `srgb`, errors are measured in display encoding. A clip that is too
+    small or too short is `Unusable`."""
     size, count, start = int(protocol["size"]), int(protocol["frames"]), {"frame": 0}
     window: list[NDArray[Any]] = []
     number = -1
@@ -88,8 +94,11 @@ def windows_of(
 def exposed_window(
     path: Path, first: int, light: Clip, srgb: bool, protocol: Protocol
 ) -> ClipWindow | Unusable:
-    """Return a window of light from frame `first` on, scaled so that a percentile of its light
-    nearly fills a well."""
+    """Return a window as a scene: its light is scaled so that a percentile of its light over the
+    frame fills a well, or the protocol's part of a well.
+
+    `first` is the number of its first frame in the clip `path`, and `light` (N, rows, cols) is 1
+    for white. Returns Unusable for a window that is dark at this percentile."""
     level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
     if level <= 0:
         return Unusable(

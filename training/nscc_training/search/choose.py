@@ -29,7 +29,9 @@ SPEEDS: dict[str, tuple[float, ...]] = {"slow": (1.0, 4.0, 8.0), "fast": (16.0, 
 """Speeds in pixels per frame time, by name."""
 
 _TILE = (4, 4)
+"""Rows and columns of the candidates' tile, except of the searched code."""
 _STARTS = ("quad", "two-phase", "staggered", "cyclic")
+"""The arrangements of bumps that are tried (`nscc_training.encoders.encoder_classes`)."""
 _PARTS_OPEN = (2, 4, 8)
 """Candidate bumps are open for 1/2, 1/4 or 1/8 of the frame."""
 _SEARCHED = ShutterSpec("e", 16, (8, 8))
@@ -37,11 +39,13 @@ _SEARCHED = ShutterSpec("e", 16, (8, 8))
 _BRIGHT = 0.35
 """Assumed mean light in full wells if no scene is given."""
 _YARDSTICK = "quad, 1/4 of the frame"
+"""The code that the report compares the choice with."""
 
 
 @dataclass(frozen=True, eq=False)
 class MotionDesign(Design):
-    """A design for clips: its code's `name`, and the `expected` dB of every code tried."""
+    """A design for clips: the `name` of its code, and for each code that was tried, by how many dB
+    its frames are `expected` to reduce the variance of light."""
 
     name: str
     expected: dict[str, float]
@@ -55,7 +59,8 @@ def design_motion(
 ) -> MotionDesign:
     """Design shutters for moving light.
 
-    The candidates are bumps in a 4 x 4 tile and, for 16 slots, searched bits.
+    The candidates are bumps in a 4 x 4 tile and, for 16 slots, searched bits. The one with the
+    highest expected information that fits the chip is chosen.
 
     Parameters
     ----------
@@ -71,7 +76,8 @@ def design_motion(
     Raises
     ------
     Rejected
-        NS0843 if no code is left, or for "scene" without scenes; otherwise the compiler's errors.
+        NS0843 if no code is left, or for "scene" without scenes; otherwise the compiler's
+        errors.
     """
     frame = frame or Frame(slots=16)
     if kind == "scene" and not scenes:
@@ -117,10 +123,11 @@ def design_motion(
 
 
 def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: DesignChip) -> Motion:
-    """Return the model of motion for a kind of scene, or for `scene` itself (N, rows, cols), with
-    the chip's noise.
+    """Return the model of moving light with the chip's noise. `kind` gives its speeds: "slow",
+    "fast", or "scene" for those of `scene`.
 
-    Raises Rejected (NS0824) for a scene without light."""
+    `scene` (N, rows, cols) in electrons gives brightness, contrast and fineness of the texture;
+    None takes typical values. Raises Rejected (NS0824) for a scene without light."""
     mean_e = _BRIGHT * chip.full_e if scene is None else float(scene.sum(axis=0).mean())
     if mean_e <= 0:
         raise rejected(
@@ -138,7 +145,8 @@ def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: DesignChip) ->
 
 
 def encoders_by_name(slots: int) -> dict[str, Encoder]:
-    """Return the candidate codes by name: bumps, and for 16 slots the searched bits."""
+    """Return the candidate codes for frames of `slots` slots as encoders, by name: bumps, and for
+    16 slots the searched bits."""
     encoders = {}
     for divisor in _PARTS_OPEN:
         length = -(-slots // divisor)
@@ -157,8 +165,8 @@ def _lines(
 ) -> tuple[tuple[str, str], ...]:
     """Return what was chosen and why, as pairs of a label and a text.
 
-    `expected` is the gain in dB of each code, and `passed` are the codes that were not chosen, with
-    the reason."""
+    `expected` is the expected gain of each code in dB, and `passed` are the codes that were not
+    chosen, with the reason. `motions` are the models of the scenes."""
     speeds = [speed for motion in motions for speed in motion.speeds]
     lines = [
         ("code", name),

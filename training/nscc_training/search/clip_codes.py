@@ -34,21 +34,26 @@ from nscc_training.search.choose import encoders_by_name
 Clip = NDArray[np.floating]
 
 _BUMPS = "cyclic, 1/{} of the frame"
+"""The name of a code with bumps of this part of the frame in `encoders_by_name`."""
 _MIXED = ((1, 2), (1, 4), (1, 8), (2, 4), (2, 8))
 """Open fractions of the frame, as divisors, of every other pixel and of the pixels between."""
 _EVERY_OTHER = np.less(RANKS, RANKS.size // 2)
+"""The places of a 4 x 4 tile that have the first open fraction of a mixture."""
 _EIGHT_STARTS = RANKS.argsort(axis=None)[2 * RANKS % RANKS.size]
 """For each place, the place whose shutter it has in a mixture: each half of the pixels then has
 eight of the sixteen starts of `cyclic`, evenly around the frame."""
 _USUAL = "always open, one readout"
+"""The name of the code without coding, with which others are compared."""
 _JUDGED_SIDE = 128
 """Rows and columns in the middle of a scene that are reconstructed."""
 
 
 @dataclass(frozen=True, eq=False)
 class ClipCode:
-    """A tile of shutters (N, rows, cols) and its mean PSNR; with `long`, beside a readout that is
-    always open."""
+    """A code to compare: a tile of shutters `opened` (N, rows, cols), and its mean PSNR over scenes
+    in dB, once measured.
+
+    With `long`, pixels have a second readout that is always open."""
 
     name: str
     opened: NDArray[np.bool_]
@@ -56,8 +61,8 @@ class ClipCode:
     mean_db: float = 0.0
 
     def text(self, frame: Frame, remark: str = "") -> str:
-        """Return the program of the code, with a codebook of its shutters; `remark` is the
-        comment at its head."""
+        """Return the program of the code for the chip and slots of `frame`, with a codebook of its
+        shutters. `remark` is the comment at its head."""
         slots, *tile = self.opened.shape
         shutters = self.opened.reshape(slots, -1).T.astype(np.int64)
         book, row_of_place = np.unique(shutters, axis=0, return_inverse=True)
@@ -72,7 +77,8 @@ class ClipCode:
         return format_source(Source("design.nsl", text))
 
     def container(self, frame: Frame) -> Container:
-        """Compile the program of the code."""
+        """Compile the program of the code for the chip and slots of `frame`. Raise Rejected if it
+        does not fit."""
         return frame.container("clip.nsl", self.text(frame))
 
 
@@ -85,8 +91,8 @@ class ClipDesign(Design):
 
 
 def clip_codes(slots: int) -> list[ClipCode]:
-    """Return all codes for clips of `slots` slots: bumps, mixtures and free bits, in one readout
-    and in two."""
+    """Return all codes that are compared for frames of `slots` slots: always open, bumps, mixtures
+    and free bits, in one readout and, where useful, in two."""
     tiles = {
         name: encoder.hard().numpy() > 0.5 for name, encoder in encoders_by_name(slots).items()
     }
@@ -111,9 +117,10 @@ def design_clip(
 ) -> ClipDesign:
     """Design the code for clips with the highest PSNR, minus a cost for its words.
 
-    `scenes` are light in electrons per slot, (N, rows, cols), at most as large as the array. The
-    frame has 16 slots by default. Raises Rejected: NS0824 for a scene without light, and the
-    compiler's errors if no code fits the chip."""
+    `scenes` are light in electrons per slot, (N, rows, cols), at most as large as the array.
+    `frame` is the chip with its slots; None takes 16 slots. `progress` receives the codes while
+    they are compared. Raises Rejected: NS0824 for a scene without light, and the compiler's errors
+    if no code fits the chip."""
     frame = frame or Frame(slots=16)
     ranked = _judged(clip_codes(frame.slots), scenes, frame, progress)
     best = ranked[
@@ -138,9 +145,10 @@ def design_clip(
 def _judged(
     codes: Sequence[ClipCode], scenes: Sequence[Clip], frame: Frame, progress: Progress
 ) -> list[ClipCode]:
-    """Return the codes that fit the chip with their PSNR over the scenes, best first.
+    """Return the codes that fit the chip, with their mean PSNR over the scenes, the best first.
+    `progress` receives their numbers.
 
-    Raises Rejected if not even the usual code fits."""
+    Raises Rejected if not even the code that is always open fits."""
     sensor = frame.chip().sensor
     ranked: list[ClipCode] = []
     for code in (codes[number] for number in progress(range(len(codes)))):
@@ -156,8 +164,11 @@ def _judged(
 
 
 def _psnr_db(container: Container, sensor: Sensor, light_e: Clip, number: int) -> float:
-    """Return the PSNR, in sRGB, of the middle of scene `number` after exposure on the emulated
-    chip and reconstruction."""
+    """Return the PSNR, in sRGB, of the middle of a scene after exposure on the emulated chip and
+    reconstruction by the decoder for any code.
+
+    `light_e` (N, rows, cols) is its light in electrons per slot. `number` is that of the scene; it
+    is the seed of the noise."""
     light = light_on_array(light_e, container.slots, container.target)
     # All codes have the same noise, so that their differences are those of the codes.
     frame = exposed_frame(container, light, sensor, Request.of(effects="all", seed=number))

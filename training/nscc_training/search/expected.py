@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 _WINDOW, _STEP = 8, 4
 """Side of a window of measurements, and side of its middle, whose light is estimated, in places."""
 _MOST_WINDOWS = 4
+"""Most windows of a tile that are computed; their results are averaged."""
 _MOST_SLOTS = 16
 """Most time steps; longer frames are averaged to this number."""
 _HEADINGS = 0.3 + np.arange(8) * np.pi / 4
@@ -46,8 +47,11 @@ class Motion:
 
 
 def told_db(opened: Opened, motion: Motion) -> float:
-    """Return by how many dB a frame of shutters (N, rows, cols), 0..1, reduces the variance of one
-    slot's light."""
+    """Return by how many dB a frame with these shutters reduces the variance of the estimated light
+    of one slot, averaged over the speeds of `motion`.
+
+    `opened` (N, rows, cols), 0 to 1, is a tile; more than `_MOST_SLOTS` slots are averaged to that
+    number."""
     # At most `_MOST_SLOTS` time steps: longer frames are averaged.
     groups = np.array_split(np.asarray(opened, np.float64), min(len(opened), _MOST_SLOTS))
     windows = _windows(np.stack([group.mean(axis=0) for group in groups]))
@@ -60,10 +64,11 @@ def told_db(opened: Opened, motion: Motion) -> float:
 
 
 def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
-    """Return the remaining variance of the light in a window's middle, as a fraction of its
-    variance.
+    """Return the variance of the light in a window's middle that remains after the measurement, as
+    a fraction of its variance before.
 
-    `opened` (N, pixels) are the shutters in the window."""
+    `opened` (N, pixels) are the shutters in the window. `alike` (N, N, pixels, pixels) is the
+    correlation of light, from `_alike`."""
     # Covariance of light and measurements (slot, place, measurement), and of measurements.
     covariance = np.einsum("tspq,sq->tpq", alike, opened)
     frame = np.einsum("tp,tpq->pq", opened, covariance)
@@ -77,10 +82,11 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
 
 @cache
 def _alike(slots: int, speed: float, length: float) -> Values:
-    """Return the correlation (N, N, pixels, pixels) between pixels of a window in all pairs of
-    slots, for light that moves at `speed` in any direction.
+    """Return the correlation of light between the pixels of a window in all pairs of slots, (slots,
+    slots, pixels, pixels). The light moves at `speed` (pixels per frame time) in one of eight
+    directions.
 
-    `length` is the distance (pixels) at which the correlation falls to 1 / e."""
+    `length` is the distance in pixels at which the correlation falls to 1 / e."""
     lag = np.subtract.outer(np.arange(slots), np.arange(slots))[:, :, None, None] / slots
     y, x = np.divmod(np.arange(_WINDOW**2), _WINDOW)
     away_y, away_x = np.subtract.outer(y, y), np.subtract.outer(x, x)
@@ -91,8 +97,8 @@ def _alike(slots: int, speed: float, length: float) -> Values:
 
 
 def _windows(opened: Values) -> Sequence[Values]:
-    """Return small windows (N, pixels) of the shutters `opened` (N, rows, cols), evenly spaced over
-    the repeating tile."""
+    """Return at most `_MOST_WINDOWS` windows of the shutters, each (N, pixels), evenly spaced over
+    the repeating tile `opened` (N, rows, cols)."""
     _, rows, cols = opened.shape
     origins = [(y, x) for y in range(0, rows, _STEP) for x in range(0, cols, _STEP)]
     stride = -(-len(origins) // _MOST_WINDOWS)
@@ -110,6 +116,7 @@ _MIDDLE = np.flatnonzero(_INNER[:, None] & _INNER)
 Clip = NDArray[np.floating]
 
 _BLOCK = 32
+"""Side in pixels of the blocks whose speed is measured."""
 _LEAST_CONTRAST = 0.02
 """Smallest contrast (standard deviation divided by mean) of blocks that are measured."""
 _SEEN = 4.0
@@ -119,10 +126,11 @@ _SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)
 
 
 def speeds_of(clip: Clip) -> tuple[float, ...]:
-    """Return five representative speeds of a clip's blocks, in pixels over the whole clip.
+    """Return five representative speeds of the blocks of a clip (T, rows, cols), in pixels over the
+    whole clip.
 
-    The clip is (T, rows, cols); speeds are measured by phase correlation. All are 0 for a clip of
-    one frame or without contrast."""
+    They are quantiles, weighted by contrast, of speeds that phase correlation measures. All are 0
+    for a clip of one frame or without contrast."""
     import cv2
 
     _, rows, cols = clip.shape
@@ -145,13 +153,14 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
 
 
 def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
-    """Return the correlation length of a picture in pixels, and its contrast: the standard
-    deviation over the mean."""
+    """Return the correlation length of a picture (rows, cols) in pixels, 0.5 to 50, and its
+    contrast, the standard deviation divided by the mean, at least 0.1."""
     spread = float(picture.var())
     contrast = spread**0.5 / max(float(picture.mean()), 1e-30)
     steps = [np.diff(picture, axis=axis) for axis in (0, 1) if picture.shape[axis] > 1]
     if spread <= 0 or not steps:
         return 1.0, max(contrast, 0.1)
+    # For unit distance: the mean squared difference of neighbours is 2 variance (1 - correlation).
     alike = 1 - np.mean([float(np.square(step).mean()) for step in steps]) / (2 * spread)
     return float(np.clip(-1 / log(np.clip(alike, 0.1, 0.99)), 0.5, 50)), max(contrast, 0.1)
 
@@ -159,10 +168,13 @@ def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
 def _speed(cv2: Any, block: NDArray[np.float64], window: NDArray[Any]) -> float:
     """Return the speed of a block (T, rows, cols) in pixels per frame: the median over its frames.
 
-    For slow motion, frames further apart are compared."""
+    For slow motion, frames further apart are compared, because phase correlation measures whole
+    pixels best. `window` weights the pixels of the block. `cv2` is the imported package, which is
+    loaded only when needed."""
 
     def median(gap: int) -> float:
-        """Return the median shift, in pixels a frame, between frames that are `gap` apart."""
+        """Return the median shift between frames that are `gap` apart, divided by `gap`: pixels per
+        frame."""
         shifts = [
             np.hypot(*cv2.phaseCorrelate(earlier, later, window)[0])
             for earlier, later in zip(block[:-gap], block[gap:], strict=True)

@@ -14,7 +14,9 @@ Where = NDArray[np.bool_]
 Values = NDArray[np.int64]
 
 _PERIODS = (1, 2, 4, 8)
+"""Sides of blocks, and distances of pixels that change together."""
 _MOST_AT_ONCE = 4
+"""Most moves that a candidate combines."""
 SINGLE_SHARE = 0.5
 """Probability that only the shutter of one pixel changes."""
 _REPEATED = 0.25
@@ -24,14 +26,15 @@ _REPEATED = 0.25
 def moved(
     spec: ShutterSpec, codes: Codes, generator: Generator, single_share: float = SINGLE_SHARE
 ) -> Codes:
-    """Return codes after one to four random moves, in the form of `Encoder.codes`.
+    """Return codes after one to four random moves, in the form of `Encoder.codes`; `codes` stay
+    unchanged.
 
-    A `single_share` of the results changes the shutter of one pixel only. Codes of a codebook
-    include `book`. A move changes one pixel, a rectangle, all pixels congruent modulo a period in
-    each direction, or every other block. Their shutters shift in time, lengthen,
-    shorten, or take or exchange the codes of neighbouring pixels. Before that, the tile may become
-    copies of one of its blocks, each later than the one before. Codes stay legal for the class; a
-    move may have no effect."""
+    The fraction `single_share` of the results changes the shutter of one pixel only. Codes of a
+    codebook include `book`. A move changes one pixel, a rectangle, all pixels at a period in each
+    direction, or every other block. Their shutters shift in time, lengthen, shorten, or take or
+    exchange the codes of pixels at a random offset. Before that, the tile may become copies of one
+    of its blocks, each later than the one before. Codes stay legal for the class; a move may have
+    no effect."""
     if generator.random() < single_share:
         place = np.zeros(spec.tile, bool)
         place.flat[generator.integers(place.size)] = True
@@ -48,7 +51,8 @@ def moved(
 
 
 def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
-    """Return a random mask (rows, cols) of the pixels of a tile that move together."""
+    """Return a random mask (rows, cols) of the pixels of a tile that change together: one pixel, a
+    rectangle that may cross the edge, a grid, or every other block."""
     y, x = np.mgrid[: tile[0], : tile[1]]
     kind = generator.integers(4)
     if kind == 0:
@@ -67,7 +71,8 @@ def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
 
 
 def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange: bool) -> Codes:
-    """Copy the codes of pixels at a random offset to `places`, or exchange both."""
+    """Return codes in which the pixels `places` take the codes of pixels at a random offset. With
+    `exchange`, these pixels take the former codes in return."""
     step = tuple(int(value) for value in generator.integers(-2, 3, 2))
     back = (-step[0], -step[1])
     exchanged = np.roll(places, step, axis=(0, 1)) & ~places
@@ -83,9 +88,10 @@ def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange:
 
 
 def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
-    """Return a tile of copies of one block, each later than those above and to the left.
+    """Return the codes of a tile of copies of one of its blocks, each later than those above and to
+    the left, by random steps.
 
-    Small steps do not reach such codes."""
+    Such regular codes are too far from others for small moves to reach them."""
     high, wide = (int(generator.choice([p for p in _PERIODS if p <= side])) for side in spec.tile)
     first_row, first_col = (int(generator.integers(side)) for side in spec.tile)
     down, right = (int(value) for value in generator.integers(0, spec.slots, 2))
@@ -98,14 +104,15 @@ def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
 
 
 def _by(slots: int, generator: Generator) -> int:
-    """Return a random number of slots, positive or negative, uniform in the logarithm."""
+    """Return a random number of slots to move by, positive or negative: at most half a frame,
+    uniform in the logarithm."""
     most = max(1, slots // 2)
     return int(generator.choice((-1, 1)) * np.rint(most ** generator.random()))
 
 
 def _stops(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Return `codes` in which the exposure times of the pixels `places` are scaled by a random
-    ratio, by at least one slot."""
+    """Return codes of class b in which the exposure times of the pixels `places` are multiplied by
+    one random ratio, and changed by at least one slot."""
     stop = codes["stop"]
     ratio = 2.0 ** (generator.choice((-1, 1)) * generator.uniform(0.1, 2))
     stops = np.rint(stop * ratio)
@@ -114,15 +121,16 @@ def _stops(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator)
 
 
 def _starts(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Shift bumps of a fixed length at some pixels by a random number of slots."""
+    """Return codes of class c in which the bumps of the pixels `places` are shifted by one random
+    number of slots."""
     assert spec.length is not None
     start = codes["start"] + places * _by(spec.slots, generator)
     return {"start": _clipped(start, 0, spec.slots - spec.length)}
 
 
 def _edges(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Return codes of bumps whose start, stop or both are shifted at some pixels by a random
-    number of slots."""
+    """Return codes of class d in which the start, the stop or both of the pixels `places` are
+    shifted by one random number of slots."""
     start, stop = codes["start"], codes["stop"]
     by = places * _by(spec.slots, generator)
     kind = generator.integers(3)
@@ -137,8 +145,8 @@ def _edges(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator)
 
 
 def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Return `codes` of free bits, changed at the pixels `places` to patterns that are drawn from
-    their own."""
+    """Return codes of class e in which the shutters of the pixels `places` are changed by
+    `_reshaped`."""
     n = np.arange(spec.slots, dtype=np.int64).reshape(-1, 1, 1)
     opened = _reshaped((codes["bits"][None] >> n) & 1 == 1, generator)
     bits = np.einsum("n,nrc->rc", np.int64(1) << n[:, 0, 0], opened.astype(np.int64))
@@ -146,8 +154,8 @@ def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 
 def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Change which row of the codebook the pixels `places` use, or a row itself; or set all rows
-    to shifted copies of one."""
+    """Return codes of a codebook after one random change. The pixels `places` take one row, a row
+    itself changes, or all rows become shifted copies of one."""
     book = codes["book"]
     row, kind = int(generator.integers(len(book))), generator.random()
     if kind < 0.45:
@@ -161,8 +169,10 @@ def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 
 def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.bool_]:
-    """Shift, lengthen or shorten all shutters in time, or flip one slot of them, at random; a
-    shutter that would never open stays as it is."""
+    """Return shutters (N, rows, cols) that are all changed in the same random way: shifted in time,
+    lengthened or shortened by a slot, or with one slot flipped.
+
+    A shutter that would never open stays as it is."""
     kind = generator.integers(4)
     beside = np.roll(opened, int(generator.choice((-1, 1))), axis=0)
     if kind == 0:
@@ -178,21 +188,23 @@ def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.boo
 
 
 def _shorter(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Halve exposure times `lag` times; after one slot, the longest exposure follows."""
+    """Return codes of class b whose exposure times are halved `lag` (rows, cols) times; after one
+    slot, the longest exposure follows."""
     octaves = np.log2(spec.slots)
     stops = 2.0 ** ((np.log2(codes["stop"]) - lag) % (octaves + 1))
     return {"stop": _clipped(np.rint(stops), 1, spec.slots)}
 
 
 def _starts_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Shift bumps of a fixed length by `lag` slots, around the frame."""
+    """Return codes of class c whose bumps are shifted by `lag` (rows, cols) slots, around the range
+    of legal starts."""
     assert spec.length is not None
     return {"start": (codes["start"] + lag) % (spec.slots - spec.length + 1)}
 
 
 def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Shift the bumps of `codes` by `lag` slots around the frame; a bump that wraps around its end
-    is cut."""
+    """Return codes of class d whose bumps are shifted by `lag` (rows, cols) slots, around the
+    frame. A bump that crosses the end of the frame is cut there."""
     before = codes["stop"] - codes["start"] - 1
     start = (codes["start"] + before + lag) % (spec.slots + before) - before
     stop = start + before + 1
@@ -200,14 +212,16 @@ def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 
 
 def _bits_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Shift free bits by `lag` slots, around the frame."""
+    """Return codes of class e whose shutters are shifted by `lag` (rows, cols) slots, around the
+    frame."""
     lag = lag % spec.slots
     bits, all_bits = codes["bits"], (1 << spec.slots) - 1
     return {"bits": (bits << lag & all_bits) | bits >> (spec.slots - lag)}
 
 
 def _rows_later(_spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Advance the choice of shapes by `lag` rows."""
+    """Return codes of a codebook in which each pixel uses the row that follows its own by `lag`
+    (rows, cols). The rows stay."""
     return {"id": (codes["id"] + lag) % len(codes["book"]), "book": codes["book"]}
 
 
