@@ -27,8 +27,9 @@ next."""
 
 
 class GateSequence(Record):
-    """Gates that compute a vector in a register, and the values that they leave in scratch
-    registers."""
+    """Gates that compute a truth vector in a register.
+
+    `scratch` are the scratch registers that they write, with the values that remain there."""
 
     gates: tuple[Gate, ...]
     scratch: tuple[tuple[str, int], ...]
@@ -40,16 +41,19 @@ class GateSequence(Record):
 
     @property
     def price(self) -> tuple[int, int]:
-        """The number of words, then of scratch registers."""
+        """The key by which sequences are compared: number of words, then number of scratch
+        registers."""
         return self.words, len(self.scratch)
 
 
 @dataclass
 class Board:
-    """The register contents at a boundary, while gates are chosen.
+    """The contents of registers at a boundary, while gates are chosen.
 
-    `values` are the contents by name, with FLAG if it is known and the scratch registers (t0, t1,
-    ..) in use. `gates` are the gates chosen so far."""
+    A content is a truth vector: one bit for each lane (node of the state machine with one outcome
+    of the look). `values` are the contents by name, with FLAG if it is known and the scratch
+    registers (t0, t1, ..) in use. `everything` is the vector of all lanes. `gates` are the gates
+    chosen so far."""
 
     machine: Machine
     everything: int
@@ -66,42 +70,41 @@ class Board:
         return Board(self.machine, self.everything, dict(self.values), list(self.gates))
 
     def fresh(self) -> str:
-        """Return an unused scratch register."""
+        """Return the name of the first unused scratch register."""
         return next(self.unused_scratch())
 
     def unused_scratch(self, excluded: str = "") -> Iterator[str]:
-        """Yield the unused scratch registers, except `excluded`."""
+        """Yield the names of unused scratch registers, except `excluded`, without end."""
         scratch = (f"t{number}" for number in count())
         return (name for name in scratch if name not in self.values and name != excluded)
 
     def keep(self, name: str) -> None:
-        """Copy a register, or FLAG, to a scratch register."""
+        """Append a gate that copies a register, or FLAG, to an unused scratch register."""
         scratch = self.fresh()
         self.gates.append(Gate("MOV", scratch, (name,)))
         self.values[scratch] = self.values[name]
 
     def take(self, sequence: GateSequence, *changes: tuple[str, int]) -> None:
-        """Append gates, and set scratch registers and `changes` to their new values."""
+        """Append the gates of a sequence; set its scratch registers, and those of `changes`, to
+        their new values."""
         self.gates += sequence.gates
         self.values.update((*sequence.scratch, *changes))
 
     def pop_gates(self) -> tuple[Gate, ...]:
-        """Return and remove the chosen gates."""
+        """Return the gates chosen so far, and forget them; contents stay."""
         gates = tuple(self.gates)
         self.gates.clear()
         return gates
 
     def tells(self, vectors: Iterable[int]) -> bool:
-        """Return whether the contents distinguish the lanes inside each vector from those
-        outside."""
+        """Return whether gates can compute each of these vectors from the contents of registers.
+
+        They can if no two lanes have equal contents, but different bits in the vector."""
         return all(map(self._tells, vectors))
 
     def _tells(self, vector: int) -> bool:
-        """Return whether the registers distinguish all lanes inside `vector` from all lanes outside
-        it.
-
-        If not, no gates can compute `vector`. A lane is a node of the state machine with one
-        outcome of a look."""
+        """Return whether gates can compute this vector from the contents of registers; see
+        `tells`."""
         mixed = [self.everything]  # groups of lanes with equal contents, inside and outside
         for v in (self.everything, *self.values.values()):
             halves = [half for group in mixed for half in (group & v, group & ~v)]
@@ -111,10 +114,10 @@ class Board:
         return False
 
     def make(self, target: int, destination: str, most: float = inf) -> GateSequence | None:
-        """Return the shortest gate sequence that writes `target` to a register, of at most `most`
-        words.
+        """Return the shortest gate sequence that writes the vector `target` to the register
+        `destination`.
 
-        None if there is no such sequence."""
+        Return None if there is no such sequence of at most `most` words."""
         if most < 1:
             return None
         ways = (
@@ -123,7 +126,10 @@ class Board:
         return min(ways, key=lambda sequence: sequence.price, default=None)
 
     def load(self, target: int) -> GateSequence | None:
-        """Return the shortest gate sequence that writes `target` to FLAG; None if there is none."""
+        """Return the shortest gate sequence that writes the vector `target` to FLAG; None if there
+        is none.
+
+        The sequence is empty if FLAG has this value already."""
         if self.values.get(FLAG) == target:
             return GateSequence((), ())
         name = self.fresh()
@@ -133,8 +139,8 @@ class Board:
         return min(sequences, key=lambda sequence: sequence.price, default=None)
 
     def _through(self, sequence: GateSequence, name: str, target: int) -> GateSequence:
-        """Extend a `sequence` that writes `target` to the register `name` by a WHERE that copies it
-        to FLAG.
+        """Return the sequence followed by a WHERE that copies the register `name`, which holds
+        `target`, to FLAG.
 
         WHERE replaces a final OR if it may read the sources of the OR."""
         last, limit = sequence.gates[-1], self.machine.where_sources
@@ -153,9 +159,10 @@ class Board:
         )
 
     def _ways(self, target: int, destination: str, most: float) -> Iterator[GateSequence]:
-        """Yield gate sequences for a vector, from covers of it and of its complement.
+        """Yield gate sequences that write the vector `target` to `destination`.
 
-        All sequences of at most `most` words are included."""
+        They are an OR of NORs for it or for its complement. All such sequences of at most `most`
+        words are included."""
         # Of registers with equal contents, the first: those of code and states before scratch.
         first = {v: name for name, v in reversed(self.values.items()) if v}
         names, values = list(first.values()), list(first)
@@ -185,8 +192,8 @@ class Board:
         destination: str,
         most_cubes: int,
     ) -> Iterator[GateSequence]:
-        """Yield gate sequences that compute `vector`, or its inverse, as an OR of at most
-        `most_cubes` NORs.
+        """Yield gate sequences that write `vector` to `destination`, each an OR of at most
+        `most_cubes` NORs or its inverse.
 
         `names` and `values` are the readable registers and their contents; `destination` is a
         register or FLAG."""
@@ -208,11 +215,12 @@ class Board:
         destination: str,
         inverted: bool,
     ) -> GateSequence:
-        """Return the gates of a cover: one NOR for each cube, then the gate that writes
-        `destination`.
+        """Return the gates of an OR of NORs (`cover`): one NOR for each cube, then the gate that
+        writes `destination`.
 
-        Names that begin with "~" stand for complements, which are first computed in unused scratch
-        registers."""
+        If `inverted`, that gate writes the inverse. `names` and `values` are the registers that a
+        cover may read. Names that begin with "~" stand for complements, which are first computed in
+        unused scratch registers."""
         gates = Gates(self.machine)
         scratch_values: dict[str, int] = {}
         complements: dict[int, str] = {}
@@ -225,8 +233,8 @@ class Board:
             return name
 
         def source(index: int) -> str:
-            """Return the register to read for source `index`; a complement is computed at its first
-            use."""
+            """Return the register to read for register number `index`; a complement is computed at
+            its first use."""
             if not names[index].startswith("~"):
                 return names[index]
             if index not in complements:
@@ -251,9 +259,10 @@ class Board:
 
 
 def update(board: Board, new_values: dict[str, int]) -> None:
-    """Write new values to registers simultaneously: gates read old values.
+    """Append gates that write new values to registers simultaneously: all depend on the old values.
 
-    Raises GaveUp if the contents do not distinguish lanes with different new values."""
+    `new_values` are truth vectors by register. Raises GaveUp if registers do not distinguish lanes
+    with different new values."""
     changes = {name: v for name, v in new_values.items() if board.values[name] != v}
     best = _ordered(board, changes, None)
     most = inf if best is None else best.words - board.words - len(changes) - 1
@@ -265,10 +274,9 @@ def update(board: Board, new_values: dict[str, int]) -> None:
 
 
 def _with_changes(board: Board, new_values: dict[str, int], most: float) -> Iterator[Board]:
-    """Yield boards with a shared scratch value, made by at most `most` words: the lanes in which
-    several registers become 1.
+    """Yield boards with a further scratch register: the lanes in which several registers become 1.
 
-    Each of these registers is then ORed with this value."""
+    Computing it takes at most `most` words. Each of these registers can then be ORed with it."""
     rises = [v & ~board.values[name] for name, v in new_values.items()]
     for rise in dict.fromkeys(rises):
         if rises.count(rise) > 1 and rise not in board.values.values():
@@ -281,9 +289,10 @@ def _with_changes(board: Board, new_values: dict[str, int], most: float) -> Iter
 
 
 def _ordered(board: Board, new_values: dict[str, int], best: Board | None) -> Board | None:
-    """Return the board after writing all new values in the order of fewest words.
+    """Return the board after writing all new values, one after the other, in the order of fewest
+    words.
 
-    Returns `best` if no order takes fewer words than `best`."""
+    Return `best` if no order takes fewer words than that board."""
     if best is not None and board.words + len(new_values) >= best.words:
         return best  # every value takes at least one word
     if not new_values:
@@ -307,14 +316,15 @@ def _ordered(board: Board, new_values: dict[str, int], best: Board | None) -> Bo
 
 
 def _without(name: str, new_values: dict[str, int]) -> dict[str, int]:
-    """Return contents of registers without one register."""
+    """Return the contents without the register `name`."""
     return {register: v for register, v in new_values.items() if register != name}
 
 
 def _written(board: Board, name: str, new_values: dict[str, int], most: float) -> Board | None:
-    """Return the board after writing one new value, and saving the old one if others need it.
+    """Return the board after writing the new value of the register `name`.
 
-    None if that exceeds `most` words in total."""
+    The old value is saved first if the other new values need it. Return None if that exceeds `most`
+    words in all."""
     sequence = board.make(new_values[name], name, most - board.words)
     if sequence is None:
         return None

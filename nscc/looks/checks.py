@@ -16,8 +16,10 @@ from nscc.truth import members
 
 
 def check_looking_plan(plan: LookingPlan) -> None:
-    """Raise Inconsistent unless every change of a node's open buckets is a moment of the plan
-    that opens or closes these buckets."""
+    """Check that the plan opens and closes shutters exactly where the state machine does.
+
+    Raises Inconsistent, which is a fault of nscc, if a change has no moment or a moment has other
+    changes or comparisons."""
     machine = plan.machine
     boundaries = [moment.boundary for moment in plan.moments]
     require(boundaries == sorted(set(boundaries)), "times are not in order")
@@ -51,8 +53,11 @@ def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
 
 
 def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
-    """Raise Inconsistent unless encodings are injective and every comparison is made at its
-    boundary."""
+    """Check the gates of lowered programs with senses.
+
+    Raises Inconsistent, which is a fault of nscc, if two values of a state have the same bits, a
+    gate uses an unknown register, or a boundary has another number of comparisons than the program.
+    """
     for lowered in lowerings:
         solution, machine = lowered.looking, lowered.program.machine
         for value_bits in (solution.encoding.code, *solution.encoding.states):

@@ -14,9 +14,11 @@ from nscc.looks.boundary_gates import Board
 
 
 def counted(board: Board, names: Sequence[str], new_values: Mapping[str, int]) -> int:
-    """Return the lanes in which the counter `names`, lowest bit first, is to count up by one.
+    """Return the lanes, as a truth vector, in which the binary counter `names` is to count up by
+    one.
 
-    0 if its new values are others, or if fewer than two bits change."""
+    `names` are its registers, lowest bit first. Return 0 if its new values are others, or if fewer
+    than two bits change."""
     old = [board.values[name] for name in names]
     new = [new_values.get(name, v) for name, v in zip(names, old, strict=True)]
     lanes = carry = old[0] ^ new[0] if len(set(names) & new_values.keys()) > 1 else 0
@@ -28,9 +30,9 @@ def counted(board: Board, names: Sequence[str], new_values: Mapping[str, int]) -
 
 
 def count_up(board: Board, names: Sequence[str], lanes: int) -> None:
-    """Add one to the counter `names`, lowest bit first, in `lanes`.
+    """Append gates that add one to the binary counter `names`, lowest bit first, in `lanes`.
 
-    Raises GaveUp if the registers do not tell these lanes."""
+    Raises GaveUp if no gates can compute these lanes."""
     carry = _carry(board, names, lanes)
     gates = Gates(board.machine)
     spare = (name for name in board.unused_scratch() if name != carry)
@@ -50,8 +52,9 @@ def count_up(board: Board, names: Sequence[str], lanes: int) -> None:
 
 
 def _rippled(board: Board, names: Sequence[str], count: int) -> int:
-    """Return the lanes in which the `count` lowest bits of a counter are 1. `names` are its
-    registers, lowest bit first."""
+    """Return the lanes in which the `count` lowest bits of a counter are all 1.
+
+    `names` are its registers, lowest bit first."""
     lanes = board.everything
     for name in names[:count]:
         lanes &= board.values[name]
@@ -59,10 +62,11 @@ def _rippled(board: Board, names: Sequence[str], count: int) -> int:
 
 
 def _carry(board: Board, names: Sequence[str], lanes: int) -> str:
-    """Return the register that holds `lanes`, after gates that compute it if there is none.
+    """Return a register that holds the truth vector `lanes`, after appending gates that compute it
+    if there is none.
 
     A counter with a limit counts in the lanes of an answer, except where the bits that are 1 in the
-    limit all are 1: three words for each of these bits."""
+    limit all are 1: three words for each of these bits. Raises GaveUp if no gates compute it."""
     carry = next((name for name, v in board.values.items() if v == lanes), "")
     if carry:
         return carry
@@ -84,8 +88,10 @@ def _carry(board: Board, names: Sequence[str], lanes: int) -> str:
 
 
 def _limited(board: Board, name: str, positive: bool, ones: Sequence[str]) -> str:
-    """Return a register that holds the lanes of `name` (or, unless `positive`, the others)
-    without those where all bits `ones` are 1."""
+    """Append gates for the lanes of `name` without those where all bits `ones` are 1; return their
+    register.
+
+    If not `positive`, the lanes where `name` is 0 are meant."""
     gates = Gates(board.machine)
     answer, below, bit = islice(board.unused_scratch(), 3)
     stops = [name]

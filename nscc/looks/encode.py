@@ -24,7 +24,10 @@ COUNTER = "binary counter"
 
 
 class ValueBits(Record, eq=False):
-    """The register contents for a state or the behaviour: `bits` has a row for each of `values`."""
+    """The register contents for the values of a state, or for the behaviours of codes.
+
+    Row k of `bits`, bool (values, registers), belongs to `values[k]`. `kind` names the encoding,
+    such as "one-hot"."""
 
     name: str
     kind: str
@@ -45,14 +48,15 @@ class LooksEncoding(Record, eq=False):
 
     @property
     def name(self) -> str:
-        """The description for reports."""
+        """The description for reports, such as "code binary, closed_at one-hot"."""
         holders = [self.code] if self.code.registers else []
         holders += [holder for holder in self.states if holder.registers]
         return ", ".join(f"{holder.name} {holder.kind}" for holder in holders) or "nothing to hold"
 
 
 def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
-    """Yield encodings in at most `registers` registers, those with the fewest registers last."""
+    """Yield encodings of codes and states in at most `registers` registers; those with the fewest
+    registers come last."""
     behaviours = int(machine.behaviour.max()) + 1
     behaviour_numbers = tuple(range(behaviours))
     codes = [
@@ -75,7 +79,8 @@ def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
 
 
 def _outlasts(machine: StateMachine, k: int) -> bool:
-    """Return whether a later stage depends on answer `k`.
+    """Return whether something after its own boundary depends on the answer that is state number
+    `k`.
 
     An answer that rules read only at its own boundary needs no register."""
     other_values = np.delete(machine.values, k, axis=1)
@@ -102,7 +107,7 @@ def _of_code(behaviours: int) -> Iterator[tuple[str, Rows]]:
     """Yield encodings of `behaviours` different codes: their kind and bits, bool (behaviours,
     registers).
 
-    Kinds are thermometer, one-hot and binary; a single behaviour needs no register ("none")."""
+    The kinds are thermometer, one-hot and binary; a single behaviour needs no register ("none")."""
     if behaviours == 1:
         yield "none", np.zeros((1, 0), np.bool_)
         return
@@ -112,8 +117,9 @@ def _of_code(behaviours: int) -> Iterator[tuple[str, Rows]]:
 
 
 def _of_state(count: int) -> Iterator[tuple[str, Rows]]:
-    """Yield encodings of a state with `count` values, in which the first value is all zeros:
-    their kind and bits, bool (count, registers)."""
+    """Yield encodings of a state with `count` values: their kind and bits, bool (count, registers).
+
+    The first value, with which the state starts, is all zeros."""
     if count == 1:
         yield "constant", np.zeros((1, 0), np.bool_)
         return
@@ -133,8 +139,9 @@ def _binary(numbers: Sequence[int], width: int) -> Rows:
 
 
 def _few_ones(count: int) -> Rows:
-    """Return `count` different codes with as few ones as possible, because each one costs a
-    write; bool (count, registers)."""
+    """Return `count` different rows of bits with as few ones as possible, bool (count, registers).
+
+    Each one costs a word, because states start at 0."""
     width = (count - 1).bit_length()
     codes = [ones for size in range(width + 1) for ones in combinations(range(width), size)]
     rows = np.zeros((count, width), np.bool_)

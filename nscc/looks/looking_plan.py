@@ -31,12 +31,13 @@ Bits = NDArray[np.bool_]
 
 
 class Moment(Record, eq=False):
-    """A boundary with comparisons or changes.
+    """A boundary at which pixels compare their light, shutters open or close, or PIX is reset.
 
-    `before` and `after` (lanes,) are the nodes of each lane, `outcomes` (lanes,) its answers as
-    bits. The other fields are truth vectors over the lanes. For each bucket they say where its
-    shutter closes (`falls`) and opens (`rises`); `copies` says whether the bucket may take a copy.
-    `resets` says where PIX is reset in between."""
+    A lane is a node of the state machine with one outcome of the comparisons. `before` and `after`
+    (lanes,) are the nodes of each lane, `outcomes` (lanes,) its answers as bits. The other fields
+    are truth vectors over the lanes. For each bucket they say where its shutter closes (`falls`)
+    and opens (`rises`); `copies` says whether a closing bucket may take a copy of PIX. `resets`
+    says where PIX is reset in between."""
 
     boundary: int
     comparisons: tuple[Comparison, ...]
@@ -54,7 +55,8 @@ class Moment(Record, eq=False):
         return (1 << len(self.before)) - 1
 
     def below(self, comparison: int) -> int:
-        """Return the lanes whose signal is at most the level of a comparison."""
+        """Return the lanes in which a comparison (by its number) finds the signal at most at its
+        level."""
         return vector(np.flatnonzero(self.outcomes >> comparison & 1 == 0))
 
 
@@ -74,7 +76,8 @@ class LookingPlan(Record, eq=False):
 
     @cached_property
     def latches(self) -> bool:
-        """Whether every closing shutter stores a copy of PIX, and no shutter opens after slot 0."""
+        """Whether every closing shutter copies PIX into an empty bucket, and no shutter opens after
+        slot 0."""
         falls = (
             pair
             for moment in self.moments
@@ -86,27 +89,30 @@ class LookingPlan(Record, eq=False):
     def sampled(self, *registers: str) -> Op:
         """Return the word that writes -(PIX + the sum of `registers`) to the scratch register.
 
-        If a register holds the negative reset level, the reset level is subtracted from PIX."""
+        If `reference` holds the negative reset level, that is included in the sum."""
         level = (self.reference,) if self.latches else ()
         return op("bus", (self.scratch,), (*registers, "PIX", *level))
 
     def register_to_scratch(self, register: str) -> Op:
-        """Return the word that loads `register`, so that the sum of the registers `scratched` is
+        """Return the word that loads `register` such that the sum of the registers `scratched` is
         minus its value."""
         level = () if self.latches else (self.reference,)
         return op("bus", (self.scratch,), (register, *level))
 
     @property
     def scratched(self) -> tuple[str, ...]:
-        """The registers whose sum is -signal after `sampled` or `register_to_scratch`."""
+        """The registers whose sum is minus the signal, after the word `sampled` or
+        `register_to_scratch`."""
         return (self.scratch,) if self.latches else (self.scratch, self.reference)
 
 
 def plan_looks(
     program: Program, machine: StateMachine, lowering: LoweringOption
 ) -> LookingPlan | Misfit:
-    """Return the plan of a program, or a Misfit if analog registers are missing or `lowering`
-    cannot implement it."""
+    """Return the analog plan of a program with senses.
+
+    Return a Misfit with the reason if analog registers are missing or `lowering` cannot implement
+    it."""
     if lowering == "accumulate":
         return Misfit(
             "accumulate resets PIX in every slot, so a program with `sense` cannot use it"
@@ -135,7 +141,7 @@ def plan_looks(
 
 
 def _moments(machine: StateMachine) -> Iterator[Moment]:
-    """Yield every boundary of `machine` with comparisons, opening or closing shutters, or
+    """Yield the moments of the frame: boundaries with comparisons, opening or closing shutters, or
     resets."""
     # Whether a shutter was open and PIX was not reset, from the frame's start to the stage's, on
     # every path to the node.
@@ -179,9 +185,9 @@ def _moment(
     """Return which buckets close, open or reset at a boundary, in which lanes.
 
     A lane is a transition of the state machine: from node `before[k]` to node `after[k]` by the
-    answers `outcomes[k]`. `fresh` (nodes, buckets) tells where a bucket was open since the last
-    reset, so that closing it copies PIX instead of adding a difference. `comparisons` are those
-    made at this boundary."""
+    answers `outcomes[k]`. `fresh`, bool (lanes, buckets), tells where a bucket is empty and was
+    open since PIX was reset, so that closing it copies PIX instead of adding a difference.
+    `comparisons` are those made at this boundary."""
     buckets = machine.opens.shape[1]
     was = machine.opens[before, :, boundary - 1]
     inside = boundary < machine.slots

@@ -25,7 +25,8 @@ _REPORT = LazyFunctions("nscc.looks.looks_report")
 
 
 def lay_out_looking(layouts: Sequence[LookingLowered], job: Job) -> tuple[Choice, Found]:
-    """Choose the best words; errors are as for `nscc.pipeline.lay_out_words`."""
+    """Choose the words of the first, best lowering; the errors are those of
+    `nscc.pipeline.lay_out_words`."""
     choice = Choice(tuple(layouts[:1]), {})
     return choice, fit.faults(choice, level=job.options.level)
 
@@ -66,8 +67,8 @@ class Looks(ProgramKind):
         return LookingNetwork(lowered).build_network()
 
     def report(self, compiled: Compiled) -> dict[str, Any]:
-        """Return the build report with the number of proved answers and a description of the
-        looks."""
+        """Return the build report as JSON values, with the comparisons, the states and the number
+        of proved answers."""
         values = super().report(compiled)
         assert compiled.proof is not None
         values["proof"]["answers"] = compiled.proof.transitions
@@ -75,8 +76,8 @@ class Looks(ProgramKind):
         return {**values, "looks": _REPORT.looks_report(compiled.program), **end}
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
-        """Return the rows of the summary, with the looks first and the number of proved answers in
-        the last."""
+        """Return the rows (label, text) of the summary: first the looks, and at last the number of
+        proved answers."""
         looks = _REPORT.looks_lines(compiled.program)
         rows = [("looks" * (not number), text) for number, text in enumerate(looks)]
         rows += super().rows(compiled)

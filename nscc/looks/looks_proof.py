@@ -42,17 +42,18 @@ _DIGITS = 1e8
 
 
 class LookingReplay(ReplayPixels):
-    """The lanes of a container's state machine during the proof.
+    """A replay of words for all pixels that the proof of a program with senses distinguishes.
 
-    Arrays with one row per lane: `node` and `outcome`, the answers of the current look as bits, are
-    int64 (lanes,); `due` (lanes, buckets) are the exposures that the program requires; `since`
-    (lanes,) is the signal `light`; `exact` is bool (lanes,)."""
+    These pixels are called lanes. Arrays with one row per lane: `node` and `outcome`, the answers
+    of the current look as bits, are int64 (lanes,); `due` (lanes, buckets) are the exposures that
+    the program requires; `since` (lanes,) is the light since the last reset; `exact` is bool
+    (lanes,), see the module."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
-        """Begin with a pixel for each initial node of the state machine, at the start of a frame.
+        """Begin with a lane for each initial node of the state machine, at the start of a frame.
 
         `kernels` are the container's words as operations. Registers of kept states hold their
-        initial values."""
+        values, because a frame may start with any."""
         self.machine: StateMachine = container.machine
         self.full_e = container.target.full_well_e
         nodes = np.arange(self.machine.first[1], dtype=np.int64)
@@ -63,22 +64,24 @@ class LookingReplay(ReplayPixels):
         self.bits |= self._state_bits(kept_only=True)
 
     def _start(self, nodes: NDArray[np.int64]) -> None:
-        """Begin a frame with one lane for each of these nodes of the state machine, with no
-        exposure yet."""
+        """Begin a frame with one lane for each of these nodes of the state machine, without
+        exposure."""
         self.node, self.outcome = nodes, np.zeros_like(nodes)
         self.due = np.zeros((len(nodes), len(self.container.buckets)))
         self.since = np.zeros(len(nodes))
         self.exact = np.ones(len(nodes), np.bool_)
 
     def choose(self, lanes: NDArray[np.intp]) -> None:
-        """Select lanes by index, possibly repeated."""
+        """Replace the lanes by those with these indices, which may be repeated or left out."""
         super().choose(lanes)
         self.node, self.outcome = self.node[lanes], self.outcome[lanes]
         self.due, self.since, self.exact = self.due[lanes], self.since[lanes], self.exact[lanes]
 
     def _state_bits(self, *, kept_only: bool) -> dict[str, Bits]:
-        """Return the content of the states' registers in each lane; with `kept_only`, of kept
-        states only."""
+        """Return the bits that the states' registers should hold, by register.
+
+        With `kept_only`, only kept states count. Raises ReplayError if a state has a value without
+        bits."""
         known_registers: dict[str, Bits] = {}
         for k, state in enumerate(self.machine.states):
             planes = self.container.state_planes.get(state.name)
@@ -94,8 +97,10 @@ class LookingReplay(ReplayPixels):
         return known_registers
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light` (N,); raise ReplayError at the first error. All outcomes of
-        all comparisons are followed."""
+        """Run one frame in `light`, float64 (N,), and follow both answers of every comparison.
+
+        The light is scaled to a full well. Raises ReplayError at the first difference from the
+        program."""
         machine, slots = self.machine, self.container.slots
         light_e = light * (self.full_e / light.sum())
         self.start_frame()
@@ -120,13 +125,15 @@ class LookingReplay(ReplayPixels):
         self._next_frame()
 
     def _readouts(self) -> dict[str, int]:
-        """Return the index of the bucket that is read out of each analog register."""
+        """Return the index of the bucket that each analog register is read out as, by register."""
         buckets = self.container.buckets
         return {r.register: buckets.index(r.bucket) for r in self.container.readouts}
 
     def _fall(self, slot: int, light_e: float) -> None:
-        """Let the light of a slot fall, `light_e` electrons on each pixel, after the resets of
-        the program at its start."""
+        """Add the light of a slot, `light_e` electrons in each pixel, to PIX and to what the
+        program requires.
+
+        The program's resets at the start of the slot come first."""
         self.since = np.where(self.machine.resets[self.node, slot], 0.0, self.since) + light_e
         # The content of a register stays constant, so its rest shrinks as exposures grow.
         self.due += self.machine.opens[self.node, :, slot] * light_e
@@ -156,7 +163,7 @@ class LookingReplay(ReplayPixels):
                 raise ReplayError(WRONG_CODE)
 
     def _next_frame(self) -> None:
-        """Set the initial nodes of the next frame from the kept states."""
+        """Begin the next frame: each lane continues at the initial node with its kept states."""
         machine = self.machine
         kept_states = [k for k, state in enumerate(machine.states) if state.is_kept]
         keys = np.column_stack((machine.behaviour, machine.values[:, kept_states])).tolist()
@@ -164,11 +171,11 @@ class LookingReplay(ReplayPixels):
         self._start(np.array([starts[tuple(keys[node])] for node in self.node], np.int64))
 
     def compare(self, word: Op) -> Bits:
-        """Check that a comparison is one of the program's, and divide every lane by its answer;
-        return FLAG.
+        """Check that a comparison is one of the program's, and split every lane in two, one for
+        each answer.
 
-        Raises ReplayError if the sum is not a level minus a signal, or if the comparison is masked.
-        """
+        Return FLAG. Raises ReplayError if the sum is not a level minus a signal, or if the
+        comparison is masked."""
         if self.target.where_obeys_flag and self.read("FLAG") != (self.everything, 0):
             raise ReplayError(f"`{word}` is masked in some pixels, at boundary {self._boundary}")
         total = self.total(word)
@@ -186,7 +193,9 @@ class LookingReplay(ReplayPixels):
         )
 
     def _is(self, value: Values, signal: int, level_e: float) -> bool:
-        """Return whether a value (lanes, parts) is exactly signal - level in every lane."""
+        """Return whether a value, float64 (lanes, parts), is exactly signal - level in every lane.
+
+        `signal` is LIGHT or the index of a bucket, and `level_e` the level in electrons."""
         if signal == LIGHT:
             return bool(self._amounts_to(value, None, self.since - level_e).all())
         return bool(self._amounts_to(value, signal, self.due[:, signal] - level_e).all())
@@ -194,9 +203,11 @@ class LookingReplay(ReplayPixels):
     def _amounts_to(
         self, value: Values, bucket: int | None, expected_e: Values
     ) -> NDArray[np.bool_]:
-        """Return whether a value (lanes, parts) equals `expected_e` in any light, for each lane.
+        """Return for each lane whether a value, float64 (lanes, parts), equals `expected_e` in any
+        light.
 
-        The value must owe the exposure of `bucket` once, and no other exposure."""
+        The value must owe the exposure of `bucket` once (None: no exposure), unless the lane is
+        exact."""
         owes = value[:, 1:].copy()
         if bucket is not None:
             owes[:, bucket] -= 1.0
@@ -206,7 +217,10 @@ class LookingReplay(ReplayPixels):
         )
 
     def _follow_both(self, number: int, above: bool) -> Bits:
-        """Double the lanes; return FLAG, which is 1 if comparison `number` is `above`."""
+        """Double the lanes, one for each answer of comparison `number`, and return FLAG.
+
+        FLAG is 1 where the signal is above its level if `above`, else where it is not. Raises
+        ReplayError beyond `MOST_LANES` transitions."""
         count = self.lanes
         self.transitions += 2 * count
         if self.transitions > MOST_LANES:
@@ -218,10 +232,10 @@ class LookingReplay(ReplayPixels):
         return (yes, no) if above else (no, yes)
 
     def _merge(self, readouts: Mapping[str, int]) -> None:
-        """Merge equal lanes.
+        """Merge lanes that behave equally from now on.
 
-        If all histories of a lane have equal exposures, these determine the registers in
-        `readouts`."""
+        `readouts` has the bucket of each readout register. If all histories of a lane have equal
+        exposures, the register then counts as owing exactly its bucket's exposure."""
         for register, bucket in readouts.items():
             self.analog[register][self.exact, 1:] = 0.0
             self.analog[register][self.exact, 1 + bucket] = 1.0
@@ -229,6 +243,7 @@ class LookingReplay(ReplayPixels):
         owes = values[:, :, 1:]
         rests = values[:, :, 0] - (owes * self.due[:, None]).sum(axis=2)
         lights = np.rint(np.column_stack((self.since, rests)) * (_DIGITS / self.full_e))
+        # Debts are small multiples of powers of two; 1024 separates them and absorbs rounding.
         terms = np.rint(owes.reshape(self.lanes, -1) * 1024)
         numbers = np.column_stack((self.node, lights, terms)).astype(np.int64)
         bits = rows([vector for bits in self.bits.values() for vector in bits], self.lanes)

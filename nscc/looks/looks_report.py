@@ -15,8 +15,10 @@ _MOST_SHOWN = 12
 
 
 def moments_text(plan: LookingPlan) -> str:
-    """Return the comparisons of each boundary, and the numbers of shutters that close, reset PIX
-    and open there."""
+    """Return the analog registers and, for each boundary, its comparisons and numbers of changes.
+
+    The changes are shutters that close ("fall") or open ("rise") and resets, counted over the pairs
+    of node and outcome."""
     lines = [f"{register:<5} {holder}" for register, holder in plan.registers.items()]
     for moment in plan.moments:
         changes = [("fall", v) for v in moment.falls] + [("reset", moment.resets)]
@@ -28,8 +30,8 @@ def moments_text(plan: LookingPlan) -> str:
 
 
 def looking_gates_text(lowered: LookingLowered) -> str:
-    """Return the words of every boundary of `lowered` on virtual registers, and the chip register
-    in which each virtual one lies."""
+    """Return the gates and words of every boundary, with the chip's register of each virtual
+    register."""
     solution, places = lowered.looking, lowered.schedule.allocation.places
     lines = [f"encoding: {solution.encoding.name}"]
     lines += [f"  p{i} in {places[f'p{i}']}: {text}" for i, text in enumerate(solution.holders)]
@@ -40,12 +42,12 @@ def looking_gates_text(lowered: LookingLowered) -> str:
 
 
 def all_gates_text(layouts: Sequence[LookingLowered]) -> str:
-    """Return the words of all layouts."""
+    """Return the gates and words of all lowerings of a program, one after the other."""
     return "".join(map(looking_gates_text, layouts))
 
 
 def looks_report(program: Program) -> dict[str, Any]:
-    """Return the comparisons and states of `program` as JSON values, for `--emit report`."""
+    """Return the comparisons and states of a program as JSON values, for `--emit report`."""
     machine, target = program.machine, program.target
     return {
         "boundaries": list(machine.looks),
@@ -74,7 +76,7 @@ def looks_report(program: Program) -> dict[str, Any]:
 
 
 def looks_lines(program: Program) -> list[str]:
-    """Return the lines that describe looks: the boundaries of each signal and level, then the
+    """Return the lines of a summary about looks: for each signal and level its boundaries, then the
     states."""
     machine, target = program.machine, program.target
     at: dict[tuple[int, int], list[int]] = {}

@@ -28,7 +28,8 @@ class LookingNetwork(NetworkMaker):
         self.resets_some = lowered.program.target.reset_honours_flag != "no"
 
     def build_network(self) -> nx.DiGraph:
-        """Return the network of a whole frame: planes, gates, looks and final values."""
+        """Return the network of a whole frame as a graph: code registers, gates, comparisons and
+        final values."""
         solution = self.solution
         self.planes(solution.planes, solution.holders)
         for i, holder in enumerate(solution.states):
@@ -54,9 +55,10 @@ class LookingNetwork(NetworkMaker):
         return measured(self.network)
 
     def _word(self, word: Op, boundary: int, looks: Iterator[Comparison]) -> None:
-        """Add the node of an analog word that writes FLAG or acts where FLAG is 1.
+        """Add the node of an analog word that writes FLAG, opens or closes a shutter, or resets
+        PIX.
 
-        `looks` yields the boundary's comparisons in the order in which they are made."""
+        `looks` yields the boundary's comparisons in the order in which words make them."""
         effect = word.operation.effect
         if effect is WordEffect.FLAG_ALL:
             self.holds["FLAG"] = self.value("gate", "SET", "FLAG", (word,), boundary)

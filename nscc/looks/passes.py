@@ -48,7 +48,7 @@ _MOST_CLEARED = 4
 
 
 class LookingLowered(Lowered):
-    """A lowering whose container has a state machine."""
+    """The words of a program with senses; `looking` has them on virtual registers."""
 
     looking: LookingSolution
 
@@ -56,9 +56,12 @@ class LookingLowered(Lowered):
 def lay_out_looks(
     plan: LookingPlan, solution: LookingSolution, time: Timeline, most_words: int | None
 ) -> LookingLowered | None:
-    """Lay out the words of a solution over the frame; `most_words` is as in Lowered.
+    """Assign the virtual registers of a solution to the chip's, and the words to kernels and
+    launches.
 
-    None if the content of the mask's register would be lost."""
+    `time` are the lengths of slots with the boundaries at which registers are refreshed.
+    `most_words` is the largest number of words at a boundary, None for no limit. Return None if the
+    content of the mask's register would be lost."""
     target = plan.program.target
     answers = tuple(
         (tuple(item for item in items if isinstance(item, Gate)),)
@@ -94,7 +97,7 @@ def lay_out_looks(
 def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
     """Return whether a write to the masked register destroys a value that is read later.
 
-    Such a write first sets the mask, and so overwrites the mask's register."""
+    Such a write first sets the mask, and so overwrites what the mask's register holds."""
     held_by = {place: name for name, place in allocation.places.items()}
     mask, masked = held_by.get(allocation.mask or ""), held_by.get(allocation.masked or "")
     if mask is None or masked is None:
@@ -119,7 +122,7 @@ def _schedule(
     *,
     apart: bool,
 ) -> FrameSchedule:
-    """Return the kernels of the frame.
+    """Return the kernels (lists of words) of the frame, and at which boundaries they start.
 
     With `apart`, the gates after a boundary's last analog word are a separate kernel, because the
     words before them often repeat at other boundaries."""
@@ -157,7 +160,8 @@ def _schedule(
 
 
 def _setup(plan: LookingPlan) -> Words:
-    """Return the words that clear the buckets of `plan`, reset PIX and store its reset level."""
+    """Return the words at the start of a frame: they clear the buckets, reset PIX and store its
+    reset level."""
     scratch = plan.scratch
     clear = (op("bus", (a,), (scratch,)) for a in plan.bucket_registers)
     level: Words = (op("bus", (scratch,), ("PIX",)), op("bus", (plan.reference,), (scratch,)))
@@ -169,9 +173,10 @@ def _setup(plan: LookingPlan) -> Words:
 def _kernels(
     items: Sequence[Gate | Op | SetIn], allocation: Allocation, *, apart: bool
 ) -> list[tuple[int | None, Words]]:
-    """Return the kernels of a boundary, each with the value of IN that is set before it.
+    """Return the kernels of a boundary: pairs of the value of IN that is set before, or None, and
+    words.
 
-    `apart` puts the gates after the last analog word into a kernel of their own."""
+    With `apart`, the gates after the last analog word are a kernel of their own."""
     last = max((i for i, item in enumerate(items) if isinstance(item, Op)), default=-1)
     if apart and 0 <= last < len(items) - 1:
         head, tail = items[: last + 1], items[last + 1 :]
@@ -184,7 +189,7 @@ def _kernels(
     gates: list[Gate] = []
 
     def settle() -> None:
-        """Append the words of the gates so far to the kernel, and begin with no gates."""
+        """Append the words of the gates collected so far to the kernel, and forget the gates."""
         run.extend(words(Segment(gates) if gates else (), allocation))
         gates.clear()
 
@@ -206,7 +211,8 @@ def _kernels(
 
 
 def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
-    """Return the analog words of a plan in the form that reports of other programs have."""
+    """Return the analog words of a plan in the form that reports of programs without senses
+    have."""
     steps = [PlanStep(0, "setup", -1, None, _setup(plan))]
     steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
     return ExposurePlan(
@@ -221,7 +227,8 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
 
 
 def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
-    """Return the analog steps of a moment: comparisons, buckets that close or open, resets."""
+    """Return the analog steps of a moment, for reports: comparisons, buckets that close or open,
+    resets."""
     steps: list[PlanStep] = []
     sample = plan.sampled()
     compare = op("where", (), (*plan.scratched, "IN"))
@@ -242,7 +249,9 @@ def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
 
 
 def _analog_writes(plan: LookingPlan) -> tuple[int, int]:
-    """Return the fewest and the most bus words that a pixel of `plan` executes after the setup."""
+    """Return the fewest and the most analog words that write a register, over all paths of pixels.
+
+    The words that set up a frame do not count."""
     machine = plan.machine
     least = np.full(len(machine.behaviour), np.iinfo(np.int64).max)
     most = np.zeros(len(machine.behaviour), np.int64)
@@ -267,8 +276,9 @@ ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
 
 
 def plan_of(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
-    """Return the analog plan of a program whose pixels look, and no errors; or why there is none
-    (Misfit) and the error NS0413 or NS0414."""
+    """Return the analog plan of a program with senses, and no errors.
+
+    If there is none, return the reason (Misfit) and the error NS0413 or NS0414."""
     lowering = job.options.lowering
     plan = plan_looks(program, program.machine, lowering)
     if isinstance(plan, Misfit):
@@ -278,8 +288,10 @@ def plan_of(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
 
 
 def lowered_of(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found]:
-    """Return lowerings with several encodings, best first, and errors (NS0502 if none was
-    found)."""
+    """Return the words of a plan for several encodings, best first, and no errors.
+
+    If no encoding works, return [] and the error NS0502. `job` has the level, which limits the
+    number of encodings, and the limit of words."""
     program = plan.program
     registers = len(program.target.digital_registers)
     time = frame_time(program)
@@ -309,8 +321,9 @@ def lowered_of(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found
 
 
 def container_of(lowered: Lowered, level: int) -> Container:
-    """Return the container of a lowered program, with its state machine and the bits of each
-    state that is read or kept."""
+    """Return the container of a lowered program with senses; `level` is that of `-O`.
+
+    It has the state machine and the registers of each state that is read or kept."""
     assert isinstance(lowered, LookingLowered)
     looking, machine = lowered.looking, lowered.program.machine
     places = lowered.schedule.allocation.places

@@ -36,10 +36,10 @@ Item = Gate | Op | SetIn
 class LookingSolution(Record, eq=False):
     """The words of a frame on virtual registers, by boundary.
 
-    p0, p1, .. keep their content over frames: `planes` (behaviours,) are their truth vectors before
-    the first frame. s0, s1, .. are states within a frame, initially 0; t0, .. are scratch
-    registers. `registers` names the virtual registers of each state, in the order of the encoding's
-    bits."""
+    p0, p1, .. keep their content over frames: `planes` are their truth vectors over the behaviours
+    before the first frame, and `holders` say what they hold. s0, s1, .. are states within a frame,
+    initially 0, whose names are `states`; t0, .. are scratch registers, `scratch` of them.
+    `registers` names the virtual registers of each state, in the order of the encoding's bits."""
 
     encoding: LooksEncoding
     planes: tuple[int, ...]
@@ -51,7 +51,7 @@ class LookingSolution(Record, eq=False):
 
 
 class Solver:
-    """A search for the words of a plan with one encoding."""
+    """Finds the words of a plan with one encoding of codes and states."""
 
     def __init__(self, plan: LookingPlan, encoding: LooksEncoding, target: Target) -> None:
         """Assign virtual registers to the bits of the code and of each state.
@@ -74,19 +74,20 @@ class Solver:
         )
 
     def _plane(self, holder: str) -> str:
-        """Return the next code plane, which holds `holder`."""
+        """Return the name of a new code register, such as `p0`; `holder` says what it holds."""
         self.holders.append(holder)
         return f"p{len(self.holders) - 1}"
 
     def _state(self, holder: str) -> str:
-        """Return the next register of states, which holds `holder`."""
+        """Return the name of a new register for a state, such as `s0`; `holder` is the state."""
         self.states.append(holder)
         return f"s{len(self.states) - 1}"
 
     def solve(self) -> LookingSolution:
-        """Return the words of the plan.
+        """Return the words of the plan on virtual registers.
 
-        Raises GaveUp if no gates are found for a moment or there are too few scratch registers."""
+        Raises GaveUp if no gates are found for a boundary or there are too few scratch registers.
+        """
         items: dict[int, tuple[Item, ...]] = {}
         scratch = 0
         # Without unchanging code the masked register stays unused, because every write to it needs
@@ -116,7 +117,8 @@ class Solver:
         )
 
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
-        """Return the content of every register, as a truth vector over lanes at these nodes."""
+        """Return the content of every register by name, for lanes that are at these nodes, as truth
+        vectors."""
         contents = dict(
             zip(
                 self.code,
@@ -133,18 +135,17 @@ class Solver:
         return contents
 
     def _columns(self, value_bits: ValueBits, values: NDArray[np.signedinteger]) -> list[int]:
-        """Return the truth vectors of the registers that store `values`, one of them for each
-        lane."""
+        """Return the truth vectors of the registers that hold `values`, one value for each lane."""
         order = np.argsort(value_bits.values)
         rows = order[np.searchsorted(np.array(value_bits.values)[order], values)]
         return columns(value_bits.bits[rows])
 
 
 class _Moment:
-    """The words of one moment, under construction."""
+    """The words of one boundary, under construction."""
 
     def __init__(self, solver: Solver, moment: Moment) -> None:
-        """Compute the register contents before the moment, and the new values that it must
+        """Compute the register contents before the boundary, and the new values that its gates must
         write."""
         self.solver, self.moment, self.plan = solver, moment, solver.plan
         self.target = solver.target
@@ -156,8 +157,10 @@ class _Moment:
         """Whether the scratch register holds -PIX in every pixel."""
 
     def items(self) -> list[Item]:
-        """Return the words and gates of this boundary, in order: comparisons, buckets, resets,
-        new values of registers."""
+        """Return the words and gates of the boundary, in order.
+
+        First come comparisons, then buckets that close, resets, buckets that open, and new values
+        of registers. Raises GaveUp if no gates are found."""
         # The answer of each comparison goes to a register, the last answer to FLAG.
         moment = self.moment
         order = self.plan.machine.order(moment.boundary)
@@ -219,8 +222,10 @@ class _Moment:
         return renamed(self.emitted)
 
     def _take_signal(self, comparison: Comparison) -> None:
-        """Add words that write -signal to the scratch register, or to registers whose sum is
-        -signal."""
+        """Append words that write minus the signal of a comparison to registers (their sum is
+        `scratched`).
+
+        Raises GaveUp if no gates tell in which pixels a bucket is open."""
         self.emitted.append(op("all"))
         if comparison.signal == LIGHT:
             self.emitted.append(self.plan.sampled())
@@ -245,7 +250,11 @@ class _Moment:
                 self.emitted.append(op("all"))
 
     def _load(self, v: int, later: Sequence[int]) -> None:
-        """Add gates that load a vector into FLAG and keep everything that is needed later."""
+        """Append gates that write the truth vector `v` to FLAG, and save what FLAG holds if it is
+        needed later.
+
+        `later` are the vectors that FLAG must have after this. Raises GaveUp if no gates are found.
+        """
         board = self.board
         if v == self.moment.everything:
             if board.values.get(FLAG) != v:
@@ -268,7 +277,10 @@ class _Moment:
         self.emitted += board.pop_gates()
 
     def _save_flag(self, later: Sequence[int], written: Sequence[tuple[str, int]]) -> bool:
-        """Copy FLAG to a scratch register, and return True, if `later` vectors depend on it."""
+        """Copy FLAG to a scratch register if `later` vectors or new values depend on it; return
+        whether they do.
+
+        `written` are the scratch registers that are about to be written, with their values."""
         board = self.board
         if FLAG not in board.values:
             return False
@@ -282,7 +294,8 @@ class _Moment:
 
 
 def renamed(gates: Sequence[Item]) -> list[Item]:
-    """Return the same gates with as few scratch registers as live values need.
+    """Return the same gates with as few scratch registers as the values that are alive at once
+    need.
 
     The words between the gates read no scratch registers."""
     ends: dict[tuple[str, int], int] = {}

@@ -28,7 +28,7 @@ _UNIT_US = {"ns": Fraction(1, 1000), "us": Fraction(1), "ms": Fraction(1000), "s
 
 
 class _Part(NamedTuple):
-    """A node, its depth, and its first and last token, including brackets outside the
+    """A node under construction, its depth, and its first and last token, with brackets outside the
     node's span."""
 
     value: Any
@@ -38,7 +38,7 @@ class _Part(NamedTuple):
 
 
 class Builder(Transformer_NonRecursive[Token, _Part]):
-    """A builder of a statement's node from lark's tree, from the leaves up.
+    """Converts lark's tree of a statement to nscc's node, from the leaves up.
 
     Raises Rejected, without a source, for statements that parse but exceed a limit: NS0110 for more
     than MOST_DEPTH levels, NS0111 for a number beyond 2^62 - 1, NS0112 for a time of zero."""
@@ -53,7 +53,7 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
         return node
 
     def __default__(self, data: str, children: list[Token | _Part], meta: Meta) -> _Part:
-        """Return the syntax node of a grammar rule `data` from its parts.
+        """Return the node of a grammar rule (`data`) from its parts; lark calls this for each rule.
 
         Raises Rejected (NS0110) for expressions nested more than `MOST_DEPTH` deep."""
         begin, end = children[0], children[-1]
@@ -86,15 +86,15 @@ def _from_file(
     path: tree.Text,
     *options: tree.Name | tree.Text,
 ) -> Any:
-    """Make a statement with a file and its options, which come in any order."""
+    """Make the statement `make` with a file and its options, `key` and `sha256`, which come in any
+    order."""
     key = next((option for option in options if isinstance(option, tree.Name)), None)
     sha256 = next((option for option in options if isinstance(option, tree.Text)), None)
     return make(span, name, path, key, sha256)
 
 
 def _kernel(span: Span, name: tree.Name, *rows_and_divisor: Any) -> tree.Kernel:
-    """Return the node of a convolution kernel from its rows and, as the last value, an optional
-    divisor."""
+    """Make a convolution kernel from its rows and, as the last value, an optional divisor."""
     divided = not isinstance(rows_and_divisor[-1], tree.TileRow)
     rows, divisor = (
         (rows_and_divisor[:-1], rows_and_divisor[-1]) if divided else (rows_and_divisor, None)
@@ -103,8 +103,7 @@ def _kernel(span: Span, name: tree.Name, *rows_and_divisor: Any) -> tree.Kernel:
 
 
 def _assume(span: Span, *children: Any) -> tree.Assume:
-    """Make an `assume` statement from its tokens: the optional bucket, the comparison and the
-    level."""
+    """Make an `assume` statement from its optional bucket, its comparison and its level."""
     bucket = next((child for child in children if isinstance(child, tree.Name)), None)
     comparison, level = children[-2:]
     return tree.Assume(span, bucket, comparison, _amount(level, span))
@@ -120,8 +119,9 @@ def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
 
 
 def _state(span: Span, *children: Any) -> tree.StateRange | tree.StateBit:
-    """Return the node of a state at `span`; `children` contains True where the text has the word
-    `kept`."""
+    """Make a state at `span` from its name and values; True among them stands for the word `kept`.
+
+    With one value, the start, it is a bit; with three, a range and its start."""
     name, *values = [child for child in children if child is not True]
     is_kept = len(values) + 1 < len(children)
     if len(values) == 1:
@@ -131,26 +131,30 @@ def _state(span: Span, *children: Any) -> tree.StateRange | tree.StateBit:
 
 
 def _state_image(span: Span, *children: Any) -> tree.StateImage:
-    """Make a state that is an image; `kept` is before the name or after the kind."""
+    """Make a state that is an image; True among `children` stands for the word `kept`."""
     name, *values = [child for child in children if child is not True]
     return tree.StateImage(span, name, values[0] if values else None, True in children)
 
 
 def _repeat(span: Span, *children: Any) -> tree.Repeat:
-    """Make a repeated image or plane from its nodes and tokens."""
+    """Make a repeated image or plane, with those that step together with it, from nodes and
+    tokens."""
     kind, name, _equals, start, _repeat_token, count, step, *others = children
     leader = tree.Repeated(span, str(kind), name, start, step)
     return tree.Repeat(span, count, (leader, *others))
 
 
 def _with(span: Span, *children: Any) -> tree.Repeated:
-    """Make a name that steps together with another."""
+    """Make a name of a `repeat` statement that steps together with the first, from nodes and
+    tokens."""
     _with_token, kind, name, _equals, start, _repeat_token, step = children
     return tree.Repeated(span, str(kind), name, start, step)
 
 
 def _amount(text: str, span: Span) -> tree.Amount:
-    """Return the number and the unit of a text such as `10%`, `3lsb` or `500e`."""
+    """Return a level such as `10%`, `3lsb` or `500e` as a number with its unit.
+
+    Raises Rejected (NS0111) at `span` for too large a number or too many decimals."""
     unit = next(unit for unit in ("%", "lsb", "e") if text.endswith(unit))
     integer_digits, _, decimals = text.removesuffix(unit).partition(".")
     return tree.Amount(span, _whole_number(integer_digits, span) + _decimals(decimals, span), unit)
@@ -234,8 +238,9 @@ _OF_NODES: dict[str, Callable[..., Any]] = {
 
 
 def _whole_number(text: str, span: Span) -> int:
-    """Return the number `text`; raise Rejected (NS0111) at `span` above 2^62 - 1, without
-    converting many digits."""
+    """Return the number of a text of digits.
+
+    Raises Rejected (NS0111) at `span` above 2^62 - 1, without converting many digits."""
     digits = text.lstrip("0")
     value = int(digits or "0") if len(digits) <= 19 else tree.MOST_INTEGER + 1
     if value > tree.MOST_INTEGER:
@@ -248,8 +253,9 @@ def _whole_number(text: str, span: Span) -> int:
 
 
 def _microseconds(text: str, span: Span) -> Fraction:
-    """Return the time `text`, such as `125us`, in us, exactly; raise Rejected (NS0112) at `span` if
-    it is zero."""
+    """Return a time such as `125us` in microseconds, exactly.
+
+    Raises Rejected at `span`: NS0112 if it is zero, NS0111 for too many digits."""
     number = text.rstrip("nums")
     integer_digits, _, decimals = number.partition(".")
     unit_us = _UNIT_US[text[len(number) :]]
@@ -260,8 +266,9 @@ def _microseconds(text: str, span: Span) -> Fraction:
 
 
 def _decimals(digits: str, span: Span) -> Fraction:
-    """Return the digits after a decimal point as an exact fraction; raise Rejected (NS0111) for too
-    many."""
+    """Return the digits after a decimal point as an exact fraction.
+
+    Raises Rejected (NS0111) at `span` for more than `_MOST_DECIMALS`."""
     if len(digits) > _MOST_DECIMALS:
         help_text = f"at most {_MOST_DECIMALS} decimals are allowed"
         raise _refused("NS0111", f"this number has {len(digits)} decimals", span, help_text)

@@ -67,7 +67,8 @@ class _Line:
 def format_source(source: Source) -> str:
     """Return a program's text in the standard style, ending in a line break.
 
-    Raises Rejected with the errors of `parse` for an invalid program."""
+    Raises Rejected with the errors of `parse` for an invalid program. The result is parsed again,
+    so that formatting cannot change a meaning or a comment."""
     file, errors = parse(source)
     if errors:
         raise Rejected(errors)
@@ -81,7 +82,7 @@ def format_source(source: Source) -> str:
 
 
 def _bare(value: object) -> object:
-    """Return a tree without its places."""
+    """Return a syntax tree as nested tuples without places, to compare two texts."""
     if isinstance(value, tree.Node):
         return (type(value), *(_bare(getattr(value, name)) for name in value.field_names[1:]))
     return tuple(map(_bare, value)) if isinstance(value, tuple) else value
@@ -107,7 +108,7 @@ class _Writer:
     lines: list[_Line] = field(default_factory=list)
 
     def text(self) -> str:
-        """Return the whole program in the standard style, with its comments."""
+        """Return the whole program in the standard style, with its comments; fills `lines`."""
         tokens = lex(self.source)
         starts = {statement.span.start for statement in self.file.statements}
         first = [k for k in range(len(tokens.kinds)) if tokens.span(k).start in starts]
@@ -122,8 +123,8 @@ class _Writer:
         return "".join(f"{line}\n" for line in _with_comments(self.lines))
 
     def _between(self, begin: int, end: int) -> None:
-        """Append the comments and empty lines between two statements, at `begin` and `end` of
-        the text, to the lines."""
+        """Append the comments and empty lines of the text from `begin` to `end`, between two
+        statements."""
         gap = self.source.text[begin:end]
         at = 0
         for comment in _COMMENT.finditer(gap):
@@ -139,7 +140,8 @@ class _Writer:
         self._separate(_line_ends(gap[at:]))
 
     def _separate(self, line_ends: int) -> None:
-        """Add a blank line if the text had one, but never two."""
+        """Append one empty line if the text had any (`line_ends` above 1), but never two in a
+        row."""
         if line_ends > 1 and self.lines and self.lines[-1] != _Line():
             self.lines.append(_Line())
 
@@ -150,8 +152,8 @@ def _line_ends(blank: str) -> int:
 
 
 def _tokens(tokens: Tokens, begin: int, last: int) -> Iterator[_Token]:
-    """Yield the tokens from `begin` to `last` with their comments, and whether no blank stands
-    before each."""
+    """Yield the tokens number `begin` to `last` - 1 of a statement, with their comments and how
+    they are spaced."""
     text, kinds = tokens.source.text, tokens.kinds
     line, end, sign = 0, tokens.span(begin).start, False
     for k in range(begin, last):
@@ -169,7 +171,10 @@ def _tokens(tokens: Tokens, begin: int, last: int) -> Iterator[_Token]:
 
 
 def _close(statement: str, before: str, kind: str, place: int) -> bool:
-    """Return whether there is no blank before token number `place` of a statement."""
+    """Return whether there is no blank between the token `before` and the token `kind`.
+
+    `statement` is the statement's first word, `place` the token's number in it. Tokens are given by
+    kind."""
     if kind in (",", ")", "]", "..") or before in ("(", "[", "PLACE", ".."):
         return True
     if kind == "(":
@@ -181,7 +186,7 @@ def _close(statement: str, before: str, kind: str, place: int) -> bool:
 
 
 def _with_comments(lines: Sequence[_Line]) -> Iterator[str]:
-    """Yield the text of lines, with the comments of each group aligned."""
+    """Yield the lines as text, with comments after statements aligned in each group of lines."""
     for empty, group in groupby(lines, key=_Line().__eq__):
         run = list(group)
         if empty:
@@ -200,7 +205,8 @@ def _with_comments(lines: Sequence[_Line]) -> Iterator[str]:
 def _statement_lines(tokens: list[_Token]) -> list[_Line]:
     """Return the lines of one statement: a table of digits, or wrapped text.
 
-    Commas at the ends of lists are dropped. A statement with comments inside keeps its lines."""
+    Commas at the ends of lists are dropped. A statement with comments inside keeps its line breaks.
+    """
     followers = [token.kind for token in tokens[1:]] + [""]
     tokens = [
         token
@@ -232,10 +238,11 @@ def _statement_lines(tokens: list[_Token]) -> list[_Line]:
 
 @dataclass
 class _Rows:
-    """A codebook or a tile: the text before its rows (with `[`), the rows, and comments.
+    """The rows of a codebook or a tile, with their comments.
 
-    `after[k]` is the comment after row k - 1, or after `head` for k = 0. `above[k]` are the comment
-    lines above row k; the last are those above the closing `]`."""
+    `head` is the text before the rows, with `[`. `after[k]` is the comment after row k - 1, or
+    after `head` for k = 0. `above[k]` are the comment lines above row k; the last are those above
+    the closing `]`."""
 
     head: str
     rows: list[list[_Token]]
@@ -245,8 +252,9 @@ class _Rows:
 
     @classmethod
     def of(cls, tokens: list[_Token]) -> _Rows | None:
-        """Return the rows of a codebook or tile with their comments; None for other statements,
-        and for comments inside a row."""
+        """Return the rows of a codebook or tile with their comments.
+
+        Return None for other statements, and for comments inside a row."""
         kinds = [token.kind for token in tokens]
         is_book = kinds[0] == "shutters" and "[" in kinds
         if not is_book and not (kinds[0] == "pixels" and "tile" in kinds):
@@ -278,7 +286,8 @@ class _Rows:
         return [*lines, *(_Line(_INDENT + text) for text in self.above[-1]), _Line("]")]
 
     def tile(self) -> list[_Line] | None:
-        """Return a tile with one row per line and aligned values; None if that does not fit."""
+        """Return the lines of a tile, one for each row, with aligned values; None if they do not
+        fit."""
         if self.above[0] or self.above[-1] or self.after[0]:
             return None
         values = [[_joined(value) for value in _split_at_commas(row[1:-1])] for row in self.rows]
@@ -297,7 +306,7 @@ class _Rows:
 
 
 def _split_at_commas(tokens: Sequence[_Token]) -> list[list[_Token]]:
-    """Return the groups of tokens between the commas outside of all brackets."""
+    """Return the groups of tokens between the commas that are outside of all brackets."""
     groups: list[list[_Token]] = [[]]
     for token, depth in zip(tokens, _depths(tokens), strict=True):
         if token.kind == "," and depth == 0:
@@ -308,16 +317,19 @@ def _split_at_commas(tokens: Sequence[_Token]) -> list[list[_Token]]:
 
 
 def _depths(tokens: Sequence[_Token]) -> list[int]:
-    """Return the number of brackets that are open after each token."""
+    """Return for each token the number of brackets that are open after it."""
     return [*accumulate((t.kind in _OPENING) - (t.kind in (")", "]")) for t in tokens)]
 
 
 def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
-    """Return the statement `tokens`, or a part of one, in lines of at most WIDTH columns if
-    possible; they begin with `indent`, and continuation lines are indented further."""
+    """Return a statement, or a part of one, in lines of at most WIDTH columns if possible.
+
+    The first line begins with `indent`, the others with more. Lines are broken at the outermost
+    brackets and loosest operators first."""
     single_line = indent + _joined(tokens)
     if len(single_line) <= WIDTH:
         return [single_line]
+    # Deeper nesting would leave little room for text.
     deeper = indent + _INDENT if len(indent) < 4 * len(_INDENT) else indent
     clauses = ("at", "when") if tokens[0].kind in ("sense", "next") else ("WITH",)
     for depth in range(max(0, *_depths(tokens)) + 1):
@@ -334,8 +346,8 @@ def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
 
 
 def _together(pieces: Sequence[list[_Token]], indent_length: int) -> list[list[_Token]]:
-    """Join consecutive pieces as long as they fit into a line that is indented by
-    `indent_length`."""
+    """Join consecutive pieces as long as they fit into one line, which is indented by
+    `indent_length` blanks."""
     merged: list[list[_Token]] = []
     for piece in pieces:
         if merged and indent_length + len(_joined([*merged[-1], *piece])) <= WIDTH:
@@ -346,7 +358,9 @@ def _together(pieces: Sequence[list[_Token]], indent_length: int) -> list[list[_
 
 
 def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[list[_Token]]:
-    """Split tokens before operators, or after commas, of these kinds at bracket depth `depth`."""
+    """Split tokens before operators, or after commas, of these kinds at bracket depth `depth`.
+
+    Without such a token, the result is a single piece."""
     pieces: list[list[_Token]] = [[]]
     for token, now in zip(tokens, _depths(tokens), strict=True):
         is_break = token.kind in kinds and now == depth and not token.sign

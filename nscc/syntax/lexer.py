@@ -42,7 +42,7 @@ class Tokens(Record):
         return span_of(self.lark_tokens[index])
 
     def read_as(self, index: int, word: str) -> None:
-        """Replace a token by the keyword that was meant."""
+        """Replace token number `index` by the keyword `word`, which was probably meant."""
         terminal = next(name for name, spelt in spellings().items() if spelt == word)
         self.lark_tokens[index] = self.lark_tokens[index].update(type=terminal)
         self.kinds[index] = word
@@ -56,9 +56,11 @@ def span_of(token: Token) -> Span:
 
 
 def lex(source: Source) -> Tokens:
-    """Return all tokens of a text, in order; every character belongs to one.
+    """Return all tokens of a text, in order; every character but blanks and comments belongs to
+    one.
 
-    The kinds of some tokens depend on the statement: names of targets, and levels of senses."""
+    The kinds of some tokens depend on the statement and the version of the language: names of
+    targets, levels of senses, and words that are names in older versions."""
     words = spellings()
     target_name = re.compile(parser().get_terminal("TARGET_NAME").pattern.value)
     level = re.compile(parser().get_terminal("LEVEL").pattern.value)
@@ -107,10 +109,10 @@ _ADDED = re.compile(r"[ \t]*([-+,\n#]|$|(when|if|else|and|or|xor)\b)")
 def _of_picture(
     tokens: Tokens, token: Token, statement: str, level: re.Pattern[str]
 ) -> Token | None:
-    """Return `token` as statements of version 3 read it, or None if it is the same.
+    """Return `token` as statements of versions 3 and 4 read it; None if its kind does not change.
 
-    `statement` is the first word of the statement that contains the token, and `level` matches a
-    level such as `6%`."""
+    `statement` is the first word of its statement, and `level` matches a level such as `6%`.
+    `tokens` are those before it."""
     start, text = span_of(token).start, tokens.source.text
     if statement in ("next", "report") and tokens.version < 3:
         return None
@@ -140,8 +142,8 @@ def _of_picture(
 def _is_share(tokens: Tokens, amount: re.Match[str]) -> bool:
     """Return whether `5%` in a `next` is a level: compared, or at the end of brackets.
 
-    From version 4 on, also if an image adds it. Otherwise it is a number and the sign of a
-    remainder."""
+    From version 4 on, it is also a level if an image adds it. Otherwise it is a number and the sign
+    of a remainder."""
     before = [kind for kind in tokens.kinds[-2:] if kind != "-"][-1:]
     if before == ["COMPARISON"] or _NOT_DIVIDED.match(amount.string, amount.end()):
         return True
@@ -149,8 +151,10 @@ def _is_share(tokens: Tokens, amount: re.Match[str]) -> bool:
 
 
 def _awaits_level(tokens: Tokens, statement: str) -> bool:
-    """Return whether the level of a `sense` statement may come next: after its comparison, or in
-    a list there."""
+    """Return whether the next token is a level of a `sense`: after its comparison, or in a list
+    there.
+
+    `tokens` are those before it, and `statement` is the first word of the statement."""
     if statement != "sense" or tokens.kinds[-1] not in ("COMPARISON", "[", ","):
         return False
     words = (kind for kind in reversed(tokens.kinds) if kind in ("at", *statement_words(2)))
@@ -181,10 +185,10 @@ class Stuck(Record):
 
 
 def read(tokens: Tokens, first: int, last: int) -> tuple[Tree[Token] | None, Stuck | None]:
-    """Parse the tokens from `first` up to, but not including, `last` as one statement.
+    """Parse the tokens number `first` to `last` - 1 as one statement.
 
-    Returns lark's tree and None. If parsing fails, returns a Stuck, with the tree of the tokens
-    before it if they are a complete statement."""
+    Return lark's tree and None. If parsing fails, return where as a Stuck, with the tree of the
+    tokens before it if they are a complete statement, else None."""
     machine = _machine()
     stuck = None
     for index in range(first, last):
@@ -194,6 +198,7 @@ def read(tokens: Tokens, first: int, last: int) -> tuple[Tree[Token] | None, Stu
             stuck = Stuck(index, tuple(tokens.lark_tokens[first:index]))
             break
     try:
+        # Also after an error: the tokens before it may be a complete statement.
         return machine.feed_token(Token(END, "")), stuck
     except UnexpectedToken:
         return None, stuck or Stuck(last, tuple(tokens.lark_tokens[first:last]))

@@ -70,8 +70,11 @@ _ELSEWHERE = {
 
 
 def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
-    """Return the error for a statement of the tokens `first` up to `last` in which the parser
-    stopped."""
+    """Return the error for the statement of tokens `first` to `last` - 1, in which the parser
+    stopped at `stuck`.
+
+    It is NS0114 for a missing quotation mark, NS0108 for a stray character, NS0109 for an unknown
+    statement, NS0113 for a keyword as a name, and else NS0107."""
     if stuck.token < last:
         kind = tokens.kinds[stuck.token]
         if kind == "UNCLOSED":
@@ -124,11 +127,12 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
 def misspelt_statement(
     tokens: Tokens, first: int, last: int, stuck: Stuck
 ) -> tuple[int, str] | None:
-    """Return the token that is probably a misspelt keyword of a new statement, and that keyword.
+    """Return the token that is probably a misspelt keyword of a new statement, and that keyword, or
+    None.
 
-    The parser stopped in the statement from `first`. The token is where a statement may begin, or
-    first on its line; the parser may have read it as an operand and stopped at the next token. None
-    if there is no such token."""
+    The parser stopped at `stuck` in the statement of tokens `first` to `last` - 1. The token is
+    where a statement may begin, or first on its line; the parser may have read it as an operand and
+    stopped at the next token."""
     for index in (stuck.token, stuck.token - 1):
         if not first < index < last or tokens.kinds[index] != "NAME":
             continue
@@ -141,8 +145,10 @@ def misspelt_statement(
 
 
 def unknown_statement(tokens: Tokens, token: int, others: Iterable[str] = ()) -> Diagnostic:
-    """Return the error (NS0109) for an unknown word at the start of a statement, where the words
-    `others` could also stand."""
+    """Return the error (NS0109) for an unknown word at the start of a statement.
+
+    `token` is its number; the words `others` could also stand there. The help says which version
+    has the word, what replaces it, or the most similar word."""
     word = tokens.text(token)
     words = statement_words(tokens.version)
     span = tokens.span(token)
@@ -167,20 +173,20 @@ def unknown_statement(tokens: Tokens, token: int, others: Iterable[str] = ()) ->
 
 
 def _begins_line(tokens: Tokens, index: int) -> bool:
-    """Return whether a token other than the first is the first of its line."""
+    """Return whether token number `index`, other than the first, is the first of its line."""
     return "\n" in tokens.source.text[tokens.span(index - 1).end : tokens.span(index).start]
 
 
 def _is_word(kind: str) -> bool:
-    """Return whether a kind of token is a keyword."""
+    """Return whether a kind of token is a keyword, and not a sign."""
     return kind in spellings().values() and kind.isalnum()
 
 
 def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
-    """Return the error for a character that no token begins with, and a fix if its meaning is
-    known.
+    """Return the error (NS0108) for a character that no token begins with.
 
-    `expected` are the tokens that the grammar allows here."""
+    It has a fix if the meaning of the character is known. `expected` are the kinds of token that
+    the grammar allows here."""
     text, span = tokens.text(token), tokens.span(token)
     doubled = text + tokens.text(token + 1) if token + 1 < len(tokens.kinds) else ""
     if doubled in _SIGNS and tokens.span(token + 1).start == span.end:
@@ -222,8 +228,8 @@ def _forms(statement: str) -> tuple[str, ...]:
 
 
 def _open_brackets(tokens: Tokens, first: int, stuck: Stuck) -> list[int]:
-    """Return the indices of the brackets opened since `first` and not closed where parsing
-    stopped."""
+    """Return the numbers of the tokens that open a bracket after `first` and are not closed where
+    parsing stopped."""
     opened: list[int] = []
     for index in range(first, stuck.token):
         if tokens.kinds[index] in ("[", "(", "PLACE"):
@@ -234,8 +240,8 @@ def _open_brackets(tokens: Tokens, first: int, stuck: Stuck) -> list[int]:
 
 
 def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
-    """Yield hints for the token at which parsing stopped; `first` and `last` are the bounds of
-    the statement."""
+    """Yield hints about the token at which parsing stopped, in the statement of tokens `first` to
+    `last` - 1."""
     if stuck.token >= last:
         return
     kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
@@ -268,8 +274,8 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
 
 
 def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]:
-    """Yield changes that correct the token at which parsing stopped; `first` and `last` are the
-    bounds of the statement."""
+    """Yield changes that correct the token at which parsing stopped, in the statement of tokens
+    `first` to `last` - 1."""
     if stuck.token >= last:
         return
     kind, text, span = tokens.kinds[stuck.token], tokens.text(stuck.token), tokens.span(stuck.token)
@@ -302,8 +308,10 @@ _COMPARISONS = {"<>": "!=", "=<": "<=", "=>": ">="}
 
 
 def _habit_fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
-    """Yield safe fixes for the token at which the parser stopped; the statement ends at token
-    `last`."""
+    """Yield safe fixes for what is usual elsewhere, at the token at which parsing stopped.
+
+    These are spellings of units and comparisons, and a tile without its word. The statement ends
+    before token `last`."""
     at = stuck.token
     text, span, after = tokens.text(at), tokens.span(at), _text(tokens, at + 1, last)
     if "TIME" in stuck.expected and (time := _time(text, "")) is not None:
@@ -321,7 +329,8 @@ def _habit_fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
 
 
 def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
-    """Yield hints for the statement of tokens `first` to `last` in which the parser stopped."""
+    """Yield hints about what is usual in other languages, in the statement of tokens `first` to
+    `last` - 1."""
     at, statement = stuck.token, tokens.kinds[first]
     if statement == "code" and ".." in stuck.expected:
         code_kind, follows = _text(tokens, first + 3, at), _text(tokens, first + 4, at)
@@ -374,8 +383,10 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
 
 
 def _choice(tokens: Tokens, at: int, last: int) -> str:
-    """Return the hint for a choice written with `if` first, as `A if CONDITION else B` in the
-    words of the program. `at` is the word `if`, and `last` the end of the statement."""
+    """Return the hint for a choice written as `if C then A else B`: how it is written, in the words
+    of the program.
+
+    `at` is the number of the token `if`, and `last` the end of the statement."""
     texts = [tokens.text(k) for k in range(at, last)]
     if "then" not in texts or "else" not in texts[texts.index("then") :]:
         return _CHOICE
@@ -391,8 +402,9 @@ def _choice(tokens: Tokens, at: int, last: int) -> str:
 
 
 def _number_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
-    """Yield hints for token number `at`, which starts like a number but is invalid. `first`: number
-    of the first token of its statement."""
+    """Yield hints about token number `at`, which starts like a number but is invalid.
+
+    `first` is the number of the first token of its statement."""
     text = tokens.text(at)
     if re.fullmatch(r"[0-9]{1,9}\.[0-9]{1,9}", text):
         yield "numbers are integers; only times have decimals, with a unit: 1.6ms"
@@ -408,7 +420,8 @@ def _number_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
 
 
 def _file_hint(tokens: Tokens, at: int) -> str | None:
-    """Return a hint for a dot at token `at` inside a file name, or None."""
+    """Return the hint that a file name needs quotes, if token number `at` is a dot inside one, else
+    None."""
     beside = tokens.text(at - 1) if at else "", _text(tokens, at + 1, len(tokens.kinds))
     touching = at and tokens.span(at - 1).end == tokens.span(at).start
     if touching and beside[1] in ("npz", "npy", "toml", "mat"):
@@ -417,13 +430,16 @@ def _file_hint(tokens: Tokens, at: int) -> str | None:
 
 
 def _text(tokens: Tokens, at: int, last: int) -> str:
-    """Return the text of token number `at`, "" outside of the statement."""
+    """Return the text of token number `at`; "" before the first token and from `last` on."""
     return tokens.text(at) if 0 <= at < last else ""
 
 
 def _quotient(tokens: Tokens, first: int, at: int) -> Iterator[str]:
-    """Yield a hint for multiplying or dividing by the decimal number at token `at`: the language
-    has only integers."""
+    """Yield a hint on how to multiply or divide by the decimal number at token `at`, such as `A * 3
+    / 2`.
+
+    `first` is the first token of the statement. Yield nothing unless it is a factor or divisor,
+    with a small fraction."""
     kinds, number = tokens.kinds, tokens.text(at)
     before, after = kinds[at - 1], kinds[at + 1 : at + 2]
     fraction = Fraction(number)
@@ -445,8 +461,8 @@ def _quotient(tokens: Tokens, first: int, at: int) -> Iterator[str]:
 
 
 def _time(number: str, unit: str) -> str | None:
-    """Return a time in the language's form, from a number and a common unit; None for other
-    units."""
+    """Return a time in the language's form, such as "5us", from a number and a common unit; None
+    for other units."""
     match = _NUMBER_AND_UNIT.fullmatch(number + unit)
     meant = _UNITS.get(match[2].lower()) if match else None
     return f"{match[1]}{meant}" if match and meant else None

@@ -52,7 +52,8 @@ _BEFORE_A_KIND = (":", "WITH", "input")
 
 
 def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
-    """Return the tree of the valid statements, and every error in the order of the text.
+    """Return the tree of the valid statements of a program, and every error in the order of the
+    text.
 
     If a statement has an error, the part before the error is kept if it is a valid statement. After
     MOST_ERRORS errors, NS0190 counts the others. Never raises for invalid text."""
@@ -95,8 +96,10 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
 
 
 def declared_at(source: Source, name: str) -> Span:
-    """Return the span of the statement that declares an image, a plane or an input, or of a state's
-    step; of the first statement if there is none."""
+    """Return the place of the statement that declares an image, a plane or an input plane, or
+    changes a state.
+
+    Return that of the first statement if there is none."""
     statements = parse(source)[0].statements
     kinds = tree.Image | tree.Plane | tree.Next | tree.Input
     for statement in statements:
@@ -110,7 +113,7 @@ def declared_at(source: Source, name: str) -> Span:
 
 
 class _Errors:
-    """The errors of a text: the first MOST_ERRORS, and the number of the others."""
+    """Collects the errors of a text: keeps the first MOST_ERRORS, and counts the others."""
 
     def __init__(self, source: Source) -> None:
         """Begin without errors."""
@@ -120,12 +123,12 @@ class _Errors:
 
     @property
     def are_many(self) -> bool:
-        """Return whether further errors are only counted."""
+        """Whether further errors are only counted."""
         return len(self._first) >= MOST_ERRORS
 
     def add(self, make: Callable[[], Diagnostic]) -> None:
-        """Add the diagnostic that `make` returns. Beyond the limit, it is only counted and never
-        made."""
+        """Add the diagnostic that `make` returns; beyond the limit it is only counted, and `make`
+        not called."""
         if self.are_many:
             self._more += 1
         else:
@@ -140,7 +143,7 @@ class _Errors:
 
 
 def statement_starts(tokens: Tokens) -> list[int]:
-    """Return the indices of the tokens that begin statements.
+    """Return the numbers of the tokens that begin statements.
 
     `open` belongs to the `bucket` before it, and a keyword at the place of a name (`let open = 1`)
     belongs to its statement."""
@@ -170,9 +173,9 @@ def statement_starts(tokens: Tokens) -> list[int]:
 
 
 def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[tree.Statement]:
-    """Yield the statements without errors; add the errors of all others to `errors`.
+    """Yield the valid statements; add the errors of the invalid ones to `errors`.
 
-    `starts` are the indices of the tokens that begin statements. After a misspelt keyword, parsing
+    `starts` are the numbers of the tokens that begin statements. After a misspelt keyword, parsing
     continues as if it were spelt correctly."""
     builder = Builder()
     for begin, last in pairwise([*starts, len(tokens.kinds)]):
@@ -200,8 +203,10 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
 
 
 def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
-    """Return the error (NS0104) that a text does not begin with its language version; `starts`
-    are the tokens that begin statements."""
+    """Return the error (NS0104) that a text does not begin with its language version, such as `nsl
+    1`.
+
+    `starts` are the numbers of the tokens that begin statements."""
     source = tokens.source
     if not tokens.kinds:
         message = "this file is empty; a shutter program begins with `nsl 1`"
@@ -247,10 +252,10 @@ MOST_BYTES = 256 * 1024
 
 
 def read_source(path: Path) -> Source:
-    """Read a program file and remove a byte order mark.
+    """Return the text of a program file, without a byte order mark.
 
-    Raises Rejected: NS0101 (status 2) if the file cannot be read, otherwise as `source_of` does.
-    Reads at most 256 KiB."""
+    At most one byte more than MOST_BYTES is read. Raises Rejected: NS0101 (status 2) if the file
+    cannot be read, otherwise as `source_of` does."""
     name = path.as_posix()
     try:
         with open(path, "rb") as file:
@@ -263,10 +268,10 @@ def read_source(path: Path) -> Source:
 
 
 def source_of(path: Path, data: bytes) -> Source:
-    """Decode the bytes of a program file and remove a byte order mark.
+    """Return the text in the bytes of a program file, without a byte order mark.
 
-    Raises Rejected (status 1): NS0103 if it exceeds 256 KiB, NS0102 if it is not UTF-8. The
-    diagnostic has the file's name but no text."""
+    `path` names the file in messages. Raises Rejected (status 1): NS0103 if it exceeds 256 KiB,
+    NS0102 if it is not UTF-8. The diagnostic has the file's name but no text."""
     name = path.as_posix()
     if len(data) > MOST_BYTES:
         raise (
@@ -295,8 +300,9 @@ def too_large(name: str) -> Diagnostic:
 
 
 def _not_text(path: Path, reason: str) -> Rejected:
-    """Return the error (NS0102) that the file `path` is not UTF-8 text, because of `reason`, with
-    help for its ending."""
+    """Return the exception (NS0102) that the file `path` is not UTF-8 text, for `reason`.
+
+    The help depends on the ending of its name."""
     ending = path.suffix.lower()
     message = f"this file is not UTF-8 text: {reason}"
     helps = ("save the program as UTF-8 text; a compiled program ends in .icw",)

@@ -38,15 +38,16 @@ class _PlainValues(pickle.Unpickler):
     code."""
 
     def find_class(self, module: str, name: str) -> Any:
-        """Return the class of a value that may be loaded; raise UnpicklingError for all others,
-        which could run code."""
+        """Return the class of a value that may be loaded; raise UnpicklingError for all others.
+
+        Loading other classes could run code."""
         if (module, name) == ("lark.lexer", "Token"):  # text; lark 1.2 stores such values
             return lark.Token
         raise pickle.UnpicklingError(f"{module}.{name} is not a plain value")
 
 
 def grammar_path() -> Path:
-    """Return the grammar file: beside this module if installed, in grammars/ in a source
+    """Return the path of the grammar: beside this module if installed, in grammars/ in a source
     checkout."""
     installed = Path(__file__).with_name("nsl.lark")
     if installed.exists():
@@ -56,8 +57,9 @@ def grammar_path() -> Path:
 
 @cache
 def parser() -> lark.Lark:
-    """Return the parser of one statement; its lexer accepts any text. Its tables are read from
-    the user's cache, or made and stored there."""
+    """Return the parser of one statement, whose lexer accepts any text.
+
+    Its tables are read from the user's cache, or made and stored there."""
     grammar = grammar_path().read_text(encoding="utf-8")
     folder = cache_folder()
     if folder is None:
@@ -80,7 +82,7 @@ def parser() -> lark.Lark:
 
 @cache
 def spellings() -> dict[str, str]:
-    """Return keywords and signs by the names of their terminals."""
+    """Return the texts of keywords and signs by the names of their terminals in the grammar."""
     return {t.name: t.pattern.value for t in parser().terminals if t.pattern.type == "str"}
 
 
@@ -115,7 +117,7 @@ _ADDED = {
 
 
 def names_in(version: int) -> frozenset[str]:
-    """Return the keywords of later versions, which are names in a file of this version."""
+    """Return the keywords of later versions, which are ordinary names in a file of this version."""
     return frozenset().union(*(words for added, words in _ADDED.items() if added > version))
 
 
@@ -215,8 +217,8 @@ _PIECES = {
 def expected_words(terminals: Set[str]) -> str:
     """Return what could come next, in plain words: "`slots`", "a number or a name".
 
-    Operators are left out if something else can come next; a comma is left out if a list may end.
-    """
+    `terminals` are the kinds of token that the grammar allows. Operators are left out if something
+    else can come next; a comma is left out if a list may end."""
     remaining = set(terminals) - {"PLACE"}
     choices: list[str] = []
     if {"INTEGER", "NAME", "-"} <= remaining:
@@ -237,6 +239,7 @@ def expected_words(terminals: Set[str]) -> str:
 
 
 def shown(text: str) -> str:
-    """Return a piece of the user's text in quotes, shortened, without unprintable characters."""
+    """Return a piece of the user's text in backquotes, with at most 40 characters and without
+    unprintable ones."""
     cut = text if len(text) <= 40 else text[:37] + "..."
     return "`" + "".join(ch if ch.isprintable() else f"U+{ord(ch):04X}" for ch in cut) + "`"
