@@ -52,8 +52,8 @@ class _Line(argparse.ArgumentParser):
 
 
 def _line() -> _Line:
-    """Return the parser of a cell's first line, with the options of `nscc build` that take a
-    value."""
+    """Return the parser of a cell's first line: an optional name, and the options of `nscc build`
+    that take a value."""
     parser = _Line("%%nsl", add_help=False, allow_abbrev=False)
     parser.add_argument("name", nargs="?", metavar="NAME")
     for key in keys_of(Options):
@@ -63,8 +63,9 @@ def _line() -> _Line:
 
 
 def _read(kind: Kind, text: str) -> Any:
-    """Return the value of an option of this kind; raise ArgumentTypeError with what is allowed
-    for other texts."""
+    """Return the value of an option of this kind.
+
+    Raises ArgumentTypeError, with what is allowed, for a text that does not spell such a value."""
     try:
         return kind.read(spelled_value(text))
     except ValueError:
@@ -80,8 +81,11 @@ def load_ipython_extension(shell: Any) -> None:
     """
 
     def nsl(line: str, cell: str) -> ShutterProgram:
-        """Compile the cell, show its shutters and costs, and assign the program to NAME if
-        given."""
+        """Compile a cell and return the program, which a notebook then shows; assign it to NAME if
+        one is given.
+
+        `line` is the rest of the cell's first line, `cell` the text below. Raises _Usage for
+        invalid options, and CellRejected for errors in the program."""
         try:
             arguments = vars(_line().parse_args(shlex.split(line)))
         except ValueError as error:

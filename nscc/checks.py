@@ -22,8 +22,8 @@ class Inconsistent(Exception):
 
 
 def check_tree(source: Source, tree: File) -> None:
-    """Raise Inconsistent unless all statements lie inside the text, in order and without
-    overlap."""
+    """Check that all statements lie inside the text, in order and without overlap; raise
+    Inconsistent if not."""
     end = 0
     for statement in tree.statements:
         require(end <= statement.span.start <= statement.span.end, "statements overlap")
@@ -32,8 +32,11 @@ def check_tree(source: Source, tree: File) -> None:
 
 
 def check_program(program: Program) -> None:
-    """Raise Inconsistent unless the decode table has a shutter for each code, with the frame's
-    slots and buckets, and every pixel has a code of the table."""
+    """Check the decode table and the pixel codes of a program; raise Inconsistent if they are
+    wrong.
+
+    The table must have a shutter for each code, with the frame's slots and buckets, and every pixel
+    a code of the table."""
     table = program.table
     _, buckets, slots = table.shutters.shape
     require(len(table.codes) == len(table.shutter_of_code), "a code without a shutter")
@@ -44,8 +47,8 @@ def check_program(program: Program) -> None:
 
 
 def check_plans(planned: Planned) -> None:
-    """Raise Inconsistent unless each plan collects in every bucket the light of exactly the open
-    slots."""
+    """Check that each plan collects in every bucket the light of exactly the open slots; raise
+    Inconsistent if not."""
     for plan in planned.plans:
         for bucket, opens in enumerate(planned.opens):
             gathered = _gathered(plan, bucket, opens[0])
@@ -53,9 +56,10 @@ def check_plans(planned: Planned) -> None:
 
 
 def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
-    """Return for each slot the set of shutters whose light is collected, as a truth vector.
+    """Return for each slot the shutters whose light a plan collects in a bucket, as a truth vector.
 
-    `first` is the set of shutters that are open in slot 0."""
+    `first` are the shutters that are open in slot 0. Raises Inconsistent if the light of a shutter
+    is never read."""
     at = {
         (s.boundary, s.role): plan.everywhere if s.predicate is None else s.predicate
         for s in plan.steps
@@ -82,8 +86,8 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
 
 
 def check_gates(gated: Gated) -> None:
-    """Replay every solution on truth vectors; raise Inconsistent if it does not meet its
-    demands."""
+    """Check every solution by replaying its gates on truth vectors; raise Inconsistent if it fails
+    its demands."""
     machine = Machine.of(gated.program.target)
     for decoding in gated.decodings:
         fault_text = fault(decoding.problem, machine, decoding.solution)
@@ -91,8 +95,10 @@ def check_gates(gated: Gated) -> None:
 
 
 def check_schedule(choice: Choice) -> None:
-    """Raise Inconsistent unless kernels are launched in the order of boundaries, each at least
-    once, and name only registers of the chip."""
+    """Check the kernels (lists of words) and when they start; raise Inconsistent if they are wrong.
+
+    Kernels must start in the order of boundaries, each at least once, and name only registers of
+    the chip."""
     for lowered in choice.lowerings:
         schedule, target, slots = lowered.schedule, lowered.program.target, lowered.plan.slots
         places = schedule.allocation.places
@@ -111,13 +117,14 @@ def check_schedule(choice: Choice) -> None:
 
 
 def check_words(container: Container) -> None:
-    """Check that a container could be written: every index, shape and name in it."""
+    """Check that a container is consistent: every index, shape and name in it; raise Inconsistent
+    if not."""
     for text in faults(container):
         require(False, text)
 
 
 def check_proof(proof: Proof) -> None:
-    """Check that the proof of the words holds."""
+    """Raise Inconsistent if the proof of the words has failed."""
     require(proof.holds, f"the proof fails: {proof.failure}")
 
 

@@ -64,18 +64,20 @@ class InvalidRecord(ValueError):
     """Raised for values that their hints do not allow; the text names the field and the reason."""
 
     def __init__(self, reason: str, place: str = "") -> None:
-        """Say why the value at `place`, a path of keys such as `.words[3]`, or the whole value
-        ("") is invalid."""
+        """Store why a value is invalid; `place` is its path of keys such as `.words[3]`, or "" for
+        the whole value."""
         super().__init__(f"`{place.removeprefix('.')}` {reason}" if place else f"it {reason}")
         self.reason, self.place = reason, place
 
     def inside(self, place: str) -> InvalidRecord:
-        """Return the error of a value that is part of the value at `place`."""
+        """Return the same error for a value that is inside the value at `place`, which is added to
+        its path."""
         return InvalidRecord(self.reason, place + self.place)
 
 
 class Within(Record):
-    """The smallest and largest allowed number, or length of a text, list or object."""
+    """The smallest and largest allowed value of a number, or length of a text, list or object, both
+    included."""
 
     low: float
     high: float
@@ -145,8 +147,10 @@ def to_json(record: Any, schema: str = "") -> str:
 
 
 def from_json(kind: type[Kind], text: str | bytes, schema: str = "") -> Kind:
-    """Return the record in a text of `to_json`; raise InvalidRecord for any other text. `schema`
-    is the text that the key `schema` must have; "" expects no such key."""
+    """Return the record of class `kind` in a text of `to_json`.
+
+    `schema` is what the key `schema` must hold; "" expects no such key. Raises InvalidRecord for
+    any other text."""
     import json
 
     try:
@@ -164,8 +168,10 @@ def from_json(kind: type[Kind], text: str | bytes, schema: str = "") -> Kind:
 
 
 class _Codec(NamedTuple):
-    """The two directions of one hint. `width` is the number of items that a value takes in the list
-    of a record, 0 for a list of any length."""
+    """How values of one hint are written to JSON values and read again.
+
+    `width` is the number of items that a value takes in the list of a record, 0 for a list of any
+    length."""
 
     write: Convert
     read: Convert
@@ -173,7 +179,9 @@ class _Codec(NamedTuple):
 
 
 class _Field(NamedTuple):
-    """A field of a record, or an item of a tuple."""
+    """A field of a record, or an item of a tuple, with its codec.
+
+    `key` is its key in JSON objects. A `later` field may be missing, and then has its `default`."""
 
     name: str
     key: str
@@ -189,7 +197,8 @@ class _Field(NamedTuple):
 
 @cache
 def _codec(hint: Any) -> _Codec:
-    """Return the codec of a hint; raise TypeError for a hint without codec (a bug)."""
+    """Return the codec of a type hint; raise TypeError for a hint that has none, which is a fault
+    of nscc."""
     origin, arguments = get_origin(hint), get_args(hint)
     if hint in _SCALARS:
         return _Codec(_SCALARS[hint], _SCALARS[hint])
@@ -231,7 +240,7 @@ def _codec(hint: Any) -> _Codec:
 
 
 def _shown(value: Any) -> str:
-    """Return a value for a message: short, and printable whatever it is."""
+    """Return a value for a message: at most 40 characters, and printable whatever it is."""
     if type(value) is int and abs(value) >= 1 << 64:
         return "a number of more than 64 bits"
     text = ascii(value) if isinstance(value, str | int | float | None) else _NAMES[type(value)]
@@ -253,26 +262,28 @@ _NAMES: Mapping[type, str] = defaultdict(
 
 
 def _refused(value: Any, needed: str) -> InvalidRecord:
-    """Return the error of a value that is not of the `needed` kind."""
+    """Return the exception that a value is not of the `needed` kind, which completes "is ..., not
+    ..."."""
     return InvalidRecord(f"is {_shown(value)}, not {needed}")
 
 
 def _instance(kind: type, value: Any) -> Any:
-    """Return a value of exactly this type; raise InvalidRecord for others."""
+    """Return a value if it is of exactly the type `kind`; raise InvalidRecord otherwise."""
     if type(value) is not kind:
         raise _refused(value, _NAMES[kind])
     return value
 
 
 def _integer(value: Any) -> int:
-    """Return a 64-bit integer; raise InvalidRecord for other values."""
+    """Return a value if it is an integer of 64 bits; raise InvalidRecord otherwise, also for True
+    and False."""
     if type(value) is not int or not -(1 << 63) <= value < 1 << 63:
         raise _refused(value, _NAMES[int])
     return value
 
 
 def _number(value: Any) -> float:
-    """Return a finite number as float; raise InvalidRecord for other values."""
+    """Return a finite number as float; raise InvalidRecord for any other value."""
     if type(value) not in (int, float) or not -_MOST_FLOAT < value < _MOST_FLOAT:
         raise _refused(value, _NAMES[float])
     return float(value)
@@ -287,16 +298,16 @@ _SCALARS: dict[Any, Convert] = {
 
 
 def _read_fraction(items: list[Any]) -> Fraction:
-    """Return the fraction that numerator and denominator give; raise InvalidRecord for other
-    values."""
+    """Return the fraction of a numerator and a denominator; raise InvalidRecord unless both are
+    integers."""
     if not all(type(item) is int for item in items) or items[1] == 0:
         raise InvalidRecord("is not a fraction: two integers, the second not 0")
     return Fraction(*items)
 
 
 def _literal(options: tuple[Any, ...]) -> _Codec:
-    """Return the codec of a Literal type: only values equal to an option, and of its type, are
-    allowed."""
+    """Return the codec of a Literal hint, which allows only values that equal an option and have
+    its type."""
 
     def check(value: Any) -> Any:
         """Return `value` if it is one of the options; raise InvalidRecord otherwise."""
@@ -309,10 +320,10 @@ def _literal(options: tuple[Any, ...]) -> _Codec:
 
 
 def _annotated(kind: Any, remarks: tuple[Any, ...]) -> _Codec:
-    """Return the codec of an Annotated type `kind` with these `remarks`.
+    """Return the codec of a hint `kind` with the remarks that Annotated adds.
 
-    The remark `HEX` stores an integer as hexadecimal text. Each `Within` limits a number or the
-    length of a value, in writing and reading. Other remarks are ignored."""
+    HEX stores an integer as hexadecimal text. Each `Within` limits a number or the length of a
+    value, in writing and reading. Other remarks are ignored."""
     if HEX in remarks:
         return _Codec(lambda value: f"{value:x}", _read_hex)
     codec = _codec(kind)
@@ -324,8 +335,7 @@ def _annotated(kind: Any, remarks: tuple[Any, ...]) -> _Codec:
 
 
 def _read_hex(text: Any) -> int:
-    """Return the integer that a hexadecimal text stands for; raise InvalidRecord for other
-    values."""
+    """Return the integer of a hexadecimal text; raise InvalidRecord for any other value."""
     try:
         return int(_instance(str, text), 16)
     except ValueError:
@@ -351,8 +361,9 @@ def _checked(limits: Within, convert: Convert) -> Convert:
 
 
 def _union(kinds: tuple[Any, ...]) -> _Codec:
-    """Return the codec of an optional value (None stays None), or of a union of records, which
-    stores the name of the class first."""
+    """Return the codec of a union: of a hint and None, or of records.
+
+    A record of a union is stored as the name of its class, followed by its values."""
     if NoneType in kinds:
         optional = _codec(Union[tuple(kind for kind in kinds if kind is not NoneType)])  # noqa: UP007
         return _Codec(
@@ -380,8 +391,8 @@ def _union(kinds: tuple[Any, ...]) -> _Codec:
 
 
 def _convert_all(convert: Convert, values: Any) -> list[Any]:
-    """Convert each value of a sequence; an InvalidRecord then names the index of the value at
-    fault."""
+    """Return the converted values of a sequence; an InvalidRecord names the index of the invalid
+    value."""
     converted: list[Any] = []
     try:
         for value in values:
@@ -392,8 +403,8 @@ def _convert_all(convert: Convert, values: Any) -> list[Any]:
 
 
 def _convert_values(convert: Convert, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Convert each value of a mapping; an InvalidRecord then names the key of the value at
-    fault."""
+    """Return a mapping with converted values; an InvalidRecord names the key of the invalid
+    value."""
     converted: dict[str, Any] = {}
     name = ""
     try:
@@ -405,10 +416,11 @@ def _convert_values(convert: Convert, values: Mapping[str, Any]) -> dict[str, An
 
 
 def _joined(row: Sequence[_Field], values: Sequence[Any]) -> list[Any]:
-    """Return the items of a record's fields in one list, without a list for each field.
+    """Return the items of a record's fields in one list.
 
-    `row` declares the fields. A field of width 2 adds two items, a field of any width its own list,
-    and every other field one item. Raises InvalidRecord."""
+    `row` declares the fields and `values` are theirs. A field of width 2 adds two items; a record's
+    only field, if it is a list, adds its items; every other field adds one item. Raises
+    InvalidRecord for an invalid value."""
     items: list[Any] = []
     for field, value in zip(row, values, strict=True):
         try:
@@ -423,9 +435,9 @@ def _joined(row: Sequence[_Field], values: Sequence[Any]) -> list[Any]:
 
 
 def _split(row: Sequence[_Field], items: list[Any]) -> Iterator[Any]:
-    """Yield the values of a record's fields from the list that `_joined` makes.
+    """Yield the values of the fields `row` from a list that `_joined` made.
 
-    Raises InvalidRecord if the number of items does not fit."""
+    Raises InvalidRecord for an invalid item, or another number of items."""
     if len(row) == 1 and row[0].codec.width == 0:
         yield row[0].codec.read(items)
         return
@@ -458,8 +470,8 @@ def _fields(kind: Any) -> tuple[_Field, ...]:
 
 
 def _values(kind: Any, record: Any) -> list[Any]:
-    """Return the field values of `record`; raise InvalidRecord unless its class is exactly
-    `kind`."""
+    """Return the field values of a record, in order; raise InvalidRecord unless its class is
+    exactly `kind`."""
     names = [field.name for field in _fields(kind)]
     if type(record) is not kind:
         raise InvalidRecord(f"is a {type(record).__name__}, not a {kind.__name__}")
@@ -467,8 +479,9 @@ def _values(kind: Any, record: Any) -> list[Any]:
 
 
 def _write_object(kind: Any, record: Any) -> dict[str, Any]:
-    """Return a record as a JSON object. Fields added in a later version are left out at their
-    default."""
+    """Return a record of the dataclass `kind` as a JSON object.
+
+    Fields of a newer version are left out if they have their default. Raises InvalidRecord."""
     plain: dict[str, Any] = {}
     for field, value in zip(_fields(kind), _values(kind, record), strict=True):
         if not field.later or value != field.default:
@@ -477,10 +490,10 @@ def _write_object(kind: Any, record: Any) -> dict[str, Any]:
 
 
 def _read_object(kind: Any, plain: Any) -> Any:
-    """Return the record of class `kind` that a JSON object stands for.
+    """Return the record of the dataclass `kind` that a JSON object describes.
 
-    Raises InvalidRecord for an unknown key, and for a missing key unless a later version added the
-    field."""
+    Raises InvalidRecord for an unknown key, an invalid value, and a missing key unless a later
+    version added the field."""
     _instance(dict, plain)
     row = {field.key: field for field in _fields(kind)}
     for key in plain.keys() - row.keys():

@@ -8,9 +8,11 @@ from collections.abc import Collection, Sequence
 def columns(
     rows: Sequence[Sequence[str]], left_aligned: Collection[int] | None = None, indent: str = ""
 ) -> str:
-    """Format rows of equal length as lines of aligned columns.
+    """Return rows of equal length as lines of aligned columns, two blanks apart, each after
+    `indent`.
 
-    Columns in `left_aligned` (None: all) are aligned to the left, others to the right."""
+    Columns whose index is in `left_aligned` (None: all) are aligned to the left, others to the
+    right."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
 
     def line(row: Sequence[str]) -> str:

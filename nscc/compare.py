@@ -27,9 +27,9 @@ class OnChip:
     """A program compiled for one chip, or the first error.
 
     `shortest_slot_us` is None if unknown; `frame_us` includes the readout. `sent_bits` is the
-    amount of data per frame, `bits_per_us` the data rate while data is sent. `stored` describes the
-    chip's memory use. `noise_e` is the noise in the dark and at half a full well, None if unknown.
-    """
+    amount of data per frame, `bits_per_us` the data rate while data is sent; None if there is an
+    error. `stored` describes the chip's memory use. `noise_e` is the noise in electrons in the dark
+    and at half a full well, None if unknown."""
 
     target: Target
     compiled: Compiled | None = None
@@ -45,18 +45,18 @@ class OnChip:
 def compare(
     path: Path, targets: Sequence[Target], level: int, noise_of: NoiseOf | None = None
 ) -> list[OnChip]:
-    """Compile the program in a file for each chip.
+    """Compile the program in a file for each chip, at optimisation level `level`.
 
-    Raises Rejected for errors that do not depend on the chip: syntax, names and types."""
+    `noise_of` returns the noise of a compiled program; None leaves the noise out. Raises Rejected
+    for errors that do not depend on the chip: syntax, names and types."""
     return [_on(path, target, level, noise_of) for target in targets]
 
 
 def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnChip:
-    """Compile a program for one chip and return its figures, or the first error if it does not fit.
+    """Compile a program for one chip; return its figures, or the first error if it does not fit.
 
-    `noise_of` returns the read noise of the compiled program (None leaves it out). If only the
-    slots are too short, `shortest_slot_us` of the result is the length that the chip needs. Syntax
-    and name errors (NS01.., NS02..) do not depend on the chip and are raised as Rejected."""
+    If only the slots are too short, `shortest_slot_us` of the result is the length that the chip
+    needs. Raises Rejected for errors that do not depend on the chip (NS01.., NS02..)."""
     try:
         compiled = compile_file(path, Options(level=level, target=target))
     except Rejected as error:
@@ -86,8 +86,8 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
 
 
 def compared_text(chips: Sequence[OnChip]) -> str:
-    """Return a table with one column for each chip, then errors and alternatives for chips it does
-    not fit."""
+    """Return a table with one column for each chip, then the error and the alternatives of chips
+    that do not fit."""
     rows: list[tuple[str, ...]] = [("", *(chip.target.name for chip in chips))]
     for title, cell_text in _ROWS.items():
         rows.append((title, *(cell_text(chip) for chip in chips)))
@@ -131,20 +131,20 @@ def _time(us: float | None) -> str:
 
 
 def _noise(index: int) -> Callable[[OnChip], str]:
-    """Return a function that gives the noise of a chip as text: in the dark (index 0) or at half
-    a full well (1)."""
+    """Return the function that shows the noise of a chip: in the dark (index 0) or at half a full
+    well (1)."""
     return lambda chip: "?" if chip.noise_e is None else f"{chip.noise_e[index]:.3g} e"
 
 
 def _sent(chip: OnChip) -> str:
-    """Return the amount of data for each frame as text, ? if unknown."""
+    """Return the amount of data for each frame as text, "?" if unknown."""
     if chip.sent_bits is None:
         return "?"
     return f"{chip.sent_bits} bits" if chip.sent_bits else "nothing"
 
 
 def _mean_rate(chip: OnChip) -> str:
-    """Return the peak data rate of `chip` and its mean rate over a frame as text."""
+    """Return the data rate of a chip while it receives data, and the mean over a frame, as text."""
     if not chip.sent_bits:
         return _sent(chip)
     assert chip.bits_per_us is not None

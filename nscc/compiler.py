@@ -22,17 +22,20 @@ CHECK = Options(level=1, unproved_is_error=False)
 def compile_file(
     path: Path, options: Options | None = None, see: Observer | None = None
 ) -> Compiled:
-    """Compile a `.nsl` file. Raises Rejected with all errors."""
+    """Return the compiled program of a `.nsl` file; its `target` and data files are relative to it.
+
+    `see` is called after each pass (None: not). Raises Rejected with all errors."""
     return compile_source(read_source(path), path.parent, options or Options(), see)
 
 
 def compile_source(
     source: Source, base: Path, options: Options, see: Observer | None = None
 ) -> Compiled:
-    """Compile a program's text; paths in it are relative to the folder `base`.
+    """Return the compiled program of a text; files that it names are relative to the folder `base`.
 
-    Raises Rejected with all errors. If the only error is that the program does not fit, similar
-    programs are compiled, and the diagnostics suggest those that fit."""
+    `see` is called after each pass (None: not). Raises Rejected with all errors. If the only error
+    is that the program does not fit, similar programs are compiled, and the diagnostics suggest
+    those that fit."""
     try:
         return run_passes(source, base, options, see)
     except Unfit as unfit:
@@ -43,7 +46,8 @@ def compile_source(
 def _with_ways_out(
     diagnostics: tuple[Diagnostic, ...], program: Program, base: Path, options: Options
 ) -> list[Diagnostic]:
-    """Add alternatives that fit to the diagnostics of a program that does not fit."""
+    """Return the diagnostics of a program that does not fit, with similar programs that fit added
+    to them."""
     if not any(has_ways_out(d) for d in diagnostics):
         return list(diagnostics)
     from nscc.limits.ways_out import ways_out  # imported only for programs that do not fit
@@ -68,8 +72,10 @@ def _with_ways_out(
 
 
 def files_of(program: Path) -> set[Path]:
-    """Return the program's path and the paths of the targets, codebooks and pixel codes that it
-    names."""
+    """Return the program's path and the paths of the targets, codebooks, kernels and pixel codes
+    that it names.
+
+    If the program cannot be read, return only its own path."""
     files = {program}
     try:
         statements = parse(read_source(program))[0].statements

@@ -17,8 +17,10 @@ from nscc.words.legality import decoded
 
 
 def require_known_shutters(container: Container, name: str = "this program") -> None:
-    """Raise Rejected (NS0444, status 1) if the shutters depend on the light. `name` names the
-    program in the message."""
+    """Raise Rejected (NS0444, status 1) if the shutters of a program depend on the light; else do
+    nothing.
+
+    `name` is the program in the message."""
     if not KINDS.of(container).shutters_known:
         raise rejected(
             "NS0444",
@@ -32,20 +34,21 @@ def require_known_shutters(container: Container, name: str = "this program") -> 
 
 
 def replayed(container: Container, name: str = "this program") -> NDArray[np.bool_]:
-    """Return the distinct shutters bool (shutters, buckets, N) that the words open.
+    """Return the distinct shutters that the words open, bool (shutters, buckets, N), as the decode
+    table orders them.
 
-    Raises Rejected (status 1): NS0442 if a slot's weight is neither 0 nor 1, NS0444 if the shutters
-    depend on the light. The message calls the container `name`."""
+    Raises Rejected (status 1): NS0442 if the words do not implement shutters, NS0444 if the
+    shutters depend on the light. `name` is the program in the message."""
     require_known_shutters(container, name)
     return KINDS.of(container).replayed(container, name)
 
 
 def shutters_of_pixels(container: Container, name: str = "this program") -> dict[str, NDArray[Any]]:
-    """Return the shutters and codes of all pixels, named as in a frame file.
+    """Return the shutters and codes of all pixels as arrays, named as in a frame file.
 
     The names are `shutter`, `shutter_shape` and `codes_FIELD`. A program with one code needs no
-    pixel data. Raises Rejected: NS0441 (status 1) if pixels have no codes, NS0442 as for
-    `replayed`."""
+    pixel data. Raises Rejected: NS0441 (status 1) if pixels have no codes, NS0442 and NS0444 as
+    `replayed` does."""
     pixels = container.pixel_codes
     if pixels is None and len(container.table.codes) == 1:
         target = container.target
@@ -65,8 +68,9 @@ def shutters_of_pixels(container: Container, name: str = "this program") -> dict
 def prove_container(container: Container, name: str) -> Proof:
     """Return the proof that a container's words match its decode table.
 
-    Messages call the container `name`. Raises Rejected if it has invalid words; with status 1,
-    NS0443 if it has no decode table, and NS0440 if the proof fails."""
+    `name` is the container in messages. Raises Rejected for invalid words and, with status 1,
+    NS0443 if it has no decode table, NS0440 if the proof fails, and NS0533 or NS0544 if an image or
+    plane cannot be proved."""
     kind, kernels = KINDS.of(container), decoded(container)
     if not container.has_table:
         raise rejected(

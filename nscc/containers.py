@@ -30,16 +30,18 @@ _PATHS = (".nsl", SUFFIX)
 
 
 def is_compiled(path: Path) -> bool:
-    """Return whether a file name is the name of a container, not of a program text."""
+    """Return whether a path has the ending of compiled programs (.icw)."""
     return path.suffix.lower() == SUFFIX
 
 
 def load_container(
     path: Path, options: Options | None = None
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
-    """Read an `.icw` file, or compile a program with `options`; return container and messages.
+    """Return the container of an `.icw` file, or of a program that is compiled with `options`; and
+    messages.
 
-    Raises Rejected if a program does not compile or a file cannot be read."""
+    Raises Rejected if the program does not compile or a file cannot be read, and ValueError if the
+    options leave it open whether the program fits."""
     if is_compiled(path):
         return read_container(path), ()
     compiled = compile_file(path, options)
@@ -53,11 +55,12 @@ def with_pixels(
     name: str | Path,
     pixels: Path | Mapping[str, NDArray[Any]] | None = None,
 ) -> Container:
-    """Return the container with the pixel codes of `pixels` (a file, or arrays by field), or its
+    """Return the container with pixel codes: those of `pixels` (a file, or arrays by field), or its
     own.
 
-    Messages call the container `name`. Raises Rejected: NS0741 (status 2) if there are no codes,
-    and the errors of `codes_from`."""
+    A program without fields needs none. `name` is the container in messages, and the path of its
+    program. Raises Rejected: NS0741 (status 2) if there are no codes, and the errors of
+    `codes_from`."""
     target, fields = container.target, container.table.fields
     if pixels is not None:
         program = Path(name)
@@ -90,9 +93,11 @@ def with_pixels(
 
 
 def program_text(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:
-    """Return the text of a program or of its file, and the folder for its relative paths.
+    """Return the text of a program, given as text or as the path of its file, and the folder of its
+    data files.
 
-    Raises WrongArgument for anything else, a container, and a `folder` beside a file."""
+    `folder` is that folder for a text, by default the current one. Raises WrongArgument for
+    anything else, a compiled program, and a `folder` beside a file."""
     if not isinstance(source, str | os.PathLike):
         raise wrong_argument(
             f"nscc.compile takes a program's path or its text, not {shown(source)}",

@@ -19,8 +19,7 @@ _LOCAL_LINK = re.compile(r"\[([^\]]+)\]\((?!https?:)[^)]*\)")
 
 
 def notebook(page: str) -> bytes:
-    """Return the notebook file of a Markdown page, with its text and its code cells without
-    outputs.
+    """Return a Markdown page as the bytes of a Jupyter notebook, whose code cells have no outputs.
 
     Links to other pages become plain text, because a notebook is read outside the site."""
     texts = _CELL.split(_HEAD.sub("", page))  # text and code alternate
@@ -36,10 +35,10 @@ def notebook(page: str) -> bytes:
 
 
 def _cell(kind: str, text: str) -> dict[str, Any]:
-    """Return a notebook cell of a `kind` ("code" or "markdown") as JSON values.
+    """Return a notebook cell as JSON values; `kind` is "code" or "markdown".
 
-    A first line with tags becomes metadata. Links to local files become plain text in markdown
-    cells."""
+    The first line of code may give tags, which become metadata. Links to local files become plain
+    text in Markdown."""
     if kind == "markdown":
         return {"cell_type": kind, "metadata": {}, "source": _LOCAL_LINK.sub(r"\1", text.strip())}
     tags = _TAGS.match(text)
@@ -86,7 +85,8 @@ pixels stop  = tile [[64, 32],
 
 
 def examples() -> Mapping[str, Path]:
-    """Return the paths of example programs, configurations and tutorials by name, without `.nsl`.
+    """Return the paths of example programs, configurations and tutorials by name; names of programs
+    have no `.nsl`.
 
     The name of a tutorial is that of its notebook; its path is the page from which `contents` makes
     the notebook."""
@@ -99,15 +99,17 @@ def examples() -> Mapping[str, Path]:
 
 
 def _folder(installed: str, of_sources: str) -> Path:
-    """Return the folder `installed` beside this file, or, in a checkout, the folder
-    `of_sources`."""
+    """Return the folder `installed` beside this file or, in a checkout, the folder `of_sources`."""
     folder = Path(__file__).with_name(installed)
     return folder if folder.is_dir() else Path(__file__).resolve().parents[1] / of_sources
 
 
 class ExampleScene(Record):
-    """The scene that shows what an example does: its name, its exposure in electrons over the
-    frame, and the arguments of `nscc reconstruct`. Images and planes need no reconstruction."""
+    """The scene that shows what an example program does.
+
+    `scene` is its name, `exposure` the electrons of a bright pixel in a frame, and `reconstruct`
+    the arguments of `nscc reconstruct`; None for images and planes, which need no reconstruction.
+    """
 
     scene: str
     exposure: int
@@ -115,8 +117,8 @@ class ExampleScene(Record):
 
 
 def tasks() -> dict[str, dict[str, ExampleScene]]:
-    """Return the scenes with which example programs are shown, by task and by name of the
-    program."""
+    """Return the scenes with which example programs are shown: {task: {name of the program:
+    scene}}."""
     path = _folder("example_files", "examples") / "tasks.json"
     return {
         task: {name: ExampleScene(**shown) for name, shown in programs.items()}
@@ -125,14 +127,15 @@ def tasks() -> dict[str, dict[str, ExampleScene]]:
 
 
 def contents(path: Path) -> tuple[str, bytes]:
-    """Return the name and the bytes of the file that a user receives for an example."""
+    """Return the name and the bytes of the file that a user gets for the example at `path`."""
     if path.suffix != ".md":
         return path.name, path.read_bytes()
     return f"{path.stem}.ipynb", notebook(path.read_text(encoding="utf-8"))
 
 
 def example(name: str) -> Path:
-    """Return the path of an example; raise Rejected (NS0787) for an unknown name."""
+    """Return the path of the example `name`, with or without `.nsl`; raise Rejected (NS0787) for an
+    unknown name."""
     known = examples()
     path = known.get(name.removesuffix(".nsl"))
     if path is None:
@@ -148,9 +151,8 @@ def example(name: str) -> Path:
 
 
 def about(path: Path) -> str:
-    """Return the description of an example.
-
-    It is a tutorial's title, or the first sentence of the comment at the start of a file."""
+    """Return the description of an example: a tutorial's title, or the first sentence of a file's
+    first comment."""
     lines = path.read_text(encoding="utf-8").splitlines()
     if path.suffix == ".md":
         title = next((line for line in lines if line.startswith("# ")), "")

@@ -40,10 +40,9 @@ CREATE TABLE IF NOT EXISTS measurement (
 
 @dataclass(frozen=True)
 class Timing:
-    """The duration of a measurement in seconds, its end (in seconds since the epoch), and its
-    worker.
+    """When and how long a measurement took: `seconds`, and `ended` in seconds since 1970.
 
-    `label` describes the measurement for people."""
+    `label` describes the measurement for people, and `worker` names the process that made it."""
 
     name: str
     label: str
@@ -76,9 +75,8 @@ class ExperimentStore:
     ) -> None:
         """Open the database at `path`, or one in memory if it is None, and create its table.
 
-        `experiment` is the key of the measurements that this object reads and adds; `report`
-        receives messages. A lock on a file beside the database tells other processes that it is in
-        use. Raises Rejected if the file cannot be opened."""
+        See the class for the arguments. A lock on a file beside the database tells other processes
+        that it is in use. Raises Rejected if the file cannot be opened."""
         self._path, self._of, self._report = path, experiment, report
         self._claims: int | None = None
         self._known = False
@@ -101,7 +99,10 @@ class ExperimentStore:
             raise
 
     def _execute(self, statement: str, *values: object) -> list[Any]:
-        """Return the rows of a statement; wait while another process holds the file locked."""
+        """Return the rows of an SQL statement with `values` for its question marks.
+
+        Wait while another process holds the file locked, at most `_BUSY_S` seconds. Raises Rejected
+        (NS0784, NS0834)."""
         begin = monotonic()
         reported = False
         while True:
@@ -117,8 +118,8 @@ class ExperimentStore:
             reported = True
 
     def _rejected(self, error: Exception) -> Rejected:
-        """Return the error for a file that is not a store (NS0834) or that cannot be used, with
-        what to do."""
+        """Return the exception for a file that is not a store (NS0834) or cannot be used (NS0784),
+        with what to do."""
         primary = getattr(error, "sqlite_errorcode", sqlite3.SQLITE_OK) & 0xFF
         if primary in (sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_ERROR):
             return rejected(
@@ -140,7 +141,7 @@ class ExperimentStore:
         return rejected("NS0784", f"cannot write '{self._path}': {reason}", helps=(help_text,))
 
     def _is_full(self, error: Exception) -> bool:
-        """Return whether an error means that the disk is full; SQLite calls some of them I/O
+        """Return whether an error means that the disk is full; SQLite reports some of these as I/O
         errors."""
         if getattr(error, "errno", 0) in (errno.ENOSPC, errno.EDQUOT):
             return True
@@ -150,7 +151,7 @@ class ExperimentStore:
         return disk_usage(self._path.parent).free < _LEAST_BYTES
 
     def values(self) -> dict[str, Any]:
-        """Return all measurements by name, in the order in which they ended."""
+        """Return all measurements as JSON values by name, in the order in which they ended."""
         rows = self._execute(
             "SELECT name, value FROM measurement WHERE experiment = ? ORDER BY rowid", self._of
         )
@@ -158,8 +159,7 @@ class ExperimentStore:
         return {name: json.loads(value) for name, value in rows}
 
     def timings(self) -> list[Timing]:
-        """Return label, duration (s), end and worker of all measurements, in the order in which
-        they ended."""
+        """Return when and how long all measurements took, in the order in which they ended."""
         rows = self._execute(
             "SELECT name, label, seconds, ended, worker FROM measurement WHERE experiment = ? "
             "ORDER BY rowid",
@@ -168,7 +168,7 @@ class ExperimentStore:
         return [Timing(*row) for row in rows]
 
     def get(self, name: str) -> Any | None:
-        """Return the measurement `name`, or None if it is not stored."""
+        """Return the measurement `name` as a JSON value, or None if it is not stored."""
         rows = self._execute(
             "SELECT value FROM measurement WHERE experiment = ? AND name = ?", self._of, name
         )
@@ -184,8 +184,11 @@ class ExperimentStore:
         seconds: float = 0.0,
         worker: str = "",
     ) -> None:
-        """Store a measurement; raise ValueError for None, NaN and infinity, which JSON cannot
-        represent. A measurement that is stored already stays as it is."""
+        """Store a measurement, which is on the disk when this returns; one that is stored already
+        stays as it is.
+
+        `value` is a JSON value. Raises ValueError for None, NaN and infinity, which JSON cannot
+        represent or `get` not distinguish."""
         if value is None:
             raise ValueError(f"the measurement '{name}' has no value")
         self._execute(
@@ -207,8 +210,11 @@ class ExperimentStore:
             self._execute(f"DELETE FROM measurement WHERE {where}", self._of, name)
 
     def claim(self, name: str) -> bool:
-        """Claim a measurement; return False if another process has the claim, else True. Claims
-        are locks on bytes of a file, so a process that dies releases them."""
+        """Claim a measurement for this process; return False if another process has claimed it,
+        else True.
+
+        Claims are locks on bytes of a file, so a process that dies releases them. Without a file,
+        every claim succeeds."""
         if self._claims is not None:
             place = _place(self._of, name)
             try:
@@ -218,12 +224,12 @@ class ExperimentStore:
         return True
 
     def release(self, name: str) -> None:
-        """Release the claim of a measurement."""
+        """Release this process's claim of a measurement, so that others may measure it."""
         if self._claims is not None:
             fcntl.lockf(self._claims, fcntl.LOCK_UN, 1, _place(self._of, name))
 
     def remove(self) -> None:
-        """Close the store, and delete its files if no other process uses them."""
+        """Close the store, and delete its files unless another process uses them."""
         self._database.close()
         if self._path is None or self._claims is None:
             return
@@ -252,8 +258,8 @@ class ExperimentStore:
         value: BaseException | None,
         _trace: TracebackType | None,
     ) -> None:
-        """Close the database. A KeyboardInterrupt is raised again with the path of stored
-        results."""
+        """Close the store. After Ctrl-C, raise KeyboardInterrupt with the path of the stored
+        measurements."""
         self.close()
         if isinstance(value, KeyboardInterrupt) and self._known and self._path is not None:
             raise KeyboardInterrupt(
@@ -268,5 +274,6 @@ def _is_locked(error: Exception) -> bool:
 
 
 def _place(experiment: str, name: str) -> int:
-    """Return the offset in the claims file of the byte whose lock is the claim of a measurement."""
+    """Return the offset in the claims file of the byte that stands for a measurement of an
+    experiment."""
     return int.from_bytes(sha256(f"{experiment}\0{name}".encode()).digest()[:7])

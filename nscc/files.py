@@ -29,7 +29,9 @@ _inputs: ContextVar[dict[_Identity, Path] | None] = ContextVar("inputs", default
 
 @contextmanager
 def inputs_kept() -> Iterator[None]:
-    """Refuse writing to files recorded by `reads`, within a `with` block for one command."""
+    """Refuse writing to files recorded by `reads`, within a `with` block for one command.
+
+    `refuse_inputs` and the functions that write files then raise Rejected (NS0785)."""
     token = _inputs.set({})
     try:
         yield
@@ -38,7 +40,9 @@ def inputs_kept() -> Iterator[None]:
 
 
 def reads(*paths: Path) -> None:
-    """Record input files by device and inode; ignore paths that are not regular files."""
+    """Record files that the command reads, so that it cannot overwrite them within `inputs_kept`.
+
+    They are identified by device and inode. Paths that are not regular files are ignored."""
     known = _inputs.get()
     for path in paths if known is not None else ():
         try:
@@ -50,7 +54,7 @@ def reads(*paths: Path) -> None:
 
 
 def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
-    """Read an input file, and record it with `reads`.
+    """Return the bytes of an input file, and record it with `reads`.
 
     Raises OSError if it cannot be read, and ValueError if it has more than `most_bytes`. The size
     on disk is not used, because devices have none."""
@@ -71,14 +75,16 @@ def file_sha256(path: Path) -> str:
 
 
 def write_whole(path: Path, data: Product) -> None:
-    """Write a file atomically, with the permissions of the file that it replaces.
+    """Write a file atomically; a file that it replaces keeps its permissions.
 
-    Raises Rejected (NS0784, status 2) if it cannot be written."""
+    Raises Rejected (status 2): NS0784 if it cannot be written, NS0785 if it is an input of the
+    command."""
     write_together({path: data})
 
 
 def write_together(products: Mapping[Path, Product]) -> None:
-    """Write the products of a command; see `store_files`."""
+    """Write the products of a command, and remember that it wrote files (`wrote_files`); see
+    `store_files`."""
     store_files(products)
     _written.extend(path for path in products if path.is_file())
 
@@ -118,8 +124,9 @@ def store_files(products: Mapping[Path, Product]) -> None:
 
 
 def write_back(path: Path, data: Product) -> None:
-    """Write an input file that the user asked to change, as `write_whole` does. The file then no
-    longer counts as an input, which may not be overwritten."""
+    """Write an input file that the user asked to change, as `write_whole` does.
+
+    The file then no longer counts as an input, which may not be overwritten."""
     known = _inputs.get()
     if known:
         for identity in [key for key, name in known.items() if name == path]:
@@ -128,8 +135,8 @@ def write_back(path: Path, data: Product) -> None:
 
 
 def write_new(products: Mapping[Path, Product]) -> None:
-    """Write `products` as `write_together` does; raise Rejected (NS0788, status 2) if one of the
-    files exists."""
+    """Write several files as `write_together` does; raise Rejected (NS0788, status 2) if one of
+    them exists."""
     for path in products:
         if path.exists():
             raise rejected(
@@ -153,18 +160,20 @@ def refuse_same(paths: Collection[Path], options: str) -> None:
 
 
 def refuse_inputs(*paths: Path) -> None:
-    """Raise Rejected (NS0785) if a product would replace an input; call this before long work."""
+    """Raise Rejected (NS0785) if one of these paths is an input of the command; call this before
+    long work."""
     for path in paths:
         _refuse_input(path, lambda _: None)
 
 
 def _refuse_input(path: Path, data: Product) -> None:
-    """Raise Rejected (NS0785) if `path` is an input of this command and `data` would change it."""
+    """Raise Rejected (NS0785) if `path` is an input of the command and `data` would change it."""
     try:
         status = path.stat()
     except (OSError, ValueError):
         return
     input_path = (_inputs.get() or {}).get((status.st_dev, status.st_ino))
+    # Formatting a file that is formatted already changes nothing.
     if input_path is not None and not (isinstance(data, bytes) and path.read_bytes() == data):
         raise rejected(
             "NS0785",
@@ -175,10 +184,10 @@ def _refuse_input(path: Path, data: Product) -> None:
 
 
 def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
-    """Write to a temporary file beside `path`, with the permissions of an existing file.
+    """Write data to a temporary file beside `path`, with the permissions of an existing file.
 
-    Returns the pair (temporary, final path); pipes and devices are written directly and return no
-    pair."""
+    Return [(temporary, final path)]. Pipes and devices are written directly, which returns [].
+    Raises OSError."""
     if path.is_dir():
         raise IsADirectoryError(21, "Is a directory", str(path))
     # The name itself is checked, because the target of a descriptor's link need not have a path.
@@ -221,7 +230,7 @@ def _fill(file: BinaryIO, data: Product) -> None:
 
 
 def _cannot_write(path: Path, error: OSError) -> Rejected:
-    """Return the error (NS0784) for a file that cannot be written."""
+    """Return the exception (NS0784) that a file cannot be written, with the reason of `error`."""
     reason = error.strerror or str(error)
     help_text = "choose a file that you may write, in a folder with enough space"
     return rejected("NS0784", f"cannot write '{path}': {reason}", helps=(help_text,))

@@ -37,8 +37,9 @@ def card(title: str, subtitle: str, *sections: Html) -> str:
 
 
 def table(rows: Iterable[Sequence[object]], head: Sequence[object] = ()) -> Html:
-    """Return a table of left-aligned cells; without `head` the first cell of each row is
-    its label."""
+    """Return a table of left-aligned cells.
+
+    Without `head`, the first cell of each row is its label and fainter than the others."""
     cell = "text-align:left;padding:.1em .8em .1em 0;border:none;background:none"
     lines = []
     if head:
@@ -52,7 +53,7 @@ def table(rows: Iterable[Sequence[object]], head: Sequence[object] = ()) -> Html
 
 
 def folded(summary: str, inside: Html) -> Html:
-    """Return a line that expands on a click."""
+    """Return a line `summary` that shows `inside` after a click."""
     return Html(f"<details><summary>{text(summary)}</summary>{inside}</details>")
 
 
@@ -68,7 +69,7 @@ def side_by_side(blocks: Iterable[Html]) -> Html:
 
 
 def legend(names: Sequence[str]) -> Html:
-    """Return names with the colours of SERIES."""
+    """Return names, each beside a square in the colour of SERIES at its index."""
     return side_by_side(
         Html(f"<span style='color:{SERIES[number % len(SERIES)]}'>&#9632;</span> {text(name)}")
         for number, name in enumerate(names)
@@ -86,8 +87,9 @@ def picture(png: bytes, caption: str, width: int) -> Html:
 
 
 def drawing(width: float, height: float, shapes: Iterable[str], title: str) -> Html:
-    """Return an SVG of `shapes`, `width` x `height` pixels, which shrinks with the page and is
-    named `title` for screen readers."""
+    """Return an SVG of `shapes`, `width` x `height` pixels, which shrinks with the page.
+
+    `title` names it for screen readers."""
     return Html(
         f"<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {width:g} {height:g}' "
         f"role='img' style='width:100%;max-width:{width:g}px;height:auto' "
@@ -97,5 +99,6 @@ def drawing(width: float, height: float, shapes: Iterable[str], title: str) -> H
 
 
 def words(x: float, y: float, value: object, anchor: str = "start") -> str:
-    """Return SVG text with its baseline at y."""
+    """Return SVG text with its baseline at y pixels; `anchor` "end" ends it at x, "start" begins it
+    there."""
     return f"<text x='{x:g}' y='{y:g}' text-anchor='{anchor}'>{text(value)}</text>"

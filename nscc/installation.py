@@ -27,16 +27,17 @@ _OWN_WORK = ("bench", "test")
 
 
 class Finding(NamedTuple):
-    """The result of a check, with its state.
+    """The result of a check of the installation.
 
-    The state is GOOD, WRONG, or for packages that only some commands need ABSENT or BROKEN."""
+    `state` is GOOD or WRONG or, for packages that only some commands need, ABSENT or BROKEN."""
 
     state: str
     text: str
 
 
 def findings() -> Iterator[Finding]:
-    """Yield the results of all checks of the compiler's installation."""
+    """Yield the results of all checks of the compiler's installation: packages, grammar, targets,
+    cache."""
     yield Finding(GOOD, f"nscc {__version__}")
     python, system = platform.python_version(), f"{platform.system()} {platform.machine()}"
     yield Finding(GOOD, f"Python {python} on {system}")
@@ -68,7 +69,7 @@ def findings() -> Iterator[Finding]:
 
 
 def _import_error(distribution: str) -> str:
-    """Return why a distribution's module cannot be imported, or "" if it can."""
+    """Return why the module of an installed package cannot be imported, or "" if it can."""
     try:
         with redirect_stderr(StringIO()), warnings.catch_warnings(action="ignore"):
             import_module(module_of(distribution))
@@ -78,7 +79,7 @@ def _import_error(distribution: str) -> str:
 
 
 def _targets() -> Finding:
-    """Load every built-in target and return the finding: their names, or the first error."""
+    """Return the names of all targets, which this loads, or the first error in one."""
     try:
         names = [load_target(name, Path()).name for name in target_names()]
     except Rejected as rejected:
@@ -87,8 +88,7 @@ def _targets() -> Finding:
 
 
 def _cache() -> Finding:
-    """Return the finding on the cache of search results: its folder and its size, or why it is
-    off."""
+    """Return where the cache of search results is and how large, or why there is none."""
     folder = cache_folder()
     if folder is None:
         return Finding(ABSENT, f"cache of search results: {refusal() or 'off (NSCC_CACHE=off)'}")

@@ -40,10 +40,10 @@ Base = TypeVar("Base")
 
 
 class KindTable(Generic[Base]):
-    """The classes of one package: `base` for fixed shutters, and by kind those that change it.
+    """The classes by which one package treats each kind of program.
 
-    The latter are written "module:class" and imported on first use. A kind that this package does
-    not treat differently is left out."""
+    `base` is for fixed shutters; the others are given by kind as "module:class" and imported on
+    first use. A kind that this package does not treat differently is left out."""
 
     def __init__(self, base: type[Base], **classes: str) -> None:
         """Begin with the base of all kinds, and for each kind "module:class", which is imported
@@ -52,15 +52,15 @@ class KindTable(Generic[Base]):
         self._combined = cache(self._combine)
 
     def of(self, program: HasKind) -> Base:
-        """Return the object for a program, or a container, of any combination of kinds."""
+        """Return the object that treats a program, or a container, of any combination of kinds."""
         kinds = (kind for kind, belongs in _BELONGS.items() if belongs(program))
         return self._combined(*(self._classes[kind] for kind in kinds if kind in self._classes))
 
     def _combine(self, *places: str) -> Base:
-        """Return an instance of a class that inherits from the named classes and the base class, in
-        this order.
+        """Return an instance of a new class that inherits from the classes `places`,
+        "module:class", and the base.
 
-        `places` are "module:class"."""
+        The first class comes first when methods are looked up."""
         split = (place.split(":") for place in places)
         classes = [getattr(import_module(module), name) for module, name in split]
         combined: type[Base] = type("Combined", (*classes, self._base), {})

@@ -9,7 +9,7 @@ from typing import Any
 
 
 class LazyFunctions:
-    """The functions of a module, which is imported when one of them is first called."""
+    """Stands for the functions of a module, which is imported when one of them is first called."""
 
     def __init__(self, module: str) -> None:
         """Stand for the functions of a module that is not imported yet."""
@@ -21,9 +21,9 @@ class LazyFunctions:
 
 
 def attribute(package: str, names: Mapping[str, Sequence[str]], name: str) -> Any:
-    """Return the public attribute `name` of `package`.
+    """Return the public attribute `name` of `package`, after importing its module.
 
-    `names` lists the public names of each module. Raises AttributeError for an unknown name, and
+    `names` has the public names by module. Raises AttributeError for an unknown name, and
     ModuleNotFoundError with an install command if a distribution is missing."""
     module = next((module for module, exported in names.items() if name in exported), None)
     if module is None:
@@ -34,9 +34,11 @@ def attribute(package: str, names: Mapping[str, Sequence[str]], name: str) -> An
 
 @contextmanager
 def named_extra(user: str) -> Iterator[None]:
-    """Replace the error of a missing package in the body by one with the command that installs it.
+    """Replace the error of a missing package, within a `with` block, by one with the command that
+    installs it.
 
-    The new ModuleNotFoundError says that `user` needs the package."""
+    The new ModuleNotFoundError says that `user` needs the package. Missing modules of nscc itself
+    are not replaced."""
     try:
         yield
     except ModuleNotFoundError as error:

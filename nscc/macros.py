@@ -40,7 +40,7 @@ class OperandError(Exception):
     `index` is the invalid operand, None if no single operand is invalid."""
 
     def __init__(self, message: str, index: int | None = None) -> None:
-        """Say what is wrong with operand number `index`, or with all of them."""
+        """Store what is wrong with operand number `index`; None if no single operand is invalid."""
         super().__init__(message)
         self.message = message
         self.index = index
@@ -50,10 +50,10 @@ Ops = tuple[Op, ...]
 
 
 class Mnemonic(Record):
-    """The name at the start of an assembly instruction.
+    """The name at the start of an assembly instruction, with what it stands for.
 
-    `usage` shows its forms. It takes `least` to `most` operands (None: any number). It overwrites
-    the registers `scratch`, which cannot be operands."""
+    `usage` shows its forms. `write` returns its words for operands, of which it takes `least` to
+    `most` (None: any number). It overwrites the registers `scratch`, which cannot be operands."""
 
     name: str
     usage: str
@@ -64,10 +64,10 @@ class Mnemonic(Record):
 
 
 def expand(name: str, operands: Sequence[str], own_words: tuple[Operation, ...] = ()) -> Ops:
-    """Return the operations of an assembly line `name operands`.
+    """Return the words of an assembly instruction.
 
-    `own_words` are the target's own words. Raises KeyError for an unknown mnemonic and OperandError
-    for invalid operands."""
+    `own_words` are operations that only the target has. Raises KeyError for an unknown mnemonic and
+    OperandError for invalid operands."""
     mnemonic = mnemonics(own_words)[name]
     count = len(operands)
     for index, register in enumerate(operands):
@@ -89,7 +89,7 @@ def expand(name: str, operands: Sequence[str], own_words: tuple[Operation, ...] 
 
 
 def _count(mnemonic: Mnemonic) -> str:
-    """Return how many operands a mnemonic takes, as text."""
+    """Return how many operands a mnemonic takes, as text such as "2 to 4 operands"."""
     low, high = mnemonic.least, mnemonic.most
     if high is None:
         return f"{low} or more operands"
@@ -99,8 +99,9 @@ def _count(mnemonic: Mnemonic) -> str:
 
 
 def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -> Op:
-    """Return a word of the operation `row` from `sources` to `destinations`; raise OperandError for
-    invalid operands."""
+    """Return the word of the operation `row` that writes `destinations` and reads `sources`.
+
+    Raises OperandError for invalid operands."""
     analog = row.analog
     writable = ANALOG_WRITE if analog else DIGITAL_WRITE
     readable = ANALOG_SOURCES if analog else DIGITAL_SOURCES
@@ -125,16 +126,16 @@ def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -
 
 
 def _listed(names: Sequence[str] | dict[str, int]) -> str:
-    """Return the names of registers as text, with the digital ones as "R0, R1, .."."""
+    """Return the names of registers as text; all digital ones are "R0, R1, .."."""
     listed = [name for name in names if not (name[:1] == "R" and name[1:].isdecimal())]
     digital = len(listed) < len(tuple(names))
     return ", ".join((["R0, R1, .."] if digital else []) + listed)
 
 
 def _native(row: Operation) -> Mnemonic:
-    """Return the mnemonic of one operation: its usage, and how its operands become a word.
+    """Return the mnemonic of a single operation.
 
-    Operands are the destinations, then the sources. Either number may vary, but not both."""
+    Its operands are the destinations, then the sources. Either number may vary, but not both."""
     low, high = row.destinations
     first, last = row.sources
     # SET, CLR and WHERE have one kind of operand, so this split is unambiguous.
@@ -156,8 +157,10 @@ def _native(row: Operation) -> Mnemonic:
 
 # In-place forms, and mnemonics of the same names.
 def _in_place(kind: str, operands: Sequence[str]) -> Ops:
-    """Return the pair of words that writes the OR, NOR or REFRESH of all operands to the
-    first one."""
+    """Return the two words that write the OR, NOR or REFRESH (`kind`) of all operands to the first
+    one.
+
+    Raises OperandError for a register that is not digital."""
     for index, register in enumerate(operands):
         allowed = DIGITAL_SOURCES if index else DIGITAL_WRITE
         if register not in allowed:
@@ -167,15 +170,16 @@ def _in_place(kind: str, operands: Sequence[str]) -> Ops:
 
 
 def _not(x: Sequence[str]) -> Ops:
-    """Return the words that invert a register, in place if there is only one operand."""
+    """Return the words that write the inverse of the second operand to the first, or invert a
+    single one in place."""
     return _in_place("NOR", x) if len(x) == 1 else (_word(BY_NAME["NOT"], x[:1], x[1:]),)
 
 
 def _or_nor(kind: str, x: Sequence[str]) -> Ops:
-    """Return the words of OR or NOR with operands `x`: one word, or a pair if it works in place.
+    """Return the words of OR or NOR (`kind`): one word, or a pair if it works in place.
 
-    It is in place if the destination is also a source, or if there is only one source. Raises
-    OperandError if a source occurs twice."""
+    The operands `x` are the destination and the sources. It is in place if the destination is also
+    a source, or if there is only one source. Raises OperandError if a source occurs twice."""
     destination, sources = x[0], x[1:]
     if len(sources) > 1 and destination not in sources:
         return (_word(BY_NAME[kind], x[:1], sources),)
@@ -229,17 +233,18 @@ _DISTINCT = {
 
 
 class _Form:
-    """One form of a macro: its operand names and its expansion."""
+    """One form of a macro: a number of operands, and the words that it stands for."""
 
     def __init__(self, line: str) -> None:
-        """Read a macro from a line like `not d, s: NOR d, s`: its operands, then its words."""
+        """Read a line of `_MACROS` such as `mov y, x: bus NEWS, x; bus y, NEWS`: the operands, then
+        the words."""
         self.head, _, words = line.partition(": ")
         self.name, *self.operands = self.head.replace(",", "").split()
         split = [word.replace(",", "").split() for word in words.split("; ")]
         self.words = [(_WORDS[name], operands) for name, *operands in split]
 
     def write(self, arguments: Sequence[str]) -> Ops:
-        """Return the words of this form for the operands `arguments`."""
+        """Return the words of this form for these operands; raise OperandError for invalid ones."""
         for index, register in enumerate(arguments if self.head in _DISTINCT else ()):
             if register in arguments[:index]:
                 why = _DISTINCT[self.head]
@@ -253,7 +258,8 @@ class _Form:
 
 
 def _macros() -> Iterator[Mnemonic]:
-    """Yield all macros; registers that an expansion names itself are scratch registers."""
+    """Yield the mnemonics of all macros; registers that their words name themselves are scratch
+    registers."""
     for name, lines in groupby(_MACROS.strip().split("\n"), lambda line: re.split("[ :]", line)[0]):
         shown, forms = [], {}
         for line in lines:
@@ -267,7 +273,7 @@ def _macros() -> Iterator[Mnemonic]:
 
 
 def _written(forms: Mapping[int, _Form], arguments: Sequence[str]) -> Ops:
-    """Return the words of an instruction by its number of operands."""
+    """Return the words of the form that takes this number of operands."""
     return forms[len(arguments)].write(arguments)
 
 

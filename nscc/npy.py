@@ -27,9 +27,11 @@ class UnsuitableArray(InvalidArrays):
 
 
 def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], bool, np.dtype[Any]]:
-    """Return version, shape, Fortran order and dtype of an .npy stream.
+    """Return version, shape, whether the order is Fortran's, and dtype of an .npy stream, and read
+    its header.
 
-    The length of a version 2 header is limited. Raises numpy's errors for a damaged header."""
+    The length of a version 2 header is limited. Raises InvalidArrays beyond that, and numpy's
+    errors for a damaged header."""
     from io import BytesIO
 
     from numpy.lib import format as npy
@@ -47,8 +49,10 @@ def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], boo
 def npy_values(
     stream: IO[bytes], shape: tuple[int, ...], fortran: bool, dtype: np.dtype[Any]
 ) -> NDArray[Any] | None:
-    """Return the array of this shape and type that follows the header of an .npy stream; None if
-    the stream is too short or too long."""
+    """Return the array of this shape and type that follows the header of an .npy stream.
+
+    `fortran` tells whether its first axis changes fastest. Return None if the stream is too short
+    or too long."""
     data = memoryview(bytearray(prod(shape) * dtype.itemsize))
     filled = 0
     while block := stream.read(_BLOCK_BYTES):
@@ -67,8 +71,8 @@ def npz_arrays(
     is_wanted: Callable[[str], bool] = lambda name: True,
     most_bytes: int = MOST_BYTES,
 ) -> tuple[dict[str, NDArray[Any]], list[str]]:
-    """Return the arrays of an .npz file whose names satisfy `is_wanted`, and the names of all
-    arrays.
+    """Return the arrays of an .npz file whose names satisfy `is_wanted`, by name, and the names of
+    all arrays.
 
     The arrays may take `most_bytes` together, which is checked before anything is unpacked. Raises
     InvalidArrays for an invalid, damaged or too large file, and for Python objects; OSError if the
@@ -94,8 +98,8 @@ def npz_arrays(
 
 
 def npy_array(file: Path | IO[bytes], most_bytes: int = MOST_BYTES) -> NDArray[Any]:
-    """Read the array of an .npy file. Raises as `npz_arrays`. `most_bytes` limits the unpacked
-    size."""
+    """Return the array of an .npy file, which may take `most_bytes`; raises as `npz_arrays`
+    does."""
     if isinstance(file, Path):
         with open(file, "rb") as stream:
             return _array(stream, file.name, most_bytes)
@@ -103,11 +107,11 @@ def npy_array(file: Path | IO[bytes], most_bytes: int = MOST_BYTES) -> NDArray[A
 
 
 def _array(stream: IO[bytes], name: str, most_bytes: int, before_bytes: int = 0) -> NDArray[Any]:
-    """Read one array from a .npy stream. `before_bytes` counts arrays read before from the same
-    file.
+    """Return the array `name` of an .npy stream.
 
-    Raises UnsuitableArray for Python objects or more than `most_bytes` in all, and InvalidArrays
-    for data that does not fit its header. Sizes are checked before data is read."""
+    It may take `most_bytes` together with `before_bytes`, the arrays read before from the same
+    file. Raises UnsuitableArray for Python objects or too large an array, and InvalidArrays for
+    data that does not fit its header. Sizes are checked before data is read."""
     with _damage_of(name):
         _, shape, fortran, dtype = npy_header(stream)
         check_size(before_bytes + prod(shape) * dtype.itemsize, most_bytes)
@@ -121,7 +125,7 @@ def _array(stream: IO[bytes], name: str, most_bytes: int, before_bytes: int = 0)
 
 @contextmanager
 def _damage_of(name: str) -> Iterator[None]:
-    """Turn the dozen types that zipfile and numpy raise for the damaged array `name` into
+    """Turn the many errors of zipfile and numpy for a damaged array, within a `with` block, into
     InvalidArrays."""
     try:
         yield
@@ -132,7 +136,7 @@ def _damage_of(name: str) -> Iterator[None]:
 
 
 def check_size(size: int, most_bytes: int = MOST_BYTES) -> None:
-    """Raise UnsuitableArray if `size` exceeds `most_bytes`."""
+    """Raise UnsuitableArray if an array of `size` bytes exceeds `most_bytes`."""
     if size > most_bytes:
         raise UnsuitableArray(
             f"its arrays unpack to {size / 2**20:,.0f} MiB, but at most "

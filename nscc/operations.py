@@ -259,14 +259,15 @@ _ORDER = {name: i for i, name in enumerate((*READ_LINES, *NEIGHBOURS))}
 
 
 def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
-    """Return an operation of the table with its operands in canonical order; see `make_op`."""
+    """Return a word of the operation `name` of the table; see `make_op`.
+
+    Raises ValueError for an unknown name or invalid operands."""
     return _op(name, tuple(destinations), tuple(sources))
 
 
 @lru_cache(maxsize=1 << 12)
 def _op(name: str, destinations: tuple[str, ...], sources: tuple[str, ...]) -> Op:
-    """Return the operation `name` from `sources` to `destinations`; raise ValueError for an unknown
-    name."""
+    """Return what `op` returns; memoized, because programs repeat words."""
     row = BY_NAME.get(name)
     if row is None:
         raise ValueError(f"no operation {name!r}")
@@ -274,8 +275,8 @@ def _op(name: str, destinations: tuple[str, ...], sources: tuple[str, ...]) -> O
 
 
 def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
-    """Return an operation with its operands in canonical order, so that equal words are equal
-    values.
+    """Return a word of an operation, with its operands in a fixed order, so that equal words are
+    equal values.
 
     Raises ValueError for invalid operands; callers check user input before."""
     name = row.name
@@ -312,5 +313,6 @@ def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[
 
 
 def pair(kind: str, destination: str, sources: Iterable[str]) -> tuple[Op, Op]:
-    """Return the two words of an in-place form; `kind` is OR, NOR or REFRESH."""
+    """Return the two words that write the OR, NOR or REFRESH (`kind`) of `sources` to a register
+    that may be one of them."""
     return op(f"{kind}.read", (), sources), op(f"{kind}.write", (destination,))

@@ -54,8 +54,10 @@ LEVELS = (0, 1, 2, 3)
 
 
 class Job(Record):
-    """The context of all passes: the text, options, the folder for relative paths, and stored
-    search results."""
+    """What all passes need besides the program: its text, the options, and more.
+
+    `base` is the folder for relative paths. `results` are stored search results, None without a
+    cache."""
 
     source: Source
     options: Options
@@ -75,18 +77,18 @@ Found = Sequence[Diagnostic]
 
 
 def parse_text(source: Source, job: Job) -> tuple[Parsed, Found]:
-    """Parse a source text to a tree, which lacks the invalid statements.
-
-    Errors: NS01xx for invalid syntax."""
+    """Return the text with its syntax tree, which lacks the invalid statements, and the errors
+    NS01xx."""
     tree, errors = parse(source)
     return Parsed(source, tree), errors
 
 
 def make_program(parsed: Parsed, job: Job) -> tuple[Program, Found]:
-    """Analyse a tree: names, ranges, classes, and the decode table of codes x slots for a target.
+    """Return the checked program of a syntax tree, with its decode table of codes and slots, and
+    its messages.
 
-    Errors: NS02xx, NS03xx and NS04xx for invalid statements, and for targets and files that cannot
-    be read."""
+    Raises Rejected with NS02xx, NS03xx and NS04xx for invalid statements, and for targets and files
+    that cannot be read."""
     chip = job.options.target
     if isinstance(chip, str):
         chip = load_target(chip, Path())
@@ -114,10 +116,12 @@ _SUMMARY = LazyFunctions("nscc.emit.summary")
 
 
 def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
-    """Make an exposure plan for each lowering that supports the program.
+    """Return an exposure plan for each lowering that supports the program, and the error if there
+    is none.
 
-    Errors: NS0412 for more shutters than a pixel's registers can distinguish, NS0413 for more
-    buckets than analog registers, NS0414 for a lowering that does not support the program."""
+    The errors are NS0412 for more shutters than a pixel's registers can distinguish, NS0413 for
+    more buckets than analog registers, and NS0414 for a lowering that does not support the program.
+    """
     fault = fit.capacity_fault(program)
     if fault is not None:
         return Planned(program, frame_time(program), (), (), {}), [fault]
@@ -128,11 +132,11 @@ def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
 
 
 def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
-    """Find gates and encodings for the plans, with their costs; the best comes first.
+    """Return gates and encodings for the plans, with their costs, the best first; and diagnostics.
 
     Plans that cannot be better than one that fits are not tried, unless all costs are requested.
-    Errors: NS0502 if no gates are found, which does not prove that none exist; NS0905 if a
-    generator of another package returns invalid gates. Warning: NS0504 if a generator fails."""
+    The errors are NS0502 if no gates are found, which does not prove that none exist, and NS0905 if
+    a generator of another package returns invalid gates; NS0504 warns of a generator that fails."""
     options, results = job.options, job.results
     search = partial(
         find_gates,
@@ -154,10 +158,11 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
 
 
 def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
-    """Assign kernels and launches to the frame's boundaries; the best lowering comes first.
+    """Return the kernels (lists of words) and the boundaries at which they start, the best lowering
+    first; and errors.
 
-    Errors: a program that exceeds the store (NS0501), the slots' time (NS0601), the retention time
-    of registers (NS0602) or the user's limit (NS0603)."""
+    The errors are for a program that exceeds the store (NS0501), the slots' time (NS0601), the
+    retention time of registers (NS0602) or the user's limit (NS0603)."""
     most_words = job.options.max_words_per_slot
     layouts = (
         lay_out(gated.program, decoding, gated.time, most_words) for decoding in gated.decodings
@@ -205,7 +210,7 @@ class Compiled(Record):
 class ProgramKind:
     """What the compiler does for a kind of program: plan, lower, prove and describe it.
 
-    This class is for programs whose shutters depend on the code of a pixel only, "fixed" shutters.
+    This class is for programs whose shutters depend on the code of a pixel only ("fixed" shutters).
     The classes of other kinds change it, and may be combined: they call `super`."""
 
     passes: ClassVar[tuple[Pass, ...]] = (
@@ -224,28 +229,29 @@ class ProgramKind:
     """Whether programs with simpler rules are suggested for one that does not fit."""
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
-        """Return the container of a layout.
+        """Return the container of the layout that the pass `schedule` made, and diagnostics.
 
-        Errors: NS0535, NS0540 and NS0541 for images and planes that exceed the chip's resources."""
+        `job` has the options. With images and planes there may be errors: NS0535, NS0540 and NS0541
+        if they exceed the chip's resources."""
         return assemble(layout.best, job.options.level), ()
 
     def replay(self, container: Container, kernels: Sequence[Sequence[Op]]) -> ReplayPixels:
-        """Return the pixels that the proof runs the words on."""
+        """Return the simulated pixels on which the proof runs the words `kernels`."""
         return Replay(container, kernels)
 
     def after_frame(self, container: Container) -> Failure | None:
-        """Return the first error of the words after the exposure."""
+        """Return the first error in the words that run after the exposure, or None."""
         return readout_failure(container)
 
     def prove(self, container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
-        """Return the proof that decoded words, or planes, do what the container says."""
+        """Return the proof that decoded words, or bit planes, do what the container says."""
         return prove(container, kernels, self.replay, self.after_frame)
 
     def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
-        """Return the distinct shutters (shutters, buckets, N) that the words open.
+        """Return the distinct shutters that the words open, bool (shutters, buckets, N).
 
-        Raises Rejected (NS0442, status 1) if a slot's weight is neither 0 nor 1; the message calls
-        the container `name`."""
+        Raises Rejected (NS0442, status 1) if the words do not implement shutters. `name` is the
+        container in the message."""
         opened = shutters(container, decoded(container))
         if opened is None:
             raise rejected(
@@ -262,7 +268,10 @@ class ProgramKind:
         return container
 
     def product(self, product: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
-        """Return a product of `nscc build --emit` that not every kind has, by its file name."""
+        """Return a product of `nscc build --emit` as {file name: content}; file names begin with
+        `stem`.
+
+        The products that every kind has are made elsewhere (`nscc.emit.products`)."""
         return dict(LazyFunctions("nscc.emit.products").word_product(product, compiled, stem, self))
 
     def gates_text(self, lowered: Any) -> str:
@@ -285,7 +294,8 @@ class ProgramKind:
         return dict(LazyFunctions("nscc.emit.report").report(compiled.layout, compiled.proof))
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
-        """Return the rows of a summary after class and codes; only some for an unknown layout."""
+        """Return the rows (label, text) of a summary after class and codes; fewer if it is unknown
+        whether the program fits."""
         return list(_SUMMARY.word_rows(compiled))
 
     def cost_text(self, compiled: Compiled) -> str:
@@ -297,15 +307,16 @@ class ProgramKind:
         return counted(container.words_per_frame, "word")
 
     def readout_us(self, container: Container) -> float:
-        """Return the time to read out all buckets."""
+        """Return the time to read out all buckets, in microseconds."""
         return container.target.readout_us * len(container.readouts)
 
     def frame_text(self, compiled: Compiled) -> str:
-        """Return the cost of a frame in sentences, up to the subject of the last one."""
+        """Return the cost of a frame in sentences; the last one is only its subject, which the
+        caller completes."""
         return str(_SUMMARY.word_frame_text(compiled.lowered))
 
     def slot_text(self, compiled: Compiled, slot: int) -> str:
-        """Return the cost of a slot as the rest of a sentence."""
+        """Return the cost of a slot as the end of a sentence."""
         return str(_SUMMARY.word_slot_text(compiled.lowered, slot))
 
 
@@ -319,10 +330,11 @@ KINDS = KindTable(
 
 
 def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
-    """Prove a container by replaying its words, or by following the light of its bit planes.
+    """Return the proof of a container, by replaying its words or following the light of its bit
+    planes; and errors.
 
-    A failed proof is a bug of the compiler, not an error of the program. Errors: those of
-    `unproved_error`."""
+    A failed proof is a fault of the compiler, not an error of the program. The errors are those of
+    `unproved_error`. Raises Inconsistent for words that the target does not have."""
     try:
         kernels = decoded(container)
     except Rejected as error:
@@ -353,7 +365,8 @@ PASSES = ("parse", "program", "plan", "gates", "schedule", "words", "prove")
 
 
 def _passes(values: Mapping[str, Any]) -> Iterator[Pass]:
-    """Yield the passes for a program, whose kind is known after the first two passes."""
+    """Yield the passes for a program; `values` must have the result of "program" when the third is
+    requested."""
     yield from _READING
     yield from KINDS.of(values["program"]).passes
     yield from _WRITING
@@ -367,7 +380,8 @@ class Unfit(Rejected):
     """Raised for a valid program that does not fit its target."""
 
     def __init__(self, program: Program, diagnostics: Sequence[Diagnostic]) -> None:
-        """Say that a program, which is correct in itself, does not fit its chip."""
+        """Store the program, which is valid, and the diagnostics on why it does not fit its
+        chip."""
         super().__init__(diagnostics)
         self.program = program
 
@@ -375,9 +389,10 @@ class Unfit(Rejected):
 def run_passes(
     source: Source, base: Path, options: Options, see: Observer | None = None
 ) -> Compiled:
-    """Compile a program's text; paths in it are relative to the folder `base`.
+    """Return the compiled program of a text; files that it names are relative to the folder `base`.
 
-    Raises Rejected with all errors, or Unfit if the program only does not fit its target."""
+    `see` is called after each pass with the pass and its value. Raises Rejected with all errors, or
+    Unfit if the program only does not fit its target."""
     if options.level not in LEVELS:
         raise ValueError(f"level {options.level} is not one of {LEVELS}")
     see = see or (lambda _pass, _value: None)
@@ -394,7 +409,8 @@ def run_passes(
 
 
 def with_all_lowerings(compiled: Compiled, options: Options) -> Compiled:
-    """Return the program, compiled with these options, with the words of all lowerings."""
+    """Return a compiled program with the words of all lowerings, for its report; `options` are
+    those of its compilation."""
     results = results_of_user() if options.cache else None
     job = Job(compiled.program.source, replace(options, price_all=True), Path(), results)
     value: Any = compiled.program
@@ -406,7 +422,7 @@ def with_all_lowerings(compiled: Compiled, options: Options) -> Compiled:
 def _run(source: Source, job: Job, see: Observer) -> Compiled:
     """Run all passes in order; `see` receives each pass and its value, which is then verified.
 
-    Raises Rejected at the first pass with errors: as Unfit, if the program is valid but does not
+    Raises Rejected at the first pass with errors, as Unfit if the program is valid but does not
     fit."""
     values: dict[str, Any] = {}
     messages: list[Diagnostic] = []
@@ -432,8 +448,9 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
 
 
 def _compiled(values: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
-    """Return the results `values` of all passes, by the name of the pass, with `messages`. Unless
-    the program `fits`, words and proof are None."""
+    """Return the result of a compilation from the values of all passes, by name.
+
+    Unless the program `fits`, layout, words and proof are None."""
     names = ("schedule", "words", "prove")
     layout, container, proof = (values[name] if fits else None for name in names)
     tree, program = values["parse"].tree, values["program"]

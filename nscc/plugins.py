@@ -28,7 +28,7 @@ Group = Literal[
 
 
 def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, Any]:
-    """Return the objects that other distributions add to `group`, by name, sorted.
+    """Return the objects that other packages add to the entry-point group, by name, sorted.
 
     Raises Rejected (NS0905) if an object cannot be imported, and for a name that is `reserved` or
     used twice."""
@@ -40,16 +40,19 @@ def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, An
 
 
 def sources(group: Group) -> dict[str, str]:
-    """Return the modules that define the added objects, by name; raise as `added` does."""
+    """Return the modules that define the objects which other packages add to the group, by name of
+    the object.
+
+    Raises Rejected as `added` does."""
     return {name: module for name, (_, module) in _loaded(group).items()}
 
 
 @cache
 def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
-    """Return the objects of an entry-point group by name, with the modules that they come from;
-    they are loaded once.
+    """Return the objects of an entry-point group by name, each with the module that it comes from.
 
-    Raises Rejected (NS0905) if one cannot be imported, or two have one name."""
+    They are loaded once. Raises Rejected (NS0905) if one cannot be imported, or two have one name.
+    """
     # Importing takes 20 ms, which commands without plugins should not spend.
     from importlib.metadata import entry_points
 
@@ -66,8 +69,10 @@ def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
 
 
 def unusable(group: Group, name: str, reason: str) -> Rejected:
-    """Return the error (NS0905) that the object `name` of an installed package, an entry point of
-    `group`, cannot be used, because of `reason`."""
+    """Return the exception (NS0905) that an object of an installed package cannot be used, for
+    `reason`.
+
+    `name` and `group` are those of its entry point."""
     kind = group.removeprefix("nscc.").removesuffix("s")
     return rejected(
         "NS0905",

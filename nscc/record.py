@@ -9,7 +9,8 @@ from typing import Any, ClassVar, dataclass_transform
 
 
 class _Fields:
-    """The attribute that `dataclasses.replace` and `fields` read, computed when they are called."""
+    """The attribute that `dataclasses.replace` and `fields` read; it is computed when they are
+    called."""
 
     def __get__(self, _instance: object, cls: type[Record]) -> Mapping[str, Field[Any]]:
         """Return the fields of a record class, which `dataclasses.fields` reads."""
@@ -18,7 +19,7 @@ class _Fields:
 
 @cache
 def _fields(cls: type[Record]) -> Mapping[str, Field[Any]]:
-    """Return the fields of a record class as those of a dataclass; cached."""
+    """Return the fields of a record class as those of a dataclass."""
     alike: Any = dataclass(type("", (), {"__annotations__": dict.fromkeys(cls.field_names)}))
     fields: Mapping[str, Field[Any]] = alike.__dataclass_fields__
     return fields
@@ -26,7 +27,8 @@ def _fields(cls: type[Record]) -> Mapping[str, Field[Any]]:
 
 @dataclass_transform(frozen_default=True)
 class Record:
-    """A base class whose subclasses behave like frozen dataclasses, with `eq=False` like those.
+    """A base class whose subclasses behave like frozen dataclasses; with `eq=False` they compare by
+    identity.
 
     A hundred real dataclasses would take a sixth of the time of `nscc check`."""
 
@@ -34,8 +36,8 @@ class Record:
     __dataclass_fields__: ClassVar[Any] = _Fields()
 
     def __init_subclass__(cls, *, eq: bool = True) -> None:
-        """Take the annotated attributes of the class as fields. With `eq` False, records compare by
-        identity."""
+        """Take the annotated attributes of a subclass as its fields, after those of its base
+        class."""
         cls.field_names = (*cls.field_names, *vars(cls).get("__annotations__", ()))
         type.__setattr__(cls, "__match_args__", cls.field_names)
         if not eq:

@@ -22,9 +22,10 @@ _REQUIREMENT = re.compile(
 
 @cache
 def extras() -> dict[str, str]:
-    """Return for each distribution the smallest extra that installs it, "" for required ones.
+    """Return for each distribution (package) the smallest extra of nscc that installs it, "" for
+    required ones.
 
-    Empty if nscc is not installed but runs from its sources."""
+    The result is empty if nscc is not installed but runs from its sources."""
     from importlib import metadata
 
     try:
@@ -41,24 +42,25 @@ def extras() -> dict[str, str]:
 
 
 def distribution_of(module: str) -> str:
-    """Return the distribution that provides a module."""
+    """Return the name of the distribution (package) that provides a module, which is often the
+    module's own."""
     top = module.partition(".")[0]
     return next((name for known, name in _MODULES.items() if known.lower() == top.lower()), top)
 
 
 def module_of(distribution: str) -> str:
-    """Return the module that a distribution installs."""
+    """Return the name of the module that a distribution (package) installs."""
     names = {name: module for module, name in _MODULES.items()}
     return names.get(distribution, distribution.replace("-", "_"))
 
 
 def install_line(extra: str) -> str:
-    """Return the command that installs an extra."""
+    """Return the command that installs an extra of nscc; "" is nscc itself."""
     return f"pip install 'nscc[{extra}]'" if extra else "pip install nscc"
 
 
 def installed_version(distribution: str) -> str:
-    """Return the version of an installed distribution, "" if it is absent."""
+    """Return the version of an installed distribution (package), "" if it is absent."""
     from importlib import metadata
 
     try:
@@ -68,10 +70,11 @@ def installed_version(distribution: str) -> str:
 
 
 def line_for(module: str) -> str:
-    """Return the command that installs a module."""
+    """Return the command that installs the package of a module, with the extra of nscc that it
+    belongs to."""
     return install_line(extras().get(_normal(distribution_of(module)), "all"))
 
 
 def _normal(name: str) -> str:
-    """Return a distribution's name in normal form, for comparison."""
+    """Return a distribution's name in normal form (PEP 503), so that names can be compared."""
     return re.sub(r"[-_.]+", "-", name).lower()

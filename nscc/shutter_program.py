@@ -250,16 +250,19 @@ class ShutterProgram:
 
     @cached_property
     def _replayed(self) -> NDArray[np.bool_]:
-        """Return the shutters that the words open, bool (buckets, shutters, slots)."""
+        """The shutters that the words open, bool (shutters, buckets, slots).
+
+        Raises Rejected as `shutters` does."""
         return replayed(self.container, f"'{self.name}'")
 
     @cached_property
     def _with_data(self) -> ShutterProgram:
-        """The program with pixel codes; raises Rejected (NS0741) if it has none."""
+        """The same program with pixel codes; raises Rejected (NS0741) if it has none."""
         return replace(self, container=with_pixels(self.container, self.name))
 
     def _as_compiled(self, product: str) -> tuple[Compiled, Options]:
-        """Return the compiler's result and options, which `product` needs.
+        """Return the compiler's result and options, which are needed for `product` (a word for the
+        message).
 
         Raises Rejected (NS0743) for a program that was loaded from compiled words."""
         if self.compiled is None or self.options is None:
@@ -271,8 +274,9 @@ class ShutterProgram:
         return self.compiled, self.options
 
     def _product(self, kind: str, out: Path, ending: str) -> dict[Path, bytes]:
-        """Return the contents of the product `kind` and of the files that belong to it, by path;
-        `out` is the product's path and ends in `ending`."""
+        """Return the content of the file `out`, and of further files that belong to it, by path.
+
+        `kind` is a key of `nscc.emit.products.SUFFIXES`, and `ending` the ending of `out`."""
         if kind == "icw":
             return {out: to_bytes(self.container)}
         if kind == "asm":
@@ -337,10 +341,9 @@ def compile(
 
 
 def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
-    """Return the compiled program of a text, whose name is used in messages; `folder` is that of
-    its files.
+    """Return the compiled program of a text; `folder` is that of the files that it names.
 
-    Raises Rejected and warns as `compile` does."""
+    Raises Rejected for errors, and issues warnings, as `compile` does."""
     compiled = compile_source(text, folder, options)
     assert compiled.container is not None  # programs that do not fit are rejected
     warn(compiled.diagnostics, stacklevel=4)

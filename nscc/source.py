@@ -17,7 +17,8 @@ class Span:
     end: int
 
     def to(self, last: Span) -> Span:
-        """Return the span from the start of this one to the end of `last`."""
+        """Return the range from the start of this one to the end of `last`, or its own end if that
+        is later."""
         return Span(self.start, max(self.end, last.end))
 
 

@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 
 
 def columns(bits: NDArray[np.bool_]) -> list[int]:
-    """Return the truth vectors of the columns of `bits` (shutters, columns)."""
+    """Return the truth vectors of the columns of `bits`, bool (shutters, columns).
+
+    A truth vector is an integer whose bit k belongs to shutter k."""
     packed = np.packbits(np.ascontiguousarray(bits.T), axis=1, bitorder="little")
     return [int.from_bytes(row.tobytes(), "little") for row in packed]
 
@@ -36,7 +38,8 @@ def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
 
 
 def members(vector: int, count: int) -> NDArray[np.intp]:
-    """Return the indices of the shutters, out of `count`, whose bit is set, ascending."""
+    """Return the indices of the shutters, out of `count`, whose bit in a truth vector is 1,
+    ascending."""
     if vector & (vector - 1) == 0:
         return np.array([vector.bit_length() - 1] if vector else [], dtype=np.intp)
     packed = np.frombuffer(vector.to_bytes((count + 7) // 8, "little"), dtype=np.uint8)
@@ -76,5 +79,6 @@ def set_bits(mask: int) -> tuple[int, ...]:
 
 
 def number_planes(numbers: NDArray[np.int64], width: int) -> list[int]:
-    """Return truth vectors of the `width` lowest bits of each shutter's number (shutters,)."""
+    """Return the truth vectors of the `width` lowest bits of numbers, int64 (shutters,), lowest bit
+    first."""
     return columns((numbers[:, None] >> np.arange(width)) & 1 == 1)

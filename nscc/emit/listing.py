@@ -21,7 +21,7 @@ _MOST_SLOTS = 256
 
 
 def program_text(program: Program) -> str:
-    """Return fields, frame, class and decode table of `program` as text.
+    """Return fields, frame, class and decode table of a program as text.
 
     Shutters are rows of 0 and 1, slot 0 first, with the number of their codes; long tables and rows
     are shortened."""
@@ -46,7 +46,7 @@ def program_text(program: Program) -> str:
 
 
 def _frame_text(frame: SlotGrid) -> str:
-    """Return the number and the lengths (us) of the slots of `frame`; at most 16 lengths are
+    """Return the number and the lengths of a frame's slots as text; at most 16 lengths are
     listed."""
     total = f"{sum(frame.slot_us):g} us in all"
     slots = counted(len(frame.slot_us), "slot")
@@ -68,8 +68,10 @@ def _field_text(field: Field) -> str:
 
 
 def _shutter_lines(program: Program) -> list[str]:
-    """Return a line for each shutter: a digit for each slot and bucket, and how many codes use
-    it."""
+    """Return a line for each shutter: its digits for each bucket, slot 0 first, and how many codes
+    have it.
+
+    At most `_MOST_SHUTTERS` and `_MOST_SLOTS` are shown."""
     table = program.table
     users = [0] * len(table.shutters)
     for shutter in table.shutter_of_code.tolist():
@@ -92,8 +94,10 @@ _LONGEST = 20
 
 
 def print_tree(file: File, source: Source) -> str:
-    """Return every node with its place, row:column, indented below its parent; long lists are
-    shortened."""
+    """Return the syntax tree as text: every node with its place (row:column), indented below its
+    parent.
+
+    Of long lists, the first `_LONGEST` nodes are shown."""
     lines: list[str] = []
     for statement in file.statements:
         _print(statement, source, "", lines)
@@ -101,8 +105,7 @@ def print_tree(file: File, source: Source) -> str:
 
 
 def _print(node: Node, source: Source, indent: str, lines: list[str]) -> None:
-    """Append the syntax tree `node` to `lines`: its type, place in `source` and plain fields after
-    `indent`. Fields that are nodes follow, indented further."""
+    """Append the text of a node and its children to `lines`; the node begins with `indent`."""
     row, column = source.row_column(node.span.start)
     plain: list[str] = []
     inner: list[Node] = []
@@ -124,7 +127,7 @@ def _print(node: Node, source: Source, indent: str, lines: list[str]) -> None:
 
 
 def plan_text(plan: ExposurePlan) -> str:
-    """Return an exposure plan as text: the steps at every boundary and their numbers of
+    """Return an exposure plan as text: the analog words of every boundary, and for how many
     shutters."""
     lines = [f"lowering {plan.lowering}, {plan.slots} slots, {plan.shutters} shutters"]
     lines += [f"  {register:<5} {holder}" for register, holder in plan.registers.items()]
@@ -138,8 +141,9 @@ def plan_text(plan: ExposurePlan) -> str:
 
 
 def gates_text(decoding: Decoding, program: Program) -> str:
-    """Return the gates of every demand of `decoding` on virtual registers, and the chip register in
-    which each virtual one lies."""
+    """Return the gates that compute FLAG at every boundary as text.
+
+    They are on virtual registers; the text begins with the chip's register of each."""
     solution = decoding.solution
     places = allocate(solution, program.target, program.spared_registers).places
     lines = [f"encoding: {solution.encoding}"]
@@ -156,15 +160,16 @@ def gates_text(decoding: Decoding, program: Program) -> str:
 
 
 def segment_lines(lines: list[str], title: str, segments: Sequence[Sequence[object]]) -> None:
-    """Append a title and the words of each segment to `lines`; nothing without segments."""
+    """Append a title and, indented, a line for each segment to `lines`; nothing without
+    segments."""
     if segments:
         lines.append(title)
         lines += ["  " + "; ".join(map(str, segment)) for segment in segments]
 
 
 def schedule_text(lowered: Lowered) -> str:
-    """Return the kernels of `lowered` with their words, and the boundaries that launch them, as
-    text."""
+    """Return the kernels (lists of words) of a lowered program, and the boundaries that start them,
+    as text."""
     schedule = lowered.schedule
     lines = [
         f"{schedule.words_stored} words stored in {len(schedule.kernels)} kernels, "
@@ -180,8 +185,8 @@ def schedule_text(lowered: Lowered) -> str:
 
 
 def choice_text(choice: Choice) -> str:
-    """Return all lowerings of `choice` with their costs, best first, the reasons of those without,
-    and the kernels of the best one."""
+    """Return all lowerings with their costs, best first, the reasons of those without, and the best
+    one's kernels."""
     lines = []
     for lowered in choice.lowerings:
         least, most = lowered.plan.analog_writes
@@ -195,23 +200,22 @@ def choice_text(choice: Choice) -> str:
 
 
 def _misfits_text(misfits: Mapping[Lowering, Misfit]) -> str:
-    """Return a line for each lowering that does not fit, with the reason."""
+    """Return a line for each lowering that cannot implement the program, with the reason."""
     return "".join(f"{name:<11}{misfit.reason}\n" for name, misfit in misfits.items())
 
 
 def parsed_text(parsed: Any) -> str:
-    """Return the output of the pass `parse` as text."""
+    """Return the syntax tree that the pass `parse` made as text."""
     return print_tree(parsed.tree, parsed.source)
 
 
 def plans_text(planned: Planned) -> str:
-    """Return all plans, and why other lowerings have none."""
+    """Return the exposure plans of all lowerings as text, and why other lowerings have none."""
     return "".join(map(plan_text, planned.plans)) + _misfits_text(planned.misfits)
 
 
 def all_gates_text(gated: Gated) -> str:
-    """Return the gates of every lowering in `gated`, and the reason for each lowering that has
-    none."""
+    """Return the gates of every lowering as text, and why other lowerings have none."""
     texts = [
         f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program)}"
         for decoding in gated.decodings

@@ -42,13 +42,13 @@ from nscc.operations import Op
 
 
 def network_of(lowered: Lowered) -> nx.DiGraph:
-    """Return the gate network of the program `lowered`, whose shutters depend on the code only."""
+    """Return the gates of a program as a network; its shutters must depend on the code only."""
     solution = lowered.solution
     maker = NetworkMaker(lowered, solution.encoding)
     maker.planes(solution.planes, solution.holders)
 
     def add(segments: Iterable[Segment], boundary: int) -> None:
-        """Add the gates of segments that run at a boundary."""
+        """Add the gates of segments, which run at a boundary, to the network."""
         for gate in chain.from_iterable(segments):
             maker.gate(gate, boundary)
 
@@ -64,8 +64,9 @@ def network_of(lowered: Lowered) -> nx.DiGraph:
 
 
 class NetworkMaker:
-    """A network under construction: its nodes so far, and for each register the node of its current
-    value."""
+    """A network of gates under construction.
+
+    `network` has the nodes so far, and `holds` the node of the current value of each register."""
 
     def __init__(self, lowered: Lowered, encoding: str) -> None:
         """Begin with an empty network; its graph attributes name encoding, lowering and size."""
@@ -80,21 +81,26 @@ class NetworkMaker:
         self._counts = Counter[str]()
 
     def planes(self, vectors: Iterable[int], holders: Iterable[str]) -> None:
-        """Add the initial values of the code registers."""
+        """Add the nodes of the code registers' initial values.
+
+        `vectors` are their bits for all shutters, and `holders` say what they hold."""
         for i, (vector, holder) in enumerate(zip(vectors, holders, strict=True)):
             self.plane(f"p{i}", self.places[f"p{i}"], holder, vector)
 
     def plane(self, name: str, register: str, holder: str, vector: int) -> None:
-        """Add the node of a register's initial value; `vector` has bit k set if shutter k has a
-        1 there."""
+        """Add the node of a register's initial value.
+
+        `name` is the register's virtual name, and `holder` says what it holds. Bit k of `vector`
+        belongs to shutter k."""
         self.network.add_node(
             name, kind="plane", register=register, name=name, holder=holder, bits=f"{vector:#x}"
         )
         self.holds[name] = name
 
     def gate(self, gate: Gate, boundary: int) -> None:
-        """Add a gate that runs at a boundary, with edges from the values that it reads; its
-        register then holds the gate's result."""
+        """Add the node of a gate that runs at a boundary, with edges from the values that it reads.
+
+        The gate's register then holds its result."""
         written = words((gate,), self.lowered.schedule.allocation)
         node = self.value("gate", gate.name, gate.destination, written, boundary)
         for source in gate.sources:
@@ -110,8 +116,11 @@ class NetworkMaker:
         boundary: int,
         **look: str | int,
     ) -> str:
-        """Add the value of a gate or look that the words `written` store in the register `name`.
-        It runs at `boundary`, as part of look number `look` or of none; returns the node's name."""
+        """Add the node of a value that the words `written` store in the register `name` at a
+        boundary.
+
+        `kind` is "gate" or "look". `look` has further attributes of the answer of a comparison.
+        Return the node's name."""
         node = self._named(kind[0])
         self.network.add_node(
             node,
@@ -126,13 +135,16 @@ class NetworkMaker:
         return node
 
     def demand(self, edge: str, bucket: str, boundary: int) -> None:
-        """Add a demand on FLAG."""
+        """Add the node of a demand: what the value of FLAG is needed for at a boundary.
+
+        `edge` is "open", "rise", "fall" or "reset", and `bucket` is "" for a reset."""
         node = self._named("d")
         self.network.add_node(node, kind="demand", edge=edge, bucket=bucket, boundary=boundary)
         self.network.add_edge(self.holds["FLAG"], node)
 
     def end(self, node: str, name: str, **attributes: str | int) -> None:
-        """Add the required final value of the register `name`."""
+        """Add the node of a register's required final value, with further attributes; `name` is the
+        virtual register."""
         register, slots = self.places[name], self.lowered.plan.slots
         self.network.add_node(node, **attributes, register=register, boundary=slots)
         self.network.add_edge(self.holds[name], node)
@@ -144,13 +156,13 @@ class NetworkMaker:
 
 
 def measured(network: nx.DiGraph) -> nx.DiGraph:
-    """Set the attributes `depth` and `registers` of the network, and return the network."""
+    """Set the attributes `depth` and `registers` of a complete network, and return the network."""
     network.graph |= {"depth": depth(network), "registers": registers_needed(network)}
     return network
 
 
 class KernelFinder:
-    """A search for the kernel that contains each gate's words."""
+    """Finds the kernel (list of words) that contains each gate's words, gate after gate."""
 
     def __init__(self, lowered: Lowered) -> None:
         """List the words that run at each boundary, without the kernels that only refresh
@@ -168,11 +180,11 @@ class KernelFinder:
         self._next = dict.fromkeys(self._run, 0)
 
     def kernel_of(self, gate: tuple[Op, ...], boundary: int) -> int:
-        """Return the number of the kernel that contains the boundary's next gate, given by its
-        words.
+        """Return the number of the kernel that contains the boundary's next gate, which is given by
+        its words.
 
-        Must be called in the order of gates. Raises ValueError if the boundary does not launch
-        these words."""
+        Must be called in the order of gates. Raises ValueError if the boundary does not run these
+        words."""
         run, at = self._run[boundary], self._next[boundary]
         while tuple(word for word, _ in run[at : at + len(gate)]) != gate:
             if at >= len(run):
@@ -183,17 +195,16 @@ class KernelFinder:
 
 
 def depth(network: nx.DiGraph) -> int:
-    """Return the number of gates on the longest path."""
+    """Return the number of gates on the longest path of a network."""
     gates = [node for node, kind in network.nodes(data="kind") if kind == "gate"]
     return len(nx.dag_longest_path(network.subgraph(gates)))
 
 
 def registers_needed(network: nx.DiGraph) -> int:
-    """Return the fewest registers, including FLAG, that can hold all values in this order of gates:
-    the largest number of values that are alive at the same time.
+    """Return the fewest registers, including FLAG, that can hold all values in this order of gates.
 
-    Planes are alive before the first gate. A gate may overwrite a register that it reads for the
-    last time."""
+    That is the largest number of values that are alive at the same time. Planes are alive before
+    the first gate. A gate may overwrite a register that it reads for the last time."""
     last = {value: reader for reader in network for value in network.predecessors(reader)}
     alive: set[str] = set()
     most = 0
@@ -236,8 +247,8 @@ def dot_text(network: nx.DiGraph) -> str:
 
 
 def _label(node: dict[str, str | int]) -> list[str]:
-    """Return the two lines of text that describe a node: what it is, and in which register and
-    when."""
+    """Return the two lines of text that describe a node: what it is, and its register and
+    boundary."""
     match node["kind"]:
         case "plane":
             return [f"{node['name']} in {node['register']}", str(node["holder"])]

@@ -26,9 +26,10 @@ _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
 def shutter_chart(
     rows: NDArray[np.bool_], labels: Sequence[str], slot_us: Sequence[float], buckets: Sequence[str]
 ) -> html.Html:
-    """Return a chart of shutters bool (shutters, buckets, N) over time, with one row each.
+    """Return a chart of shutters, bool (shutters, buckets, N), over time, with one row each.
 
-    If there are many shutters, evenly spaced ones are shown, including the first and the last."""
+    `labels` stand beside the rows. If there are many shutters, evenly spaced ones are shown,
+    including the first and the last."""
     count = len(rows)
     chosen = np.unique(np.rint(np.linspace(0, count - 1, min(count, _MOST_ROWS))).astype(int))
     edges = np.concatenate(([0.0], np.cumsum(slot_us)))
@@ -61,10 +62,11 @@ def shutter_chart(
 def _bars(
     places: NDArray[np.float64], share: NDArray[np.float64], top: float, height: float, bucket: int
 ) -> list[str]:
-    """Return SVG paths of bars whose shade shows which share of shutters is open over time.
+    """Return SVG paths of one shutter's bar, whose shade shows for which part of each column it is
+    open.
 
-    `places` are the column edges and `share` the open share of each column, both 0..1; `top` and
-    `height` are in pixels."""
+    `places` are the column edges and `share` the open part of each column, all 0..1; `top` and
+    `height` are in pixels. `bucket` chooses the colour."""
     shade = np.ceil(share * _SHADES - 1e-9).astype(int)
     starts = np.concatenate(([0], np.flatnonzero(np.diff(shade)) + 1))
     ends = np.concatenate((starts[1:], [len(shade)]))
@@ -82,7 +84,8 @@ def _bars(
 
 
 def container_chart(container: Container) -> html.Html:
-    """Return the chart of a container's shutters; empty if they depend on the light."""
+    """Return the chart of a container's shutters; empty if they depend on the light or are
+    unknown."""
     if not (container.has_table and KINDS.of(container).shutters_known):
         return html.Html()
     drawn = shutters_of(container)
@@ -90,8 +93,9 @@ def container_chart(container: Container) -> html.Html:
 
 
 def program_card(name: str, container: Container, compiled: Compiled | None) -> str:
-    """Return a card of the program `name`: its shutters, summary and messages. `compiled` is None
-    for a program that was loaded."""
+    """Return a card of a program in HTML: its shutters, summary and messages.
+
+    `compiled` is None for a program that was loaded from words."""
     if compiled is not None:
         rows: list[tuple[str, str]] = summary_rows(compiled)
     else:

@@ -22,11 +22,12 @@ SUFFIXES = {
 
 
 def emitted(kind: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
-    """Return the product of a kind in SUFFIXES, by its file name (STEM and suffix).
+    """Return the product of a kind in SUFFIXES as {file name: content}; file names begin with
+    `stem`.
 
-    Further files follow it: the images of a C++ program. Raises Rejected if the program's chip does
-    not have such products (NS0510 for words and gates, NS0512 for planes). Raises ValueError if it
-    is unknown whether the program fits."""
+    A C++ program has its images as further files. Raises Rejected if the program's chip does not
+    have such products (NS0510 for words and gates, NS0512 for planes). Raises ValueError if it is
+    unknown whether the program fits."""
     if compiled.container is None:
         raise ValueError("the program has no words to write")
     from nscc.emit.listing import print_tree, program_text
@@ -51,7 +52,10 @@ def emitted(kind: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
 def word_product(
     product: str, compiled: Compiled, stem: str, kind: ProgramKind
 ) -> dict[str, bytes]:
-    """Return a product of words, for a program of a `kind` with words; raises as `emitted` does."""
+    """Return a product of a program with words as {file name: content}; file names begin with
+    `stem`.
+
+    `product` is a key of SUFFIXES, and `kind` the kind of the program. Raises as `emitted` does."""
     from nscc.emit.listing import schedule_text
 
     lowered, container = compiled.lowered, compiled.container

@@ -34,8 +34,10 @@ def subject(program: Program) -> dict[str, Any]:
 
 
 def report(choice: Choice, proof: Proof) -> dict[str, Any]:
-    """Return the build report of the best lowering of `choice` as JSON values, as `--emit report`
-    writes them, with the result of its `proof`."""
+    """Return the build report of the best lowering as JSON values, as `--emit report` writes them.
+
+    Times are in microseconds, and `headroom_e` in electrons. Other lowerings are listed under
+    `alternatives`."""
     lowered = choice.best
     program, schedule = lowered.program, lowered.schedule
     slots = len(program.frame.slot_us)
@@ -89,14 +91,15 @@ def report_bytes(values: dict[str, Any]) -> bytes:
 
 
 def _range(lowered: Lowered) -> dict[str, int]:
-    """Return the fewest and the most analog words that a pixel executes, as JSON values."""
+    """Return the fewest and the most analog words that a pixel executes, as {"min": .., "max":
+    ..}."""
     least, most = lowered.plan.analog_writes
     return {"min": least, "max": most}
 
 
 def _priced(lowered: Lowered) -> dict[str, Any]:
-    """Return the cost of one lowering as JSON values: words, the shortest slot (us), analog writes,
-    headroom (e)."""
+    """Return the cost of one lowering as JSON values: words, shortest slot in microseconds, analog
+    writes, headroom in electrons."""
     return {
         "lowering": lowered.plan.lowering,
         "fits": lowered.fits,
@@ -110,8 +113,11 @@ def _priced(lowered: Lowered) -> dict[str, Any]:
 
 
 def _logic(lowered: Lowered) -> dict[str, Any]:
-    """Return the numbers of digital words per frame with which `lowered` decodes codes, without
-    refresh, as JSON values."""
+    """Return how many digital words of a frame decode codes, without those that only refresh
+    registers.
+
+    The JSON values also have the number of operations, where the two words of a pair count as one.
+    """
     schedule, program = lowered.schedule, lowered.program
     per_kernel = [_digital(kernel) for kernel in schedule.kernels]
     slots = len(program.frame.slot_us)
@@ -137,7 +143,8 @@ def _logic(lowered: Lowered) -> dict[str, Any]:
 
 
 def _digital(kernel: tuple[Op, ...]) -> tuple[int, int]:
-    """Return the number of decoding words and of in-place pairs in a kernel."""
+    """Return the number of words that decode codes, and of pairs among them, in a kernel (list of
+    words)."""
     rows = [word.operation for word in kernel]
     digital = [row for row in rows if row.effect in (WordEffect.DIGITAL, WordEffect.FLAG_DIGITAL)]
     pairs = sum(row.phase is Phase.READ and not row.name.startswith("REFRESH") for row in digital)

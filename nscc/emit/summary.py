@@ -13,7 +13,7 @@ from nscc.program.program import Program
 
 
 def summary(name: str, compiled: Compiled) -> str:
-    """Return the text that `nscc check` prints for the valid program `name`."""
+    """Return the text that `nscc check` prints for the valid program file `name`."""
     fits = compiled.container is not None
     verdict = (
         f"fits {compiled.program.target.name}" if fits else "passes, unless its words do not fit"
@@ -23,7 +23,7 @@ def summary(name: str, compiled: Compiled) -> str:
 
 
 def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
-    """Return class, codes and costs of the program `compiled` as rows (label, text)."""
+    """Return the rows (label, text) of a summary: class, codes and costs."""
     program = compiled.program
     table = program.table
     return [
@@ -38,8 +38,8 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
 
 
 def word_rows(compiled: Compiled) -> list[tuple[str, str]]:
-    """Return the rows (label, text) about the words of `compiled`; empty if it is unknown whether
-    it fits."""
+    """Return the rows (label, text) about a program's words; [] if it is unknown whether they
+    fit."""
     program, lowered, proof = compiled.program, compiled.lowered, compiled.proof
     if lowered is None or proof is None:
         return []
@@ -67,7 +67,7 @@ def word_rows(compiled: Compiled) -> list[tuple[str, str]]:
 
 
 def _codes_text(program: Program) -> str:
-    """Return how many codes of `program` are compiled, and how many others are legal or in use."""
+    """Return how many codes are compiled, and how many others are legal or in use."""
     count, legal = len(program.table.codes), program.legal_codes
     if program.mode == "fixed":
         excludes_legal_codes = legal is not None and legal > count
@@ -79,8 +79,7 @@ def _codes_text(program: Program) -> str:
 
 
 def word_cost_text(compiled: Compiled) -> str:
-    """Return words a frame, words stored and the shortest possible slot of `compiled`, in two
-    lines."""
+    """Return two lines: words a frame and words stored, and the shortest possible slot."""
     lowered = compiled.lowered
     assert lowered is not None
     target, (stored, executed) = lowered.program.target, _words(compiled)
@@ -106,8 +105,9 @@ def _words(compiled: Compiled) -> tuple[int, int]:
 
 
 def word_frame_text(lowered: Lowered) -> str:
-    """Return the cost of a frame of `lowered` in sentences, with the distribution of words over
-    slots. The last sentence is continued by the caller."""
+    """Return the cost of a frame in sentences, with the distribution of words over slots.
+
+    The last sentence, which begins with "The words", is completed by the caller."""
     schedule, slots = lowered.schedule, lowered.plan.slots
     most = max(lowered.words_per_boundary)
     boundary = lowered.words_per_boundary.index(most)
@@ -120,7 +120,8 @@ def word_frame_text(lowered: Lowered) -> str:
 
 
 def word_slot_text(lowered: Lowered, slot: int) -> str:
-    """Return the words at the start of a slot, and their share of it, as the rest of a sentence."""
+    """Return the number of words at the start of a slot and their share of it, as the end of a
+    sentence."""
     words, busy_us = lowered.words_per_boundary[slot], lowered.busy_us[slot]
     if not words:
         return "costs no words."
@@ -130,5 +131,5 @@ def word_slot_text(lowered: Lowered, slot: int) -> str:
 
 
 def share_text(us: float, slot_us: float) -> str:
-    """Return a time, and its share of a slot."""
+    """Return a time, and how much of a slot it is in percent, such as "2.5 us or 2 % of it"."""
     return f"{time_text(us)} or {100 * us / slot_us:.2g} % of it"

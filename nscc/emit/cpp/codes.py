@@ -39,7 +39,8 @@ _OPEN = _SIDE - 1
 
 @dataclass(frozen=True, slots=True, order=True)
 class Match:
-    """All pixels whose address equals (row, col) in the bits that are not ignored by the masks."""
+    """An address pattern: all pixels whose address equals (row, col) in the bits that the masks do
+    not ignore."""
 
     row: int
     col: int
@@ -49,17 +50,18 @@ class Match:
 
 @dataclass(frozen=True, slots=True)
 class Patterns:
-    """A plane as the union of `matches`, or the complement of this union if `inverted`."""
+    """A bit plane as the union of address patterns, or the complement of this union if
+    `inverted`."""
 
     matches: tuple[Match, ...]
     inverted: bool
 
 
 def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
-    """Return `plane` bool (rows, cols) as address patterns; None if it depends on too many address
-    bits.
+    """Return a bit plane, bool (rows, cols), as address patterns; None if it depends on too many
+    address bits.
 
-    Addresses outside the array are don't-cares."""
+    The chip sets all pixels of a pattern at once. Addresses outside the array may get any value."""
     rows, cols = plane.shape
     on, off = (np.zeros((_SIDE, _SIDE), dtype=np.bool_) for _ in range(2))
     on[:rows, :cols] = plane[:, ::-1]
@@ -83,8 +85,11 @@ _Cube = tuple[int, int]
 
 
 def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, list[_Bit]]:
-    """Return the address bits that the planes depend on, lowest first, and both truth tables over
-    them."""
+    """Return two truth tables over the address bits on which a plane depends, and these bits,
+    lowest first.
+
+    `on` and `off`, bool by address, mark the pixels that must be 1 and 0. A bit on which neither
+    depends is left out; the tables are integers."""
     cube = (2,) * (2 * ADDRESS_BITS)
     on, off = on.reshape(cube), off.reshape(cube)
     bits: list[_Bit] = []
@@ -94,20 +99,22 @@ def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, l
         if (on_0 & off_1).any() or (on_1 & off_0).any():
             bits.append((index >= ADDRESS_BITS, 1 << (ADDRESS_BITS - 1 - index % ADDRESS_BITS)))
         else:
+            # Nothing depends on this address bit: both halves become one.
             on, off = on_0 | on_1, off_0 | off_1
     return _table(on), _table(off), bits[::-1]
 
 
 def _table(plane: NDArray[np.bool_]) -> int:
-    """Return the bits of a small plane as an integer, row by row, the first bit lowest."""
+    """Return a small plane as an integer, row by row, the first bit lowest."""
     return int.from_bytes(np.packbits(plane.ravel(), bitorder="little").tobytes(), "little")
 
 
 def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
-    """Return an irredundant union of cubes that contains `needed` and lies in `allowed`, and its
+    """Return a union of cubes that contains `needed` and lies in `allowed`, and the union's truth
     table.
 
-    Truth tables are integers. The method is the algorithm of Minato and Morreale."""
+    Truth tables of `bits` variables are integers. No cube can be left out. The method is the
+    algorithm of Minato and Morreale."""
     if not needed:
         return [], 0
     if allowed == (1 << (1 << bits)) - 1:
@@ -129,10 +136,10 @@ def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
 
 
 def _match(cube: _Cube, bits: list[_Bit]) -> Match:
-    """Return the address pattern of a cube: the address bits that are fixed, and their values.
+    """Return the address pattern of a cube.
 
-    Bit i of a cube belongs to `bits[i]`: whether it is an address bit of the column, and which bit.
-    """
+    Bit i of a cube belongs to `bits[i]`: whether it is an address bit of the column, and the value
+    of that bit."""
     named, ones = cube
     value, mask = [0, 0], [_OPEN, _OPEN]
     for index, (column, bit) in enumerate(bits):
@@ -146,7 +153,7 @@ _HEADER = 14 + 40
 
 
 def bitmap(plane: NDArray[np.bool_]) -> bytes:
-    """Return a 24-bit Windows bitmap that is white where `plane` bool (rows, cols) is 1.
+    """Return a 24-bit Windows bitmap that is white where a bit plane, bool (rows, cols), is 1.
 
     The width is rounded up to a multiple of 8 with black pixels, because the devkit packs eight
     pixels of a row into a byte."""
@@ -155,6 +162,8 @@ def bitmap(plane: NDArray[np.bool_]) -> bytes:
     pixels = np.zeros((rows, width, 3), dtype=np.uint8)
     pixels[:, :cols][plane] = 255
     data = pixels[::-1].tobytes()  # bottom row first; a multiple of 8 needs no padding
+    # The length of this header, one colour plane with 24 bits a pixel, and 72 dots per inch (2835 a
+    # metre).
     sizes = (40, width, rows, 1 | 24 << 16, 0, len(data), 2835, 2835, 0, 0)
     info = b"".join(size.to_bytes(4, "little") for size in sizes)
     start = (_HEADER + len(data), 0, _HEADER)
@@ -171,10 +180,11 @@ _REFRESHES_IN_A_LIFE = 4
 
 @dataclass(frozen=True)
 class PlaneLoad:
-    """How one code register is loaded.
+    """How the plane of one code register is loaded.
 
-    Without `patterns`, its plane is loaded from the image `file`. `scratch` is a register that
-    holds each pattern before it is added; without it, several patterns are drawn pixel by pixel."""
+    Without `patterns`, it is loaded from the image `file`. `masked` tells whether it is the chip's
+    masked register. `scratch` is a register that holds each pattern before it is added; without it,
+    several patterns are drawn pixel by pixel."""
 
     register: str
     masked: bool
@@ -212,15 +222,18 @@ class CodeLoading:
 
     @property
     def words(self) -> int:
-        """Return the number of stored words of the kernels that load and refresh code registers."""
+        """The number of stored words of the kernels (lists of words) that load and refresh code
+        registers."""
         kernels = [self.refresh_calls()] if self.loads else []
         for load in self.loads:
             kernels += self.kernels_of(load)
         return sum(map(calls_words, kernels))
 
     def refresh_calls(self) -> list[Call]:
-        """Return the calls of the kernel that refreshes every code register. The masked register
-        is written back while its mask is 1; the mask's own code is kept in FLAG meanwhile."""
+        """Return the library calls that write every code register again, before it loses its bits.
+
+        The masked register is written back while its mask is 1; the mask's own code is kept in FLAG
+        meanwhile."""
         registers = [load.register for load in self.loads]
         masked, mask = self.target.masked_register, self.target.mask_register
         out: list[Call] = []
@@ -236,19 +249,22 @@ class CodeLoading:
         return out + [("REFRESH", (register,)) for register in registers]
 
     def clear_calls(self, load: PlaneLoad) -> list[Call]:
-        """Return the calls of the kernel that clears registers before a load."""
+        """Return the library calls that clear registers before a load; the mask of a masked
+        register is set first."""
         mask = self.target.mask_register
         mask_call = [("SET", (mask,))] if load.masked and mask is not None else []
         return [*mask_call, ("CLR", load.cleared)]
 
     def add_calls(self, load: PlaneLoad) -> list[Call]:
-        """Return the calls of the kernel that adds one pattern to the register of a load."""
+        """Return the library calls that add one pattern to the register of a load."""
         assert load.scratch is not None
         return [("OR", (load.register, load.scratch)), ("CLR", (load.scratch,))]
 
     def kernels_of(self, load: PlaneLoad) -> list[list[Call]]:
-        """Return the kernels that load one register: clear it, add the address patterns, and
-        invert it if the patterns describe the zeros."""
+        """Return the library calls of each kernel (list of words) that loads one register.
+
+        They clear it, add the address patterns, and invert it if the patterns describe the zeros.
+        """
         kernels = [self.clear_calls(load)]
         if load.gathered and load.scratch:
             kernels.append(self.add_calls(load))
@@ -258,7 +274,7 @@ class CodeLoading:
 
 
 def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> CodeLoading:
-    """Choose how to load `planes`, which are in loading order.
+    """Choose how to load bit planes, which are given by register in loading order.
 
     The file names of images start with `stem`."""
     order = list(planes)
@@ -267,6 +283,8 @@ def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: st
     loads = []
     for index, (register, plane) in enumerate(planes.items()):
         later = [r for r in order[index + 1 :] if r != masked]
+        # A register that is loaded later is free until then, but the mask must be 1 for the masked
+        # register.
         usable = [r for r in (*free, *later) if not (r == mask and register == masked)]
         loads.append(
             PlaneLoad(
@@ -281,7 +299,7 @@ def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: st
 
 
 def loading_lines(loading: CodeLoading) -> Iterator[str]:
-    """Yield the C++ tables and functions for loading; the last function is `load_codes`."""
+    """Yield the C++ tables and functions that load the codes; the last function is `load_codes`."""
     rows, cols = loading.target.rows, loading.target.cols
     yield from template_lines("fading")
     if loading.refresh_calls()[0][0] == "WHERE":
@@ -316,7 +334,7 @@ def _load_lines(loading: CodeLoading, load: PlaneLoad) -> Iterator[str]:
     """Yield the C++ function that loads one register, with its table of patterns if it needs one.
 
     The register is loaded from an image, from patterns drawn at once, from patterns gathered in a
-    scratch register, or from a call for each pattern."""
+    scratch register, or by a call for each pattern."""
     register, patterns = load.register, load.patterns
     name = register.lower()
     if load.gathered:
@@ -348,8 +366,8 @@ def _load_lines(loading: CodeLoading, load: PlaneLoad) -> Iterator[str]:
 
 
 def _operands(match: Match) -> str:
-    """Return the four numbers by which the devkit selects the pixels of a match: row, column,
-    and masks of both."""
+    """Return the four numbers by which the devkit selects pixels: row, column, and the masks of
+    both."""
     return f"{match.row}, {match.col}, {match.row_mask}, {match.col_mask}"
 
 

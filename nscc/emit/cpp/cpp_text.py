@@ -22,8 +22,8 @@ def _templates() -> dict[str, str]:
 
 
 def template_lines(name: str, **values: object) -> list[str]:
-    """Return the lines of the section `name` of `parts.cpp`, with each `@KEY@` replaced by its
-    value."""
+    """Return the lines of the section `name` of `parts.cpp`, with each `@KEY@` replaced by the
+    value of `key`."""
     text = _templates()[name]
     for key, value in values.items():
         text = text.replace(f"@{key}@", str(value))
@@ -39,13 +39,13 @@ def safe(text: str) -> str:
 
 
 def comment(text: str, indent: str = "") -> list[str]:
-    """Return a `//` comment, wrapped to several lines."""
+    """Return the lines of a `//` comment, wrapped to WIDTH columns."""
     head = f"{indent}// "
     return [head + line for line in wrap(safe(text), WIDTH - len(head)) or [""]]
 
 
 def entry(title: str, text: str) -> list[str]:
-    """Return an entry of the header comment: a title column and wrapped text."""
+    """Return the lines of an entry of the header comment: a title column and wrapped text."""
     first, *following_lines = comment(text, " " * 11)
     return [
         f"// {title:<11}{first[14:]}",
@@ -70,8 +70,9 @@ def call_text(call: Call) -> str:
 
 
 def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
-    """Return the lines of a kernel of these `calls`, which is recorded inline at its first run and
-    launched."""
+    """Return the lines that record a kernel of these library calls at its first run, and launch it.
+
+    A kernel is a list of words that the chip stores."""
     return [
         f"{indent}scamp5_kernel_begin();",
         *(f"{indent}    {call_text(call)}" for call in calls),
@@ -80,7 +81,8 @@ def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
 
 
 def remarked(lines: Sequence[tuple[str, str]], column: int = 44) -> Iterator[str]:
-    """Yield lines of code with their comments aligned."""
+    """Yield lines of code, each with its comment (or "") in a common column, at least `column`."""
+    # Very long lines do not move the comments of the others.
     at = max([column, *(len(text) + 2 for text, remark in lines if remark and len(text) < 76)])
     for text, remark in lines:
         yield f"{text:<{at}}// {safe(remark)}" if remark else text

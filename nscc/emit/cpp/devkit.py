@@ -18,10 +18,10 @@ _NAMES = re.compile(r"\bscamp5(_\w+(?=\()|\.hpp)")
 
 @dataclass(frozen=True)
 class Devkit:
-    """The library of a chip's devkit.
+    """The software library of a chip's devkit.
 
     Names in the library start with `library`. It has `digital` one-bit registers R0, R1, ...
-    `tables` means that the layout of its constant kernel tables is public."""
+    `tables` means that the layout of its constant tables of words is public."""
 
     name: str
     library: str
@@ -34,7 +34,8 @@ class Devkit:
         return frozenset(ANALOG_WRITE) | {f"R{i}" for i in range(self.digital)}
 
     def named(self, line: str) -> str:
-        """Translate a line of C++ from the SCAMP-5d library's names to this library's."""
+        """Return a line of C++ with the SCAMP-5d library's names replaced by those of this
+        library."""
         return _NAMES.sub(lambda match: f"{self.library}{match[1]}", line).replace(
             "SCAMP5_PE", f"{self.library.upper()}_PE"
         )
@@ -47,13 +48,15 @@ DEVKITS = (
 
 
 def devkit_of(target: Target) -> Devkit:
-    """Return the first devkit that has all registers of the target, else the last devkit."""
+    """Return the first devkit whose library has all registers of the target, else the last
+    devkit."""
     registers = {*target.analog_registers, *target.digital_registers}
     return next((devkit for devkit in DEVKITS if registers <= devkit.registers), DEVKITS[-1])
 
 
 def devkit_fault(container: Container, devkit: Devkit) -> str | None:
-    """Return why the devkit's chip cannot run the container, as half a sentence; None if it can."""
+    """Return why the devkit cannot run the container, as the end of "the target ..."; None if it
+    can."""
     target, fault = container.target, loader_fault(container)
     if fault is not None:
         return f"cannot do yet what the program needs: {fault}"

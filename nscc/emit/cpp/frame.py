@@ -34,10 +34,11 @@ _US = 1 << 32
 
 @dataclass(frozen=True)
 class Row:
-    """A row of the schedule: `times` launches of a kernel at equal intervals.
+    """A row of the schedule: `times` launches of a kernel (list of words) at equal intervals.
 
     The first launch is `at` microseconds after the frame's first word, each next one `interval_us`
-    later. A row with `kernel` None only waits. `instants` are the boundaries of the launches."""
+    later. IN is set to `level` steps before, unless that is None. A row with `kernel` None only
+    waits. `instants` are the boundaries of the launches."""
 
     at: Fraction
     interval_us: Fraction
@@ -53,7 +54,9 @@ class Row:
 
 @dataclass(frozen=True)
 class LaunchSchedule:
-    """The rows of a frame; the exposure begins at `begin_us`, and the last slot ends at `end`."""
+    """The rows of a frame, with times in microseconds after its first word.
+
+    The exposure begins at `begin_us`, and the last slot ends at `end`."""
 
     rows: tuple[Row, ...]
     begin_us: int
@@ -78,10 +81,10 @@ class LaunchSchedule:
 
 
 def schedule_of(container: Container) -> LaunchSchedule:
-    """Return the times of all launches of a frame, and of rests between launches that are far
-    apart.
+    """Return the times of all launches (starts of kernels) of a frame.
 
-    Launches at equal intervals with the same kernel and level are one row."""
+    Launches at equal intervals with the same kernel and level are one row. Rows that only wait
+    divide long intervals."""
     begin_us = ceil(_setup_us(container))
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
@@ -98,8 +101,8 @@ def schedule_of(container: Container) -> LaunchSchedule:
 
 
 def exact(value: float) -> Fraction:
-    """Return a float as an exact fraction: the value of the shortest decimal number that
-    prints it."""
+    """Return a float as the exact fraction of the shortest decimal number that prints it, such as
+    1/10 for 0.1."""
     return Fraction(Decimal(repr(float(value))))
 
 
@@ -115,8 +118,8 @@ def kernel_us(kernel: StoredKernel, target: Target) -> Fraction:
 
 
 def _setup_us(container: Container) -> Fraction:
-    """Return the time in us from the first word of a frame to the end of the reset that begins the
-    exposure."""
+    """Return the time in microseconds from a frame's first word to the end of the reset that begins
+    the exposure."""
     target = container.target
     elapsed = setup = Fraction(0)
     for launch in container.launches:
@@ -131,15 +134,20 @@ def _setup_us(container: Container) -> Fraction:
 
 
 def _rests(before: Fraction, at: Fraction, instant: int) -> Iterator[Row]:
-    """Yield additional waits between two launches, so that no interval exceeds LONGEST_GAP_US."""
+    """Yield rows that only wait, between launches at `before` and `at` microseconds, so that no
+    interval exceeds LONGEST_GAP_US.
+
+    `instant` is the boundary of the second launch."""
     while at - before > LONGEST_GAP_US:
         before += LONGEST_GAP_US
         yield Row(before, Fraction(0), None, None, (instant,))
 
 
 def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
-    """Yield rows in which launches with the same kernel, level and interval are merged, at most
-    `MOST_TIMES` in a row."""
+    """Yield the rows, with launches of the same kernel and level at equal intervals merged into
+    one.
+
+    A row has at most `MOST_TIMES` launches."""
     start = 0
     while start < len(rows):
         first, end = rows[start], start + 1
@@ -158,12 +166,12 @@ def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
 
 
 def kernel_name(number: int) -> str:
-    """Return the C++ name of a kernel."""
+    """Return the C++ name of the kernel (list of words) with this number, such as `k3`."""
     return f"k{number}"
 
 
 def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[str]:
-    """Yield the C++ table of kernels, the schedule, and the function that runs a frame."""
+    """Yield the C++ table of kernels, the table of launches, and the function that runs a frame."""
     count = len(container.kernels)
     if schedule.waits:
         yield "void rest() {}                      // no kernel: a moment to wait for"
@@ -213,7 +221,9 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
 
 
 def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
-    """Return a row as C++, with times in microseconds; fractions are in units of 2^-32 us.
+    """Return a row of the schedule as C++, with times in microseconds.
+
+    If not all times are whole, each has a second number: its fraction in units of 2^-32 us.
     `rest_kernel` is the number that stands for a row without a kernel."""
     numbers: list[int] = []
     for moment in (row.at, row.interval_us):

@@ -20,9 +20,10 @@ from nscc.words.encoding import decode, encode, word_text
 
 
 def narrowed(container: Container) -> list[list[Op]] | None:
-    """Return the kernels in words that all have a call in the devkit's library.
+    """Return the words of every kernel as words that all have a call in the devkit's library.
 
-    None if a WHERE has too many sources and no digital register is free to gather them."""
+    Words with too many operands become several. Return None if a WHERE has too many sources and no
+    digital register is free to gather them."""
     kernels = [[decode(word) for word in kernel.words] for kernel in container.kernels]
     target = container.target
     used = {r for kernel in kernels for word in kernel for r in (*word.destinations, *word.sources)}
@@ -47,9 +48,9 @@ def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
     """Yield the words of a kernel with operands divided among more words, as the devkit's calls
     need it.
 
-    A pair that adds several registers becomes a chain of pairs. WHERE with many sources first
-    gathers them in the register `scratch`; raises _NoRegister if `scratch` is None. OR, NOR, SET
-    and CLR are divided."""
+    A pair that combines several registers becomes a chain of pairs. WHERE with many sources first
+    gathers them in the register `scratch`; raises _NoRegister if that is None. OR, NOR, SET and CLR
+    are divided."""
     read: Op | None = None
     for word in kernel:
         if word.operation.phase is Phase.READ:
@@ -77,8 +78,8 @@ def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
 
 
 def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
-    """Yield words that write `kind` (OR or NOR) of `sources`, which do not include `register`, to
-    it."""
+    """Yield words that write `kind` (OR or NOR) of `sources` to a register that is not one of
+    them."""
     most = MOST_SOURCES["OR"]
     if len(sources) <= most:
         yield op(kind, (register,), sources)
@@ -88,8 +89,8 @@ def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
 
 
 def _accumulate_sources(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
-    """Yield words that write `kind` of `register` and `sources` to `register`, one source at a
-    time."""
+    """Yield words that write `kind` (OR or NOR) of a register and `sources` to the register, one
+    source at a time."""
     for source in sources[:-1]:
         yield from pair("OR", register, (register, source))
     yield from pair(kind, register, (register, sources[-1]))
@@ -114,8 +115,9 @@ _MOST_OPERANDS = 4
 
 
 def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
-    """Return the library calls that record exactly `ops`, each with its words; None if a word has
-    no call."""
+    """Return the library calls that record exactly these words, each with its words.
+
+    Return None if a word has no call."""
     recorded: list[tuple[Call, tuple[Op, ...]]] = []
     at = 0
     while at < len(ops):
@@ -141,10 +143,10 @@ def calls_words(recorded: Sequence[Call]) -> int:
 def kernel_lines(
     name: str, ops: Sequence[Op], narrow: Sequence[Op] | None, *, tables: bool
 ) -> Iterator[str]:
-    """Yield the C++ function `name`, which launches a kernel of the words `ops`.
+    """Yield the C++ function `name`, which runs a kernel of the words `ops`.
 
     `narrow` are equivalent words that all have calls, or None. They replace words without a call in
-    the simulator, and on chips without public `tables`."""
+    the simulator, and on chips whose devkit has no public `tables` of words."""
     recorded = calls(ops)
     if recorded is not None:
         yield from _recorded(name, recorded)
@@ -168,7 +170,7 @@ def kernel_lines(
 
 
 def _recorded(name: str, recorded: Sequence[tuple[Call, tuple[Op, ...]]]) -> Iterator[str]:
-    """Yield the C++ function `name` of a kernel: a call for each window of words, with these as
+    """Yield the C++ function `name` of a kernel: its library calls, with their words as
     comments."""
     body = [
         (f"        {call_text(call)}", "; ".join(map(str, window))) for call, window in recorded
@@ -176,6 +178,7 @@ def _recorded(name: str, recorded: Sequence[tuple[Call, tuple[Op, ...]]]) -> Ite
     yield f"void {name}() {{"
     yield "    scamp5_kernel_begin();"
     if any(word.analog for _, window in recorded for word in window):
+        # Analog words run at the slower clock.
         yield "        SLOW_CLOCK"
     yield from remarked(body)
     yield "    scamp5_kernel_end();"
@@ -184,17 +187,21 @@ def _recorded(name: str, recorded: Sequence[tuple[Call, tuple[Op, ...]]]) -> Ite
 
 @cache
 def _lengths() -> tuple[int, ...]:
-    """Return the possible numbers of words of a macro, in descending order."""
+    """Return the possible numbers of words of a library call, in descending order: long calls are
+    tried first."""
     return tuple(sorted({1, *map(len, _shapes())}, reverse=True))
 
 
 @cache
 def _shapes() -> dict[tuple[str, ...], list[tuple[str, int]]]:
-    """Return macros and their numbers of operands, by the operation names of their expansion."""
+    """Return the macros with their numbers of operands, by the names of the words that they expand
+    to."""
     shapes: dict[tuple[str, ...], list[tuple[str, int]]] = {}
     for name in _MACROS:
         least, most = MNEMONICS[name].least, MNEMONICS[name].most or 2
         for count in range(least, min(most, _MOST_OPERANDS) + 1):
+            # A macro takes either analog or digital registers; only the names of its words matter
+            # here.
             for registers in (("A", "B", "C", "D"), ("R1", "R2", "R3", "R4")):
                 try:
                     ops = expand(name, registers[:count])
@@ -208,7 +215,7 @@ def _shapes() -> dict[tuple[str, ...], list[tuple[str, int]]]:
 
 @lru_cache(maxsize=1 << 14)
 def _macro(window: tuple[Op, ...]) -> Call | None:
-    """Return the macro call that expands to exactly `window`, or None."""
+    """Return the library's macro call that expands to exactly these words, or None."""
     registers = list(dict.fromkeys(r for o in window for r in (*o.destinations, *o.sources)))
     for name, count in _shapes().get(tuple(operation.name for operation in window), []):
         usable = [r for r in registers if r not in MNEMONICS[name].scratch]
@@ -222,8 +229,7 @@ def _macro(window: tuple[Op, ...]) -> Call | None:
 
 
 def _single(operation: Op) -> Call | None:
-    """Return the library call for the word `operation`, or None if the library has none for its
-    operands."""
+    """Return the library call for one word, or None if the library has none for its operands."""
     if operation.operation.phase is not Phase.WHOLE:
         return None
     if len(operation.sources) > MOST_SOURCES.get(operation.name, len(operation.sources)):

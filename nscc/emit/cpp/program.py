@@ -56,8 +56,10 @@ MARGINS_GROW = (
 
 
 def report_lines(container: Container, film: list[dict[str, Reach]]) -> Iterator[str]:
-    """Yield the function `report`, and for each report the margins of its plane in the frames of
-    `film`."""
+    """Yield the C++ function `report` and, for each report, the margins of its plane.
+
+    A margin is how far from each side of the array pixels depend on light beyond it. `film` has the
+    reach of every plane by frame: the last entry holds from that frame on."""
     pictures, target = container.pictures, container.target
     yield "#ifdef __LPC43XX__"
     for number, report in enumerate(pictures.reports):
@@ -84,12 +86,12 @@ class DevkitProgram:
 
 
 def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str) -> DevkitProgram:
-    """Return the program for the devkit that has the target's registers; images are named after
-    `stem`.
+    """Return the program for the devkit that has the target's registers.
 
-    Raises Rejected: NS0520 if the devkit's chip cannot run the program, because of its registers or
-    array size, missing pixel data, or no room for the kernels that load codes; NS0521 for words
-    that the devkit's library lacks."""
+    `tree` gives the source lines for comments; images are named after `stem`. Raises Rejected:
+    NS0520 if the devkit's chip cannot run the program, because of its registers or array size,
+    missing pixel data, or no room for the kernels that load codes; NS0521 for words that the
+    devkit's library lacks."""
     exposure, container = container, with_picture_words(container)
     program, target = lowered.program, container.target
     devkit = devkit_of(target)
@@ -142,8 +144,7 @@ _DATA = "add `pixels FIELD = ...` for every field"
 def _no_cpp(
     program: Program, devkit: Devkit, reason: str, way_out: str, code: str = "NS0520"
 ) -> Diagnostic:
-    """Return the error that C++ cannot be written, for a `reason` and with `way_out` as its
-    help."""
+    """Return the error that C++ cannot be written, for `reason`; `way_out` is its help."""
     span = program.target_span
     return Diagnostic(
         code,
@@ -158,12 +159,15 @@ def _no_cpp(
 def _check_store(
     program: Program, container: Container, loading: CodeLoading, devkit: Devkit
 ) -> None:
-    """Raise Rejected (NS0520) if the words of the frame, of loading the codes and of the readout
-    do not fit the store together. `loading` are the words that load codes."""
+    """Check that the words of the frame, of loading the codes and of the readout fit the store
+    together.
+
+    Raises Rejected (NS0520) if they do not."""
     target = container.target
     frame = sum(
         len(kernel.words)
         for kernel in container.kernels
+        # Kernels without calls become constant tables, which need not count.
         if target.tables_count_against_store or calls(ops_of(kernel)) is not None
     )
     preparing = len(preparation_of(container).words)
@@ -191,9 +195,7 @@ def _header(
     devkit: Devkit,
 ) -> Iterator[str]:
     """Yield the comment above the C++ program: class, slots, registers, words, times, readout,
-    digests.
-
-    `schedule` holds the times of launches, `loading` how the codes are loaded."""
+    digests."""
     program, allocation = lowered.program, lowered.schedule.allocation
     target = container.target
     stored = sum(len(kernel.words) for kernel in container.kernels)
@@ -246,13 +248,13 @@ def _header(
 
 
 def _name(program: Program) -> str:
-    """Return the name of the program's file without its folder."""
+    """Return the file name of the program without its folder."""
     return PurePath(program.source.name).name
 
 
 def _time_text(container: Container, schedule: LaunchSchedule) -> str:
-    """Return the sentence on when the exposure of `schedule` begins and ends, and how long words
-    take (us)."""
+    """Return the header's sentence on when the exposure begins and ends, and how long words
+    take."""
     target = container.target
     return (
         f"the exposure begins {schedule.begin_us} us after the frame's first word and ends "
@@ -265,8 +267,7 @@ def _time_text(container: Container, schedule: LaunchSchedule) -> str:
 
 
 def _readout_text(container: Container) -> str:
-    """Return how converter codes of `container` map to electrons: spread over all codes, or as they
-    are."""
+    """Return the header's sentence on how converter codes map to electrons."""
     target = container.target
     if not container.buckets_read:
         return "images and planes"
@@ -286,8 +287,7 @@ _MOST_VALUES = 64
 
 
 def _state_texts(container: Container) -> Iterator[str]:
-    """Yield for each state that is read out the registers that hold it and the bits of its
-    values."""
+    """Yield for each state that is read out a text: its registers, and the bits of its values."""
     machine = container.machine
     for state in machine.states:
         if state.read:
@@ -300,7 +300,8 @@ def _state_texts(container: Container) -> Iterator[str]:
 
 
 def _statement(program: Program, span: Span, prefix: str = "") -> str:
-    """Return the first source line of a span as a comment."""
+    """Return a comment with the place and the first line of a statement of the program; `prefix`
+    stands before it."""
     row, _ = program.source.row_column(span.start)
     return f"// {safe(f'{prefix}{_name(program)}:{row}: {program.source.line(row).strip()}')}"
 
@@ -308,11 +309,12 @@ def _statement(program: Program, span: Span, prefix: str = "") -> str:
 def _kernels(
     tree: File, program: Program, container: Container, exposure: Container, devkit: Devkit
 ) -> Iterator[str]:
-    """Yield the C++ functions of all kernels, with comments on their times and rules.
+    """Yield the C++ functions of all kernels (lists of words), with comments on their times and
+    rules.
 
-    `exposure` is the container without images and planes. Kernels whose words have no call are
-    narrowed to fewer operands and proved again, or become tables if the devkit allows tables.
-    Raises Rejected (NS0521) if neither is possible."""
+    `exposure` is the container without the words of images and planes. Words without a library call
+    are replaced by words with fewer operands, which are proved again, or become tables if the
+    devkit allows that. Raises Rejected (NS0521) if neither is possible."""
     kernels = [ops_of(kernel) for kernel in container.kernels]
     narrow: list[list[Op]] | None = kernels
     if any(calls(ops) is None for ops in kernels):
