@@ -136,9 +136,10 @@ def from_plain(kind: Any, plain: Any) -> Any:
 
 
 def to_json(record: Any, schema: str = "") -> str:
-    """Return a record as one line of ASCII; the same record gives the same text.
+    """Return a record as one line of JSON in ASCII; the same record gives the same text.
 
-    With `schema`, such as ``"nscc-plan-2"``, the text names its format and version."""
+    With `schema`, such as ``"nscc-plan-2"``, the text has a key `schema` that names its format and
+    version."""
     import json
 
     plain = to_plain(record)
@@ -343,7 +344,9 @@ def _read_hex(text: Any) -> int:
 
 
 def _checked(limits: Within, convert: Convert) -> Convert:
-    """Return the conversion `convert` followed by a check of the result against `limits`."""
+    """Return the conversion `convert`, followed by a check of the result against `limits`.
+
+    The new function raises InvalidRecord if a number, or a length, is outside."""
 
     def converted(value: Any) -> Any:
         """Convert `value`; raise InvalidRecord if the result (or its length) is outside the

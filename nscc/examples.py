@@ -107,9 +107,9 @@ def _folder(installed: str, of_sources: str) -> Path:
 class ExampleScene(Record):
     """The scene that shows what an example program does.
 
-    `scene` is its name, `exposure` the electrons of a bright pixel in a frame, and `reconstruct`
-    the arguments of `nscc reconstruct`; None for images and planes, which need no reconstruction.
-    """
+    `scene` is its name, `exposure` the electrons over the frame in a bright pixel (`nscc demo
+    --exposure`), and `reconstruct` the arguments of `nscc reconstruct`; None for images and planes,
+    which need no reconstruction."""
 
     scene: str
     exposure: int

@@ -204,7 +204,7 @@ class ExperimentStore:
         self._known = True
 
     def forget(self, *names: str) -> None:
-        """Delete measurements."""
+        """Delete the measurements with these names; missing ones are ignored."""
         for name in names:
             where = "experiment = ? AND name = ?"
             self._execute(f"DELETE FROM measurement WHERE {where}", self._of, name)

@@ -46,8 +46,8 @@ class KindTable(Generic[Base]):
     first use. A kind that this package does not treat differently is left out."""
 
     def __init__(self, base: type[Base], **classes: str) -> None:
-        """Begin with the base of all kinds, and for each kind "module:class", which is imported
-        when it is needed."""
+        """Store the class for fixed shutters, and for each kind the place of its class,
+        "module:class"."""
         self._base, self._classes = base, classes
         self._combined = cache(self._combine)
 

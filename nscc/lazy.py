@@ -16,7 +16,7 @@ class LazyFunctions:
         self._module = module
 
     def __getattr__(self, name: str) -> Any:
-        """Return a function that imports the module and calls its function `name`."""
+        """Return a function that, when called, imports the module and calls its function `name`."""
         return lambda *arguments: getattr(import_module(self._module), name)(*arguments)
 
 

@@ -65,9 +65,9 @@ class Phase(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Operation:
-    """A row of the table of operations.
+    """A row of the table of operations: what words of this name do, and their bits.
 
-    `lines` are the control lines that the word raises in addition to those of its operands.
+    `lines` are the control lines that the word sets in addition to those of its operands.
     `destinations` and `sources` are the fewest and most operands that the chip accepts; None means
     no limit, because the digital bus is a wired OR. A target may allow fewer. `clock` is the clock
     class in bits 19-21 of word 0. `us` is the word's duration if the clock does not determine it.
@@ -86,7 +86,7 @@ class Operation:
 
     @property
     def analog(self) -> bool:
-        """Whether the word runs at the analog clock."""
+        """Whether words of this operation run at the analog clock, which is slower."""
         return self.clock == 0
 
 
@@ -247,7 +247,7 @@ class Op:
 
     @property
     def analog(self) -> bool:
-        """Whether the word runs at the analog clock."""
+        """Whether the word runs at the analog clock, which is slower."""
         return self.operation.analog
 
     def __str__(self) -> str:

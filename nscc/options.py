@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Options:
-    """Options of the compiler.
+    """Options of the compiler; each field that is an option of the command line declares its
+    meaning.
 
     `price_all` computes the costs of all lowerings, for the report. If `unproved_is_error` is false
     and only a longer search can decide whether the program fits, this is a note instead of an

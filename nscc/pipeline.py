@@ -101,9 +101,9 @@ def make_program(parsed: Parsed, job: Job) -> tuple[Program, Found]:
 class Pass(Record):
     """A compiler pass.
 
-    `run` takes the previous value and the job, and returns the new value and its diagnostics.
-    `verify` raises checks.Inconsistent if the new value violates its invariants. `text` returns the
-    value as text."""
+    `run` takes the value of the previous pass and the job, and returns the new value and its
+    diagnostics. `verify` raises checks.Inconsistent if the new value is inconsistent. `text`
+    returns the value as text, for `--print-after`."""
 
     name: str
     run: Callable[[Any, Job], tuple[Any, Found]]
@@ -188,8 +188,8 @@ class Compiled(Record):
 
     @property
     def lowered(self) -> Lowered | None:
-        """The chosen lowering; None for a chip without logic, or if it is unknown whether the
-        program fits."""
+        """The chosen words of a frame; None for a chip without logic, or if it is unknown whether
+        the program fits."""
         return getattr(self.layout, "best", None)
 
     @property
@@ -299,7 +299,7 @@ class ProgramKind:
         return list(_SUMMARY.word_rows(compiled))
 
     def cost_text(self, compiled: Compiled) -> str:
-        """Return the cost of words, or of bit planes, in two lines."""
+        """Return two lines on the cost of words or bit planes."""
         return str(_SUMMARY.word_cost_text(compiled))
 
     def size_text(self, container: Container) -> str:
@@ -377,7 +377,7 @@ Observer = Callable[[Pass, Any], None]
 
 
 class Unfit(Rejected):
-    """Raised for a valid program that does not fit its target."""
+    """Raised for a valid program that does not fit its target, with the `program`."""
 
     def __init__(self, program: Program, diagnostics: Sequence[Diagnostic]) -> None:
         """Store the program, which is valid, and the diagnostics on why it does not fit its

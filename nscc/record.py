@@ -44,7 +44,9 @@ class Record:
             cls.__eq__, cls.__hash__ = object.__eq__, object.__hash__  # type: ignore[method-assign]
 
     def __init__(self, *values: Any, **named: Any) -> None:
-        """Set the fields, by position or by name; raise TypeError for missing or unknown ones."""
+        """Set the fields, by position or by name; those with a default may be missing.
+
+        Raises TypeError for missing or unknown ones."""
         names, cls = self.field_names, type(self)
         if named or len(values) != len(names):
             later = names[len(values) :]

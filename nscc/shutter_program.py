@@ -250,9 +250,8 @@ class ShutterProgram:
 
     @cached_property
     def _replayed(self) -> NDArray[np.bool_]:
-        """The shutters that the words open, bool (shutters, buckets, slots).
-
-        Raises Rejected as `shutters` does."""
+        """The shutters that the words open, bool (shutters, buckets, slots), in the order of the
+        decode table."""
         return replayed(self.container, f"'{self.name}'")
 
     @cached_property

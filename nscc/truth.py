@@ -60,7 +60,7 @@ def vector(shutters: NDArray[np.intp]) -> int:
 
 
 def union(vectors: Iterable[int]) -> int:
-    """Return the OR of all vectors."""
+    """Return the OR of all truth vectors."""
     return reduce(or_, vectors, 0)
 
 

@@ -73,8 +73,9 @@ def version_digest() -> str | None:
 
 @cache
 def package_digest(name: str) -> str | None:
-    """Return the digest of another installed package, given its import name; None if it has no
-    sources."""
+    """Return the digest of the sources of another installed package, and of Python and numpy.
+
+    `name` is its import name. Return None if it has no sources, or they cannot be read."""
     spec = find_spec(name)
     if spec is None or not spec.submodule_search_locations:
         return None

@@ -64,7 +64,8 @@ class Results:
 
 
 def results_of_user() -> Results | None:
-    """Return the results in the user's cache folder; None if the cache is off."""
+    """Return the cached search results in the user's cache folder; None if the cache is off or not
+    safe."""
     folder = cache_folder()
     return None if folder is None else Results(Store(folder))
 

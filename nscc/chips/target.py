@@ -216,7 +216,7 @@ class Target:
 
     @property
     def has_logic(self) -> bool:
-        """Whether the pixels execute words; else they receive a bit for every slot."""
+        """Whether the pixels execute instruction words; else they receive a bit for every slot."""
         return self.kind == "scamp"
 
     @property
@@ -261,7 +261,8 @@ class Target:
 
     @property
     def wells_read(self) -> int:
-        """The range of the converter in full wells: 2 if it is symmetric around 0, else 1."""
+        """The range of the converter in full wells: 1 if exposures are spread over it, else 2, of
+        which they use half."""
         return 1 if self.conversion == "spread" else 2
 
     @property

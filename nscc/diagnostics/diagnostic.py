@@ -22,8 +22,7 @@ class Rejected(Exception):
     """
 
     def __init__(self, diagnostics: Sequence[Diagnostic] | Diagnostic, status: int = 1) -> None:
-        """Carry one or more diagnostics, and the exit status of the command (1: the user's
-        error)."""
+        """Store one or more diagnostics, and the exit status of the command; see the class."""
         listed = (diagnostics,) if isinstance(diagnostics, Diagnostic) else tuple(diagnostics)
         super().__init__(listed, status)
         self.diagnostics = listed

@@ -31,7 +31,7 @@ class Severity(StrEnum):
 
 
 class Label(Record):
-    """A place in the source, with a short text about it."""
+    """A place in a source text, with a short text that is printed beside its marks."""
 
     span: Span
     text: str = ""

@@ -28,7 +28,8 @@ _BOLD, _BLUE, _PLAIN = "\x1b[1m", "\x1b[1;34m", "\x1b[0m"
 
 @cache
 def names() -> dict[str, str]:
-    """Return the kebab-case name of every code with a page, by code."""
+    """Return {code: name} of every diagnostic that has a page, such as {"NS0412":
+    "too-many-shutters"}."""
     return {p.stem[:6]: p.stem[7:] for p in sorted(PAGES.glob("NS[0-9][0-9][0-9][0-9]-*.md"))}
 
 

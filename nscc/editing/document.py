@@ -67,7 +67,7 @@ class Document:
 
     @cached_property
     def tokens(self) -> Tokens:
-        """The tokens of the text; cached."""
+        """The tokens of the text, which every analysis of an incomplete statement uses."""
         return lex(self.source)
 
     @cached_property
@@ -82,12 +82,12 @@ class Document:
 
     @cached_property
     def target(self) -> Target | None:
-        """The chip; None if it cannot be loaded."""
+        """The chip that the program names; None if it cannot be loaded."""
         return target_of(self.declared, self.folder, self._unheard)
 
     @cached_property
     def constants(self) -> Mapping[str, Meaning]:
-        """The meaning of N, rows, cols and every `let`."""
+        """The meaning of N, rows, cols and every `let`, by name."""
         return resolve_constants(self.declared, self.target, self._unheard)
 
     @cached_property
@@ -103,8 +103,7 @@ class Document:
 
     @cached_property
     def looking(self) -> Looking | None:
-        """The statements about sensing and states; None if there are none or if they are
-        invalid."""
+        """The checked senses and states; None if there are none or if they are invalid."""
         return make_looking(self.declared, self.constants, self.target, self._unheard)
 
     @property

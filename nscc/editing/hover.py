@@ -202,8 +202,8 @@ def _sense(document: Document, name: str) -> str:
 
 
 def _state(document: Document, name: str) -> str:
-    """Return the description of a state: its range, its initial value, and whether it is kept or
-    read out."""
+    """Return the description of a state: its values, its start, and whether it is kept or read
+    out."""
     states = document.looking.states if document.looking else ()
     state = next((state for state in states if state.name == name), None)
     if document.declared.keeps_planes:

@@ -165,8 +165,10 @@ class KernelFinder:
     """Finds the kernel (list of words) that contains each gate's words, gate after gate."""
 
     def __init__(self, lowered: Lowered) -> None:
-        """List the words that run at each boundary, without the kernels that only refresh
-        registers."""
+        """List the words that run at each boundary, with their kernels.
+
+        Kernels that only write registers again (refresh) are left out, because they have no gates.
+        """
         schedule = lowered.schedule
         refreshes = set(lowered.time.refresh_at or ())
         self._run: dict[int, list[tuple[Op, int]]] = {}

@@ -189,7 +189,7 @@ def _fixed_bump(length: int) -> Family:
 
 
 def _book_by_slots(rows: int) -> Family:
-    """Return the family of codebooks with `rows` pseudo-random rows; its size is the number of
+    """Return the family of codebooks with `rows` pseudo-random rows; its sizes are numbers of
     slots."""
     return Family(
         f"codebook, {rows} rows",
@@ -200,6 +200,7 @@ def _book_by_slots(rows: int) -> Family:
         f"{rows} rows",
         lambda size: size,
         nested=False,
+        # Fewer slots have fewer than `rows` different rows.
         least=(rows - 1).bit_length(),
         ceiling=MOST_DIGITS // rows,
         ceiling_reason=f"codebooks of more than {MOST_DIGITS} digits take long and are not tried",
@@ -207,7 +208,7 @@ def _book_by_slots(rows: int) -> Family:
 
 
 def _book_by_rows(slots: int) -> Family:
-    """Return the family of codebooks of `slots` slots; its size is the number of pseudo-random
+    """Return the family of codebooks of `slots` slots; its sizes are numbers of pseudo-random
     rows."""
     return Family(
         f"codebook, {slots} slots",

@@ -277,9 +277,8 @@ _ALIKE = 1.02
 class SizeTrial:
     """The result of compiling a program of one size.
 
-    `fits` means that the program fits and its words were proved; `figures` are its costs. Otherwise
-    `code` and `reason` are those of the error, and `proved` means that no compiler can make the
-    program fit."""
+    If it `fits`, its words were proved, and `figures` are its costs. Otherwise `code` and `reason`
+    are those of the error, and `proved` means that no compiler can make the program fit."""
 
     size: int
     fits: bool

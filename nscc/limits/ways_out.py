@@ -55,7 +55,10 @@ class Attempt(Protocol):
     """A function that compiles a program for the target."""
 
     def __call__(self, source: Source, codes: Codes, level: int) -> Lowered | None:
-        """Return the lowered program at an optimisation level, or None if it does not fit."""
+        """Return the lowered program of `source`, or None if it does not fit.
+
+        `codes` is "open" (all legal codes) or "fixed" (those in use), and `level` the optimisation
+        level."""
 
 
 @dataclass(frozen=True)

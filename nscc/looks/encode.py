@@ -41,7 +41,9 @@ class ValueBits(Record, eq=False):
 
 
 class LooksEncoding(Record, eq=False):
-    """An encoding of the behaviour and every state of a machine."""
+    """The register contents for codes and for every state of a program with senses.
+
+    `code` has a row for each behaviour: a set of codes whose pixels act alike for all answers."""
 
     code: ValueBits
     states: tuple[ValueBits, ...]

@@ -61,10 +61,13 @@ class Moment(Record, eq=False):
 
 
 class LookingPlan(Record, eq=False):
-    """The moments of a frame in order, and the use of analog registers.
+    """What happens to PIX and the analog registers at each boundary of a frame, for a program with
+    senses.
 
-    The register `reference` holds the reset level, or its negative if every exposure is a single
-    copy: each word adds an error, and the negative takes one word less."""
+    `moments` are the boundaries at which something happens, in order. `registers` says what each
+    register holds, and `bucket_registers` are those of the buckets. The register `reference` holds
+    the reset level, or its negative if every exposure is a single copy: each word adds an error,
+    and the negative takes one word less."""
 
     program: Program
     machine: StateMachine

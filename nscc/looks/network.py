@@ -15,7 +15,7 @@ from nscc.words.machine import LIGHT, Comparison
 
 
 class LookingNetwork(NetworkMaker):
-    """The network of a program with senses.
+    """Makes the network of gates of a program with senses.
 
     It leads from codes, states and answers to shutter changes, resets and final states."""
 

@@ -21,7 +21,7 @@ from nscc.words.machine import LIGHT, Comparison
 
 
 class SetIn(Record):
-    """An instruction to set IN to `level` steps."""
+    """An item between words: set IN, the value that all pixels receive, to `level` steps."""
 
     level: int
 
@@ -56,7 +56,8 @@ class Solver:
     def __init__(self, plan: LookingPlan, encoding: LooksEncoding, target: Target) -> None:
         """Assign virtual registers to the bits of the code and of each state.
 
-        Kept states get planes, which the host loads; other states get registers that start at 0."""
+        Kept states get registers that the host loads (p0, p1, ..); other states get registers that
+        start at 0 (s0, s1, ..)."""
         self.plan, self.encoding, self.target = plan, encoding, target
         self.machine = plan.machine
         self.gates = Machine.of(target)

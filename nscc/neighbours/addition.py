@@ -31,10 +31,11 @@ Content = tuple[int, Offset, Offset]
 
 
 class Added(Record):
-    """A word that adds the multiple of a neighbour, of the pixel itself, or of both.
+    """A word that adds the multiple of a neighbour, of the pixel itself, or of both to a sum.
 
-    `content`: what NEWS holds when the word runs, or None if the word adds no neighbour. `step`:
-    offset of the pixel whose NEWS it reads. `centre`: multiple of the pixel itself, or 0."""
+    `content` is what NEWS holds when the word runs, or None if the word adds no neighbour. `step`
+    is the offset of the pixel whose NEWS it reads. `centre` is the multiple of the pixel itself, or
+    0."""
 
     content: Content | None
     step: Offset

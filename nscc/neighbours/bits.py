@@ -110,7 +110,8 @@ class BitWords:
         return nexts
 
     def refresh(self, name: str) -> None:
-        """Emit the words after which the register of a plane keeps its bits for another frame."""
+        """Emit the words that write the plane `name` again, so that its register keeps the bits for
+        another frame."""
         register = self.planes[name]
         for word in pair("REFRESH", register, [register]):
             self.lowering.word(word)
@@ -175,7 +176,8 @@ class BitWords:
         self.give(bit)
 
     def take(self) -> str:
-        """Take a free register; raise `PictureRefused` if there is none."""
+        """Return a free digital register, which is then occupied; raise PictureRefused if there is
+        none."""
         if not self.free:
             raise self._no_free_register()
         return self.free.pop(0)
@@ -199,7 +201,8 @@ class BitWords:
             self.free.sort(key=self.available.index)
 
     def to_flag(self, node: p.Condition) -> None:
-        """Set FLAG to 1 in the pixels where a condition holds, and to 0 elsewhere."""
+        """Emit words that set FLAG to 1 in the pixels where a condition holds, and to 0
+        elsewhere."""
         bit = self.bit(node)
         self.lowering.word(op("WHERE", [], [bit[0]]))
         self.give(bit)

@@ -33,7 +33,8 @@ Direction = tuple[Fraction, ...]
 
 
 class CountSum(Record):
-    """A sum of agreements, each with its factor: an image, or a part of an image."""
+    """A sum of counts (calls of `agree`), each with its factor, which is an image or a part of
+    one."""
 
     terms: tuple[tuple[Fraction, p.Agreement], ...]
 
@@ -95,19 +96,23 @@ class CountEmitter(Emitter):
 
     @abstractmethod
     def take(self) -> str:
-        """Take a free register; raise `PictureRefused` if there is none."""
+        """Return a free analog register, which is then occupied; raise PictureRefused if there is
+        none."""
 
     @abstractmethod
     def checked(self, low: float, high: float) -> None:
-        """Raise `PictureRefused` if a register cannot hold the values from `low` to `high`."""
+        """Raise PictureRefused if a register cannot hold the values from `low` to `high`
+        electrons."""
 
     @abstractmethod
     def filtered(self, value: Held, weights: dict[Offset, Fraction]) -> Held:
-        """Emit the words that apply a convolution kernel to a value, and return the result."""
+        """Emit the words that apply a convolution kernel to a value, and return the register of the
+        result."""
 
     @abstractmethod
     def added(self, signed_terms: list[tuple[int, Held]]) -> Held:
-        """Emit the words that add values, each with its sign, and return the sum."""
+        """Emit the words that add values, each with its sign 1 or -1, and return the register of
+        the sum."""
 
     @abstractmethod
     def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
@@ -271,7 +276,7 @@ def _shared(vectors: Sequence[Direction], images: int) -> list[Direction]:
 
 
 def _unit(image: int, images: int) -> Direction:
-    """Return the direction of an accumulator for one image."""
+    """Return the factors of an accumulator that serves one image only: 1 for that image, else 0."""
     return tuple(Fraction(number == image) for number in range(images))
 
 

@@ -146,7 +146,7 @@ class _Writer:
     `inputs` has the registers of the halved input times 1 and times -1, by this sign."""
 
     def __init__(self, halvings: int) -> None:
-        """Begin with the words that halve the input `halvings` times. Each halving inverts the
+        """Begin with the words that halve the input `halvings` times; each of them also inverts the
         sign."""
         self.words: list[BusWord] = []
         name, sign = "x", 1
@@ -156,7 +156,8 @@ class _Writer:
         self.inputs = dict(self.first_input)
 
     def forget_negative(self) -> None:
-        """Compute the other sign of the input anew when it is read again."""
+        """Forget the register of the input's negative, which is then computed again when it is
+        read."""
         self.inputs = dict(self.first_input)
 
     def summed(self, *sources: str) -> str:

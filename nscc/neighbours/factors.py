@@ -58,7 +58,7 @@ class Factor(Record):
 
     @classmethod
     def of(cls, taps: Taps, program: Program) -> Factor:
-        """Return the factor of a kernel with the words that compute it."""
+        """Return a convolution kernel as a factor, with the words that compute it."""
         corner, size = box_of(taps)
         return cls(taps, program, max(taps), size, corner, _values_at_signs(taps))
 
@@ -73,7 +73,8 @@ def box_of(taps: Taps) -> tuple[Offset, Offset]:
 
 @cache
 def factors(forms: WordForms) -> tuple[Factor, ...]:
-    """Return the kernels of the table that have at least two weights."""
+    """Return the convolution kernels of the table that have at least two weights, rotated and
+    mirrored, too."""
     programs = rows(forms).items()
     return tuple(Factor.of(dict(key), program) for key, program in programs if len(key) > 1)
 

@@ -35,13 +35,15 @@ class PictureRefused(Exception):
     """
 
     def __init__(self, kind: str, name: str, needed: float, available: float) -> None:
-        """Say that the image or plane `name` needs more of a resource than is available."""
+        """Store that the image or plane `name` needs more of something than is available; see the
+        class."""
         super().__init__(kind, name, needed, available)
         self.kind, self.name, self.needed, self.available = kind, name, needed, available
 
 
 class Held(Record):
-    """A register that holds a value times `sign`; the value lies in `low` to `high` electrons.
+    """A register that holds a value times `sign`, 1 or -1; the value lies in `low` to `high`
+    electrons.
 
     `name` is the image or bucket, or None for an intermediate result that is read once. `variance`
     is the variance of the value's error, in units of the variance of one word's error. If

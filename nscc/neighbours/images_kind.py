@@ -16,7 +16,10 @@ _REPORT = LazyFunctions("nscc.neighbours.picture_report")
 
 
 class Images(ProgramKind):
-    """A program with images or planes; the exposure is that of another kind."""
+    """What the compiler does for a program with images or planes.
+
+    The exposure before them is that of another kind, whose class comes next in the order of
+    methods."""
 
     has_simpler_programs = False
 

@@ -16,8 +16,8 @@ from nscc.words import pictures as p
 
 
 def without_second_names(pictures: p.Pictures) -> p.Pictures:
-    """Return the same images and planes without second names, and without items that nothing
-    reads."""
+    """Return the same images and planes, without items that only rename another and without unread
+    items."""
     inlined = _inlined(pictures, lambda node: isinstance(node, p.Source | p.Bit))
     read = {*pictures.outputs}
     for expression in inlined.expressions.values():

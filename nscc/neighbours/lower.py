@@ -37,10 +37,11 @@ class Lowering(RegisterEmitter):
         synthesis: Synthesis,
         kept_ranges: Mapping[str, tuple[float, float]] = MappingProxyType({}),
     ) -> None:
-        """Prepare to lower the images of one program; `run` emits the words.
+        """Prepare to compile the images and planes of a program after the exposure of `container`;
+        `run` emits the words.
 
         `synthesis` finds the words of convolution kernels. `kept_ranges` gives the least and
-        largest value (e) of each kept image."""
+        largest value of each kept image, in electrons."""
         super().__init__(pictures, container, kept_ranges)
         self.synthesis, self.is_output = synthesis, False
         self.registers: dict[str, str] = {}
@@ -281,7 +282,9 @@ class Lowering(RegisterEmitter):
         return self.added(terms, levels) if levels or len(terms) > 1 else terms[0][1]
 
     def _level(self, factor: Fraction, param: str) -> Held:
-        """Emit a value that is equal in all pixels: `factor` steps of IN, or of a parameter."""
+        """Emit a value that is equal in all pixels, and return its register.
+
+        It is `factor` steps of IN or, if `param` is not "", times this parameter of the host."""
         whole = self.added([], [(factor.numerator, param)])
         return self.filtered(whole, {(0, 0): Fraction(1, factor.denominator)})
 

@@ -327,7 +327,9 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
 
 def _fading(pictures: Pictures, program: Program) -> Diagnostic | None:
     """Return the error (NS0602) if a frame lasts longer than digital registers keep the bits of
-    states, else None."""
+    states, else None.
+
+    Readouts of images and buckets count as part of the frame."""
     target = program.target
     keep_us = RETENTION_SHARE * target.digital_retention_us
     values_read = sum(name not in pictures.planes for name in pictures.reads)

@@ -372,9 +372,11 @@ class PictureReplay:
         }
 
     def _bus(self, op: Op, level: int | LevelOf | None) -> None:
-        """Replay an analog word; `level` is its value of IN.
+        """Replay an analog word; `level` is the value of IN in steps, or how it follows from a
+        parameter.
 
-        Raises PictureReplayError if it accesses neighbours while FLAG is not 1 in all pixels."""
+        Raises PictureReplayError if the word reaches neighbours while FLAG is not 1 in all pixels.
+        """
         forms, flag = self.forms, self.digital["FLAG"]
         masked = any(bit != forms.diagrams.one for bit in flag.values())
         if masked and NEIGHBOURS.keys() & {*op.sources, *op.destinations}:

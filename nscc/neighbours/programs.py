@@ -23,7 +23,8 @@ Weight = TypeVar("Weight", int, Fraction)
 
 
 class BusWord(NamedTuple):
-    """A word that writes minus the sum of its sources, or half of it to two destinations."""
+    """A word that writes minus the sum of its sources; with two destinations, minus half the
+    sum."""
 
     destinations: tuple[str, ...]
     sources: tuple[str, ...]
@@ -64,14 +65,15 @@ def moved(taps: Mapping[Offset, Weight], right: int, down: int) -> dict[Offset, 
 
 
 def halved(taps: Taps) -> Polynomial:
-    """Return half a convolution kernel; raise `ValueError` for weights finer than 1 / UNIT."""
+    """Return half a convolution kernel; raise ValueError if its weights are then not multiples of 1
+    / UNIT."""
     if any(weight % 2 for weight in taps.values()):
         raise ValueError(f"weights finer than 1 / {UNIT}")
     return {at: weight // 2 for at, weight in taps.items()}
 
 
 def kernel_of(program: Program) -> Polynomial:
-    """Return the convolution kernel that a program computes."""
+    """Return the convolution kernel that a program computes, in units of 1 / UNIT."""
     return values_of(program)[-1] if program else dict(IDENTITY)
 
 
@@ -104,9 +106,11 @@ def values_of(program: Program) -> list[Polynomial]:
 
 
 def noise_gain(program: Program) -> float:
-    """Return the standard deviation of the error of a program's result.
+    """Return the standard deviation of the error of a program's result, in units of one word's
+    error.
 
-    Each word makes an independent error of standard deviation 1 in every destination."""
+    Each word makes an independent error of standard deviation 1 in every destination. The
+    convolution of an error with all later weights gives its effect on the result."""
     # The effect on the result of a unit error in each register, from the last word backwards.
     effects: dict[str, Polynomial] = (
         {program[-1].destinations[0]: dict(IDENTITY)} if program else {}
@@ -147,7 +151,7 @@ def turned_taps(taps: Taps, turn: int) -> Polynomial:
 
 
 def turned(program: Program, turn: int) -> Program:
-    """Return the program of the rotated or mirrored convolution kernel; see `turned_taps`."""
+    """Return the program of a rotated or mirrored convolution kernel; `turn` is one of `TURNS`."""
     a, b, c, d = _TURNS[turn]
     names = {name: OF_STEP[a * x + b * y, c * x + d * y] for name, (x, y) in STEPS.items()}
 

@@ -236,7 +236,8 @@ class RegisterEmitter(CountEmitter):
         return reuse(program, base, self.contents, self.free, self.target.news_read_keeps)
 
     def _written(self, register: str) -> str:
-        """Return a name for the contents of a register, valid until a word overwrites it."""
+        """Return a name for the content of a register that is different after each word that writes
+        it."""
         numbers = range(len(self.words) - 1, -1, -1)
         last = next((n for n in numbers if register in self.words[n][0].destinations), 0)
         return f"{register} of word {last}"
@@ -323,7 +324,8 @@ class RegisterEmitter(CountEmitter):
         )
 
     def restore(self, state: tuple[Any, ...]) -> None:
-        """Remove the words emitted since `state` was taken, and restore registers and counts."""
+        """Undo everything that was emitted since `state` was called; each of its results serves
+        once."""
         bits = self.bits
         words, self.free, self.held, self.uses, self.masked, self.contents, *of_bits = state
         del self.words[words:]

@@ -65,7 +65,8 @@ class Ranged(Record):
 
     @cached_property
     def weights(self) -> set[tuple[int, int]]:
-        """The sums of the positive, and of the negated negative weights of its values."""
+        """The sums of the positive and of the negated negative weights of each value that a word
+        writes."""
         return {_weights_by_sign(taps) for taps in values_of(self.program)}
 
 
@@ -81,9 +82,10 @@ class Synthesis:
     that an earlier compilation found come from the cache `results`."""
 
     def __init__(self, steps: int, forms: WordForms, results: Results | None = None) -> None:
-        """Prepare a search of at most `steps` steps for each kernel.
+        """Prepare to search with at most `steps` steps for each convolution kernel.
 
-        `forms` are the words that the chip allows; `results` is the cache of earlier searches."""
+        `forms` are the words that the chip allows; `results` is the cache of earlier searches, None
+        without one."""
         self.most_steps, self.forms, self.results = steps, forms, results
         self.steps: float = 0
         self.budget = inf
@@ -290,7 +292,8 @@ def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
 
 
 def _with_last_halved(program: Program) -> Iterator[Program]:
-    """Yield the program whose last word also halves the result, if the word has few sources."""
+    """Yield the program whose last word also halves the result; nothing if that word has too many
+    sources."""
     if program and not program[-1].halves and len(program[-1].sources) <= _MOST_HALVED:
         last = program[-1]
         yield (*program[:-1], BusWord((*last.destinations, "h_"), last.sources))

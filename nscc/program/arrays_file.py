@@ -129,7 +129,7 @@ class ArraysFile:
             raise rejected("NS0313", f'"{self.shown}" cannot be read: {reason}') from error
 
     def _broken(self, reason: str) -> Rejected:
-        """Return the error (NS0313) for a damaged file."""
+        """Return the error (NS0313) for a damaged file, for `reason`."""
         return rejected("NS0313", f'"{self.shown}" is damaged: {reason}')
 
     def _unsuitable(self, key: str, reason: str, most: int) -> Rejected:

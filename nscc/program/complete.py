@@ -81,7 +81,7 @@ class Completion:
         )
 
     def run(self) -> Program:
-        """Return the program.
+        """Return the checked program, with its decode table and its class.
 
         Raises Rejected for codes that violate `require` (NS0312), rules without a value for some
         code, programs without a legal code (NS0317) and too many codes (NS0450)."""

@@ -143,7 +143,9 @@ def resolve_constants(
 
 
 class _Resolver:
-    """Computes the values of all `let` constants and of N, in the order of their dependencies."""
+    """Computes the values of all `let` constants and of N, each after those that it needs.
+
+    `known` has the meanings so far, and `scope` the names that the next expression may use."""
 
     def __init__(self, declared: Declarations, target: Target | None, problems: Problems) -> None:
         """Collect the expressions of constants; rows and cols come from the target, and are
@@ -222,7 +224,7 @@ class _Resolver:
             self.scope[name] = meaning
 
     def _report(self, cycle: list[str]) -> None:
-        """Report that these constants depend on each other in a cycle."""
+        """Report (NS0203) that the names of `cycle` depend on each other in a cycle."""
         shown = [*cycle, cycle[0]] if len(cycle) <= 8 else [*cycle[:4], "...", cycle[-1], cycle[0]]
         chain = " -> ".join(shown)
         first, *following = cycle

@@ -31,7 +31,8 @@ Data = Any
 
 
 class Fault(NamedTuple):
-    """The reason why an expression has no value: an error code, a message, the place and its label.
+    """Why an expression has no value: an error code, a message, and the place in the program with a
+    label.
 
     These are the arguments of `Problems.error`."""
 
@@ -46,7 +47,7 @@ Faults = Fault | NDArray[np.bool_] | None
 
 
 class Value(NamedTuple):
-    """The values of a node. Where `faults` hold, the data is undefined."""
+    """The values of an expression; where `faults` are true, `data` is undefined."""
 
     data: Data
     faults: Faults = None
@@ -64,7 +65,8 @@ def either(a: Faults, b: Faults) -> Faults:
 
 
 def faults_where(condition: Data, faults: Faults) -> Faults:
-    """Return the faults that remain if only the places of `condition` are evaluated."""
+    """Return the faults that remain if an expression is evaluated only where `condition` is
+    true."""
     if faults is None:
         return None
     if isinstance(condition, np.ndarray):
@@ -91,7 +93,8 @@ def guard(
 
 
 def _wide(data: Any) -> Any:
-    """Return integers as int64: numpy's own choice has 32 bits in WebAssembly. Keep Booleans."""
+    """Return integers as int64, and booleans as they are; numpy's own choice has 32 bits in
+    WebAssembly."""
     return data if data.dtype == np.bool_ else data.astype(np.int64, copy=False)
 
 
@@ -110,7 +113,8 @@ def _limited(node: Binary, a: Value, b: Value, faults: Faults, data: Data, beyon
 
 
 def _sum(node: Binary, a: Value, b: Value) -> Value:
-    """Return the sum or the difference of two values."""
+    """Return a + b or a - b, as the operator of `node` says, with faults (NS0305) beyond 2^62 -
+    1."""
     # Two values within the limit sum to less than 2^63, so that int64 does not wrap.
     data = a.data + b.data if node.op == "+" else a.data - b.data
     return _limited(node, a, b, either(a.faults, b.faults), data, np.abs(data) > LIMIT)
@@ -132,13 +136,13 @@ def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
 
 
 def _quotient(node: Binary, a: Value, b: Value) -> Value:
-    """Return the quotient, rounded down."""
+    """Return a / b, rounded down, with faults (NS0302) where b is 0."""
     divisor, faults = _divisor(node, a, b)
     return Value(a.data // divisor, faults)
 
 
 def _remainder(node: Binary, a: Value, b: Value) -> Value:
-    """Return the remainder, which has the sign of the divisor."""
+    """Return a % b, which has the sign of b, with faults (NS0302) where b is 0."""
     divisor, faults = _divisor(node, a, b)
     return Value(a.data % divisor, faults)
 

@@ -131,7 +131,7 @@ class _Checker:
     error."""
 
     def __init__(self, scope: Scope, problems: Problems) -> None:
-        """Begin with a scope: the names that this kind of expression may use."""
+        """Begin with the names that this kind of expression may use."""
         self.scope = scope
         self.problems = problems
         self.sound = True
@@ -162,7 +162,9 @@ class _Checker:
         )
 
     def _type(self, node: tree.Expr, operand_types: list[Type | None]) -> Type | None:
-        """Return the type of a node from the types of its operands; None after an error in it."""
+        """Return the type of a node from the types of its operands, and report errors in it.
+
+        Return None if the type is unknown after an error."""
         match node:
             case tree.Int():
                 if node.value > LIMIT:
@@ -324,7 +326,8 @@ class _Checker:
                 self._mismatch(node.span, message, _a(actual), _CONVERT[expected])
 
     def _mismatch(self, span: Span, message: str, label: str, helps: tuple[str, ...] = ()) -> None:
-        """Report an operand of the wrong type (NS0301)."""
+        """Report an operand of the wrong type (NS0301) at `span`; the expression is then
+        invalid."""
         self._error("NS0301", message, span, label, helps=helps)
 
     def _misplaced(self, node: tree.Name, meaning: Meaning) -> None:

@@ -97,7 +97,8 @@ class PlaneMaker:
         return self._values(condition, "boolean", "a plane of x and y")
 
     def _expression(self, statement: PixelsExpr) -> Plane | None:
-        """Return the values of an integer expression for all pixels; None after an error."""
+        """Return the values of an integer expression at all pixels, int64 (rows, cols); None after
+        an error."""
         return self._values(statement.value, "integer", "a pixel's value")
 
     def _values(self, value: Expr, kind: Type, role: str) -> NDArray[Any] | None:
@@ -363,11 +364,11 @@ def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
 
 
 def first_place(places: NDArray[np.bool_]) -> tuple[int, int]:
-    """Return (y, x) of the first true place, row by row."""
+    """Return (y, x) of the first true element of an array, row by row."""
     y, x = np.unravel_index(int(places.argmax()), places.shape)
     return int(y), int(x)
 
 
 def pixel_text(x: int, y: int) -> str:
-    """Return the name of a pixel in messages, in both conventions."""
+    """Return the name of a pixel in messages, both as x, y and as row, column."""
     return f"pixel at x = {x}, y = {y} (row {y}, column {x})"

@@ -104,7 +104,9 @@ def make_looking(
 
 
 class _Maker:
-    """Checks the statements of senses, states, resets and readouts one by one."""
+    """Checks the statements of senses, states and their changes one by one, and reports errors.
+
+    `slots` is N, or 0 if it has an error. `buckets` has the index of each bucket by name."""
 
     def __init__(
         self,
@@ -340,7 +342,7 @@ class _Maker:
         return None if value is None else CheckedNext(value, condition, statement.span)
 
     def known_state(self, name: tree.Name) -> bool:
-        """Return whether the name is a state; report an error if not."""
+        """Return whether a name is that of a state; report it if not (NS0209, NS0214)."""
         if name.text in self.declared.states:
             return True
         helps = ("`next` and `read` need a state: declare `state NAME : LO..HI = START`",)
@@ -368,5 +370,5 @@ def can_tell(value: float, unit: str, target: Target) -> bool:
 
 
 def _full_e(target: Target) -> float:
-    """Return the electrons at which PIX or a register saturates."""
+    """Return the electrons at which the photodiode or a register saturates, whichever is first."""
     return min(target.full_well_e, target.register_max_e)

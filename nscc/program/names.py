@@ -101,7 +101,7 @@ class Declarations:
 
     @property
     def has_pixels(self) -> bool:
-        """Whether the file defines codes of pixels."""
+        """Whether the file gives codes of pixels, in `pixels` statements or by a file."""
         return bool(self.pixels) or self.pixels_file is not None
 
     def declared(self) -> Iterator[tuple[str, str]]:
@@ -166,13 +166,13 @@ class _Gatherer:
     occur twice."""
 
     def __init__(self, declared: Declarations, problems: Problems) -> None:
-        """Begin without declarations."""
+        """Begin to fill `declared`, which is empty."""
         self.declared, self.problems = declared, problems
         self.first_place: dict[str, Span] = {}
         self.mixed = False
 
     def add(self, statement: tree.Statement) -> None:
-        """Add one statement to the declarations of its kind."""
+        """Add one statement to the declarations of its kind, or report why it is not allowed."""
         declared = self.declared
         match statement:
             case tree.Version():

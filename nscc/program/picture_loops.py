@@ -42,7 +42,8 @@ class LoopReader(PictureComparer):
 
     @abstractmethod
     def declare(self, name: str, node: p.Node | None) -> None:
-        """Declare an image or plane for the following expressions; None if it is invalid."""
+        """Make an image or plane known to the following expressions; None if its expression is
+        invalid."""
 
     @abstractmethod
     def image(self, expr: tree.Expr) -> p.Value | None:

@@ -16,7 +16,7 @@ _MOST_SUGGESTIONS = 20
 
 
 class Problems:
-    """Errors, warnings and notes about one source text, in the order of detection."""
+    """Collects the errors, warnings and notes about one source text."""
 
     def __init__(self, source: Source) -> None:
         """Begin without diagnostics."""
@@ -33,7 +33,9 @@ class Problems:
         text: str = "",
         **members: Any,
     ) -> None:
-        """Add a diagnostic at `span`; `members` are further fields of `Diagnostic`."""
+        """Add a diagnostic at `span`, beside whose marks `text` is printed.
+
+        `members` are further fields of `Diagnostic`, such as `helps`."""
         place = Label(span, text)
         self._found.append(Diagnostic(code, message, severity, self.source, place, **members))
 

@@ -52,7 +52,7 @@ class MissingValue:
 
     @property
     def text(self) -> str:
-        """The first place without a value and the number of such places, in words."""
+        """The first code and slot without a value, in words, and how many cases there are."""
         if self.count == 1:
             return self.place
         return f"first {self.place}; {self.count} times in all"
@@ -82,7 +82,7 @@ class Rules:
 
     @property
     def combinations(self) -> int:
-        """The number of combinations in the fields' ranges, ignoring `require`."""
+        """The number of combinations of field values, whether or not `require` allows them."""
         return prod(field.high - field.low + 1 for field in self.fields)
 
 

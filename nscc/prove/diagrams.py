@@ -38,7 +38,11 @@ class AlwaysEqual(Exception):
 
 
 class Diagrams:
-    """All diagrams of one proof; `zero` and `one` are leaves."""
+    """The decision diagrams of one proof: numbers and bits that depend on the answers of
+    comparisons.
+
+    A diagram is the index of a node; equal diagrams have the same index. `zero` and `one` are the
+    diagrams of these constants."""
 
     def __init__(self) -> None:
         """Begin with the leaves 0 and 1, which are the nodes 0 and 1."""
@@ -62,16 +66,17 @@ class Diagrams:
         return number
 
     def new_variable(self, at: tuple[int, int]) -> int:
-        """Return a bit for a new answer, asked at the place `at` (column, row) of the array.
+        """Return the diagram of a new answer, a bit that is unknown; `at` (column, row) is the
+        pixel that asks.
 
-        Answers of nearby places are close in the order of variables, so that planes computed from
+        Answers of nearby pixels are close in the order of variables, so that planes computed from
         neighbours' bits have small diagrams."""
         x, y = at
         self._order.append((y, x, len(self._order)))
         return self._node(len(self._order) - 1, self.zero, self.one)
 
     def value(self, node: int) -> Fraction | None:
-        """Return the number of a leaf; None for a node that depends on answers."""
+        """Return the number of a constant diagram; None for one that depends on answers."""
         return self._values.get(node)
 
     def first_value(self, node: int) -> Fraction:
@@ -125,7 +130,7 @@ class Diagrams:
         return self._apply("^", bit, self.one)
 
     def scaled(self, factor: Fraction, node: int) -> int:
-        """Return the diagram of `factor` times the number of `node`."""
+        """Return the diagram of a number times `factor`."""
         known = self.multiples(factor)
         product = known.get(node)
         if product is None:
@@ -202,7 +207,7 @@ IN: Unknown = ("IN", 0, 0)
 
 
 def in_at(param: str) -> Unknown:
-    """Return the unknown of IN at the level of a parameter."""
+    """Return the unknown that stands for IN at the level of the parameter `param`."""
     return (f"IN at {param}", 0, 0)
 
 

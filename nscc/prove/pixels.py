@@ -28,7 +28,7 @@ from nscc.words.container import Container
 
 
 class Noise:
-    """A pseudo-random stream from a seed, equal on all machines.
+    """A pseudo-random stream from a seed, which is equal on all machines.
 
     It comes from a counter and the SplitMix64 mixer (Steele, Lea, Flood, OOPSLA 2014). Importing
     numpy.random would take longer than most proofs."""
@@ -70,7 +70,8 @@ WRONG_CODE = "the code registers do not hold their code at the end of the frame"
 
 
 class ReplayError(Exception):
-    """Raised for an error in the words; it contains the description, the bucket and the shutter."""
+    """Raised for an error in the words: its `reason`, `bucket` and `shutter`, None if all are
+    concerned."""
 
     def __init__(self, reason: str, bucket: str | None = None, shutter: int | None = None) -> None:
         """Store the reason why a replay fails, and the bucket and shutter concerned; None if all
@@ -318,7 +319,8 @@ class ReplayPixels:
         return UNKNOWN
 
     def _or_sources(self, word: Op) -> Bits:
-        """Return the OR of a word's digital sources."""
+        """Return the OR of a word's digital sources in all pixels, as a pair of truth vectors
+        (known 1, known 0)."""
         known_1, known_0 = 0, self.everything
         for name in word.sources:
             ones, zeros = self.read(name)

@@ -179,10 +179,11 @@ LIGHT_SEED = 7
 
 
 class Failure(Record):
-    """The first error found by a proof; `shutter` is None if all codes are concerned.
+    """The first error that a proof found, in the frame number `frame`.
 
-    `doubts` are places where bits became unknown, which may be the cause. `unproved` is the image
-    or plane of `unproved_error`; its words may be correct."""
+    `bucket` and `shutter` are None if all are concerned. `doubts` are places where bits became
+    unknown, which may be the cause. `unproved` is the image or plane that `unproved_error` reports;
+    its words may be correct."""
 
     reason: str
     frame: int
@@ -193,7 +194,8 @@ class Failure(Record):
 
 
 class Proof(Record):
-    """The extent of a proof and its failure, None if it holds.
+    """How much was proved: numbers of codes, slots and frames, and the `failure`, None if the proof
+    holds.
 
     `transitions` is the number of answers that were followed in all frames of a program with
     senses. `pixels` is the number of pixels whose light was followed through bit planes."""

@@ -24,7 +24,7 @@ from nscc.words.legality import refuse_planes
 
 
 class BitPlanes(ProgramKind):
-    """A program of a chip without logic: planes instead of words."""
+    """What the compiler does for a chip without logic: bit planes instead of words."""
 
     passes: ClassVar[tuple[Pass, ...]] = (
         Pass("plan", plan_of, check_route, texts.sending_text),
@@ -57,7 +57,8 @@ class BitPlanes(ProgramKind):
         return container.table.shutters
 
     def with_planes(self, container: Container) -> Container:
-        """Return a container with the bit planes of its pixels."""
+        """Return a container with the bit planes of its pixel codes; see
+        `nscc.stream.passes.with_planes`."""
         return with_planes(container)
 
     def product(self, product: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
@@ -84,7 +85,7 @@ class BitPlanes(ProgramKind):
         return texts.planes_text(container)
 
     def report(self, compiled: Compiled) -> dict[str, Any]:
-        """Return the report as JSON values."""
+        """Return the build report (`--emit report`) as JSON values."""
         assert compiled.proof is not None
         return texts.stream_report(compiled.layout, compiled.proof)
 

@@ -110,7 +110,9 @@ def _assume(span: Span, *children: Any) -> tree.Assume:
 
 
 def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
-    """Convert `value in [a, b, ..]` to `value == a or value == b or ..`, as a balanced tree."""
+    """Return `value in [a, b, ..]` as `value == a or value == b or ..`.
+
+    The chain is a balanced tree, because later passes recurse over it."""
     tests: list[tree.Expr] = [tree.Compare(span, value, ("==",), (item,)) for item in items]
     while len(tests) > 1:
         pairs = [tests[i : i + 2] for i in range(0, len(tests), 2)]
@@ -276,5 +278,5 @@ def _decimals(digits: str, span: Span) -> Fraction:
 
 
 def _refused(code: str, message: str, span: Span, help_text: str) -> Rejected:
-    """Return a syntax error at `span` with one help."""
+    """Return the exception for a syntax error at `span` with one help, for the caller to raise."""
     return rejected(code, message, label=Label(span), helps=(help_text,))

@@ -101,7 +101,8 @@ def _comments(source: Source) -> list[str]:
 
 @dataclass
 class _Writer:
-    """A writer of the statements of a tree, with the comments of its source."""
+    """Writes the statements of a program in the standard style, with the comments of its source, to
+    `lines`."""
 
     source: Source
     file: tree.File
@@ -373,7 +374,7 @@ def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[
 
 
 def _joined(tokens: Sequence[_Token]) -> str:
-    """Return the tokens as one line, with blanks between them where the style has some."""
+    """Return tokens as one line of text, with blanks where the style has them."""
     first, *later_tokens = tokens
     return first.text + "".join(
         f"{'' if token.close else ' '}{token.text}" for token in later_tokens

@@ -223,7 +223,7 @@ def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
 
 
 def _forms(statement: str) -> tuple[str, ...]:
-    """Return the notes on how a statement is written."""
+    """Return how a statement, given by its first word, is written, as notes of an error."""
     return tuple(f"written as: {form}" for form in FORMS[statement])
 
 

@@ -135,7 +135,8 @@ class _Errors:
             self._first.append(make())
 
     def in_order(self) -> tuple[Diagnostic, ...]:
-        """Return the diagnostics in text order, with a last one that counts those left out."""
+        """Return the diagnostics in the order of the text; a last one tells how many were only
+        counted."""
         diagnostics = sorted(self._first, key=lambda d: d.label.span.start if d.label else 0)
         if self._more:
             diagnostics.append(more_errors(self._more, self._source))

@@ -253,8 +253,8 @@ class Bucket(Node):
 
 
 class Sense(Node):
-    """The statement `sense NAME when SIGNAL COMPARISON LEVEL at WHEN`; `comparison` is the sign as
-    written."""
+    """The statement `sense NAME when SIGNAL COMPARISON LEVEL at WHEN`; `comparison` is the sign,
+    such as ">"."""
 
     name: Name
     signal: Light | Exposure
@@ -338,7 +338,9 @@ class Repeated(Node):
 
 class Repeat(Node):
     """The statement `image NAME = START repeat COUNT STEP [with image NAME = START repeat STEP]`;
-    also of planes. `items`: the names that step together."""
+    also of planes.
+
+    `items` are the names that step together."""
 
     count: Expr
     items: tuple[Repeated, ...]

@@ -34,7 +34,7 @@ _OPTIONS = {
 
 
 class _PlainValues(pickle.Unpickler):
-    """An unpickler of only numbers, texts and collections, because files in the cache must not run
+    """Reads pickled numbers, texts and collections only, because files in the cache must not run
     code."""
 
     def find_class(self, module: str, name: str) -> Any:
@@ -122,7 +122,7 @@ def names_in(version: int) -> frozenset[str]:
 
 
 def statement_words(version: int) -> tuple[str, ...]:
-    """Return the keywords that begin statements in a version of the language."""
+    """Return the keywords that begin statements in a version (1 to 4) of the language."""
     words: tuple[str, ...] = STATEMENT_WORDS
     words += LOOKING_WORDS if version > 1 else ()
     words += PICTURE_WORDS if version > 2 else ()

@@ -30,7 +30,7 @@ LARGEST_INTEGER = 2**63 - 1
 
 
 class Kind(Protocol):
-    """The values that a key may have."""
+    """The values that a key may have; subclasses say which, and how a file spells them."""
 
     helps: tuple[str, ...] = ()
     """What a message about an invalid argument recommends."""
@@ -297,14 +297,16 @@ class Instance(Kind, Record):
         return self.phrase
 
     def read(self, value: Any) -> Any:
-        """Return an object of one of the types, a path as text; raise ValueError for others."""
+        """Return a value of one of the types; a path object becomes text. Raises ValueError for any
+        other value."""
         if not _is_one(value, self.types) or isinstance(value, bool):
             raise ValueError
         return os.fspath(value) if isinstance(value, os.PathLike) else value
 
 
 def _is_one(value: Any, types: tuple[type | str, ...]) -> bool:
-    """Return whether a value has one of the types of an `Instance`."""
+    """Return whether a value has one of these types, of which those written "MODULE:CLASS" are
+    imported."""
     for kind in types:
         if isinstance(kind, str):
             module, _, name = kind.partition(":")
@@ -315,7 +317,10 @@ def _is_one(value: Any, types: tuple[type | str, ...]) -> bool:
 
 
 class FilePath(Kind, Record):
-    """The path of a file or folder, or an object of one of `types`, as in `Instance`."""
+    """The path of a file or folder, or an object of one of `types`, which may be written
+    "MODULE:CLASS".
+
+    `phrase` describes the allowed values."""
 
     phrase: str = "a path"
     types: tuple[type | str, ...] = ()

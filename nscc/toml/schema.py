@@ -79,7 +79,9 @@ class Key:
 
 @dataclass(frozen=True, slots=True)
 class FileCodes:
-    """Codes of a file's errors; `change` is the code for a change that is not KEY=VALUE."""
+    """The codes of the errors that a kind of file can have, such as `unknown` for an unknown key.
+
+    `change` is the code for a change on the command line that is not KEY=VALUE."""
 
     unreadable: str
     not_toml: str
@@ -97,9 +99,10 @@ def key(kind: Kind, meaning: str, default: Any = MISSING, **about: Any) -> Any:
 
 
 def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
-    """Return the keys that the fields of a dataclass declare, in order; other fields are internal.
+    """Return the keys that the fields of a dataclass declare, in order.
 
-    Keys without their own section are in `section`."""
+    Fields without a kind are internal and left out. Keys without a section of their own are in
+    `section`."""
     return tuple(
         Key(
             **{
@@ -126,7 +129,7 @@ Row = TypeVar("Row", bound=Key)
 
 @dataclass(frozen=True)
 class Schema(Generic[Row]):
-    """The schema of a kind of file, which messages call `file_kind`.
+    """All keys of a kind of file, which messages call `file_kind`.
 
     `keys` are in the order of a file, `headings` have a comment each, and `start` is a help for
     starting a file. Messages call a key `noun`; `option` is the option that changes a key,

@@ -23,7 +23,7 @@ _POWER = {"ns": -3, "us": 0, "ms": 3, "s": 6}
 
 
 def name_text(name: str) -> str:
-    """Return a name as one token: bare if possible, else as a JSON string."""
+    """Return a name as one token of assembly text: as it is if possible, else as a JSON string."""
     return name if _PLAIN.fullmatch(name) else json.dumps(name)
 
 
@@ -33,7 +33,7 @@ def number_text(value: float) -> str:
 
 
 def read_integer(text: str) -> int | None:
-    """Return the integer of a text; None if malformed or outside 64 bits."""
+    """Return the integer of a text; None if it is not one, or does not fit 64 bits."""
     if not _INTEGER.fullmatch(text):
         return None
     value = int(text)
@@ -41,7 +41,8 @@ def read_integer(text: str) -> int | None:
 
 
 def read_number(text: str) -> float | None:
-    """Read a finite decimal number."""
+    """Return the number of a text; None if it is not finite. The grammar has checked that it is a
+    number."""
     value = float(text)
     return value if isfinite(value) else None
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class StoredKernel(Record):
-    """A list of words that is stored once on the controller and launched at boundaries."""
+    """A list of words that is stored once on the controller and run at boundaries."""
 
     name: str
     words: tuple[Word, ...]
@@ -140,7 +140,7 @@ class Container:
 
     @property
     def words_stored(self) -> int:
-        """The number of words in the chip's store."""
+        """The number of words in the chip's store, with those of images and planes."""
         after = sum(map(len, self.pictures.kernels))
         return sum(len(kernel.words) for kernel in self.kernels) + after
 

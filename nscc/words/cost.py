@@ -62,7 +62,8 @@ def word_us(word: Op, target: Target) -> float:
 
 
 def words_us(analog: int, digital: int, target: Target) -> float:
-    """Return the time in microseconds of numbers of analog and digital words, without a launch."""
+    """Return the time in microseconds of `analog` analog and `digital` digital words, without a
+    launch."""
     return analog * target.analog_word_us + digital * target.digital_word_us
 
 

@@ -44,7 +44,10 @@ class KernelDraft:
 
 
 class SlotDraft(Record):
-    """A `.slot` line: the kernels that run, in order, at each of the boundaries `instants`."""
+    """A `.slot` line: the kernels (lists of words) that run, in order, at each of the boundaries
+    `instants`.
+
+    `place` is the token with these boundaries."""
 
     instants: tuple[range, ...]
     place: Token
@@ -102,7 +105,7 @@ class Faults:
 
 
 def shown(text: str) -> str:
-    """Quote a text in a message: on one line and short."""
+    """Return a text for a message: in quotes, on one line and at most 60 characters."""
     return ascii(text if len(text) <= 60 else text[:57] + "...")
 
 
@@ -254,12 +257,12 @@ def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> No
 
 
 def _names(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Append the operands to a list of the draft."""
+    """Append the operands to the list `attribute` of the draft."""
     getattr(draft, attribute).extend(tokens)
 
 
 def _row(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Append the operands, as one row, to a list of the draft."""
+    """Append the operands, as one row, to the list `attribute` of the draft."""
     getattr(draft, attribute).append(tuple(tokens))
 
 

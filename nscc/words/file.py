@@ -90,7 +90,7 @@ class _Times(Record):
 
 
 class _Words(Record):
-    """The arrays behind the decode table."""
+    """The arrays of a file that follow the decode table."""
 
     encoding: Annotated[NDArray[np.bool_], "shutters registers"]
     words: Annotated[NDArray[np.uint32], "words word"]
@@ -276,7 +276,7 @@ def _check_frame(data: bytes, name: str) -> int:
 
 
 def _assembled(data: bytes, start: int) -> Container:
-    """Return the container whose header ends, and whose arrays begin, at byte `start`.
+    """Return the container of a file whose header ends, and whose arrays begin, at byte `start`.
 
     Raises ValueError for a header, or arrays, that no container has."""
     header = from_json(_Header, data[_PREAMBLE.size : start])

@@ -179,7 +179,7 @@ def picture_fault(operation: Op, target: Target) -> str | None:
 
 
 def _reaches_by_bits(operation: Op) -> bool:
-    """Return whether a word reads bits of neighbours, or prepares to do so."""
+    """Return whether a word reads bits of neighbours (DNEWS), or propagates bits to them (PROP)."""
     seen = operation.operation.effect is WordEffect.DIGITAL_NEIGHBOURS
     return seen or operation.name.startswith("PROP")
 

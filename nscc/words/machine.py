@@ -28,8 +28,7 @@ LIGHT = -1
 
 
 class Comparison(Record):
-    """A comparison of `signal` with `level` steps of IN at `boundary`: is the signal above the
-    level?
+    """A comparison at `boundary`: is the signal above `level` steps of IN?
 
     `signal` is LIGHT, the charge of PIX since the start of the frame or its last reset, or the
     index of a bucket, the light of its completed open slots."""
@@ -44,7 +43,7 @@ class State(Record):
 
     `is_kept` states survive the frame; `read` states are read out with the frame. `boolean` means
     that it was declared as bit. `sense` marks the latest answer of a sense, which was not declared
-    as a state but is needed after its look."""
+    as a state but is needed later."""
 
     name: str
     low: StateValue
@@ -116,7 +115,8 @@ class StateMachine(Record, eq=False):
 
     @property
     def stages(self) -> int:
-        """The number of looks plus one; 0 for a program whose shutters depend on the code only."""
+        """The number of looks (boundaries with comparisons) plus one; 0 if shutters depend on the
+        code only."""
         return len(self.first) - 1
 
     def nodes(self, stage: int) -> slice:
@@ -139,7 +139,7 @@ class StateMachine(Record, eq=False):
         return sorted(range(len(comparisons)), key=lambda number: -comparisons[number].signal)
 
     def starts(self, stage: int) -> int:
-        """Return the first boundary of a stage."""
+        """Return the first boundary of a stage: the look before it, or 0."""
         return 0 if stage == 0 else self.looks[stage - 1]
 
     def ends(self, stage: int) -> int:

@@ -248,7 +248,8 @@ class ChosenPlane(Record):
 
 
 class RepeatedPlane(Record):
-    """A plane that is repeated, as `RepeatedImage`."""
+    """A plane that is `start` first; each of `times` steps replaces it by `step`. See
+    `RepeatedImage`."""
 
     start: Condition
     step: Condition
@@ -292,7 +293,7 @@ Repeated = RepeatedImage | RepeatedPlane
 
 
 class Picture(Record):
-    """An image or a plane, with its name."""
+    """An image or a plane of a program, with its name and its expression."""
 
     name: str
     node: Node
@@ -349,7 +350,8 @@ class HostParam(Record):
 
 
 class LevelOf(Record):
-    """The value of IN at launch number `launch`: `factor` times the parameter `param`."""
+    """How the value of IN at launch number `launch` follows from a parameter: `factor` times
+    `param`."""
 
     launch: Length
     param: str
@@ -357,8 +359,9 @@ class LevelOf(Record):
 
 
 class LoopValue(Record):
-    """The register of a repeated image or plane before and after each step; `sign` times an image
-    is in the register."""
+    """The register that holds a repeated image or plane before and after each step.
+
+    An image is there times `sign`."""
 
     name: str
     register: str
@@ -366,9 +369,10 @@ class LoopValue(Record):
 
 
 class LaunchLoop(Record):
-    """A run of `launches` launches from number `first` on that is executed `times` times.
+    """A loop: `launches` launches (starts of kernels) from number `first` on, which run `times`
+    times.
 
-    `values`: the names that change from step to step."""
+    `values` are the registers of the names that change from step to step."""
 
     first: Length
     launches: Length
@@ -405,7 +409,8 @@ class PlaneReport(Record):
 
 
 class TailLaunch(Record):
-    """The start of kernel number `kernel` after the exposure, with IN at `level` steps.
+    """The start of kernel (list of words) number `kernel` after the exposure, with IN at `level`
+    steps.
 
     The level is None if the kernel does not read IN."""
 
@@ -511,7 +516,7 @@ class Pictures:
 
     @property
     def kept(self) -> tuple[str, ...]:
-        """The names of states and input planes, whose registers no other value may use."""
+        """The names of states and input planes, whose registers nothing else may use."""
         return (*self.stepping, *(plane.name for plane in self.inputs))
 
     @property
@@ -540,7 +545,9 @@ class Pictures:
 
     @property
     def steering(self) -> tuple[str, ...]:
-        """The names of images, planes and states whose words read bits of neighbours, in order."""
+        """The names of images, planes and states whose words read bits of neighbours, in order.
+
+        These words need R1 to R4, which choose the neighbours."""
         reading = Near | At | Agreement | Propagated
         return tuple(
             name
@@ -600,7 +607,8 @@ def packed_bits(bits: NDArray[np.bool_]) -> int:
 
 
 def unpacked_bits(number: int, shape: tuple[int, int]) -> NDArray[np.bool_]:
-    """Return the bits (rows, cols) of `packed_bits`; a number of -1 is a 1 in every pixel."""
+    """Return the bits of a number that `packed_bits` made, bool of `shape` (rows, cols); -1 is a 1
+    in every pixel."""
     pixels = shape[0] * shape[1]
     data = (number & (1 << pixels) - 1).to_bytes(-(-pixels // 8), "little")
     flat = np.unpackbits(np.frombuffer(data, np.uint8), count=pixels, bitorder="little")

@@ -33,7 +33,9 @@ class Reach(NamedTuple):
         return Reach(*map(max, self, self, *reaches))
 
     def moved(self, right: int, down: int) -> Reach:
-        """Return the reach of the same value of the pixel `right` columns and `down` rows away."""
+        """Return the reach, seen from this pixel, of the same value of another pixel.
+
+        That pixel is `right` columns and `down` rows away."""
         return Reach(
             max(0, self.left - right),
             max(0, self.right + right),

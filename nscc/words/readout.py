@@ -22,7 +22,8 @@ Three words each add an error to twice the exposure, so the variance is 3 / 4.""
 
 
 class Preparation(Record):
-    """The words of one kernel, and their value of IN in steps; None if they do not read IN."""
+    """The words before the readout, and the value of IN in steps that they need; None if they do
+    not read IN."""
 
     words: tuple[Op, ...]
     level: int | None

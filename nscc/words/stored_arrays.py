@@ -70,7 +70,7 @@ def array_faults(record: object, sizes: Mapping[str, int]) -> Iterator[str]:
 def array_fault(
     name: str, array: NDArray[Any], dtype: DTypeLike, shape: tuple[int, ...]
 ) -> Iterator[str]:
-    """Yield the error of an array if it has another shape or type."""
+    """Yield the error of the array `name` if its shape or type differs from `shape` and `dtype`."""
     if array.shape != shape or array.dtype != dtype:
         yield f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {shape}"
 

@@ -52,11 +52,12 @@ class Stream(Record, eq=False):
 
 
 class Loading(Record):
-    """The times, in microseconds from the start of the frame, at which a slot's plane is sent and
-    acts.
+    """When a slot's bit plane is sent and when it takes effect, in microseconds from the start of
+    the frame.
 
     A chip with two latches per pixel loads the plane in the previous slot (the first plane before
-    the frame), and all rows act at once. A chip with one latch drains the light while it loads."""
+    the frame), and it takes effect in all rows at once. A chip with one latch drains the light
+    while it loads."""
 
     load_us: float
     acts_us: float

@@ -210,7 +210,7 @@ class PlaneLoad:
 
 @dataclass(frozen=True)
 class CodeLoading:
-    """The loads of all code registers of `target`, in order."""
+    """How the bit planes of all code registers of a target are loaded, in this order."""
 
     target: Target
     loads: tuple[PlaneLoad, ...]

@@ -136,7 +136,7 @@ def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
 
 
 def calls_words(recorded: Sequence[Call]) -> int:
-    """Return the number of words that the calls record."""
+    """Return the number of words that these library calls record."""
     return sum(len(expand(name, operands)) for name, operands in recorded)
 
 
