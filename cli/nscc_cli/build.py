@@ -82,8 +82,8 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
 
 
 def _check_container_name(out: Path) -> None:
-    """Raise Rejected if the container would replace an input (NS0785), or if its ending names
-    another kind of file (NS0786)."""
+    """Raise Rejected if the container `out` would replace an input (NS0785), or if its ending names
+    another kind of file (NS0786). Names without an ending are accepted."""
     if out.suffix.lower() in (SUFFIX, ""):
         return
     refuse_inputs(out)
@@ -103,8 +103,10 @@ def _check_container_name(out: Path) -> None:
 
 
 def _kinds(text: str) -> dict[str, bool]:
-    """Return the products that the value of `--emit` names; True if one is printed. Raises
-    Rejected (NS0505) for unknown ones."""
+    """Return the products that the value of `--emit` names, in its order, with True for those that
+    are printed (`KIND=-`) instead of written.
+
+    Raises Rejected (NS0505) for an unknown kind."""
     places_by_kind: dict[str, bool] = {}
     for item in filter(None, (item_text.strip() for item_text in text.split(","))):
         kind, _, place = item.partition("=")
@@ -119,7 +121,10 @@ def _kinds(text: str) -> dict[str, bool]:
 
 
 def _printer(after: str | None) -> Observer | None:
-    """Return an observer of passes that prints the result of the pass named `after`."""
+    """Return an observer of compiler passes that prints the result of the pass named `after`; None
+    prints nothing.
+
+    Raises Rejected (NS0506) if there is no such pass."""
     if after is None:
         return None
     if after not in PASSES:
@@ -130,7 +135,7 @@ def _printer(after: str | None) -> Observer | None:
         )
 
     def see(compiler_pass: Pass, value: Any) -> None:
-        """Print what a pass made, if it is the one that was asked for."""
+        """Print the result `value` of a pass, if it is the one that was asked for."""
         if compiler_pass.name == after:
             _print(compiler_pass.text(value).encode())
 

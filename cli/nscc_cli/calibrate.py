@@ -19,7 +19,9 @@ class _Calibrate(CommonCommand):
     """The command `calibrate`, whose option `--dark` accepts several files."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Parse `args` after rewriting `--dark a b` as `--dark a --dark b`."""
+        """Parse the arguments of the command after rewriting `--dark a b` as `--dark a --dark b`.
+
+        Every argument after `--dark` or `--dark=FILE` counts as a file, up to the next option."""
         spread_args: list[str] = []
         taking, first = False, False
         for arg in args:

@@ -45,10 +45,10 @@ def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> 
 
 
 def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
-    """Compile all programs and print their messages and summaries; `fix` first applies safe fixes
-    to the files.
+    """Compile the programs `files` and print their messages and summaries. With `fix`, first apply
+    safe fixes to the files.
 
-    Raises Rejected with the errors of all programs."""
+    All programs are checked before Rejected is raised with the errors of all of them."""
     diagnostics: list[Diagnostic] = []
     status = 0
     for path in files:
@@ -76,8 +76,10 @@ def _loader_notes(compiled: Compiled) -> list[Diagnostic]:
 
 
 def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
-    """Check now and after each change of a file; return the last exit status when the user stops
-    it with Ctrl-C."""
+    """Check now and after each change of a file that a program consists of, until the user presses
+    Ctrl-C. Return the exit status of the last check.
+
+    Raises UsageError for SARIF messages, which are a single document."""
     if session().message_format == "sarif":
         raise click.UsageError(
             "--watch runs forever, but a SARIF log is a single document: use json"
@@ -100,8 +102,8 @@ def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
 
 
 def _mend(path: Path, options: dict[str, Any]) -> None:
-    """Apply all safe fixes to the file `path` repeatedly, because one error may hide another.
-    `options` are those of the command."""
+    """Apply all safe fixes to the program at `path`, in place. Check it again after each round,
+    because one error may hide another."""
     from nscc.diagnostics.message import mended
     from nscc.files import write_back
     from nscc.syntax.parse import read_source
@@ -132,13 +134,15 @@ State = tuple[int, ...] | None
 def rounds(files: Callable[[], Iterable[Path]]) -> Iterator[list[str]]:
     """Yield an empty list, then after each change the names of the changed files.
 
-    Changes while the caller works are not missed. `files` is called again after each change,
-    because the set of files may change. Files may be missing and appear later."""
+    Changes while the caller works are not missed. `files` returns the paths to watch. It is called
+    again after each change, because the set of files may change. Files may be missing and appear
+    later."""
     known_states = _states(files())
     changed: list[str] = []
     while True:
         yield changed
         now = _states(files())
+        # A file that is new in the set counts as unchanged.
         known_states = {path: known_states.get(path, state) for path, state in now.items()}
         while now == known_states:
             sleep(_PAUSE_S)
@@ -148,13 +152,13 @@ def rounds(files: Callable[[], Iterable[Path]]) -> Iterator[list[str]]:
 
 
 def _states(files: Iterable[Path]) -> dict[Path, State]:
-    """Return the state of each file, by which a change is seen."""
+    """Return the state of each file. Two states differ if the file was written between them."""
     return {path: _state(path) for path in files}
 
 
 def _state(path: Path) -> State:
-    """Return modification time, size and number of a file, which change when it is written; None
-    if it is missing."""
+    """Return modification time, size and number of a file, one of which changes when it is written.
+    Return None if it is missing."""
     try:
         status = os.stat(path)
     except (OSError, ValueError):

@@ -18,8 +18,10 @@ Items = list[CompletionItem]
 
 
 class Name(click.types.StringParamType):
-    """The click type of a name: the shell suggests names, with `files` also files, with `several` a
-    list separated by commas, each after one of `signs`."""
+    """The click type of a name, for which the shell suggests known names.
+
+    With `files` it suggests files, too. With `several` the value is a list separated by commas, in
+    which each name may follow one of `signs`."""
 
     name = "text"
 
@@ -33,12 +35,16 @@ class Name(click.types.StringParamType):
         signs: str = "",
         ending: str = "",
     ) -> None:
-        """Complete names from `source`, and from further ones."""
+        """Suggest `further_names`, and the names in `source`, MODULE:ATTRIBUTE, which is imported
+        when the user asks for suggestions.
+
+        The attribute is a list or a function that returns it, of texts or of objects with a `name`.
+        `ending` is added to each of its names."""
         self.source, self.more, self.ending = source, further_names, ending
         self.files, self.several, self.signs = files, several, signs
 
     def names(self) -> Iterator[str]:
-        """Yield the names in `more`, then those of `source` (MODULE:ATTRIBUTE)."""
+        """Yield the further names, then those of the source with their ending."""
         yield from self.more
         if self.source:
             module, _, name = self.source.partition(":")
@@ -47,8 +53,8 @@ class Name(click.types.StringParamType):
                 yield (entry if isinstance(entry, str) else entry.name) + self.ending
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
-        """Return the names that begin with the incomplete text, which may be a list with commas
-        and signs."""
+        """Return suggestions that begin with the text that the user has typed, `incomplete`. In a
+        list, only the last name is completed."""
         head, comma, typed = incomplete.rpartition(",") if self.several else ("", "", incomplete)
         sign = typed[:1] if typed[:1] and typed[:1] in self.signs else ""
         before, typed = head + comma + sign, typed.removeprefix(sign)
@@ -61,12 +67,14 @@ class RunPath(click.Path):
     """The click type of a run folder; the shell also suggests shipped runs and `more`."""
 
     def __init__(self, further_names: Sequence[str] = (), path_type: type[Any] = Path) -> None:
-        """Complete paths of runs, and further names."""
+        """Suggest run folders, the runs that come with nscc, and `further_names`. `path_type` is
+        the type of the parsed value."""
         super().__init__(path_type=path_type)
         self.more = further_names
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
-        """Return the run folders and names that begin with the text `incomplete`."""
+        """Return the run folders and names that begin with the text that the user has typed,
+        `incomplete`."""
         from nscc_training.run_files import shipped_runs
 
         names = [n for n in (*self.more, *shipped_runs()) if n.startswith(incomplete)]
@@ -75,7 +83,8 @@ class RunPath(click.Path):
 
 
 def _runs(typed: str) -> Iterator[str]:
-    """Yield the run folders whose paths begin with the typed text."""
+    """Yield the run folders whose paths begin with the text that the user has typed. A folder that
+    cannot be read has none."""
     from nscc_training.run_files import CONFIG
 
     folder, begin = os.path.split(typed)

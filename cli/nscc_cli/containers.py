@@ -54,7 +54,9 @@ def asm(file: str, output: str | None, words: bool) -> None:
 
 
 def read_text(file: str) -> Source:
-    """Read a file, or standard input if `file` is `-`; raise Rejected (NS0717) if that fails."""
+    """Read assembly text from a file, or from standard input if `file` is `-`.
+
+    Raises Rejected (NS0717, status 2) if it cannot be read, is too large, or is not UTF-8."""
     name = "<standard input>" if file == "-" else file
     try:
         if file == "-":

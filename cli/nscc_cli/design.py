@@ -180,15 +180,20 @@ def command(
 def _scene_lights(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any]
 ) -> list[NDArray[np.float64]]:
-    """Return the light of each scene over the frame, in electrons, each with shape (rows, cols)."""
+    """Return the light of each scene over the frame in electrons (rows, cols), without the parts of
+    the array that a smaller scene does not cover.
+
+    `options` are those of the command."""
     return [laid.placement.cut(laid.light.total_e()) for laid in _laid(scenes, target, options)]
 
 
 def _moving(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any], parts: int
 ) -> list[NDArray[np.float64]]:
-    """Return each scene's light in electrons, (at most `parts` intervals, rows, cols). `options`
-    are those of the command."""
+    """Return the light of each scene in electrons, (intervals, rows, cols): the slots of the frame,
+    joined to at most `parts` intervals.
+
+    `options` are those of the command."""
     slots = options["slots"]
     starts = sorted({slots * part // parts for part in range(parts)})
     return [
@@ -198,7 +203,8 @@ def _moving(
 
 
 def _are_clips(scenes: tuple[str, ...], target: Target, options: dict[str, Any]) -> bool:
-    """Return whether a scene is a clip; stills beside it are clips in which nothing moves."""
+    """Return whether any of the scenes is a clip; stills beside it are clips in which nothing
+    moves. `options` are those of the command."""
     options = {**options, "slots": options["slots"] or _CLIP_SLOTS}
     return "clip" in [laid.light.kind for laid in _laid(scenes, target, options, warns=False)]
 
@@ -207,7 +213,10 @@ def _laid(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any], warns: bool = True
 ) -> Iterator[PlacedLight]:
     """Yield each scene, placed on the chip's array and divided into the slots of the frame.
-    `warns` False drops warnings, which an earlier pass has printed."""
+    `options` are those of the command.
+
+    With `warns` False no warnings are printed, because another pass over the scenes prints them.
+    Raises Rejected (NS0744) without a scene."""
     from nscc_runtime.scenes import laid_lights
 
     slot_us = [options["slot_us"]] * options["slots"]

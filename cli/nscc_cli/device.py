@@ -91,7 +91,7 @@ def serve(**options: Any) -> None:
 
 
 def _report(error: Exception) -> None:
-    """Print the `error` by which a frame failed; the protocol tells the host only that it
+    """Print why the stand-in could not expose a frame; the protocol tells the host only that it
     failed."""
     if isinstance(error, Rejected):
         support.show(error.diagnostics)

@@ -70,7 +70,8 @@ def command(
 
 
 def listing() -> str:
-    """Return a table with one line for each effect."""
+    """Return a table with a line for each effect: its name, its kind, what its default values rest
+    on, and its title. The kinds are explained below."""
     from nscc_runtime.effects import registered
 
     rows = [("effect", "kind", "defaults rest on", "")]
@@ -85,7 +86,8 @@ def listing() -> str:
 
 
 def costs() -> str:
-    """Measure the simulation costs on this machine and return them beside those that plans use."""
+    """Measure the simulation costs on this machine, which takes seconds. Return a table of them
+    beside the shipped costs that plans use."""
     from nscc_runtime.effects import registered
     from nscc_runtime.planning.measure_prices import measure_prices
 
@@ -107,8 +109,8 @@ def costs() -> str:
 
 
 def details(name: str, sensor: Sensor) -> str:
-    """Return the description of the effect `name` and its parameters, with the values of `sensor`;
-    raise Rejected (NS0756) if the effect is unknown."""
+    """Return the description of the effect `name`, and of its parameters with their values in
+    `sensor`. Raise Rejected (NS0756) if the effect is unknown."""
     from nscc_runtime.effects import named
 
     effect = named(name)

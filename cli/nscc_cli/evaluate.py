@@ -290,10 +290,12 @@ def _of_scenes(
     save: Path | None,
     **outputs: Any,
 ) -> int:
-    """Score scenes, print and write the result; return 1 if a file could not be read, else 0.
+    """Score scenes by `evaluate`, print and write the result. Return the exit status: 1 if a file
+    could not be read, else 0.
 
-    With `-o` the scores are kept beside it until it is written, so that the same command continues
-    after an interrupt; reconstructions for `--save` are not kept. `known` are the options."""
+    With `-o` the scores are kept beside the file until it is written, so that the same command
+    continues after an interrupt. They are kept for the options `known`. Reconstructions, which go
+    to the folder `save`, are not kept. `outputs` are the options of `_finish`."""
     from nscc_training.evaluation.results import Scorer, arrays_in, damaged_files, result_text
 
     out = outputs["out"]
@@ -311,8 +313,8 @@ def _of_scenes(
 def _finish(
     result: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
 ) -> None:
-    """Write a result to `out` together with other products, and print it as JSON or as the text
-    `human`."""
+    """Write `result` as JSON to the file `out`, if given, together with the files in `products`.
+    Print it as JSON, or as the text `human`."""
     from nscc_training.evaluation.results import result_json
 
     text = result_json(result)

@@ -27,11 +27,12 @@ named."""
 
 
 def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagnostic, int]:
-    """Return the diagnostic and exit status for an exception that no command expects.
+    """Return the diagnostic and exit status for an exception that no command expects. `arguments`
+    are those of the command line.
 
     NS0784 (status 2) if a file or stream fails, NS0902 (3) if memory runs out, NS0903 (1) if the
-    input is nested too deeply, NS0904 (2) if a package is missing, otherwise NS0901 (70) with a
-    reproducer."""
+    input is nested too deeply, NS0904 (2) if a package is missing, otherwise NS0901 (70), for which
+    a reproducer is saved."""
     error_text = " ".join(str(error).split())[:200]
     if isinstance(error, MemoryError | RuntimeError) and _no_memory(error):
         on_gpu = type(error).__name__ == "OutOfMemoryError"
@@ -77,8 +78,8 @@ _NEEDED = re.compile(r"allocate (?:memory: you tried to allocate )?([\d.]+ (?:[K
 
 
 def _memory_text(error_text: str, on_gpu: bool) -> str:
-    """Return how much memory was needed and is free, in numbers as far as the error's text or
-    the system tells them."""
+    """Return a sentence on how much memory was needed and is free, with the numbers that
+    `error_text` and the system tell. `on_gpu` says which memory."""
     needed = _NEEDED.search(error_text)
     asked = f"one array needs {needed[1]}" if needed else "this needs more than is free"
     if on_gpu:
@@ -91,7 +92,7 @@ def _memory_text(error_text: str, on_gpu: bool) -> str:
 
 
 def _no_memory(error: Exception) -> bool:
-    """Return whether memory is exhausted."""
+    """Return whether an exception says that memory is exhausted, on the GPU or on the host."""
     from nscc_training.problems import is_out_of_memory
 
     return is_out_of_memory(error)
@@ -109,14 +110,18 @@ _LESS = {
 
 
 def _of_nscc(filename: object) -> bool:
-    """Return whether the file belongs to nscc, so that its failure means a broken installation."""
+    """Return whether a file lies in the folder of nscc's packages. If such a file fails, the
+    installation is broken."""
     root = os.path.realpath(Path(__file__).parents[1]) + os.sep
     return isinstance(filename, str) and os.path.realpath(filename).startswith(root)
 
 
 def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ...], str]:
-    """Save a reproducer with the traceback `trace`, the command line `arguments` and its input
-    files. Return the notes and the help that name its file."""
+    """Save a .zip file with the command line, its input files, the versions and the traceback
+    `trace`.
+
+    Return the notes and the help of the message, which name the file. If it cannot be saved, the
+    notes contain the traceback."""
     versions = f"nscc {__version__}\nPython {sys.version}\n{platform.platform()}\n"
     members = {
         "command.txt": "\n".join(["nscc", *arguments, ""]).encode(errors="replace"),
@@ -140,8 +145,8 @@ def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ..
 
 
 def _save(data: bytes) -> str | None:
-    """Save the reproducer `data` in the current or temporary folder; return its path, None on
-    failure."""
+    """Save the reproducer in the current folder, else in the folder for temporary files. Return its
+    path, or None if both fail. Its name contains its digest."""
     import tempfile
 
     from nscc.files import write_whole
@@ -157,7 +162,7 @@ def _save(data: bytes) -> str | None:
 
 
 def _inputs(arguments: Sequence[str]) -> list[Path]:
-    """Return the existing files that the command line names, and those that its programs name in
+    """Return the existing files that the arguments name, and those that programs among them name in
     quotes."""
     named = [Path(argument) for argument in arguments if _is_file(Path(argument))]
     input_files = list(named)

@@ -28,7 +28,8 @@ if TYPE_CHECKING:
 def scene_of(
     options: Mapping[str, Any], missing: str = "--scene is missing: there is no light to expose"
 ) -> Scene:
-    """Return the scene that the options describe; raise NS0744 (`missing`) without `--scene`."""
+    """Return the scene that the options of a command describe. Raise Rejected (NS0744, with the
+    message `missing`) without `--scene`."""
     from nscc_runtime.scenes import Scene
 
     if not options["scene"]:
@@ -41,7 +42,8 @@ def scene_of(
 
 
 def refuse_swapped(program: Path, scene: str | None) -> None:
-    """Raise NS0780 if the scene is a program file: program and scene are probably swapped."""
+    """Raise Rejected (NS0780) if the scene is a program file: the user has probably swapped program
+    and scene."""
     if scene is None or not scene.lower().endswith((".nsl", ".icw")):
         return
     if program.suffix.lower() in (".nsl", ".icw"):
@@ -56,7 +58,8 @@ def refuse_swapped(program: Path, scene: str | None) -> None:
 
 
 def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
-    """Return the sensor of the chip, with the changes in a command's options."""
+    """Return the sensor of the chip `target`, with the file and the changes that the options
+    --sensor and --sensor-set name."""
     from nscc_runtime.sensor import load_sensor
 
     return load_sensor(target, options["sensor"], options["sensor_set"])
@@ -65,8 +68,11 @@ def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
 def run_capture_of(
     like: Path | None, options: dict[str, Any], program: Path | None = None
 ) -> RunCapture | None:
-    """Return how the run `like` exposes frames, and set missing `options` from it; the chip only
-    for a program that is not compiled."""
+    """Return the conditions under which the decoder of the run `like` expects frames; None without
+    a run.
+
+    Where `options` lack a value (exposure, transfer, sensor, chip), the run's is put into them. The
+    chip is not for a `program` that is compiled already."""
     if like is None:
         return None
     from nscc.containers import is_compiled
@@ -86,8 +92,8 @@ def run_capture_of(
 
 
 def parse_keep(text: str) -> tuple[str, ...]:
-    """Return the names in `text`, the value of `--keep`; raise Rejected (NS0739) for an unknown
-    name."""
+    """Return the names in the value of `--keep`, which commas separate. Raise Rejected (NS0739) for
+    an unknown name."""
     from nscc_runtime.frame_file import KEEP
 
     names = tuple(name.strip() for name in text.split(",") if name.strip())
@@ -104,8 +110,10 @@ def parse_keep(text: str) -> tuple[str, ...]:
 
 
 def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
-    """Return the path of the frame file, by default PROGRAM.frame.npz; raise NS0745 for equal paths
-    and NS0786 for an unknown format."""
+    """Return the path of the frame file: the option -o, or PROGRAM.frame.npz in the current folder.
+
+    Raises Rejected if two outputs have one path (NS0745), if an output would replace an input
+    (NS0785), or if an ending is unknown (NS0786)."""
     from nscc_runtime.formats import check_ending, endings
 
     out: Path = options["out"] or Path(program.stem + ".frame.npz")
@@ -134,8 +142,12 @@ def write_frame(
     response: Callable[[], Response],
     plan: str | None = None,
 ) -> list[Path]:
-    """Write the frame file and the requested picture, plan and timings, and return the paths.
-    `response` computes the sensor response for the picture."""
+    """Write the frame file `out`, and the picture, plan and timings that the options name. Return
+    the paths, without that of the timings.
+
+    `keep` names the arrays of the value of `--keep`. `light` is None for frames of a device.
+    `title` stands above the picture. `response` computes the sensor response for the picture.
+    `plan` is the text of the plan's file. `timings` receives the time of writing."""
     from nscc.container_proof import replayed
     from nscc_runtime.formats import file_of
     from nscc_runtime.formats.content import frame_content
@@ -170,8 +182,10 @@ def _picture(
     content: Content,
     title: str,
 ) -> Product:
-    """Return the PNG for `--png`: the light of a colour capture, else a sheet of readouts and
-    light; of several frames the first."""
+    """Return the PNG for `--png`: the light of a capture in colours, else a sheet of readouts and
+    light. Of repeated frames it shows the first.
+
+    `response` computes the sensor response, if the sheet needs it."""
     from nscc_runtime.formats.content import content_sheet
     from nscc_runtime.pictures.sheet import png_of
     from nscc_runtime.run_kinds import KINDS
@@ -184,8 +198,10 @@ def _picture(
 def summary(
     container: Container, frame: Frame, files: Sequence[Path], *, alike: bool, colours: bool = False
 ) -> str:
-    """Describe each bucket of the first frame, and name the written `files`. `alike`: all frames
-    are identical; `colours`: they are of red, green and blue light."""
+    """Return the text that describes each bucket of the first frame, and names each file.
+
+    `alike` says that all frames are identical, `colours` that the frames are those of red, green
+    and blue light."""
     from nscc_runtime.run_messages import frame_lines
 
     lines = frame_lines(container, frame)

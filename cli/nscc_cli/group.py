@@ -27,7 +27,8 @@ class LazyGroup(click.Group):
         return [*COMMANDS, *self._usable_added()]
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Import and return the command `cmd_name`, or None if it is unknown."""
+        """Import the module of the command `cmd_name` and return the command; None if the name is
+        unknown."""
         if cmd_name not in COMMANDS:
             return added_by_packages().get(cmd_name)
         module = import_module(f"nscc_cli.{MODULES.get(cmd_name, cmd_name)}")
@@ -38,8 +39,11 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Return the command named by the first of `args`, and the arguments after it. Raises
-        Rejected (NS0781) for an unknown command."""
+        """Return the name and the command that the first of `args` names, and the arguments after
+        it.
+
+        Raises Rejected (NS0781) for an unknown command. Here Python's garbage collector is turned
+        on again."""
         name = args[0]
         if name.startswith("-"):
             raise click.NoSuchOption(name, ctx=ctx)
@@ -72,7 +76,8 @@ class LazyGroup(click.Group):
                 formatter.write_dl(rows)
 
     def _usable_added(self) -> dict[str, click.Command]:
-        """Return the added commands; if one is unusable, print its message and return none."""
+        """Return the commands that other packages add, by name. If one is unusable, print its
+        message and return none."""
         try:
             return added_by_packages()
         except Rejected as rejected:
@@ -81,8 +86,8 @@ class LazyGroup(click.Group):
 
 
 def added_by_packages() -> dict[str, click.Command]:
-    """Return the commands of other distributions, by name; raise Rejected (NS0905) for an unusable
-    one."""
+    """Return the commands that other packages add (entry points `nscc.commands`), by name. Raise
+    Rejected (NS0905) for an unusable one."""
     added_commands = added("nscc.commands", COMMANDS)
     for name, command in added_commands.items():
         if not isinstance(command, click.Command):

@@ -29,7 +29,8 @@ _PROGRAM = click.option("-o", "out", required=True, metavar="P.nsl", type=OUT, h
 
 
 def _beside_program(out: Path, arrays: str) -> Path:
-    """Return the path STEM.ARRAYS.npz beside a program, whose name must end in .nsl."""
+    """Return the path of the file that a program `out` reads `arrays` from: STEM.ARRAYS.npz beside
+    it. Raise BadParameter if the program's name does not end in .nsl."""
     if out.suffix.lower() != ".nsl":
         raise click.BadParameter(f"'{out}' does not end in .nsl", param_hint="-o")
     path = out.with_suffix(f".{arrays}.npz")
@@ -122,7 +123,8 @@ def import_network(model: Path, out: Path, frame_us: float, target: str) -> None
 def _place(
     _context: click.Context, _option: click.Parameter, value: str | None
 ) -> tuple[int, int] | None:
-    """Return the row and the column of `value`, a text R,C; raise BadParameter for another text."""
+    """Return the row and the column of an option's value, a text R,C; None without one. Raise
+    BadParameter for another text."""
     if value is None:
         return None
     row, _, col = value.partition(",")

@@ -30,6 +30,8 @@ from nscc_cli import protocol_values as values
 from nscc_cli.protocol_values import Positions
 
 Answer = Callable[[Any, Positions, Any], object]
+"""A function that answers a request about a text, from the text, its positions and the request's
+parameters."""
 _REQUEST_FAILED = -32803
 """LSPErrorCodes.RequestFailed: a valid request that cannot be carried out."""
 _FIX_ALL = types.CodeActionKind("source.fixAll")
@@ -48,7 +50,8 @@ class Server(LanguageServer):
         self.worker = ThreadPoolExecutor(1)
 
     def take(self, uri: str, text: str, version: int) -> None:
-        """Store version `version` of a text and start checking it."""
+        """Store `text` as version `version` of the document `uri`, and start checking it. Its
+        ending decides whether it is a program or an assembly text."""
         self.versions[uri] = version
         path = Path(uris.to_fs_path(uri) or uri.rpartition(":")[2])
         kind = Listing if path.suffix.lower() == ".asm" else Document
@@ -56,20 +59,21 @@ class Server(LanguageServer):
         self.check(uri)
 
     def check(self, uri: str) -> None:
-        """Check a text on the worker thread, and publish its diagnostics unless the text changes
-        meanwhile."""
+        """Check the document `uri` on the worker thread, and send its diagnostics to the editor
+        unless the text changes meanwhile."""
         document, version = self.documents[uri], self.versions[uri]
 
         def publish(finished: asyncio.Future[list[types.Diagnostic] | None]) -> None:
-            """Send the diagnostics to the editor, unless a newer text has replaced the checked
-            one."""
+            """Send the diagnostics of a finished check to the editor, unless a newer text has
+            replaced the checked one."""
             diagnostics = None if finished.cancelled() else finished.result()
             if diagnostics is not None and self.documents.get(uri) is document:
                 message_params = types.PublishDiagnosticsParams(uri, diagnostics, version)
                 self.text_document_publish_diagnostics(message_params)
 
         def checked_diagnostics() -> list[types.Diagnostic] | None:
-            """Return the diagnostics of the text, or None if a newer one has replaced it."""
+            """Return the diagnostics of the text, or None if a newer text has replaced it, so that
+            it need not be checked."""
             if self.documents.get(uri) is not document:
                 return None
             return [
@@ -81,10 +85,10 @@ class Server(LanguageServer):
         ).add_done_callback(publish)
 
     async def answer(self, question: Answer, params: Any, kinds: tuple[type[Any], ...]) -> Any:
-        """Return what `question` answers about a text on the worker; None for texts of other
-        `kinds`.
+        """Return what `question` answers, on the worker thread, about the text that `params` name.
+        Return None for a text that is not open or not of one of `kinds`.
 
-        Raises JsonRpcException if a name cannot be renamed."""
+        Raises JsonRpcException if a name cannot be renamed; the editor shows its text."""
         text = self.documents.get(params.text_document.uri)
         if not isinstance(text, kinds):
             return None
@@ -97,8 +101,8 @@ class Server(LanguageServer):
 
 
 def _checked(document: Text) -> tuple[Diagnostic, ...]:
-    """Return the diagnostics of `nscc check` for `document`; a failure of nscc becomes a diagnostic
-    as well."""
+    """Return the diagnostics of `nscc check` for `document`. An unexpected exception becomes a
+    diagnostic (NS0901), so that the server goes on."""
     try:
         return document.checked.diagnostics
     except Exception as error:
@@ -113,7 +117,7 @@ def _checked(document: Text) -> tuple[Diagnostic, ...]:
 
 
 def make_server() -> Server:
-    """Return a server without open texts."""
+    """Return a server without open texts, which handles all requests of `_ANSWERS`."""
     logging.getLogger("pygls.protocol.json_rpc").addFilter(_is_no_refusal)
     server = Server()
     _take_texts(server)
@@ -125,7 +129,8 @@ def make_server() -> Server:
 
 
 def _add(server: Server, feature: str, options: Any, answer: Callable[..., Any]) -> None:
-    """Answer the requests of a feature of the protocol by `answer`."""
+    """Register `answer` with the server as the handler of a feature of the protocol, such as
+    completion. `options` are what the server tells the editor about it."""
 
     @server.feature(feature, options)
     async def answered(params: Any) -> Any:
@@ -134,7 +139,8 @@ def _add(server: Server, feature: str, options: Any, answer: Callable[..., Any])
 
 
 def _is_no_refusal(record: logging.LogRecord) -> bool:
-    """Return False for log records of refused requests, which the editor shows."""
+    """Return False for log records of refused requests, so that they are not logged: the editor
+    shows them."""
     return record.exc_info is None or not isinstance(record.exc_info[1], JsonRpcException)
 
 
@@ -188,7 +194,8 @@ def _hover(document: Document, at: Positions, params: types.HoverParams) -> type
 def _completions(
     text: Text, at: Positions, params: types.CompletionParams
 ) -> list[types.CompletionItem]:
-    """Return the words and names that may stand at a position of a program or an assembly text."""
+    """Return the words and names that may stand at the position in `params`, in a program or an
+    assembly text."""
     offset = at.offset(params.position)
     span, offers = (
         complete_listing(text, offset) if isinstance(text, Listing) else complete(text, offset)
@@ -205,7 +212,8 @@ def _symbols(document: Document, at: Positions, _params: object) -> list[types.D
 def _hints(
     document: Document, at: Positions, params: types.InlayHintParams
 ) -> list[types.InlayHint]:
-    """Return the hints in a range of a document."""
+    """Return the hints (short texts that the editor shows within lines) in the range of
+    `params`."""
     shown = at.span(params.range)
     inside = (hint for hint in hints(document) if shown.start <= hint.offset <= shown.end)
     return [types.InlayHint(at.of(h.offset), h.text, padding_left=True) for h in inside]
@@ -252,8 +260,8 @@ def _fixes(
 
 
 def _formatted(document: Document, at: Positions, _params: object) -> list[types.TextEdit]:
-    """Return the edit that puts the text into the standard style; none if it is already, or has
-    errors."""
+    """Return the edit that puts the text into the standard style. Return no edit if it has this
+    style already, or has errors."""
     try:
         text = format_source(document.source)
     except Rejected:  # the error is shown already
@@ -263,12 +271,14 @@ def _formatted(document: Document, at: Positions, _params: object) -> list[types
 
 
 def _name(document: Document, at: Positions, params: types.PrepareRenameParams) -> types.Range:
-    """Return the range of the name at a position; raise Rejected if it cannot be renamed."""
+    """Return the range of the name at the position in `params`. Raise CannotRename if it cannot be
+    renamed."""
     return at.range(renameable(document, at.offset(params.position)).span)
 
 
 def _renamed(document: Document, at: Positions, params: types.RenameParams) -> types.WorkspaceEdit:
-    """Return the edits that rename the name at a position."""
+    """Return the edits that replace the name at the position in `params` by its new name, wherever
+    it is used. Raise CannotRename if that is not possible."""
     places = renamed(document, at.offset(params.position), params.new_name)
     changes = [(place, params.new_name) for place in places]
     return values.edits(params.text_document.uri, changes, at)

@@ -30,8 +30,10 @@ INTERRUPTED = 130
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run `nscc` with the arguments `argv` (by default those of the process); return the exit
-    status."""
+    """Run `nscc` with the arguments `argv` and return the exit status. None takes the arguments of
+    the process.
+
+    Only then are settings of the process changed: streams, signals and garbage collection."""
     if argv is None:
         # Imported objects are permanent: searching them for garbage takes a tenth of `check`. The
         # group turns the collector on again when the command's module is imported.
@@ -61,7 +63,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _write_names_in_utf8() -> None:
-    """Make the standard streams write file names byte by byte in an ASCII locale (POSIX)."""
+    """Make the standard streams write file names byte by byte if the locale is ASCII (POSIX).
+    Otherwise a name with other letters would raise an error."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper) and stream.encoding.lower() in ("ascii", "us-ascii"):
             stream.reconfigure(encoding="utf-8", errors="surrogateescape")
@@ -69,15 +72,18 @@ def _write_names_in_utf8() -> None:
 
 @contextmanager
 def _interrupts(*, of_process: bool) -> Iterator[list[int]]:
-    """Yield a list that collects interrupts (SIGINT); the first raises KeyboardInterrupt, and a
-    second one while the command cleans up ends the process, if it is ours (`of_process`).
+    """Yield a list to which interrupts (SIGINT) are appended. The first one raises
+    KeyboardInterrupt.
 
-    C code may discard the exception, as torch does while it imports numpy, and fail later. Outside
-    the main thread, or if another handler is set, nothing is changed and the list stays empty."""
+    A second one, while the command cleans up, ends the process if it is ours (`of_process`). The
+    list is needed because C code may discard the exception, as torch does while it imports numpy,
+    and fail later. Outside the main thread, or if another handler is set, nothing is changed and
+    the list stays empty."""
     came: list[int] = []
 
     def remember(number: int, frame: FrameType | None) -> None:
-        """Raise KeyboardInterrupt at the first Ctrl-C; leave the process at once at the second."""
+        """Note an interrupt and raise KeyboardInterrupt. A second interrupt ends the process at
+        once, if it is ours."""
         if came and of_process:
             os.write(2, b"\ninterrupted\n")
             _leave()
@@ -103,8 +109,8 @@ def _leave(*_signal: object) -> None:
 def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
     """Run the command, print its messages, and return the exit status.
 
-    Raises KeyboardInterrupt if `interrupts` is not empty and the command failed with another
-    exception."""
+    Raises KeyboardInterrupt if the command failed with another exception while `interrupts` (see
+    `_interrupts`) is not empty, and BrokenPipeError if nobody reads the output any more."""
     import click
 
     from nscc.diagnostics.diagnostic import Rejected
@@ -148,8 +154,10 @@ def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
 
 
 def _invoke(arguments: list[str], session: Session) -> int:
-    """Run the command in `arguments` and return its exit status; a command that returns None has
-    status 0."""
+    """Run the command that `arguments` name, with `session` as its context, and return its exit
+    status. A command that returns None has status 0.
+
+    If a shell asks for completions, print them instead."""
     import click
 
     from nscc_cli.group import group
@@ -167,7 +175,8 @@ def _invoke(arguments: list[str], session: Session) -> int:
 
 
 def _preset_format(arguments: list[str], session: Session) -> None:
-    """Set the session's message format before parsing, so that usage errors have it, too."""
+    """Set `session.message_format` to the value of --message-format in `arguments` before they are
+    parsed, so that usage errors have this format, too."""
     from nscc_cli.support import FORMATS
 
     for position, argument in enumerate(arguments):

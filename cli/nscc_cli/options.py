@@ -31,7 +31,8 @@ COUNT = IntRange(1, 1000)
 
 
 def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
-    """Combine several options into one decorator; `--help` lists them in this order."""
+    """Combine several options into one decorator of a command. `--help` lists them in this
+    order."""
 
     def add(function: Command) -> Command:
         """Add all options to a command, in their order."""
@@ -43,7 +44,8 @@ def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
 
 
 def section(title: str, *options: Callable[[Any], Any]) -> Callable[[Command], Command]:
-    """Combine several options into one decorator; `--help` lists them under this title."""
+    """Combine several options into one decorator of a command. `--help` lists them under the
+    heading `title`."""
 
     def add(function: Command) -> Command:
         """Add the options to the command `function`, and list them below this title in its help."""
@@ -64,11 +66,12 @@ SCENE, EFFECTS, COMPILE, DEVICE, OUTPUT = "Scene", "Sensor effects", "Compile", 
 def chosen_names(
     names: Sequence[str],
 ) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
-    """Return a callback that parses a comma-separated choice of `names`, in their order."""
+    """Return a callback of a click option that parses a list of some of `names`, separated by
+    commas."""
 
     def chosen(context: click.Context, option: click.Parameter, value: str) -> tuple[str, ...]:
-        """Return the names in the option's text, in the order of `names`; raise BadParameter for
-        others."""
+        """Return the names in the text of the option, in the order of `names`. Raise BadParameter
+        for unknown ones."""
         chosen_set = {item.strip() for item in value.split(",")}
         for name in sorted(chosen_set.difference(names)):
             raise click.BadParameter(f"{name!r} is not one of {', '.join(names)}", context, option)
@@ -80,8 +83,9 @@ def chosen_names(
 def some_option(
     name: str, names: Sequence[str], metavar: str, text: str, default: str | None = None
 ) -> Callable[..., Any]:
-    """Return the option `name` that takes a comma-separated choice of `names`, by default all.
-    `text` is its help."""
+    """Return the option `name`, whose value is a list of some of `names`, separated by commas.
+
+    `default` is its default; None takes all names. `text` is its help."""
     return option(
         name,
         callback=chosen_names(names),
@@ -102,10 +106,11 @@ pixels_option = section(
 def declared(
     settings: type, *names: str, show: bool = False, **defaults: Any
 ) -> Callable[[Command], Command]:
-    """Return the options that fields of a dataclass declare, as one decorator.
+    """Return the options that fields of the dataclass `settings` declare, as one decorator of a
+    command.
 
     `names` are the fields, by default all fields with a declaration. An option that is not given is
-    None, so that the dataclass has its default, or False; with `show`, or a value in `defaults`, it
+    None, so that the dataclass has its default, or False. With `show`, or a value in `defaults`, it
     has a default of its own, which `--help` shows."""
     keys = keys_by_name(settings)
     chosen = [keys[name] for name in (*names, *defaults) or keys]
@@ -115,8 +120,8 @@ def declared(
 
 
 def values_given(settings: type, options: Mapping[str, Any]) -> dict[str, Any]:
-    """Return those of a command's options that fields of a dataclass declare and that have a value,
-    by the names of the fields."""
+    """Return the values of a command's options that fields of the dataclass `settings` declare, by
+    the names of the fields. Options without a value are left out."""
     named = ((key.attribute, options.get(key.name)) for key in keys_by_name(settings).values())
     return {name: value for name, value in named if value is not None}
 
@@ -126,8 +131,8 @@ _COMPLETED = {"target": TARGET, "effects": EFFECT_NAMES, "name": SCENE_NAME}
 
 
 def _option(key: Key, defaults: Mapping[str, Any]) -> Callable[..., Any]:
-    """Return the click option that a declared key describes; `defaults` replaces the defaults of
-    some keys."""
+    """Return the click option that the declared field `key` describes. `defaults` are the options'
+    own defaults, by the name of the field."""
     kind, name = key.kind, key.attribute
     help_text = key.meaning
     if isinstance(kind, Flag):
@@ -143,14 +148,15 @@ def _option(key: Key, defaults: Mapping[str, Any]) -> Callable[..., Any]:
 
 
 def _default_text(key: Key) -> str:
-    """Return the default of a key for its help, "" without one."""
+    """Return the default of the declared field `key` as text for its help; "" if it has none."""
     if key.default_text is not None:
         return key.default_text
     return "" if key.default in (None, MISSING) else str(key.default)
 
 
 def _click_type(kind: Kind) -> click.ParamType[Any] | None:
-    """Return the click type that accepts the values of a kind; None for any text."""
+    """Return the click type that accepts the values of `kind`, the declared kind of a field. None
+    means that any text is accepted."""
     if isinstance(kind, Number):
         low, high = (None if isinf(limit) else limit for limit in (kind.low, kind.high))
         if kind.is_whole:
@@ -168,7 +174,8 @@ build_options = section(COMPILE, declared(Options))
 
 
 def _tone(_context: Context, _option: Parameter, name: str | None) -> str | None:
-    """Return the tone curve `name` after checking it, even if nothing is drawn with it."""
+    """Return the tone curve `name`, or None. Raise Rejected if there is no such curve, even if the
+    command draws nothing with it."""
     if name is not None:
         from nscc_runtime.pictures.tone import check_tone
 
@@ -213,8 +220,8 @@ tradeoff_options = section(
 
 
 def repeats_option(default: int) -> Callable[..., Any]:
-    """Return the option `--repeats`: how often each measurement is repeated, `default` times if it
-    is missing."""
+    """Return the option `--repeats`: how often each measurement is repeated. `default` is its
+    default."""
     return option(
         "--repeats",
         type=COUNT,
@@ -225,8 +232,8 @@ def repeats_option(default: int) -> Callable[..., Any]:
 
 
 def scenes_option(text: str) -> Callable[..., Any]:
-    """Return the option `--scene` with the help `text`. It may be repeated; the argument is
-    `scenes`."""
+    """Return the option `--scene`, which may be repeated, with the help `text`. The command
+    receives a tuple `scenes`."""
     return section(
         SCENE,
         option("--scene", "scenes", type=SCENE_NAME, multiple=True, metavar="SCENE", help=text),

@@ -67,9 +67,10 @@ def command(program: Path | None, no_browser: bool) -> None:
 
 
 class _Handler(SimpleHTTPRequestHandler):
-    """Answers the requests of one connection, with the lock one at a time, and sends the files of
-    the page. Other pages and computers cannot ask: the address needs the token, and the header
-    `Host` must name this computer."""
+    """Answers the requests of one connection, and sends the files of the page.
+
+    `playground` computes the answers, one at a time because of `lock`. Other pages and computers
+    cannot ask: the address needs the `token`, and the header `Host` must name this computer."""
 
     error_message_format, error_content_type = "%(message)s\n", "text/plain; charset=utf-8"
 
@@ -84,7 +85,10 @@ class _Handler(SimpleHTTPRequestHandler):
             super().handle()
 
     def parse_request(self) -> bool:
-        """Read the head of a request, and remove the token from its path; refuse strangers."""
+        """Read the head of a request and remove the token from its path. Return whether it is
+        valid.
+
+        A request without the token, or with another `Host`, is answered with an error (403)."""
         if not super().parse_request():
             return False
         port = self.connection.getsockname()[1]
@@ -97,7 +101,8 @@ class _Handler(SimpleHTTPRequestHandler):
         return False
 
     def do_POST(self) -> None:
-        """Answer a request of the page."""
+        """Answer a request of the page: a JSON object, whose kind is the path of the address. The
+        answer is a JSON object, too."""
         try:
             length = int(self.headers.get("Content-Length", ""))
             values = json.loads(self.rfile.read(length)) if 0 <= length <= _MOST_BYTES else None

@@ -20,10 +20,11 @@ if TYPE_CHECKING:
 
 
 def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) -> Compiled:
-    """Compile a program with the options of a command; raise Rejected if it does not compile.
+    """Compile the program at `path` with the options of a command. Raise Rejected if it does not
+    compile.
 
     `overrides` are further fields of `nscc.pipeline.Options`, and `see`, an observer of the
-    passes."""
+    compiler's passes."""
     from nscc.compiler import compile_file
 
     see, chosen = overrides.pop("see", None), compile_options(options, **overrides)
@@ -33,19 +34,20 @@ def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) ->
 
 
 def compile_options(options: Mapping[str, Any], **overrides: Any) -> Options:
-    """Return the compiler's options in those of a command; others keep their defaults."""
+    """Return the compiler's options that the options of a command set. `overrides` are further
+    fields; others keep their defaults."""
     return Options(**values_given(Options, options), **overrides)
 
 
 def load_program(
     path: Path, options: Mapping[str, Any]
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
-    """Load an .icw file or compile a program; return the container and the messages.
+    """Load an .icw file, or compile a program with the options of a command. Return the container
+    and the messages.
 
-    If the command has the option `pixels`, all pixels of the container have codes.
-
-    Raises Rejected as `nscc.containers.load_container` does, and NS0743 (status 2) if build
-    options are given for a compiled program."""
+    If the command has the option `pixels`, all pixels of the container have codes. Raises Rejected
+    as `nscc.containers.load_container` does, and NS0743 (status 2) if build options are given for a
+    compiled program."""
     from nscc.containers import is_compiled, load_container, with_pixels
 
     chosen = compile_options(options)
@@ -68,7 +70,8 @@ def load_program(
 
 
 def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str, Any] | None:
-    """Return the path of a code file, or the codes that open the shutters of a mask file."""
+    """Return what `with_pixels` takes for the value of the option --pixels: the path of a code
+    file, or for a mask the codes that open its shutters. None stays."""
     if path is None or not _is_mask(path):
         return path
     from nscc_training.imported_masks import codes_of_mask
@@ -77,8 +80,8 @@ def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str,
 
 
 def _is_mask(path: Path) -> bool:
-    """Return whether the file `path` is a mask (.npy, .mat, .npz with `mask` only), not an .npz of
-    codes."""
+    """Return whether the file `path` is a mask: .npy, .mat, or an .npz that contains `mask` alone.
+    Another .npz contains codes."""
     if path.suffix.lower() != ".npz" or not path.is_file():
         return path.suffix.lower() in (".npy", ".mat")
     from zipfile import BadZipFile, ZipFile
@@ -91,5 +94,5 @@ def _is_mask(path: Path) -> bool:
 
 
 def _compiling(path: Path, options: Options) -> AbstractContextManager[None]:
-    """Show in the terminal that a program is being compiled."""
+    """Return a context that shows in the terminal that the program is being compiled."""
     return waiting(f"compiling {path.name} at -O{options.level}")

@@ -20,7 +20,8 @@ _LINE_END = re.compile(r"\r\n|\r|\n")
 
 
 class Positions:
-    """A converter between character offsets and protocol positions of one text."""
+    """Converts between character offsets in `text`, and positions of the protocol: line and column,
+    counted from 0, in 16-bit units."""
 
     def __init__(self, text: str) -> None:
         """Find where the lines of the text begin."""
@@ -34,11 +35,12 @@ class Positions:
         return types.Position(line, _units(self.text[self._starts[line] : offset]))
 
     def range(self, span: Span) -> types.Range:
-        """Return the protocol's range of a span."""
+        """Return the protocol's range (two positions) of a span (two offsets)."""
         return types.Range(self.of(span.start), self.of(span.end))
 
     def offset(self, position: types.Position) -> int:
-        """Return the character offset of a position, at most the end of its line or text."""
+        """Return the character offset of a position. A position beyond its line or the text gives
+        the end of that."""
         if position.line >= len(self._starts):
             return len(self.text)
         begin = self._starts[position.line]
@@ -67,6 +69,7 @@ _SEVERITIES = {
     Severity.WARNING: types.DiagnosticSeverity.Warning,
     Severity.NOTE: types.DiagnosticSeverity.Information,
 }
+"""The protocol's severity of each severity of a message."""
 _OFFERED = {
     "word": types.CompletionItemKind.Keyword,
     "name": types.CompletionItemKind.Variable,
@@ -74,6 +77,7 @@ _OFFERED = {
     "file": types.CompletionItemKind.File,
     "digest": types.CompletionItemKind.Constant,
 }
+"""The protocol's kind of a completion, by our kind."""
 _DECLARED = {
     "frame": types.SymbolKind.Event,
     "let": types.SymbolKind.Constant,
@@ -88,7 +92,10 @@ _DECLARED = {
 
 
 def diagnostic(message: Diagnostic, document: Text, uri: str) -> types.Diagnostic:
-    """Convert a message; a message without a place in the document goes to the first line."""
+    """Convert a message about the text `document`, whose address is `uri`.
+
+    A message without a place in this text goes to its first line; a place in another file becomes
+    related information."""
     source, label = message.source, message.label
     in_document = source is not None and source.name == document.name
     place = types.Range(types.Position(0, 0), types.Position(0, 0))
@@ -117,7 +124,8 @@ def diagnostic(message: Diagnostic, document: Text, uri: str) -> types.Diagnosti
 
 
 def _uri(source: Source, document: Text) -> str:
-    """Return the URI of another file, whose name is relative to the document's folder."""
+    """Return the URI of the file of `source`, whose name is relative to the folder of
+    `document`."""
     path = Path(document.folder / source.name)
     return uris.from_fs_path(path.absolute().as_posix()) or path.as_posix()
 
@@ -138,13 +146,14 @@ def quick_fix(message: Diagnostic, fix: Fix, document: Document, uri: str) -> ty
 def edits(
     uri: str, changes: Iterable[tuple[Span, str]], positions: Positions
 ) -> types.WorkspaceEdit:
-    """Convert changes of one document, which must not overlap, into an edit."""
+    """Convert `changes`, pairs of a span and its new text, into an edit of the document `uri`. They
+    must not overlap."""
     text_edits = [types.TextEdit(positions.range(span), text) for span, text in changes]
     return types.WorkspaceEdit({uri: text_edits})
 
 
 def completion(offer: Offer, at: types.Range) -> types.CompletionItem:
-    """Convert a completion; `at` is the range of text that it replaces."""
+    """Convert a completion into the protocol's form; `at` is the range of text that it replaces."""
     return types.CompletionItem(
         offer.text,
         kind=_OFFERED[offer.kind],
@@ -154,7 +163,7 @@ def completion(offer: Offer, at: types.Range) -> types.CompletionItem:
 
 
 def symbol(entry: OutlineEntry, positions: Positions) -> types.DocumentSymbol:
-    """Convert a statement into an entry of the editor's outline."""
+    """Convert an entry of the outline, a statement, into the protocol's form."""
     return types.DocumentSymbol(
         entry.name,
         _DECLARED[entry.kind],

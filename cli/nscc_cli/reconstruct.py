@@ -182,7 +182,8 @@ def command(
 
 
 def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
-    """Print the method that replaced the network, and why."""
+    """Print which method replaced the network, and why. `method` is the value of --method, None if
+    it was not given."""
     if reconstruction.reason:
         say_done(reconstruction.reason)
     elif method is None and reconstruction.method != "network":
@@ -201,11 +202,12 @@ def _of_measurement(
     method: Method | None,
     *of_frames: object,
 ) -> Reconstruction | None:
-    """Return the clip that is reconstructed from a measurement file of another camera; None if
-    `path` is a frame file.
+    """Return the clip that is reconstructed from a measurement file of another camera. Return None
+    if `path` is a frame file.
 
-    `of_frames` are the values of options that only apply to frame files. Raises Rejected if one of
-    them is set."""
+    `mask`, `slots_axis`, `noise` and `method` are values of options. `of_frames` are the values of
+    options that only apply to frame files. Raises UsageError for options that do not apply to the
+    file, and Rejected for an invalid measurement."""
     from nscc_training.reconstruct_any import (
         NoiseModel,
         is_measurement,

@@ -67,7 +67,8 @@ def _refuse_tolerance_max(
 def named_values(
     _context: click.Context, option: click.Parameter, values: tuple[str, ...]
 ) -> dict[str, str] | None:
-    """Return the values of a repeatable option NAME=VALUE by name; None without the option."""
+    """Return the values of a repeatable option NAME=VALUE by name; None if the option was not
+    given. Raise BadParameter for a value without name or `=`."""
     split = [value.partition("=") for value in values]
     if not all(name and sign for name, sign, _ in split):
         raise click.BadParameter(f"write {option.opts[0]} {option.make_metavar(_context)}")
@@ -255,14 +256,20 @@ def _run_on_emulator(
 
 
 _MEANINGLESS = (*_SIMULATION, "like", "fit", "color", "first", "still")
+"""Options that have no meaning for a device, which exposes real light."""
 HOST = "host:"
 """Start of a place that names a host module of a vendor instead of a port."""
 _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
+"""Options that describe a scene, which needs to be named."""
 
 
 def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
-    """Expose a frame of `program` on the device at `options["place"]`, and write the emulator's
-    files with the arrays `keep`."""
+    """Expose a frame of `program` on the device that `options["place"]` names, write the same files
+    as for the emulator, and print a summary.
+
+    The place is a serial port, or `host:MODULE` for a chip that a Python module of its vendor
+    drives. `options` are those of the command line, `keep` the arrays to add to the frame file. A
+    scene is only recorded in the files."""
     from nscc.words.readout import converter_of
     from nscc_runtime.device.captured_frames import exposed
     from nscc_runtime.device.device_chip import DeviceChip

@@ -11,10 +11,12 @@ import sys
 from typing import Any
 
 _ROOT = "/"
+"""A folder that exists on every system."""
 
 
 class _Dropping(io.RawIOBase):
-    """A descriptor for writing. An error is remembered as `failure`, and its data dropped."""
+    """A file object that writes to a descriptor. The first error is remembered as `failure`, and
+    data that cannot be written is dropped."""
 
     def __init__(self, descriptor: int) -> None:
         """Write to a descriptor, and remember the first failure."""
@@ -34,8 +36,11 @@ class _Dropping(io.RawIOBase):
         return os.isatty(self.descriptor)
 
     def write(self, data: Any) -> int | None:
-        """Write what the descriptor takes. Raises BrokenPipeError if the reader of standard output
-        is gone, which ends a command early."""
+        """Write as much of `data` as the descriptor takes, and return the number of bytes; None if
+        the descriptor must not block.
+
+        After an error, the data counts as written. Raises BrokenPipeError if the reader of standard
+        output is gone, which ends a command early."""
         try:
             return os.write(self.descriptor, data)
         except BlockingIOError:
@@ -49,7 +54,10 @@ class _Dropping(io.RawIOBase):
 
 
 def open_streams() -> None:
-    """Replace the standard streams of this process by ones that drop what cannot be printed."""
+    """Replace the standard streams of this process by streams that drop what cannot be printed.
+
+    The descriptor of a stream that was closed when the process started is occupied, so that no
+    other file gets its number."""
     for number, name in enumerate(("stdin", "stdout", "stderr")):
         stream: Any = getattr(sys, name)
         if stream is None:
@@ -74,6 +82,6 @@ def open_streams() -> None:
 
 
 def output_failure() -> OSError | None:
-    """Return the error of standard output, if something could not be printed."""
+    """Return the first error of standard output, if something could not be printed; else None."""
     raw = getattr(getattr(sys.stdout, "buffer", None), "raw", None)
     return raw.failure if isinstance(raw, _Dropping) else None

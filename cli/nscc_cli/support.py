@@ -48,8 +48,8 @@ class NumberRange(click.FloatRange):
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float:
-        """Return `value` as a number within the range; raise BadParameter for other text, and for
-        NaN."""
+        """Return `value` as a number. Raise BadParameter if it is outside the range, NaN or other
+        text."""
         converted = float(super().convert(value, param, ctx))
         if converted != converted:
             self.fail(f"{value!r} is not a number.", param, ctx)
@@ -60,8 +60,8 @@ class WholeNumber(click.IntRange):
     """A whole number of 64 bits within limits."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
-        """Return the whole number within the range; raise BadParameter for other text, and above
-        64 bits."""
+        """Return `value` as a whole number. Raise BadParameter if it is outside the range, above 64
+        bits or other text."""
         converted = int(super().convert(value, param, ctx))
         if converted > LARGEST_INTEGER:
             self.fail(f"{value!r} is too large.", param, ctx)
@@ -84,7 +84,10 @@ def use_color() -> bool:
 
 
 def show(diagnostics: Sequence[Diagnostic], of: Session | None = None) -> None:
-    """Print diagnostics to standard error; for SARIF, store them for `show_gathered`."""
+    """Print diagnostics to standard error in the session's format. For SARIF, store them until
+    `show_gathered` prints them.
+
+    `of` is the session; None takes that of the running command."""
     of = of or session()
     if of.message_format == "sarif":
         of.gathered += diagnostics
@@ -113,10 +116,10 @@ def _write(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> 
 
 
 def say(diagnostics: Sequence[Diagnostic]) -> None:
-    """Print warnings and notes.
+    """Print warnings and notes of a command. Call this before writing products.
 
-    Call this before writing products. With `--deny-warnings`, a warning raises Rejected (status 1)
-    with all warnings turned into errors, so that no product is written."""
+    With `--deny-warnings`, a warning raises Rejected (status 1) with all warnings turned into
+    errors, so that no product is written."""
     now = session()
     diagnostics = [_with_reproducer(diagnostic, now) for diagnostic in diagnostics]
     if now.deny_warnings and any(d.severity is Severity.WARNING for d in diagnostics):
@@ -131,7 +134,8 @@ def say_done(text: str) -> None:
 
 
 def say_refused_cache(of: Session) -> None:
-    """Print once, at the end of a command, why it used no cache."""
+    """Print why a command used no cache, if it could not use one and its messages are for people.
+    It is to be called once, at the end of a command."""
     if of.message_format == "human" and refusal():
         hint = "NSCC_CACHE_DIR names another folder, NSCC_CACHE=off none"
         click.echo(f"{refusal()} ({hint})", err=True)
@@ -139,14 +143,17 @@ def say_refused_cache(of: Session) -> None:
 
 
 def say_compiling(loop: Any, part_name: str) -> None:
-    """Announce that a loop must first be compiled, unless it is compiled already."""
+    """Tell the user that a loop must first be compiled, which takes a while, unless it is compiled
+    already. `part_name` says what it computes."""
     if not loop.is_compiled():
         say_done(loop.compiling(part_name))
 
 
 def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
-    """Save a reproducer of a diagnostic with a traceback, and add a note that names it. `of` is
-    the command with its arguments. Diagnostics without a traceback stay as they are."""
+    """Return the diagnostic with a note that names a saved reproducer, if it contains a traceback;
+    others stay as they are.
+
+    `of` is the session, whose command line goes into the reproducer."""
     trace = diagnostic.data.get("traceback")
     if trace is None:
         return diagnostic
@@ -202,7 +209,8 @@ class CommonCommand(click.Command):
         ]
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Parse `args`; every usage error names the command, so that its help is found."""
+        """Parse the arguments of the command. Every usage error then names the command, so that the
+        message can refer to its help."""
         try:
             return super().parse_args(ctx, args)
         except click.UsageError as error:
@@ -210,7 +218,8 @@ class CommonCommand(click.Command):
             raise
 
     def option_sections(self, ctx: click.Context) -> dict[str, list[tuple[str, str]]]:
-        """Return the options of the command in `ctx` and their help texts, by section title."""
+        """Return the options of the command in `ctx` with their help texts, by the title of their
+        section. Options without a section are below "Options"."""
         sections: dict[str, list[tuple[str, str]]] = {}
         for param in self.get_params(ctx):
             record = param.get_help_record(ctx) if isinstance(param, click.Option) else None
@@ -225,7 +234,8 @@ class CommonCommand(click.Command):
                 formatter.write_dl(records)
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the command of `ctx` while its input files are protected from being overwritten."""
+        """Run the command of `ctx`. Meanwhile no product can replace a file that the parameters
+        name as an input."""
         with inputs_kept():
             for param in self.params:
                 if not isinstance(param.type, OutPath):
@@ -234,12 +244,14 @@ class CommonCommand(click.Command):
 
 
 def common_command(name: str) -> Callable[[Callable[..., Any]], CommonCommand]:
-    """Return a decorator that makes a function the command `name`."""
+    """Return a decorator that makes a function the command `name`, with the options that all
+    commands share."""
     return click.command(name, cls=CommonCommand)
 
 
 def _paths(value: Any) -> Iterator[Path]:
-    """Yield the paths that a parameter's value contains."""
+    """Yield the paths that the value of a parameter contains: itself, or those in a tuple, at any
+    depth. Other values contain none."""
     if isinstance(value, str | Path):
         yield Path(value)
     elif isinstance(value, tuple):
@@ -254,8 +266,8 @@ def _to_session(context: click.Context, option: click.Parameter, value: Any) -> 
 
 
 def given_options(names: Iterable[str]) -> list[str]:
-    """Return those of the current command's options `names` that are on the command line, as users
-    write them."""
+    """Return which of the options `names` are on the command line of the running command, as users
+    write them (`--slot-us`). Defaults do not count."""
     context = click.get_current_context()
     written = {parameter.name: parameter.opts[-1] for parameter in context.command.params}
     on_command_line = click.core.ParameterSource.COMMANDLINE
@@ -263,15 +275,17 @@ def given_options(names: Iterable[str]) -> list[str]:
 
 
 def refuse_ignored(why: str, *names: str) -> None:
-    """Raise UsageError if one of the options `names` was given, which have no effect, because
-    `why`."""
+    """Raise UsageError if one of the options `names` is on the command line. They have no effect,
+    because of `why`, the end of a sentence."""
     for option in given_options(names):
         raise click.UsageError(f"{option} has no effect, because {why}: leave {option} out")
 
 
 class Subcommands(CommonCommand, click.Group):
-    """A command with subcommands; other names go to the subcommand `of` if it `accepts` them, else
-    they are rejected (NS0781)."""
+    """A command with subcommands.
+
+    Another name than theirs is passed to the subcommand `of` if the class `accepts` it, and
+    rejected otherwise (NS0781). So `nscc evaluate RUN` means `nscc evaluate of RUN`."""
 
     command_class = CommonCommand
     unknown = "command '{group} {name}'"
@@ -280,7 +294,8 @@ class Subcommands(CommonCommand, click.Group):
     """A help line about the names that the subcommand `of` takes."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """Return the names of the subcommands; `of` is implied by its first argument."""
+        """Return the names of the subcommands for the help, without `of`, which need not be
+        written."""
         return [name for name in super().list_commands(ctx) if name != "of"]
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
@@ -291,8 +306,11 @@ class Subcommands(CommonCommand, click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Return the subcommand named by the first of `args`, and the arguments after it. Raises
-        Rejected (NS0781) for an unknown name."""
+        """Return the name of a subcommand, the subcommand, and its arguments, for the arguments
+        `args` of the group.
+
+        Raises Rejected (NS0781) if the first argument is neither a subcommand nor a name that the
+        class accepts."""
         name = args[0]
         if name in self.commands or name.startswith("-"):
             return super().resolve_command(ctx, args)
@@ -308,25 +326,27 @@ class Subcommands(CommonCommand, click.Group):
         )
 
     def accepts(self, name: str) -> bool:
-        """Return whether the subcommand `of` takes a name that is not a subcommand."""
+        """Return whether the subcommand `of` takes `name` as its first argument. Classes with such
+        a subcommand override this."""
         return False
 
     def names_help(self, ctx: click.Context) -> tuple[str, ...]:
-        """Return the help lines about all names that can stand after the group's name."""
+        """Return help lines about everything that can stand after the group's name."""
         return f"there is: {', '.join(self.list_commands(ctx))}", *self.others
 
 
 @contextmanager
 def waiting(task: str) -> Iterator[None]:
-    """Show the elapsed time of a task on a terminal, after the first second."""
+    """Show on a terminal for how long the block has been running, from the first second on. `task`
+    says what it does."""
     if not _draws():
         yield
         return
     over = Event()
 
     def draw() -> None:
-        """Show how long the task takes, after `_BAR_DELAY_S`, until it is over; then remove the
-        line."""
+        """Show the time in the terminal's line until the block ends; then remove it. Nothing is
+        shown in the first second."""
         begin, pause = monotonic(), _BAR_DELAY_S
         while not over.wait(pause):
             _redraw(f"{task}: {monotonic() - begin:.0f} s")
@@ -357,10 +377,11 @@ def _redraw(line: str) -> None:
 
 
 def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> Iterator[Item]:
-    """Yield the items and draw a progress bar on standard error.
+    """Yield the items of `iterable`, and draw a progress bar with `label` on standard error.
 
-    `total` is the number of items if `iterable` has no length. The bar appears after one second,
-    only on a terminal, and only with the message format `human`."""
+    `total` is the number of items if `iterable` has no length; None shows a count instead of a bar.
+    The bar appears after one second, only on a terminal, and only with the message format `human`.
+    """
     if not _draws():
         yield from iterable
         return

@@ -13,7 +13,8 @@ _KINDS = ("compile", "limits", "emulate", "train", "evaluate", "design")
 
 
 def _print_part(context: click.Context, _option: click.Parameter, kind: str | None) -> None:
-    """Print an example table for points of this `kind`, and exit."""
+    """Print an example of a part of a grid, with points of this `kind`, and end the command. None
+    does nothing."""
     if kind is not None and not context.resilient_parsing:
         from nscc_training.sweep.grid import part_text
 

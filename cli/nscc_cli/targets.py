@@ -26,8 +26,8 @@ _TIME = re.compile(r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)")
 def _checked_times(
     _context: click.Context, _option: click.Parameter, values: tuple[str, ...]
 ) -> tuple[str, ...]:
-    """Return the times `values` without duplicates; raise BadParameter for an invalid or zero
-    time."""
+    """Return the times in `values` (such as 10us) without duplicates. Raise BadParameter for an
+    invalid or zero time."""
     for value in values:
         if not _TIME.fullmatch(value):
             raise click.BadParameter(f"invalid time '{value}': write 10us, 1.5ms, 800ns or 2s")
@@ -107,15 +107,16 @@ def command(
 
 
 def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool) -> str:
-    """Compute the limits of `target` for each length of `slots` by compiling programs at this
-    `level`, and return them as text or JSON."""
+    """Return the limits of `target` for each length of a slot in `slots`, as text or JSON. Programs
+    are compiled at this `level` to find them."""
     from nscc.limits.survey import Limit, limits_json, limits_text, survey
     from nscc.options import Options
 
     limits: list[Limit] = []
 
     def trials() -> Iterator[object]:
-        """Yield each compiled size; the limits are stored at the end."""
+        """Yield each size that is compiled, for the progress bar. The limits that were found are
+        added to `limits` at the end."""
         limits.extend((yield from survey(target, Options(level=level), slots)))
 
     for _ in progress(trials(), "compiling programs"):
@@ -137,7 +138,8 @@ def listing() -> str:
 
 
 def details(target: Target) -> str:
-    """Describe every key of a target, by section, and mark values that are not published."""
+    """Return the values of all keys of a target with their meaning, by section. Values that are not
+    published are marked."""
     lines = [f"{target.name}: {target.description}" if target.description else target.name]
     rows = [(key, _value(target, key)) for key in schema_of(target.kind).keys if key.section]
     width = max(len(value) for _, value in rows)
@@ -160,7 +162,8 @@ def details(target: Target) -> str:
 
 
 def _value(target: Target, key: Key) -> str:
-    """Return the value of a target's key as text; a run of registers is shortened to R0..R12."""
+    """Return the value of a target's key as text. A long sequence of registers is shortened to
+    R0..R12."""
     value = getattr(target, key.attribute)
     if value is None:
         return str(key.kind.plain(value))

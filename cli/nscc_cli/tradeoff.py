@@ -39,7 +39,8 @@ class _Tradeoffs(Subcommands):
     others = ("or name a program (FILE.nsl, FILE.icw) or a run: RUN, hdr, clip",)
 
     def accepts(self, name: str) -> bool:
-        """Return whether the name is that of a program or a run."""
+        """Return whether `name` is that of a program, of an existing path or of a run that comes
+        with nscc."""
         from nscc_training.run_files import shipped_runs
 
         path = Path(name)
@@ -179,8 +180,8 @@ def emulator(program: Path | None, **options: Any) -> int:
 
 
 def _refuse(container: Container) -> None:
-    """Raise Rejected if `container` has no plans (NS0750), or if its pixels look at their light
-    (NS0828)."""
+    """Raise Rejected if the study does not support a program: chips without plans (NS0750), and
+    pixels that look at their light (NS0828)."""
     from nscc_runtime.planless import refuse_planless
 
     refuse_planless(container, "nscc tradeoff emulator")
@@ -196,7 +197,8 @@ def _refuse(container: Container) -> None:
 def _container(
     path: Path | None, options: dict[str, Any]
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
-    """Compile or load the program; without a path compile a built-in program of 16 slots."""
+    """Return the program at `path`, compiled or loaded with the `options` of the command, and
+    messages. None compiles a built-in program of 16 slots."""
     if path is not None:
         return load_program(path, options)
     from nscc.compiler import compile_source
@@ -215,8 +217,8 @@ def _container(
 def _scenes(
     container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
 ) -> list[NamedLight]:
-    """Return the light of each scene in `options`, with its shortest unique name. Prints `messages`
-    and those of the scenes."""
+    """Return the light of each scene that `options` name (none: the built-in ones), with a short
+    name that is unique. Print `messages` of the program, and those of the scenes."""
     from nscc_runtime.scenes import scene_light
     from nscc_training.tradeoff.emulator import SCENES, NamedLight
 
@@ -240,12 +242,14 @@ def _scenes(
 def _numbers(
     quantity: str, least: int, most: int, none: bool = True
 ) -> Callable[..., tuple[int, ...]]:
-    """Return a callback that parses distinct numbers from `least` to `most`, separated by commas;
-    with `none` also that word. `quantity` names them in messages."""
+    """Return a callback of a click option that parses different whole numbers from `least` to
+    `most`, separated by commas.
+
+    With `none`, the word `none` means no number. `quantity` says in messages what is counted."""
 
     def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-        """Return the integers in the option's text, sorted; raise BadParameter outside `least`
-        to `most`."""
+        """Return the numbers in the text `value`, sorted and without duplicates. Raise BadParameter
+        for other text or numbers outside the limits."""
         if none and value.strip() == "none":
             return ()
         items = [item.strip() for item in value.split(",")]
@@ -264,7 +268,8 @@ _counts = _numbers("slots", 2, 4096, none=False)
 
 
 def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-    """Parse numbers of slots that divide the largest, the number of a clip's frames."""
+    """Return numbers of slots, sorted. Raise BadParameter if one of them does not divide the
+    largest, which is the number of frames of all clips."""
     counts = _counts(context, option, value)
     for count in counts:
         if counts[-1] % count:

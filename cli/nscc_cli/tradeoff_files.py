@@ -22,13 +22,18 @@ if TYPE_CHECKING:
 STORE = ".measurements.sqlite"
 """File name ending of the measurements that are kept until the products are written."""
 _PLACES = ("out", "csv_path", "png_path")
+"""Options that only name where products are written."""
 _PACKAGES = ("nscc", "nscc_runtime", "nscc_training")
+"""nscc's packages, whose content decides whether stored measurements are used again."""
 _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
+"""Packages of others, whose versions decide it, too."""
 
 
 def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, Path]:
-    """Return the path of each product: `csv`, `png`, with `-o` also `further_names`. Raises NS0745
-    for equal paths, and NS0786 for a picture that is not a .png."""
+    """Return the path of each product of a tradeoff by name: `csv` and `png` if an option asks for
+    them, and with `-o` also `further_names`, which are other diagrams.
+
+    Raises Rejected: NS0745 for equal paths, and NS0786 for a picture that is not a .png."""
     places: dict[str, Path | None] = {"csv": options["csv_path"], "png": options["png_path"]}
     out = options["out"]
     if out is not None:
@@ -44,10 +49,11 @@ def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, P
 
 
 def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -> ExperimentStore:
-    """Return the store of measurements beside the first product; without products, an unsaved one.
+    """Return the store of measurements beside the first of the products `files`; without products,
+    a store in memory.
 
-    A stored row is reused if these are unchanged: the command's options, the contents of the files
-    that they name, `of`, the versions of the packages, and the processor."""
+    A stored row is used again only if these are unchanged: the command's `options`, the contents of
+    the files that they name, the texts `of`, the versions of the packages, and the processor."""
     if not files:
         return ExperimentStore()
     from nscc_training.experiments.stopwatch import processor_name
@@ -64,7 +70,8 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
 
 
 def _plain(value: Any) -> Any:
-    """Return an option's value for comparison, with the content of files that it names."""
+    """Return the value of an option in a form that can be compared: names of files are followed by
+    a digest of their content."""
     if isinstance(value, tuple):
         return [_plain(item) for item in value]
     if isinstance(value, str | Path):
@@ -75,7 +82,8 @@ def _plain(value: Any) -> Any:
 def run_study(
     study: Study, files: Mapping[str, Path], options: Mapping[str, Any], *of: str
 ) -> StudyResult:
-    """Measure a study, print its table, and write its products; without points none are written.
+    """Measure a study, print its table, write its products into `files`, and return the result.
+    Without any point, no product is written.
 
     Measurements are kept beside the first product until all products are written. `options` and
     `of` decide whether they are used again, as `kept_rows` says."""

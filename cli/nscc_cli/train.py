@@ -11,7 +11,8 @@ from nscc_cli.support import OutPath, common_command, progress, say_done
 
 
 def _print_schema(context: click.Context, _option: click.Parameter, value: bool) -> None:
-    """Print the default configuration with remarks, and exit."""
+    """Print a configuration of defaults, in which comments explain each key, and end the command.
+    Without the option (`value` False), do nothing."""
     if value and not context.resilient_parsing:
         from nscc_training.config import config_toml
         from nscc_training.settings import RunSettings

@@ -56,7 +56,8 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
 
 
 def _scene_meant(context: click.Context | None, message: str) -> tuple[str, ...]:
-    """Return a help that suggests `--scene` if the extra argument looks like a scene."""
+    """Return a help that suggests `--scene` if the extra argument in click's `message` looks like a
+    scene. For other text, return a help about quotation marks, and nothing for other messages."""
     extra = re.fullmatch(r"got unexpected extra argument \((.*)\)", message)
     if extra is None or "--scene" not in _options(context):
         return ()
@@ -66,7 +67,8 @@ def _scene_meant(context: click.Context | None, message: str) -> tuple[str, ...]
 
 
 def _options(context: click.Context | None) -> list[str]:
-    """Return the names of all options of the command, for suggestions."""
+    """Return the names of all options of the command that `context` belongs to, from which
+    suggestions are made; none without a context."""
     if context is None:
         return []
     known = context.command.get_params(context)
@@ -74,7 +76,8 @@ def _options(context: click.Context | None) -> list[str]:
 
 
 def _parameter(error: click.BadParameter) -> str:
-    """Return the invalid option or argument, as the usage line writes it."""
+    """Return the option or argument that is wrong, as the usage line writes it; "" if the error
+    does not name one."""
     if isinstance(error.param, click.Option):
         return error.param.opts[-1]
     if error.param is not None and error.ctx is not None:
@@ -83,7 +86,8 @@ def _parameter(error: click.BadParameter) -> str:
 
 
 def _in_lower_case(text: str) -> str:
-    """Return click's message without capital at the start and full stop at the end."""
+    """Return click's message in the style of nscc: without a capital at the start and a full stop
+    at the end, and with plain words for its types."""
     text = " ".join(text.split()).rstrip(".")
     for kind, plain in _KINDS.items():
         text = text.replace(f"is not a valid {kind}", f"is not {plain}")

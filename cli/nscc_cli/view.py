@@ -52,7 +52,8 @@ def command(program: Path, out: Path | None, gates: bool, tone: str | None, **op
 
 
 def _shutters(program: Path, options: dict[str, Any]) -> bytes:
-    """Return the PNG of a program's shutters and their arrangement on the array."""
+    """Return the PNG of a program's shutters and their arrangement on the array, after compiling it
+    with the `options` of the command. Print its messages."""
     container, messages = load_program(program, options)
     say(messages)
     from nscc_runtime.pictures.sheet import png_of
@@ -62,8 +63,10 @@ def _shutters(program: Path, options: dict[str, Any]) -> bytes:
 
 
 def _gates(program: Path, options: dict[str, Any]) -> bytes:
-    """Return the PNG of a program's gates; raise Rejected for a compiled program, which has no
-    gates."""
+    """Return the PNG of the gates that decode the codes of a program, which is compiled with the
+    `options` of the command. Print its messages.
+
+    Raises Rejected for a compiled program (NS0743), and for a chip without logic."""
     if program.suffix.lower() == ".icw":
         raise rejected(
             "NS0743",

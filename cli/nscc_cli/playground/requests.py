@@ -43,7 +43,8 @@ from nscc_runtime.run_messages import frame_lines
 
 @dataclass(frozen=True)
 class PageSettings:
-    """What the page shows: a program, a scene, and one pixel.
+    """What the page shows: a `program` (its text), a scene, its exposure, and one pixel (`row`,
+    `col`).
 
     `picture` is empty, or the light of the user's picture relative to white, float32 (rows, cols)
     of the array in base64. Else `scene` names a built-in scene. `exposure_e` are the electrons of
@@ -60,11 +61,15 @@ class PageSettings:
 
 
 class Playground:
-    """What answers one page: `file` is a program that the page may save, if given. Programs may
-    name files in `folder`, but no others. The last program and the last frame are kept."""
+    """Answers the requests of one page. `file` is the program that the page may save, None if there
+    is none.
+
+    Programs may name files in `folder`, but no others. The last program and the last frame are
+    kept, so that requests about them are fast."""
 
     def __init__(self, folder: Path, file: Path | None = None) -> None:
-        """Answer with an empty memory."""
+        """Begin without a program and a frame; each is computed at the first request that needs
+        it."""
         self.folder, self.file = folder, file
         self._document = lru_cache(1)(self._opened)
         self._capture = lru_cache(1)(self._exposed)
@@ -91,8 +96,8 @@ class Playground:
         return {"messages": _messages(refusal.diagnostics)}
 
     def _start(self) -> dict[str, Any]:
-        """Return what the page needs at first: examples, keywords by language version, the opened
-        file."""
+        """Return what the page needs at first, as JSON values: `version`, `examples`, `words` of
+        the language by its version, and the opened `file` (None without one)."""
         paths = examples()
         programs = [
             vars(shown)
@@ -105,9 +110,11 @@ class Playground:
         return {"version": __version__, "examples": programs, "words": words, "file": opened}
 
     def _save(self, text: str, before: str) -> dict[str, Any]:
-        """Write the program to the opened file; `before` is the text that the page read from it.
+        """Write `text` to the opened file and return its name (`saved`). `before` is the text that
+        the page read from it.
 
-        Raises Rejected if no file was opened, or if another program has changed it since."""
+        Raises Rejected (NS0796) if no file was opened, or if another program has changed it since.
+        """
         if self.file is None:
             raise _refused("no file was opened", "start `nscc play FILE`, or download the program")
         if _text(self.file) != before:
@@ -119,8 +126,10 @@ class Playground:
         return {"saved": self.file.name}
 
     def _check(self, settings: PageSettings) -> dict[str, Any]:
-        """Return the messages of a program; of a valid one also its report, the chart of its
-        shutters, and the rank of each pixel's shutter as `map`."""
+        """Return the messages of a program as JSON values.
+
+        Of a valid one also its report (`rows`), the size of the array, the chart of its shutters,
+        and `map`: the rank of each pixel's shutter, uint16 in base64."""
         checked = self._document(settings.program).checked
         answer: dict[str, Any] = {"messages": _messages(checked.diagnostics)}
         if checked.compiled is None:
@@ -148,8 +157,11 @@ class Playground:
         return traced(taken.container, taken.light, sensor, effects, pixel, settings.seed)
 
     def _frame(self, settings: PageSettings) -> dict[str, Any]:
-        """Return the pictures of a frame exposed with `settings`, merged light included, its
-        description and its plan, as JSON values."""
+        """Return a frame exposed with `settings` as JSON values: its `pictures` (8 bits in base64),
+        the lines of its description, and its plan.
+
+        The pictures are the light, the readout of each bucket, images and planes, and the merged
+        light."""
         taken = self._capture(replace(settings, row=0, col=0))
         buckets = taken.container.buckets_read
         # The electrons that pixels which are always open would collect.
@@ -188,7 +200,8 @@ class Playground:
         return document
 
     def _exposed(self, settings: PageSettings) -> Capture:
-        """Expose the scene of the settings with their program."""
+        """Expose the scene of `settings` with their program. Raise Rejected with the compiler's
+        errors if it is invalid."""
         document = self._document(settings.program)
         compiled = document.checked.compiled
         if compiled is None or compiled.container is None:
@@ -204,7 +217,7 @@ class Playground:
 
 def _picture(text: str, shape: tuple[int, int]) -> NDArray[np.float32]:
     """Return the light of a user's picture, float32 in base64, as an array of `shape` (rows, cols).
-    Raises Rejected for another length."""
+    Raise Rejected (NS0796) for another length."""
     try:
         return np.frombuffer(b64decode(text, validate=True), "<f4").reshape(shape)
     except ValueError as invalid:

@@ -54,10 +54,11 @@ _BRIGHTER = ("@99", "@100")
 class Settings:
     """The settings of a demo.
 
-    `exposure` is written as for `--exposure`; None uses the run's. `tone` names a tone curve; None
-    uses sRGB for display scenes and a logarithm for linear light. `learned` uses the run's network,
-    which needs torch; otherwise neighbours are merged. `run` is a run that exposes and
-    decodes in place of the run that comes with nscc."""
+    `fit`, `color` and `exposure` are written as for the options of `nscc run`; an exposure of None
+    uses the run's. `tone` names a tone curve; None uses sRGB for display scenes and a logarithm for
+    linear light. `learned` uses the run's network, which needs torch; otherwise neighbours are
+    merged. `readouts` is the number of readouts of a clip, None for the best number. `run` exposes
+    and decodes in place of the run that comes with nscc."""
 
     fit: Fit = "scale"
     color: bool = False
@@ -70,14 +71,14 @@ class Settings:
 
     @property
     def program(self) -> Path:
-        """The path of the program for clips."""
+        """The path of the program that exposes clips, with one readout if nothing is learned."""
         return examples()[CLIPS[(self.readouts or BEST_READOUTS) if self.learned else 1]]
 
 
 @dataclass(frozen=True, eq=False)
 class Looked:
-    """A still exposed by pixels that look: `light` over the frame, `open_us` of each pixel, and the
-    simulation's seconds."""
+    """A still as pixels that look measured it: `light` in electrons over the frame (rows, cols,
+    [3]), the open time `open_us` of each pixel, and the seconds of the simulation."""
 
     light: NDArray[np.float64]
     open_us: NDArray[np.float64]
@@ -88,14 +89,14 @@ class Looked:
 class Exposed:
     """The exposures of a demo's scene.
 
-    `run` is the run for a still, None for a clip. `laid` contains the placed light of each colour.
-    `coded_capture` is the coded frame and `usual` a frame with always open pixels; `dark` and
-    `usual_dark` are their dark frames. `seconds` is the simulation time of the coded frame.
-    `looked` is a still exposed by pixels that look. `fair` is a frame and dark frames of an
-    ordinary camera at its best: a still with the best single stop, or a clip in a burst of as many
-    frames as `program` has readouts, if there are several. `bracket` is a still in three readouts
-    of one exposure, one after the other, with dark frames; None if the chip has too few
-    registers."""
+    `run` is the run whose program exposed it; None for the example program for clips. `laid`
+    contains the placed light of each colour. `coded_capture` is the coded frame and `usual` a frame
+    with always open pixels; `dark` and `usual_dark` are their dark frames. `seconds` is the
+    simulation time of the coded frame. `looked` is a still exposed by pixels that look. `fair` is a
+    frame and dark frames of an ordinary camera at its best: a still with the best single stop, or a
+    clip in a burst of as many frames as `program` has readouts, if there are several. `bracket` is
+    a still in three readouts of one exposure, one after the other, with dark frames; None if the
+    chip has too few registers."""
 
     run: Path | None
     program: Path
@@ -118,8 +119,9 @@ class Exposed:
         return self.laid[0].light.kind == "still"
 
     def truth(self) -> NDArray[Any]:
-        """Return the electrons over the frame (rows, cols), or per slot (T, rows, cols); colours
-        last."""
+        """Return the true light in electrons: over the frame (rows, cols), or per slot (T, rows,
+        cols). Colours are the last axis. Parts of the array that the scene does not cover are cut
+        off."""
         cut = [
             placed.placement.cut(placed.light.total_e() if self.still else placed.light.dense())
             for placed in self.laid
@@ -127,7 +129,8 @@ class Exposed:
         return cut[0] if len(cut) == 1 else np.stack(cut, axis=-1)
 
     def white_e(self) -> float:
-        """Return the electrons of a display's white: over the frame, per slot for clips."""
+        """Return the electrons of a pixel of white, the display's brightest light: over the frame,
+        or per slot for clips."""
         light = self.laid[0].light
         return float(light.weight.sum()) / (1 if self.still else light.slots)
 
@@ -137,21 +140,25 @@ class Exposed:
         return len(self.container.table.shutters[0])
 
     def codes(self, capture: Taken, readout: int = 0) -> NDArray[np.uint8]:
-        """Return the converter codes of a readout, (rows, cols) or with colours (rows, cols, 3)."""
+        """Return the converter codes of readout number `readout` of a capture, (rows, cols) or with
+        colours (rows, cols, 3)."""
         codes = capture.simulated.frame.frame[..., readout, :, :]
         return codes if len(self.laid) == 1 else np.moveaxis(codes, 0, -1)
 
     def files(self) -> tuple[FrameFile, FrameFile]:
-        """Return the files of the coded frame, if grey with the truth, and its dark frames."""
+        """Return the frame files of the coded frame, which contains the truth if it is grey, and of
+        its dark frames."""
         keep = ("truth",) if len(self.laid) == 1 else ()
         return _frame_file(self.coded_capture, keep), _frame_file(self.dark)
 
 
 def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed:
     """Expose a still with its run's program, or a clip with the program for its number of readouts.
+    Also expose it with the ordinary cameras that the demo compares.
 
-    Uses the default sensor and the effects that `auto` selects. Raises Rejected for a scene that is
-    dark, or cannot be read, or is not of the run's kind, and for readouts of a still (NS0821)."""
+    Uses the default sensor and the effects that `auto` selects. `listener` receives progress and
+    warnings. Raises Rejected for a scene that is dark, or cannot be read, or is not of the run's
+    kind, and for readouts of a still (NS0821)."""
     run = settings.run or (RUNS[True] if subject.still else None)
     like = run_capture(run or RUNS[False])
     if like.still != subject.still or like.classifies:
@@ -225,8 +232,10 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
 
 
 def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) -> Looked:
-    """Expose a still with the example program whose pixels look at their light, and return the
-    light that they measured."""
+    """Expose a still with the example program whose pixels look at their light. Return the light
+    that they measured, without a decoder.
+
+    `request` chooses effects and seed; `listener` receives progress."""
     container = compile_file(examples()[LOOKING], Options()).container
     assert container is not None  # example programs compile
     begin = working_s()
@@ -250,10 +259,11 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
 def _laid(
     subject: Subject, like: RunCapture, container: Container, settings: Settings, listener: Listener
 ) -> tuple[tuple[PlacedLight, ...], Scene]:
-    """Return the light of the scene on the sensor, and the scene with the exposure that was used.
+    """Return the light of the scene on the array, for each colour, and the scene with the exposure
+    that was used.
 
-    Without a chosen exposure it is that of the run `like`, or a brighter one if too little of the
-    scene is bright."""
+    Without an exposure in `settings` it is that of the run `like`; if the scene is dark at its
+    percentile, a higher percentile. `container` gives the slots and the array."""
     scene = replace(subject.scene, fit=settings.fit, color=settings.color)
     electrons, _, _ = like.exposure.partition("@")
     exposures = (
@@ -276,8 +286,8 @@ def _laid(
 
 
 def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Listener) -> Taken:
-    """Return frames of a dark scene from the program `container`, with noise that is independent of
-    the scene's."""
+    """Return `DARK_FRAMES` frames of a dark scene from the program `container`, with noise that is
+    independent of the scene's."""
     night = laid_lights(Scene("builtin:dark"), container.slot_us, container.target)
     seed = settings.seed + DARK_SEED
     request = Request(selected("auto"), seed=seed, repeat=DARK_FRAMES)
@@ -285,7 +295,8 @@ def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Li
 
 
 def _frame_file(capture: Taken, keep: Sequence[str] = ()) -> FrameFile:
-    """Return the frame file of a capture, with the arrays in `keep` and the decode table."""
+    """Return the frame file of a capture, with the arrays that `keep` names and the decode table,
+    so that it can be reconstructed without the program."""
     simulated, light = capture.simulated, capture.light
     about = meta(capture.container, light, simulated.frame, simulated.origin) | capture.laid
     file = FrameFile.of(capture.container, light, simulated.frame, about, keep)

@@ -35,10 +35,11 @@ BUILTIN = ("builtin:hdr", "builtin:motion:0.15")
 class Demo:
     """The results of a demo.
 
-    `files` are the written files, the sheet first. PSNR in dB is given for always open pixels, the
-    reconstruction, a still with pixels that look, and an ordinary camera at its best (one stop for
-    a still, a burst of `readouts` frames for a clip), and a still in an ordinary bracket.
-    `commands` do the same step by step."""
+    `files` are the written files, the sheet first. PSNR in dB is given for always open pixels
+    (`open_db`), the reconstruction (`psnr_db`), a still with pixels that look (`looked_db`), an
+    ordinary camera at its best (`fair_db`: one stop for a still, a burst of `readouts` frames for a
+    clip), and a still in an ordinary bracket; None where it does not apply. `commands` do the same
+    step by step."""
 
     files: tuple[Path, ...]
     open_db: float
@@ -57,7 +58,8 @@ def demo(
 
     For a still, writes `picture_sheet.png`, `picture.hdr` and `picture.png`; for a clip,
     `clip_sheet.png`, `clip.mp4`, `clip.gif` and its program `clip.nsl`. Both have frame files
-    `.._frame.npz` and `.._dark.npz`. Raises Rejected for scenes that cannot be read or are dark."""
+    `.._frame.npz` and `.._dark.npz`. Existing files are replaced. `settings` and `listener` may be
+    None, for defaults and silence. Raises Rejected for scenes that cannot be read or are dark."""
     settings, listener = settings or Settings(), listener or Listener()
     clips = run_capture(settings.run or Path("clip"))
     scene_subject = subject(scene, clips.slots, clips.slots * clips.slot_us * 1e-6)
@@ -107,10 +109,11 @@ def demo(
 def _reconstructed(
     exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings, progress: Progress
 ) -> tuple[NDArray[np.float32], float, str]:
-    """Return the light in the shape of the truth, its seconds, and the method's name.
+    """Return the reconstructed light in the shape of the truth, the seconds it took, and the name
+    of the method.
 
-    `frames` are the files of the coded frame and of its dark frame. The run decodes, unless the
-    settings ask for the decoder for any code."""
+    `frames` are the files of the coded frame and of its dark frames. The run decodes; without one,
+    the decoder for any code; and if the settings use no network, a method without one."""
     if settings.learned and exposed_scene.run is not None:
         from nscc_training.reconstruct import reconstruct
 
@@ -129,7 +132,8 @@ def _reconstructed(
 
 
 def _method(exposed_scene: Exposed, settings: Settings) -> Method:
-    """Return the method of `nscc reconstruct any` for the scene."""
+    """Return the method with which `nscc reconstruct any` reconstructs the scene: the network, or
+    if the settings use none, merging for a still and GAP-TV for a clip."""
     if settings.learned:
         return "network"
     return "merge" if exposed_scene.still else "gap-tv"
@@ -138,8 +142,8 @@ def _method(exposed_scene: Exposed, settings: Settings) -> Method:
 def _commands(
     exposed_scene: Exposed, settings: Settings, files: tuple[Path, ...]
 ) -> tuple[str, ...]:
-    """Return the commands that do the same as the demo, step by step. `files`: the files that the
-    demo wrote, in its order."""
+    """Return the commands that do the same as the demo, step by step: expose the scene, expose dark
+    frames, reconstruct. `files` are the files that the demo wrote, in its order."""
     scene = exposed_scene.scene
     program = (
         quote(files[3].as_posix()) if exposed_scene.run is None else f"--like {exposed_scene.run}"

@@ -26,7 +26,9 @@ if TYPE_CHECKING:
 _SIDE_PIXELS = 512
 """Approximate side of a panel in pixels; pictures are magnified by whole numbers."""
 _SIDE_INCHES = 3.6
+"""Side of a panel in inches."""
 _MOMENTS = 4
+"""Number of frames of a clip that are shown."""
 _CORNER = 16
 """Most rows and columns of the array whose shutters are shown."""
 _ERROR_TOP = 64
@@ -41,7 +43,7 @@ class Shown:
 
     `light` is the reconstruction of `exposed_scene`, in the shape of the ground truth. `how` names
     the method, which took `decode_s` seconds. `display` means that the scene is in display
-    encoding. `tone` names a tone curve."""
+    encoding. `tone` names a tone curve; None chooses one."""
 
     exposed_scene: Exposed
     display: bool
@@ -67,7 +69,8 @@ class Shown:
 
     @property
     def curve(self) -> str:
-        """The name of the tone curve."""
+        """The name of the tone curve: the chosen one, else a logarithm for stills of linear light
+        and sRGB for all other scenes."""
         return self.tone or ("log" if self.still and not self.display else "srgb")
 
     @cached_property
@@ -87,8 +90,11 @@ class Shown:
         return None if fair is None else self._camera_light(*fair)
 
     def _camera_light(self, capture: Taken, dark: Taken) -> NDArray[np.float64]:
-        """Return the light of an ordinary camera; the frames of a clip are shown for as long as
-        they were open."""
+        """Return the light that the frames of an ordinary camera measured, in electrons: over the
+        frame for a still, per slot for a clip. Each frame of a clip fills the slots in which it was
+        open.
+
+        `dark` are dark frames of this camera."""
         shutters = capture.container.table.shutters[0]
         frames: list[NDArray[np.float64]] = []
         for open_slots, exposure_e in zip(
@@ -98,7 +104,8 @@ class Shown:
         return frames[0] * shutters.shape[-1] if self.still else np.stack(frames)
 
     def _exposures_e(self, capture: Taken, dark: Taken) -> list[NDArray[np.float64]]:
-        """Return the electrons of each readout above its dark frame."""
+        """Return the electrons of each readout of `capture` above the mean of its dark frames
+        `dark`, each (rows, cols, [3])."""
         exposures_e = []
         for k, dark_codes in enumerate(dark.simulated.frame.frame.mean(axis=0)):
             codes = self.exposed_scene.codes(capture, k)
@@ -149,7 +156,8 @@ class Shown:
 
     @property
     def measure(self) -> str:
-        """The name of the measure that `decibels` returns."""
+        """The name of the score that `decibels` returns: PSNR in display encoding, or PSNR-mu for
+        stills of linear light."""
         return "PSNR" if self.display or not self.still else "PSNR-mu"
 
     @property
@@ -158,7 +166,7 @@ class Shown:
         return self.open_db if self.fair_db is None else max(self.open_db, self.fair_db)
 
     def decibels(self, light: NDArray[Any]) -> float:
-        """Return the PSNR of `light` in dB.
+        """Return the score of `light`, which has the shape of the truth, in dB.
 
         Clips and display scenes are compared in display encoding, averaged over frames. Linear
         light with a high dynamic range is compared by mu-law PSNR, with the 99.9th percentile as
@@ -181,7 +189,7 @@ class Shown:
 
 
 def demo_sheet(shown: Shown) -> Figure:
-    """Return the sheet of the demo's results; its headline compares the best reconstruction with an
+    """Draw the sheet of the demo's results. Its headline compares the best reconstruction with an
     ordinary camera."""
     name = shown.exposed_scene.scene.name
     results = [(shown.psnr_db, shown.how)]
@@ -200,7 +208,8 @@ def demo_sheet(shown: Shown) -> Figure:
 
 
 def _readout(shown: Shown) -> Image:
-    """Return the panel of the coded readout of `shown`; of several readouts, the last."""
+    """Return the panel of the coded readout, in grey levels of its converter codes; of several
+    readouts, the last, because the first may be uncoded."""
     exposed_scene, last = shown.exposed_scene, shown.exposed_scene.readouts - 1
     codes = fitted("srgb", np.array([0.0]), float(exposed_scene.container.target.top_code))
     title = "readout" if last == 0 else f"the last of {readouts_text(exposed_scene.readouts)}"
@@ -209,7 +218,7 @@ def _readout(shown: Shown) -> Image:
 
 
 def _decoder_text(shown: Shown) -> str:
-    """Return what reconstructed the scene, how well, and in which time."""
+    """Return a line on what reconstructed the scene, its score, and the time it took."""
     worse = ", worse than an ordinary camera" if shown.psnr_db < shown.camera_db else ""
     return f"{shown.how}: {shown.measure} {shown.psnr_db:.1f} dB{worse}, in {_time(shown.decode_s)}"
 
@@ -220,8 +229,8 @@ def _tone(shown: Shown) -> str:
 
 
 def _still_rows(shown: Shown) -> list[list[Image]]:
-    """Return the rows of panels of a still: truth and ordinary camera, pixels that look, and the
-    run with an ordinary bracket."""
+    """Return the rows of panels for a still: truth beside an ordinary camera, then pixels that
+    look, then the run beside an ordinary bracket."""
     truth, light = shown.fitted(shown.truth), shown.fitted(shown.light)
     rows = [
         [
@@ -257,8 +266,8 @@ def _still_rows(shown: Shown) -> list[list[Image]]:
 
 
 def _clip_rows(shown: Shown) -> list[list[Image]]:
-    """Return the rows of panels of a clip: camera, readout, shutters; then `_MOMENTS` frames of
-    truth, reconstruction, error and burst."""
+    """Return the rows of panels for a clip: ordinary camera, readout and shutters; then `_MOMENTS`
+    frames of truth, reconstruction and error, and of a burst if there is one."""
     exposed_scene = shown.exposed_scene
     moments = np.linspace(0, len(shown.truth) - 1, _MOMENTS).round().astype(int)
     truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
@@ -283,8 +292,8 @@ def _clip_rows(shown: Shown) -> list[list[Image]]:
 
 
 def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Image]:
-    """Return panels for pixels that look at their light: what they measured, its error, and when
-    they closed."""
+    """Return the panels for pixels that look at their light: what they measured, its error, and
+    when they closed. `truth` is the true light in grey levels or colours."""
     light = shown.fitted(looked.light)
     note = (
         f"exposures over their times, no decoder: {shown.measure} {shown.looked_db:.1f} dB, in "
@@ -301,7 +310,7 @@ def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Im
 
 
 def readouts_text(count: int) -> str:
-    """Return "N readouts of one exposure", with N as a word."""
+    """Return "N readouts of one exposure", with N as a word, for 1 to 4."""
     words = {1: "one readout", 2: "two readouts", 3: "three readouts", 4: "four readouts"}
     return f"{words[count]} of one exposure"
 
@@ -312,8 +321,8 @@ def _time(seconds: float) -> str:
 
 
 def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Image]:
-    """Return one row of panels, each of `frames` below its title; `note` is written below the
-    first."""
+    """Return one row of panels, each of one of `frames` below its title. `note` is written below
+    the first panel."""
     return [
         Image(_fit(frame), title, note if k == 0 else "")
         for k, (frame, title) in enumerate(zip(frames, titles, strict=True))
@@ -321,7 +330,9 @@ def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Im
 
 
 def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = False) -> Image:
-    """Return a panel of the differences between the grey levels of `truth` and `light`, as colours;
+    """Return a panel that shows the differences between `truth` and `light` in colours. Both are in
+    grey levels or colours, 0 to 255.
+
     `quiet` leaves out its title and scale."""
     difference = np.abs(truth.astype(np.float64) - light)
     if difference.ndim == 3:
@@ -333,8 +344,8 @@ def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = Fal
 
 
 def _shutters(shown: Shown) -> Image:
-    """Return a panel of the pixels in the array's corner: for a clip, when they are open; for a
-    still, for how long."""
+    """Return a panel of the pixels in the array's corner. Colours show for a clip when the pixels
+    are open, for a still for how long."""
     exposed_scene, container = shown.exposed_scene, shown.exposed_scene.container
     size = exposed_scene.codes(exposed_scene.coded_capture).shape[:2]
     assert container.pixel_codes is not None  # the frame has been exposed
@@ -347,6 +358,7 @@ def _shutters(shown: Shown) -> Image:
     length = longest if shortest == longest else f"{shortest} to {longest}"
     corner_text = f"of {rows} x {cols} pixels, open for {length} ms"
     if shown.still:
+        # The square root tells short exposure times apart.
         image = _coloured(np.sqrt(open_us / open_us.max()))
         return Image(_fit(image), "shutters", f"{corner_text}: yellow is longest")
     middle_us = np.cumsum(slot_us) - slot_us / 2
@@ -356,7 +368,8 @@ def _shutters(shown: Shown) -> Image:
 
 
 def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Return the values of `scale`, 0..1, as colours of viridis: uint8, with a last axis of RGB."""
+    """Return values from 0 to 1 as colours of the scale viridis, from dark blue to yellow: uint8,
+    with RGB as the last axis."""
     from matplotlib import colormaps
 
     colours = np.asarray(colormaps["viridis"](np.clip(scale, 0, 1)))[..., :3]
@@ -364,7 +377,8 @@ def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
 
 
 def _fit(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Magnify an image by a whole number, or reduce it, to about `_SIDE_PIXELS` a side."""
+    """Return an image magnified by a whole number, or a large one reduced, so that its longer side
+    is about `_SIDE_PIXELS`."""
     side = max(image.shape[:2])
     if side > 1.5 * _SIDE_PIXELS:
         import cv2

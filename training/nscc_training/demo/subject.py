@@ -29,7 +29,10 @@ _CUT = 4.0
 
 @dataclass(frozen=True)
 class Subject:
-    """A scene before its exposure is chosen, a still or a clip. `chosen`: the part that is used."""
+    """A scene that is known to be a still or a clip, before its exposure is chosen.
+
+    `transfer` is the encoding of its values. `chosen` says in words which part of a clip is used.
+    `in_electrons` means that its values are electrons, so that it needs no exposure."""
 
     scene: Scene
     still: bool
@@ -39,10 +42,11 @@ class Subject:
 
 
 def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
-    """Classify a scene; a clip must fill `slots` in `frame_s` seconds.
+    """Return whether a scene is a still or a clip, and the part of a clip to use.
 
-    In a longer clip, the frames with the most motion are chosen, one per slot; a shorter clip is
-    slowed down. Raises Rejected as the scene readers do."""
+    A clip must fill `slots` slots in `frame_s` seconds. In a longer clip, the frames with the most
+    motion are chosen, one per slot; a shorter clip is slowed down. Raises Rejected as the scene
+    readers do."""
     path = Path(scene.name)
     suffix = path.suffix.lower()
     if scene.name.startswith("builtin:"):
@@ -72,17 +76,19 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
 
 
 def _transfer(scene: Scene, pages: Pages) -> Transfer:
-    """Return the transfer curve of a scene; "srgb" for the curve of a colour profile."""
+    """Return the encoding of a scene's values: as its option says, else as the file says. A colour
+    profile with another curve counts as "srgb"."""
     return scene.transfer or pages.colours.transfer or "srgb"
 
 
 def _of_clip(
     scene: Scene, frames: Iterator[NDArray[Any]], transfer: Transfer, slots: int, frame_s: float
 ) -> Subject:
-    """Return how to use a scene with these frames: as a still, spread over the slots, or where most
-    moves.
+    """Return how to use a scene with these `frames`. A single frame is a still. Fewer frames than
+    `slots` are spread over the slots; of more frames, the part with the most motion is used.
 
-    `frame_s` is the time of a frame of the sensor."""
+    `frame_s` is the exposure time of the sensor's frame in seconds. A frame rate in `scene` is
+    kept."""
     small = np.stack([_reduced(frame) for frame in islice(frames, _MOST_FRAMES)])
     have = len(small)
     if have == 1:
@@ -98,7 +104,11 @@ def _of_clip(
 
 
 def liveliest(frames: NDArray[np.float32], count: int) -> int:
-    """Return the first of `count` frames with the most motion, if possible without a cut."""
+    """Return the number of the first of `count` successive frames with the most motion. Parts with
+    a cut are used only if all parts have one.
+
+    `frames` (T, rows, cols) are grey values. Motion is the mean absolute difference of successive
+    frames."""
     steps = np.abs(np.diff(frames, axis=0)).mean(axis=(1, 2))
     beside = np.pad(steps, 1)
     cuts = steps > _CUT * np.maximum(beside[:-2], beside[2:])
@@ -109,7 +119,8 @@ def liveliest(frames: NDArray[np.float32], count: int) -> int:
 
 
 def _reduced(frame: NDArray[Any]) -> NDArray[np.float32]:
-    """Return a frame as grey values, `_SIDE` x `_SIDE` pixels, to measure motion."""
+    """Return a picture (rows, cols, [3]) as grey values of `_SIDE` x `_SIDE` pixels, in which
+    motion is measured."""
     import cv2
 
     grey = frame.mean(axis=-1) if frame.ndim == 3 else frame

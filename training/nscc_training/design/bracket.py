@@ -28,7 +28,8 @@ saturated where the long one is."""
 
 
 def bracket_slots(slots: int) -> tuple[int, ...]:
-    """Return the slots of each readout of an ordinary bracket that fills a frame of `slots`."""
+    """Return the number of slots of each readout of an ordinary bracket, the shortest first.
+    Together they fill a frame of `slots` slots."""
     shorter = [max(1, round(slots * length / sum(_BRACKET))) for length in _BRACKET[:-1]]
     return *shorter, max(1, slots - sum(shorter))
 
@@ -41,10 +42,11 @@ def camera(
     stop: int | None = None,
     lengths: Sequence[int] = (),
 ) -> Container:
-    """Return the program of an ordinary camera, open until slot `stop`, or one of `frames` after
-    the other, of equal `lengths` or of those in slots.
+    """Compile the program of an ordinary camera, whose pixels all have the same shutter.
 
-    Raises Rejected if several frames do not fit the chip."""
+    It has one readout, open until slot `stop` (None: the whole frame). With `frames` it has several
+    readouts of equal length, one after the other; with `lengths`, readouts of these numbers of
+    slots. Raises Rejected if several readouts do not fit the chip."""
     rules = f"open when n < {stop or slots}\n"
     ends = [slots * k // frames for k in range(frames + 1)]
     if lengths:

@@ -37,7 +37,8 @@ _COPIES = 2
 
 @dataclass(frozen=True, eq=False)
 class DesignChip:
-    """A target with its sensor and the effects that act on the sensor."""
+    """A target with its sensor and the effects that act on the sensor. It computes the errors from
+    which designs are made."""
 
     target: Target
     sensor: Sensor
@@ -55,7 +56,8 @@ class DesignChip:
 
     @cached_property
     def gain(self) -> float:
-        """The gain of a move and an addition."""
+        """The gain of the two words that bring an exposure into its register, a move and an
+        addition: below 1 if copies lose charge."""
         words = self.effects.find_part(WordGain)
         if words is None:
             return 1.0
@@ -70,7 +72,9 @@ class DesignChip:
         return most if soft is None else min(most, float(soft.linear_e(self.sensor) / self.gain))
 
     def exposed_sd_e(self, electrons: Values) -> Values:
-        """Return the standard deviation of an exposure, in electrons of the photodiode."""
+        """Return the standard deviation of the measured value of exposures of `electrons`, in
+        electrons of the photodiode and in their shape. It includes readout, words, photons and
+        differences between pixels."""
         sensor, effects = self.sensor, self.effects
         fixed_e2 = converter_e2(sensor, effects)
         fixed_e2 += self._words_e2(_READS, _ADDITIONS, _MOVES)
@@ -79,8 +83,8 @@ class DesignChip:
         return np.asarray(np.sqrt(fixed_e2 / self.gain**2 + photons_e2 + unequal_e2))
 
     def _words_e2(self, reads: int, additions: int, moves: int) -> float:
-        """Return the variance that a pixel's reads, additions and moves of values add, in square
-        electrons."""
+        """Return the variance, in square electrons, that a pixel's words add: numbers of `reads` of
+        PIX, of `additions` and of `moves` of values."""
         words = self.effects.find_part(WordGain)
         move_noise = 1.0 if words is None else words.move_noise(self.sensor)
         times = {"reads": reads, "words": additions + moves * move_noise**2, "resets": 0.0}
@@ -90,8 +94,12 @@ class DesignChip:
         )
 
     def errors(self, light_e: Values, peak_e: Values, share: Values, curve: Curve) -> Values:
-        """Return the mean square error (groups, shares) on `curve` of light from exposures that
-        collect a `share` of `light_e` (groups,)."""
+        """Return the mean square error (groups, shares) on `curve` of light that is estimated from
+        one exposure.
+
+        `light_e` and `peak_e` (groups,) are the true light and the peak of its scene, in electrons
+        over the frame. `share` (shares,) is the fraction of the frame for which the pixel is open.
+        The expectation over normal noise is a sum over `_POINTS` values."""
         truth = on_curve(light_e[:, None], peak_e[:, None], curve, self.code_e)
         exposed = light_e[:, None] * share
         sd = self.exposed_sd_e(exposed)
@@ -111,7 +119,9 @@ class DesignChip:
         return self.sensor.comparator_offset_fraction * self.sensor.full_well_e
 
     def compared_sd_e(self, electrons: Values) -> Values:
-        """Return the standard deviation of one comparison, in electrons."""
+        """Return the standard deviation of one comparison with an exposure of `electrons`, in
+        electrons: photons, comparator noise and copies. The comparator's fixed offset is not
+        included."""
         noise_e = self.sensor.comparator_noise_fraction * self.sensor.full_well_e
         copies_e2 = self._words_e2(_COPIES, 0, _COPIES)
         return np.sqrt(noise_e**2 + copies_e2 + electrons)
@@ -124,7 +134,8 @@ class DesignChip:
 
 
 def most_steps(target: Target, well_e: float) -> int:
-    """Return the largest level in steps of IN: below full well and register maximum."""
+    """Return the largest level of a look in steps of IN: below a full well (`well_e`) and the
+    largest value of a register."""
     full_e = min(target.full_well_e, target.register_max_e, well_e)
     below = math.ceil(full_e / target.electrons_per_step) - 1
     return max(1, min(target.in_high, below))
@@ -135,8 +146,8 @@ _MOST_LEVELS = 64
 
 
 def on_curve(light_e: Values, peak_e: Values, curve: Curve, dark_e: float) -> Values:
-    """Return light on a curve: over the peak and clipped to 0..1, or for "log" the logarithm of
-    light above `dark_e`."""
+    """Return light on the curve on which errors are measured: relative to the peak and clipped to
+    0..1, on a linear or mu-law scale; or for "log" the logarithm of light, at least `dark_e`."""
     if curve == "log":
         return np.log(np.maximum(light_e, dark_e))
     relative_light = np.clip(light_e / peak_e, 0.0, 1.0)

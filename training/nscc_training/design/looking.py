@@ -22,10 +22,13 @@ from nscc_training.design.scene import Histogram
 Values = NDArray[np.float64]
 
 _OFFSETS = 5
+"""Number of comparator offsets in the sum over pixels."""
 _MOST_TRIED = 12
 """Most times tried for one look in a round; the next round tries times between them."""
 _ROUNDS = 12
+"""Most rounds of the search; it ends earlier if a round gains less than 0.01 %."""
 _WEIGHINGS = 2
+"""Number of searches with weighted scenes, each with the errors of the result before it."""
 _MOST_KEPT = 128
 """Most cached tables of closing fractions, each a third of a megabyte."""
 
@@ -40,18 +43,20 @@ class LookSchedule:
 
 @dataclass(frozen=True)
 class Expected:
-    """The expected mean square error on each curve, and the shares of pixels that close at each
-    look and at the end."""
+    """The expected mean square error on each curve, and the fractions of the pixels that close at
+    each look and at the end of the frame."""
 
     errors: dict[Curve, float]
     closing: tuple[float, ...]
 
 
 class LookModel:
-    """A model of a chip and a frame that computes the expected error of schedules."""
+    """Computes the expected error of schedules of looks for a chip, a frame and the light of
+    scenes. The module's docstring has the formula."""
 
     def __init__(self, chip: DesignChip, scene: Histogram, slot_us: Sequence[float]) -> None:
-        """Prepare the model for a chip, a histogram of the scene's light and slot lengths (us)."""
+        """Prepare the model. `scene` is the histogram of the scenes' light, and `slot_us` are the
+        slot lengths in microseconds."""
         self.chip, self.scene, self._slot_us = chip, scene, slot_us
         ends = np.cumsum([0.0, *slot_us])
         self.share = ends / ends[-1]
@@ -63,10 +68,10 @@ class LookModel:
         self._closed: dict[int, NDArray[np.float32]] = {}
 
     def exposure_errors(self, curve: Curve) -> Values:
-        """Return the error, on a curve, of exposures that end at each slot boundary, (groups, slots
-        + 1), for each group of pixels with equal light.
+        """Return the mean square error on a curve of exposures that end at each slot boundary,
+        (groups, slots + 1), for each group of pixels with equal light.
 
-        It is infinite at boundary 0. Results are stored."""
+        It is infinite at boundary 0. Results are kept for later calls."""
         if curve not in self._exposure_errors:
             light, peak = self.scene.light_e, self.scene.peak_e
             errors = np.full((len(light), self.slots + 1), np.inf)
@@ -75,7 +80,10 @@ class LookModel:
         return self._exposure_errors[curve]
 
     def closed(self, at: int) -> NDArray[np.float32]:
-        """Return the share of pixels (levels, groups, offsets) above each level at `at`."""
+        """Return the fraction of open pixels that a look at boundary `at` closes, (levels, groups,
+        offsets): by its level, the light of a pixel, and the offset of its comparator.
+
+        Results are kept for later calls."""
         if at not in self._closed:
             if len(self._closed) == _MOST_KEPT:
                 self._closed.clear()
@@ -87,8 +95,8 @@ class LookModel:
         return self._closed[at]
 
     def expected(self, schedule: LookSchedule) -> Expected:
-        """Return the expected errors of a schedule on each curve, and the fraction of the pixels
-        that each look closes."""
+        """Return the expected error of a schedule on each curve, and the fraction of the pixels
+        that close at each look and at the end."""
         closing = []
         errors = dict.fromkeys(CURVES, 0.0)
         for at, pixels in self._closing(schedule.at, self._rows(schedule)):
@@ -98,8 +106,10 @@ class LookModel:
         return Expected(errors, tuple(closing))
 
     def _closing(self, at: Sequence[int], rows: Sequence[int]) -> Iterator[tuple[int, Values]]:
-        """Yield each look's time and the weights (groups, offsets) of the pixels that it closes,
-        then those of the frame's end."""
+        """Yield the boundary of each look and the weights (groups, offsets) of the pixels that it
+        closes; last, the frame's end with the pixels that stay open.
+
+        `at` are the boundaries of the looks, `rows` the indices of their levels."""
         open_ = self._start
         for moment, row in zip(at, rows, strict=True):
             closing_pixels = open_ * self.closed(moment)[row]
@@ -136,7 +146,8 @@ class LookModel:
         return schedule
 
     def _descended(self, schedule: LookSchedule, curve: Curve) -> tuple[float, LookSchedule]:
-        """Improve a schedule in rounds until the error stays; return error and schedule."""
+        """Improve a schedule in rounds until its error on a curve stays. Return the error and the
+        schedule."""
         worth = np.inf
         for _ in range(_ROUNDS):
             schedule, now = self._round(schedule, curve)
@@ -146,11 +157,13 @@ class LookModel:
         return worth, schedule
 
     def _rows(self, schedule: LookSchedule) -> list[int]:
-        """Return the indices of a schedule's levels among the chip's levels."""
+        """Return the indices, among the levels that are tried, of the levels nearest to a
+        schedule's."""
         return [int(np.abs(self.chip.levels - steps).argmin()) for steps in schedule.steps]
 
     def _starts(self, looks: int) -> list[LookSchedule]:
-        """Return initial schedules: geometric times from several first times, with equal levels.
+        """Return initial schedules of `looks` looks: geometric boundaries from several first ones,
+        with equal levels.
 
         The level lets the exposure at the next look nearly fill the well."""
         starts: dict[tuple[int, ...], LookSchedule] = {}
@@ -165,7 +178,8 @@ class LookModel:
         return list(starts.values())
 
     def _round(self, schedule: LookSchedule, curve: Curve) -> tuple[LookSchedule, float]:
-        """Optimise each look in turn, starting with the last; return the schedule and its error."""
+        """Replace the boundary and the level of each look in turn, the last first, by the best
+        ones. Return the new schedule and its expected error on a curve."""
         at, rows = list(schedule.at), self._rows(schedule)
         worth = np.inf
         for k in reversed(range(len(at))):
@@ -189,10 +203,11 @@ class LookModel:
         return LookSchedule(tuple(at), steps), worth
 
     def _after(self, at: list[int], rows: list[int], k: int, curve: Curve) -> Values:
-        """Return the expected error (groups, offsets) of a pixel that is still open after look `k`.
+        """Return the expected error (groups, offsets) on a curve of a pixel that is still open
+        after look number `k`; -1 means before the first look.
 
-        `at` has the slots of the looks and `rows` their levels: row rows[j] of `closed(at[j])` is
-        the share of pixels that look j closes."""
+        `at` has the boundaries of the looks and `rows` the indices of their levels: row rows[j] of
+        `closed(at[j])` is the fraction of the pixels that look j closes."""
         exposure_errors = self.exposure_errors(curve)
         error = np.repeat(exposure_errors[:, -1:], _OFFSETS, axis=1)
         for number in range(len(at) - 1, k, -1):
@@ -201,7 +216,8 @@ class LookModel:
         return error
 
     def _moments(self, at: list[int], k: int) -> list[int]:
-        """Return the times to try for look k between its neighbours, including its current time."""
+        """Return the boundaries to try for look number `k`, between those of its neighbours and
+        including its present one: all if they are few, else a geometric selection."""
         low = at[k - 1] + 1 if k else 1
         high = at[k + 1] - 1 if k + 1 < len(at) else self.slots - 1
         if high - low < _MOST_TRIED:
@@ -211,8 +227,8 @@ class LookModel:
 
 
 def _spread(moments: Values, slots: int) -> tuple[int, ...]:
-    """Return distinct whole times from 1 to slots - 1, increasing and as close to `moments` as
-    that allows."""
+    """Return different whole boundaries from 1 to `slots` - 1, increasing, and as close to
+    `moments` as that allows."""
     count, spread_moments = len(moments), [0]
     for k, moment in enumerate(moments.round().astype(int).tolist()):
         spread_moments.append(min(max(moment, spread_moments[-1] + 1), slots - count + k))

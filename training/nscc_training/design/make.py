@@ -28,13 +28,15 @@ from nscc_training.metrics import psnr_of_mse
 Values = NDArray[np.float64]
 
 _PLACES = 4
+"""Pixels of a 2 x 2 tile."""
 _MOST_TILES = 2048
 """Most tiles of a scene that are evaluated, evenly spaced over the scene."""
 
 
 @dataclass(frozen=True)
 class Tile:
-    """Four stops, row by row from the top left, and their risk: a mean square error on a curve."""
+    """A 2 x 2 tile of stops, row by row from the top left. Its `risk` is the mean square error, on
+    a curve, that an ideal decoder cannot remove."""
 
     stops: tuple[int, int, int, int]
     risk: float
@@ -43,7 +45,8 @@ class Tile:
 def best_tile(
     chip: DesignChip, scenes: Sequence[NDArray[np.floating]], slots: int, curve: Curve
 ) -> tuple[Tile, int]:
-    """Return the tile with the smallest mean risk over the scenes, and the number of tried tiles.
+    """Return the 2 x 2 tile with the smallest mean risk over the scenes, and the number of tiles
+    that were tried.
 
     The criterion is that of spatially varying exposures (Qu, Chi and Chan, "Spatially Varying
     Exposure with 2-by-2 Multiplexing: Optimality and Universality", 2023, SVE-Risk). An ideal
@@ -71,17 +74,20 @@ def best_tile(
 
 
 def _laid(tile: tuple[int, ...]) -> tuple[int, ...]:
-    """Return the stops of a tile from long to short."""
+    """Return the stops of a tile, given from short to long, in the order of its pixels: from long
+    to short."""
     return tuple(reversed(tile))
 
 
 def _tables(
     chip: DesignChip, scene: Values, number: int, stops: Sequence[int], slots: int, curve: Curve
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return the tables from which the risk is computed, for each tile of the scene.
+    """Return two tables from which the risk of every 2 x 2 tile of stops is computed, for squares
+    of 2 x 2 pixels of a scene.
 
-    The first is the error of each pixel's own light by stop (tiles, pixels, stops). The second is
-    the squared difference between the light of two pixels (tiles, pixels, pixels)."""
+    The first is the error of each pixel's own measurement for each of `stops`, (squares, pixels,
+    stops). The second is the squared difference between the light of two pixels, (squares, pixels,
+    pixels). Both are on `curve`. `number` is that of the scene, for messages."""
     peak = peak_of(scene.reshape(-1), number)
     # A scene of one row or column has no tiles: it is repeated.
     scene = np.tile(scene, [2 if side == 1 else 1 for side in scene.shape])
@@ -102,7 +108,10 @@ Scenes = Sequence[NDArray[np.floating]]
 
 @dataclass(frozen=True)
 class Frame:
-    """The frame of a design: `slots` of `slot_us` on a chip, with its default sensor or another."""
+    """The frame of a design: `slots` slots of `slot_us` microseconds on a chip.
+
+    `target` is the chip's name or file. `sensor` is its sensor, None for the default one. `level`
+    is the optimisation level of the compiler."""
 
     slots: int = 256
     slot_us: float = 125.0
@@ -111,12 +120,14 @@ class Frame:
     level: int = 2
 
     def chip(self) -> DesignChip:
-        """Return the target with its sensor; raise Rejected for an invalid target."""
+        """Return the target with its sensor and all effects. Raise Rejected for an invalid
+        target."""
         target = load_target(self.target, Path())
         return DesignChip.of(target, self.sensor or default_sensor(target))
 
     def compiled(self, name: str, text: str) -> Compiled:
-        """Compile and prove a program."""
+        """Compile and prove the program `text` for this chip. Messages call it `name`. Raise
+        Rejected with the compiler's errors."""
         file = self.target if self._from_file else None
         return compile_source(Source(name, text), Path(), Options(level=self.level, target=file))
 
@@ -140,7 +151,8 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """A program: its `text`, the compiler's result, and `lines` that describe the design."""
+    """A program for scenes: its `text`, the compiler's result, and `lines`, pairs of a label and a
+    text that describe the design."""
 
     text: str
     compiled: Compiled
@@ -149,7 +161,7 @@ class Design:
 
 @dataclass(frozen=True, eq=False)
 class LookingDesign(Design):
-    """A design whose pixels look."""
+    """A design whose pixels look, with the looks of its `schedule` and their expected errors."""
 
     schedule: LookSchedule
     expected: Expected
@@ -176,8 +188,9 @@ def design_looks(
     """Design the program of looks with the smallest expected error on a curve, without a decoder.
 
     Each pixel has one of `exposures` exposure times; the last ends with the frame. `scenes` are
-    (rows, cols), in electrons of an always open pixel over the frame, and have equal weight. Raises
-    Rejected: NS0824 for a scene without light, and the compiler's errors."""
+    (rows, cols), in electrons of an always open pixel over the frame, and have equal weight.
+    `frame` None takes the defaults of `Frame`. Raises Rejected: NS0824 for a scene without light,
+    and the compiler's errors."""
     frame = frame or Frame()
     chip = frame.chip()
     slot_us = [frame.slot_us] * frame.slots
@@ -202,8 +215,8 @@ def design_looks(
 
 
 def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu") -> TileDesign:
-    """Design the 2 x 2 tile of exposure times with the least expected error on a curve, for
-    scenes given as in `design_looks`."""
+    """Design the 2 x 2 tile of exposure times with the smallest risk (see `best_tile`) on a curve.
+    Arguments and errors are as for `design_looks`."""
     frame = frame or Frame()
     chip = frame.chip()
     tile, tile_count = best_tile(chip, scenes, frame.slots, curve)
@@ -227,15 +240,17 @@ def design_pattern(
     """Design the pattern of stops with the highest PSNR after merging, minus a cost for its words.
 
     The PSNR is simulated with all effects. `nscc_training.design.stop_patterns` lists the patterns.
-    `scenes` and errors are as for `design_looks`."""
+    `scenes`, `frame` and errors are as for `design_looks`. `progress` receives the numbers of the
+    scenes while they are simulated."""
     frame = frame or Frame()
 
     def text_of(stops: Sequence[Sequence[int]], remark: str = "") -> str:
-        """Return the program of a pattern."""
+        """Return the program of a pattern of `stops` (rows, cols), with `remark` as the comment at
+        its head."""
         return tile_text(stops, frame.slots, frame.slot_us, frame.named, remark)
 
     def container_of(stops: Sequence[Sequence[int]]) -> Container:
-        """Compile the program of a pattern."""
+        """Compile the program of a pattern of `stops` (rows, cols)."""
         return frame.container("pattern.nsl", text_of(stops))
 
     ranked = judged(
@@ -284,7 +299,8 @@ _CALLED: dict[Curve, str] = {"mu": "mu-law", "linear": "linear", "log": "logarit
 
 
 def expected_text(errors: dict[Curve, float]) -> str:
-    """Return the mean square errors in a readable form: dB, or percent for the logarithm."""
+    """Return mean square errors by curve as text: as PSNR in dB, or for the logarithm as
+    percent."""
     texts = []
     for curve in CURVES:
         if curve not in errors:

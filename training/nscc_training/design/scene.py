@@ -16,6 +16,7 @@ Values = NDArray[np.float64]
 _GROUPS = 256
 """Number of histogram groups for all scenes together: a tenth of a stop each, over 25 stops."""
 _FEWEST = 24
+"""Fewest groups for one scene."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,13 +33,15 @@ class Histogram:
     scene: NDArray[np.int64]
 
     def weighed(self, by: Values) -> Histogram:
-        """Return the histogram with scenes weighted by `by` (scenes,)."""
+        """Return the histogram in which the weights of each scene are multiplied by its factor in
+        `by` (scenes,). The sum of all weights is 1."""
         weight = self.weight * by[self.scene]
         return replace(self, weight=weight / weight.sum())
 
 
 def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
-    """Return the histogram of scenes (rows, cols); raise NS0824 for a scene without light."""
+    """Return the histogram of scenes (rows, cols) in electrons over the frame, with groups of equal
+    width in the logarithm. Raise Rejected (NS0824) for a scene without light."""
     count = max(_FEWEST, _GROUPS // max(1, len(scenes)))
     histograms = []
     for number, scene in enumerate(scenes):
@@ -71,13 +74,17 @@ def best_stop(chip: DesignChip, light_e: NDArray[np.floating], slots: int, curve
 
 
 def stops_tried(slots: int) -> list[int]:
-    """Return exposure times in half stops, from one slot to all slots."""
+    """Return exposure times in whole slots, from one slot to all slots, with ratios of about the
+    square root of 2. They increase."""
     count = int(2 * np.log2(slots)) + 1
     return sorted({slots, *(round(2 ** (k / 2)) for k in range(count))})
 
 
 def peak_of(light: Values, number: int = 0) -> float:
-    """Return the light that counts as white; raise Rejected (NS0824) for a scene without light."""
+    """Return the light that counts as white: the percentile `PERCENTILE`, or if that is dark, the
+    maximum.
+
+    Raises Rejected (NS0824) for a scene without light, which the message calls by its `number`."""
     peak = float(np.percentile(light, PERCENTILE))
     if peak <= 0:
         peak = float(light.max())

@@ -28,17 +28,20 @@ from nscc_training.metrics import mu_psnr, psnr
 Values = NDArray[np.float64]
 Levels = NDArray[np.int64]
 Progress = Callable[[Sequence[int]], Iterable[int]]
+"""A function that passes on the numbers of tasks, and may show a bar."""
 
 _HALF_STOPS = (2, 3, 4, 5, 6, 7, 8)
 """Ratios between neighbouring levels in half stops: factors of 2 to 16."""
 _FINALISTS = 8
+"""Number of patterns with the highest PSNR whose words are counted."""
 _DB_PER_WORD = 0.005
 """Cost of a word in the objective, in dB; the 28 words of a 2 x 2 tile cost 0.14 dB."""
 
 
 @dataclass(frozen=True, eq=False)
 class Pattern:
-    """A tile of stops (rows, cols), and its mean PSNR over scenes, in dB."""
+    """A tile of exposure times `stops` in slots (rows, cols), and its mean PSNR over scenes in dB,
+    once measured."""
 
     name: str
     stops: Levels
@@ -52,7 +55,8 @@ class Pattern:
 
 
 def shapes() -> dict[str, Levels]:
-    """Return the level of every pixel of a tile, by name; 0 is the longest exposure."""
+    """Return the shapes of patterns by name: for every pixel of a tile the number of its exposure
+    level. Level 0 is the longest exposure."""
     levels_of_shape = {
         "uniform": np.array([[0]]),
         "checkerboard": np.array([[0, 1], [1, 0]]),
@@ -67,8 +71,8 @@ def shapes() -> dict[str, Levels]:
 
 
 def patterns(slots: int) -> list[Pattern]:
-    """Return all patterns of exposure times in a frame of `slots`: each shape with each ratio of
-    levels and each longest time."""
+    """Return all patterns of exposure times in a frame of `slots` slots: each shape with each ratio
+    of neighbouring levels and each longest time."""
     stops = np.array(stops_tried(slots))
     candidates = [Pattern("uniform", stops[k : k + 1, None]) for k in range(len(stops))]
     for name, levels in shapes().items():
@@ -88,10 +92,12 @@ def judged(
     compiled: Callable[[int], Container],
     progress: Progress,
 ) -> list[Pattern]:
-    """Return all patterns with their PSNR after merging under all effects, best first.
+    """Return all patterns with their mean PSNR over the scenes after merging, under all effects,
+    the best first.
 
-    `scenes` are stills in electrons. `compiled` gives the program whose pixels are open for a
-    number of slots."""
+    `scenes` are stills (rows, cols) in electrons over the frame. `compiled` returns the program
+    whose pixels are all open for a number of slots. `progress` receives the numbers of the scenes.
+    """
     candidates = patterns(slots)
     sums = np.zeros((len(candidates), 2))
     for number in progress(range(len(scenes))):
@@ -110,7 +116,8 @@ def judged(
 
 
 def cheapest(ranked_db: Sequence[float], words: Callable[[int], int]) -> int:
-    """Return the place of the highest PSNR minus the cost of its words, among the first ones."""
+    """Return the index of the highest PSNR minus the cost of its words, among the first
+    `_FINALISTS` of `ranked_db`, which falls. `words` returns the number of words for an index."""
     places = range(min(len(ranked_db), _FINALISTS))
     return max(places, key=lambda k: ranked_db[k] - _DB_PER_WORD * words(k))
 
@@ -123,10 +130,10 @@ def _frames(
     compiled: Callable[[int], Container],
     number: int,
 ) -> dict[int, tuple[Values, NDArray[np.bool_]]]:
-    """Return, for each exposure time in slots, the frame of a still in electrons and its saturated
-    pixels.
+    """Return the frames of a still whose pixels all have the same exposure time, by this time in
+    slots: electrons (rows, cols) and which pixels are saturated.
 
-    `number` is that of the scene, and seeds the noise."""
+    Arguments are as in `judged`. `number` is that of the scene, and seeds the noise."""
     seconds = np.full(slots, slot_us * 1e-6)
     target, sensor = chip.target, chip.sensor
     rows, cols = light_e.shape
@@ -149,11 +156,11 @@ def _merged(
     pattern: Pattern,
     slots: int,
 ) -> Values:
-    """Return the light over the frame (rows, cols) that merging reconstructs from a pattern of
-    stops.
+    """Return the light over the frame in electrons (rows, cols) that merging reconstructs from a
+    pattern of stops.
 
-    `frames` has, for each stop, the exposure (e) of the whole array with this stop, and which
-    pixels saturate."""
+    `frames` are the results of `_frames`, from which each pixel takes the frame with its own stop.
+    `slots` is the number of slots of the frame."""
     rows, cols = next(iter(frames.values()))[0].shape
     stops = over_array(pattern.stops, rows, cols)
     exposed, saturated = np.zeros((rows, cols)), np.zeros((rows, cols), bool)

@@ -23,10 +23,10 @@ def looking_text(
     chip: str | None,
     remark: str,
 ) -> str:
-    """Return the text of a program whose pixels look at their light by a schedule; `chip` is the
-    target's name or None.
+    """Return the text of a program whose pixels look at their light as a schedule says.
 
-    `remark` is the comment at its head."""
+    `target` is the chip, and `chip` its name in the text; None leaves it out. `remark` is the
+    comment at the head."""
     levels = [level_text(steps, target) for steps in schedule.steps]
     level = levels[0] if len(set(levels)) == 1 else f"[{', '.join(levels)}]"
     at = ", ".join(map(str, schedule.at))
@@ -47,8 +47,10 @@ def looking_text(
 def tile_text(
     stops: Sequence[Sequence[int]], slots: int, slot_us: float, chip: str | None, remark: str
 ) -> str:
-    """Return the text of a program with a fixed tile: `stops` are the slots before which each
-    pixel closes, row by row."""
+    """Return the text of a program with a fixed tile. `stops` (rows, cols) are the numbers of slots
+    for which pixels are open.
+
+    `chip` is the target's name, None to leave it out; `remark` is the comment at the head."""
     rows = [f"[{', '.join(map(str, row))}]" for row in stops]
     return _formatted(
         [
@@ -62,9 +64,8 @@ def tile_text(
 
 
 def level_text(steps: int, target: Target) -> str:
-    """Return a level of `steps` steps of IN as percent of a full well.
-
-    It has the fewest decimals from which the compiler gets the same number of steps."""
+    """Return a level of `steps` steps of IN as percent of a full well, with the fewest decimals
+    from which the compiler gets the same number of steps."""
     percent = 100 * steps * target.electrons_per_step / target.full_well_e
     candidates = (f"{percent:.{digits}f}" for digits in count())
     return next(f"{text}%" for text in candidates if level_steps(float(text), "%", target) == steps)
@@ -76,7 +77,7 @@ def _formatted(lines: Sequence[str]) -> str:
 
 
 def frame_text(slots: int, slot_us: float) -> str:
-    """Return the `frame` statement for equal slots."""
+    """Return the `frame` statement for `slots` slots of equal length in microseconds."""
     told_us = f"{slot_us:.{SLOT_DECIMALS}f}".rstrip("0").rstrip(".")
     return f"frame {slots} slots of {told_us}us"
 
@@ -84,6 +85,7 @@ def frame_text(slots: int, slot_us: float) -> str:
 def _head(
     language: str, remark: str, chip: str | None, slots: int, slot_us: float
 ) -> Sequence[str]:
-    """Return the first lines of a program: remark, language, chip and frame."""
+    """Return the first lines of a program: `remark` as a comment, `language` (such as "nsl 2"), the
+    target `chip` if given, and the frame."""
     lines = [*(f"# {line}" for line in remark.splitlines()), language, ""]
     return [*lines, *([f"target {chip}"] if chip else []), frame_text(slots, slot_us), ""]

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from nscc_training.encoders import Encoder
 
 _TILE = (8, 8)
+"""Rows and columns of the tile of codes that are not fixed."""
 _CLASSES = {
     "hdr-v1": ("b",),
     "video-v1": ("c", "d", "e"),
@@ -45,12 +46,12 @@ _CLASSES = {
 
 @dataclass(frozen=True)
 class Baseline:
-    """A baseline of a protocol.
+    """A baseline of a protocol: fixed codes and a decoder without training (`method`).
 
     Its codes are `start` (CLASS:START) on a tile of `side` x `side`, or a number of open slots.
     `takes_codes` allows other codes. `best_in` names a metric in which the best of several uniform
-    exposures is chosen with the ground truth. `tiles` returns the shutters of several frames;
-    `alone` decodes each frame separately."""
+    exposures is chosen with the ground truth. `tiles` is a function of protocol and seed that
+    returns the shutters of several frames; `alone` decodes each frame separately."""
 
     method: Method
     start: str = ""
@@ -61,8 +62,9 @@ class Baseline:
     alone: bool = False
 
     def decode(self, frames: CapturedScene) -> Light:
-        """Return the light of captured frames; a baseline whose frames stand `alone` decodes
-        each without the others."""
+        """Return the light of captured frames in electrons per slot or over the frame. If the
+        baseline decodes frames `alone`, each is decoded without the others, and the clips are
+        joined."""
         if not self.alone:
             return self.method.decode(frames)
         # A frame carries no information on slots outside of it.
@@ -71,16 +73,20 @@ class Baseline:
 
 
 def _bits(protocol: Protocol, seed: int, tile: Sequence[int], buckets: int) -> NDArray[np.bool_]:
-    """Return random bits for each pixel of a tile, and their complement for a second frame."""
+    """Return random shutters (buckets, slots, rows, cols) for a tile (rows, cols); a second bucket
+    is open where the first is closed."""
     first = np.random.default_rng(seed).random((1, int(protocol["frames"]), *tile)) < 0.5
     return first if buckets == 1 else np.concatenate([first, ~first])
 
 
 def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
-    """Return the shutters of a film, within its frames or `staggered` across their ends."""
+    """Return the shutters (frames, slots, rows, cols) of the successive frames of a film, for a
+    tile. Each pixel opens in one interval of a frame; `staggered` intervals continue across the
+    ends of frames."""
     film, length = int(protocol["film"]), int(protocol["length"])
     slots = int(protocol["frames"]) // film
     rows, cols = protocol["tile"]
+    # Steps of 5 slots spread the phases of neighbouring pixels over the frame.
     phases = np.arange(rows * cols).reshape(rows, cols) * 5 % slots
     n = np.arange(slots).reshape(-1, 1, 1)
     if staggered:
@@ -142,10 +148,11 @@ def evaluate_baseline(
     codes: str = "",
     scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a baseline on a folder of scenes, and its arrays by name.
+    """Return the result of the baseline `name` on a folder of scenes, and its arrays by name, both
+    as `result_of` does.
 
     `codes` names other shutters, CLASS:START or a run (`named_codes`). The noise of a scene depends
-    only on the scene's index and `seed`."""
+    only on the scene's index and `seed`. `scorer` decodes and scores; None keeps nothing."""
     from nscc_training.sensor_model import SensorModel
 
     scorer = scorer or Scorer()
@@ -155,11 +162,12 @@ def evaluate_baseline(
     scenes, left_out = usable_scenes(scenes_in(files, protocol), protocol)
 
     def decoded(tile: Tensor, shown: Sequence[ProtocolScene | None]) -> list[Scored]:
-        """Return the scores of scenes that are captured with this tile of codes and decoded."""
+        """Return the scores of the scenes `shown`, captured with the shutters `tile` and
+        decoded."""
 
         def decode(scene: ProtocolScene, index: int) -> tuple[Light, float]:
-            """Return the light of a scene that is captured with the tile, and the time of
-            decoding it."""
+            """Return the light of a scene that is captured with the tile, and the seconds of
+            decoding it. Its `index` seeds the noise."""
             frames = captured(scene, tile, model, 1000 * seed + index)
             begin = perf_counter()
             return baseline.decode(frames), perf_counter() - begin
@@ -188,11 +196,11 @@ def evaluate_baseline(
 def _choices(
     baseline: Baseline, protocol: Protocol, name: str, seed: int, codes: str
 ) -> list[tuple[Tensor, dict[str, Any]]]:
-    """Return the candidate shutters of a baseline under a protocol, each with what the result says
-    of it.
+    """Return the candidate shutters of a baseline, each with the entries of the result that
+    describe it. Only baselines with `best_in` have several.
 
-    Only baselines with `best_in` have several. `codes` names other codes, for baselines that accept
-    any."""
+    `name` is the baseline's, `codes` names other codes for baselines that accept any, and `seed` is
+    that of random codes. Raises Rejected (NS0840) for codes that are not possible."""
     import torch
 
     from nscc_training.encoders import ShutterSpec, make_encoder
@@ -229,10 +237,11 @@ def _choices(
 
 
 def named_codes(text: str, protocol: Protocol, name: str, seed: int) -> Encoder:
-    """Return codes `CLASS[:START]`, or those of a run.
+    """Return the encoder with codes named `CLASS[:START]`, or with those of a run. A class without
+    a start has random codes, which `seed` determines.
 
-    A class without a start has random codes. Raises Rejected (NS0840) if the baseline `name`
-    accepts no other codes, or the protocol does not support them."""
+    Raises Rejected (NS0840) if the baseline `name` accepts no other codes, or the protocol does not
+    support them."""
     from nscc_training.encoders import ShutterSpec, make_encoder
     from nscc_training.run_files import CONFIG, run_path
     from nscc_training.run_folder import run_codes
@@ -273,8 +282,11 @@ def evaluate_sci8(
     weight: float,
     scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a method on clips of the benchmark, and arrays; raise NS0809 for a file,
-    NS0810 for a method."""
+    """Return the result of `method` on the benchmark clips in the files `paths`, and its arrays by
+    name, both as `result_of` does.
+
+    `iterations` and `weight` apply to methods of total variation. Raises Rejected: NS0809 for a
+    file that is not a clip of the benchmark, NS0810 for an unknown method."""
     protocol, chosen = load_protocol("sci8"), methods.CLIPS.get(method)
     if chosen is None:
         raise rejected(
@@ -287,7 +299,8 @@ def evaluate_sci8(
     options = {"iterations": iterations, "weight": weight} if method.endswith("-tv") else {}
 
     def decode(scene: ProtocolScene, _index: int) -> tuple[Light, float]:
-        """Return the light of a benchmark clip, and the time of decoding it."""
+        """Return the light of a benchmark clip, and the seconds of decoding it. Its index does not
+        matter, because the clip contains its measurement."""
         assert isinstance(scene, SciClip)
         begin = perf_counter()
         return chosen.decode(CapturedScene.of_benchmark(scene), **options), perf_counter() - begin

@@ -41,6 +41,7 @@ from nscc_training.scene_files import CLIPS, files_in
 
 _BUILTIN = dict(zip((True, False), BUILTIN, strict=True))
 _SHOWN = re.compile(r"(?P<light>[a-z]+):(?P<curve>[a-z-]+)(@(?P<gain>[0-9.]+))?(#(?P<frame>\d+))?")
+"""A picture in the layout: light, tone curve, gain and frame."""
 _GREY = 0.18
 """Relative brightness of the median of a still at an exposure of 1."""
 _ZOOM = 16
@@ -51,16 +52,16 @@ Field = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class _Shot:
-    """The images of a scene: `light` (rows, cols) or (T, rows, cols) by name, and coded and always
-    open `frames` in grey levels."""
+    """The images of a scene: `light` (rows, cols) or (T, rows, cols) in electrons, by name
+    ("truth", "open", "decoded"), and the `frames` "coded" and "always-open" in grey levels."""
 
     name: str
     light: Mapping[str, Field]
     frames: Mapping[str, NDArray[np.uint8]]
 
     def image(self, shown: str) -> Image:
-        """Return the picture that a layout in `figures.toml` names `shown`: a stored frame, or
-        light with a curve, a gain and a frame number."""
+        """Return the picture that a layout in `figures.toml` calls `shown`: the name of a frame, or
+        LIGHT:CURVE[@GAIN][#FRAME]."""
         if shown in self.frames:
             return Image(self.frames[shown], shown.replace("-", " "))
         match = _SHOWN.fullmatch(shown)
@@ -79,8 +80,8 @@ class _Shot:
         return Image(tone(light[k]), f"{name}, frame {k + 1}", note)
 
     def _score(self, light: Field) -> str:
-        """Return the PSNR of reconstructed light as text: mu-law for a still, mean over frames
-        for a clip."""
+        """Return the PSNR of reconstructed light as text: mu-law PSNR for a still, the mean over
+        frames in display encoding for a clip."""
         truth = self.light["truth"]
         if truth.ndim == 2:
             peak = float(np.percentile(truth, 99.9)) or 1.0
@@ -138,9 +139,10 @@ def _shot_of(
     effects: str,
     seed: int,
 ) -> _Shot:
-    """Expose a scene, or the built-in scene, and reconstruct it with a run; return the images.
-    `still` decides whether it is a still or a clip, and `effects` and `seed` are those of the
-    emulated chip."""
+    """Expose a scene on the emulated chip, reconstruct it with a run, and return the images.
+
+    `found_scene` is its name and the scene; None takes the built-in scene. `still` says whether it
+    is a still or a clip, `effects` and `seed` are those of the emulated chip."""
     setup = folder.setup
     if found_scene is None:
         like = run_capture(folder.path)
@@ -168,10 +170,11 @@ def _shot_of(
 
 
 def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, ProtocolScene] | None:
-    """Return the file name and the scene that a figure shows: of the scenes that the run has not
-    seen, the one that shows most.
+    """Return the file name and the scene that a figure shows: of the first scenes in the files that
+    the run has not seen, the most suitable one.
 
-    Returns None if the folder `data` has no scene of the array's size."""
+    `still` chooses panoramas instead of clips. Returns None if the folder `data` has no scene of
+    the array's size."""
     protocol = load_protocol("hdr-v1" if still else "video-v1")
     endings, name = (ENDINGS, "hdr") if still else (CLIPS, "video")
     size = (folder.setup.target.rows, folder.setup.target.cols)
@@ -189,7 +192,8 @@ def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Protocol
 
 
 def _worth(light_e: Field) -> float:
-    """Return how suitable a scene is for a figure: the range of a still, the motion of a clip."""
+    """Return how suitable a scene is for a figure: the ratio of the brightest light to the median
+    for a still, and the mean change between frames for a clip."""
     if light_e.ndim == 3:
         return float(np.abs(np.diff(light_e, axis=0)).mean() / max(light_e.mean(), 1e-9))
     return float(np.percentile(light_e, 99.9) / max(float(np.median(light_e)), 1e-9))
@@ -197,7 +201,8 @@ def _worth(light_e: Field) -> float:
 
 def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
     """Return for each of the `runs` (key: whether it decodes stills) a row of pictures of shutters:
-    random codes drawn with `seed`, the 2 x 2 tile and the run's codes."""
+    random codes drawn with `seed`, the 2 x 2 tile, and the run's codes. A pixel shows how long or
+    when its shutter is open."""
     rows = []
     for still, folder in runs.items():
         spec, row = folder.setup.encoder.spec, []

@@ -59,10 +59,12 @@ BRACKET = "bracket"
 UNDECODED = (*ROWS, *DESIGNED, BRACKET)
 
 _EFFECTS = "full_well,shot,adc_noise,comparator_noise"
+"""The effects of the protocol's sensor, with the noise of comparators."""
 
 
 def row_of(name: str, target: Target) -> LookSchedule:
-    """Return the looks of a method on a chip: boundaries, and levels in steps of IN."""
+    """Return the looks of the method `name` on a chip: boundaries, and levels in steps of IN, which
+    depend on its full well."""
     at, percent = ROWS[name]
     return LookSchedule(at, (level_steps(percent, "%", target),) * len(at))
 
@@ -75,11 +77,12 @@ def evaluate_looks(
     changes: Sequence[str] = (),
     scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a method of UNDECODED on a folder of panoramas, and its arrays by name.
+    """Return the result of a method of UNDECODED on a folder of panoramas, and its arrays by name,
+    both as `result_of` does.
 
-    `effects` replace the protocol's noise and comparator noise, and then the readout has the noise
-    of the chip; `changes` are sensor values, as for `nscc run`. Programs are designed for the
-    sensor without these changes."""
+    `seed` is that of the noise. `effects` replace the protocol's noise and comparator noise, and
+    then the readout has the noise of the chip; `changes` are sensor values, as for `nscc run`.
+    Programs are designed for the sensor without these changes. `scorer` None keeps nothing."""
     protocol, scorer = load_protocol("hdr-v1"), scorer or Scorer()
     files = files_of(protocol, folder)
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
@@ -103,8 +106,8 @@ def evaluate_looks(
     chosen = selected(effects or _EFFECTS)
 
     def decoded(shown: Sequence[ProtocolScene | None]) -> list[Scored]:
-        """Return the scores of the scenes `shown`, whose pixels look at their light, exposed on the
-        emulator."""
+        """Return the scores of the scenes `shown`, which are exposed on the emulator. The light is
+        what the pixels measure, without a decoder."""
 
         def decode(crop: ProtocolScene, index: int) -> tuple[NDArray[np.float64], float]:
             """Return the light that the pixels measure of a scene; nothing is decoded, so the
@@ -143,7 +146,10 @@ def looked_light(
     effects: Selection | str,
     seeds: tuple[int, int],
 ) -> NDArray[np.float64]:
-    """Return the light in electrons that pixels which look measure of `light_e`."""
+    """Return the light over the frame in electrons (rows, cols) that pixels which look measure of
+    the constant light `light_e`, of this shape.
+
+    `seeds` are those of the noise and of the device."""
     readings = _still_capture(container, light_e, sensor, effects, seeds).told
     return merged_image(readings[LIGHT], readings[DEVIATION]) * float(container.slot_s.sum())
 
@@ -155,7 +161,8 @@ def bracket_light(
     effects: Selection,
     seeds: tuple[int, int],
 ) -> NDArray[np.float64]:
-    """Return the light in electrons (rows, cols) that an ordinary bracket measures of `light_e`.
+    """Return the light over the frame in electrons (rows, cols) that an ordinary bracket measures
+    of the constant light `light_e`, of this shape.
 
     The frame has these `effects`; `seeds` are those of noise and of the device."""
     taken = _still_capture(container, light_e, sensor, effects, seeds)
@@ -183,8 +190,10 @@ def _still_capture(
 
 
 def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolScene], Container]:
-    """Return a function from a crop to its program: the same for all crops if method `name` is a
-    row or the bracket, else a design for this crop."""
+    """Return a function from a crop to its program.
+
+    The program of a method with fixed looks, or of the bracket, is the same for all crops. A
+    designed one is made for the light of each crop."""
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words
@@ -194,7 +203,7 @@ def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolSc
     chip = DesignChip.of(target, sensor)
 
     def words_for(crop: ProtocolScene) -> Container:
-        """Return the program that is designed for a crop."""
+        """Design the looks for the light of a crop, and return the compiled program."""
         model = LookModel(chip, histogram([crop.light_e]), [1.0] * SLOTS)
         return _compiled(model.best(DESIGNED[name] - 1, "mu"), target)
 

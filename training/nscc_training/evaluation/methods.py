@@ -45,7 +45,7 @@ class CapturedScene:
 
     @classmethod
     def of_benchmark(cls, clip: SciClip) -> CapturedScene:
-        """Return the measurement of a benchmark clip."""
+        """Return the measurement of a benchmark clip, which is exact and not saturated."""
         codes = clip.measurement[None]
         return cls(clip, codes, clip.mask[None], np.zeros(codes.shape, np.bool_), None)
 
@@ -72,13 +72,15 @@ class CapturedScene:
 
     @property
     def white_e(self) -> float:
-        """Electrons per slot of the source's white, the unit of total variation."""
+        """Electrons per slot of the source's white, the unit of total variation; 1 for a clip whose
+        white is not known."""
         scene, slots = self.scene, self.tile.shape[1]
         scale_e = scene.scale_e if isinstance(scene, ClipWindow) else 1.0
         return float(scale_e * len(scene.light_e) / slots)
 
     def measured(self) -> Measured[Tensor]:
-        """Return the frames as a measurement in electrons, for the decoder for any code."""
+        """Return the frames as a measurement in electrons, for the decoder for any code: of a still
+        with one slot, of a clip with all slots."""
         from nscc_training.measured import Measured
 
         if self.model is None:
@@ -102,7 +104,8 @@ class CapturedScene:
 
 
 def captured(scene: ProtocolScene, tile: Tensor, model: SensorModel, seed: int) -> CapturedScene:
-    """Expose a scene through a tile of shutters ([frames,] slots, r, c), with noise of the seed."""
+    """Expose a scene through a tile of shutters ([frames,] slots, r, c), one frame for each tile,
+    by the sensor `model`. `seed` is that of the noise."""
     from nscc_training.sensor_model import frame_of
 
     tiles = tile if tile.ndim == 4 else tile[None]
@@ -120,8 +123,11 @@ Light = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Method:
-    """A decoder without training: `decode` returns electrons; `sees` is "truth" for oracles;
-    `settings` are named options for `nscc tradeoff`."""
+    """A decoder without training.
+
+    `decode` returns electrons from a `CapturedScene`. `sees` is "truth" for reference methods,
+    which use the ground truth. `settings` are options of `decode` by name, which `nscc tradeoff
+    decoder` compares."""
 
     decode: Callable[..., Light]
     sees: Literal["capture", "truth"] = "capture"
@@ -131,14 +137,17 @@ class Method:
 def _clip(
     loop: Callable[..., NDArray[np.float32]], captured: CapturedScene, **options: Any
 ) -> Light:
-    """Decode a capture with a function of a measurement, in units of white, and a mask."""
+    """Return the clip, in electrons per slot, that `loop` reconstructs from the first frame of a
+    capture.
+
+    `loop` takes a measurement in units of white, a mask and `options`."""
     white_e = captured.white_e
     measurement = (captured.codes[0] * (captured.code_e / white_e)).astype(np.float32)
     return np.asarray(loop(measurement, captured.masks[0], **options), np.float64) * white_e
 
 
 def _of_truth(loop: Callable[..., NDArray[np.float32]], captured: CapturedScene) -> Light:
-    """Return the light that a method computes from the truth."""
+    """Return the clip that `loop`, a reference method, computes from the true clip and the mask."""
     truth = captured.scene.light_e.astype(np.float32)
     return np.asarray(loop(truth, captured.masks[0]), np.float64)
 
@@ -154,8 +163,8 @@ def _merged(captured: CapturedScene) -> Light:
 
 
 def _sparse(captured: CapturedScene, **options: Any) -> Light:
-    """Return the light that sparse coding estimates, beginning from merging; `options` go to the
-    method."""
+    """Return the light that convolutional sparse coding estimates of a still, beginning from merged
+    neighbours. `options` go to `coded_still`."""
     from nscc_training.baselines.sparse_coding import coded_still
 
     model = captured.model
@@ -172,8 +181,8 @@ def _sparse(captured: CapturedScene, **options: Any) -> Light:
 
 
 def _any(captured: CapturedScene, **options: Any) -> Light:
-    """Return the light that the decoder for any code estimates; `options` are those of the
-    decoder."""
+    """Return the light that the decoder for any code estimates, in electrons over the frame for a
+    still or per slot for a clip. `options` are those of the decoder."""
     from nscc_training.any_code.decode import decoded_clip, decoded_still
 
     decode = decoded_still if captured.is_still else decoded_clip
@@ -204,7 +213,8 @@ STILLS: Mapping[str, Method] = {
 
 
 def load(method: str, slots: int) -> None:
-    """Compile or learn everything that a method needs, so that measured times exclude it."""
+    """Compile or learn everything that a method needs for clips of `slots` slots, so that measured
+    times exclude it."""
     if method in ("gap-tv", "admm-tv", "any"):
         denoise.load()
     if method == "dictionary":

@@ -22,8 +22,8 @@ NOT_RUN = "not run"
 def paper_tables(results: Path | None = None) -> tuple[list[dict[str, Any]], str]:
     """Return the rows of the tables as JSON values, and the tables as Markdown.
 
-    `results` is the folder of a sweep, or its folder `results`; by default that of the results
-    that come with nscc. Raises Rejected (NS0807) for a folder that does not exist."""
+    `results` is the folder of a sweep, or its folder `results`; None takes the results that come
+    with nscc. Raises Rejected (NS0807) for a folder that does not exist."""
     folder = shipped_evaluations() if results is None else results
     if not folder.is_dir():
         hint = "`nscc sweep GRID.toml --out DIR` makes one"
@@ -32,7 +32,8 @@ def paper_tables(results: Path | None = None) -> tuple[list[dict[str, Any]], str
     rows: list[dict[str, Any]] = []
 
     def filled(match: re.Match[str]) -> str:
-        """Return the line of a row, and store its values."""
+        """Return the Markdown line of the row that `match` is the placeholder of, and append its
+        values to `rows`."""
         row, line = _row(folder, *shlex.split(match[1]))
         rows.append(row)
         return line
@@ -47,7 +48,8 @@ def results_named(folder: Path, name: str) -> list[dict[str, Any]]:
 
 
 def dagger(folder: Path, name: str) -> str:
-    """Return † if a run of this name has no weights in the folder `runs` beside the results."""
+    """Return † if a run of this name lacks weights in the folder `runs` beside the results, so that
+    it cannot be loaded; else ""."""
     paths = (path.relative_to(folder).with_suffix("") for path in folder.glob(f"{name}.json"))
     runs = [run for path in paths if (run := folder.parent / "runs" / path).is_dir()]
     return "" if all((run / WEIGHTS).is_file() for run in runs) else "†"
@@ -56,10 +58,10 @@ def dagger(folder: Path, name: str) -> str:
 def _row(
     folder: Path, table: str, label: str, psnr_db: str, ssim: str, name: str, remark: str = ""
 ) -> tuple[dict[str, Any], str]:
-    """Return a row as JSON values and as a line of Markdown, with - for missing values; the
-    arguments are those of `{{TABLE ..}}`.
+    """Return a row as JSON values, and as a line of Markdown with - for missing values.
 
-    `folder` holds the results."""
+    `folder` holds the results. The other arguments are those of `{{TABLE ..}}` (see the module):
+    table, label, the paper's PSNR and SSIM, name of the results, remark."""
     results = results_named(folder, name)
     settings = [result["settings"] for result in results]
     remarks = [NOT_RUN * (not results), remark]

@@ -34,14 +34,16 @@ SCHEMA = "nscc-result-1"
 _MEANS = ("psnr_db", "ssim", "mu_psnr_db", "pu21_psnr_db")
 """Metrics of hdr-v1 that are also reported at other fractions of saturated pixels."""
 _MOST_REASONS = 5
+"""Most reasons in the message that no scene can be used."""
 
 Array = NDArray[Any]
 
 
 class Scored(NamedTuple):
-    """A scene, its items, its reconstruction in scored form, and the decoding time in seconds.
+    """A scene, its scored items (JSON values), its reconstruction in the form that is scored, and
+    the seconds of decoding it.
 
-    The reconstruction is None if the items were stored before."""
+    The reconstruction is None if the scores were stored by an earlier process."""
 
     scene: ProtocolScene
     items: list[Item]
@@ -52,11 +54,12 @@ class Scored(NamedTuple):
 def usable_scenes(
     candidates: Iterable[ProtocolScene | Unusable], protocol: Protocol
 ) -> tuple[list[ProtocolScene | None], list[dict[str, Any]]]:
-    """Return the usable scenes, and entries for others. A scene's index seeds its noise; None keeps
-    the place of others, except under hdr-v1.
+    """Return the scenes that can be used, and entries of the result for the others (`file`, place,
+    `reason`).
 
-    A file that cannot be read is such an entry, with the `code` of its error; raises Rejected if
-    only such files remain."""
+    A scene's index seeds its noise. Therefore None keeps the place of the others in the list,
+    except under hdr-v1. A file that cannot be read is such an entry, with the `code` of its error;
+    raises Rejected if only such files remain."""
     scenes: list[ProtocolScene | None] = []
     left_out: list[dict[str, Any]] = []
     damages: list[Diagnostic] = []
@@ -88,10 +91,11 @@ def damaged_files(result: Mapping[str, Any]) -> list[Diagnostic]:
 
 
 class Scorer:
-    """Decodes and scores scenes; stored scores are not computed again.
+    """Decodes and scores scenes, and keeps the scores in a store, so that they are not computed
+    again.
 
-    `open_store` returns the store of the scores, when the first is needed. `track` shows
-    progress."""
+    `open_store` opens the store when the first score is needed; by default it is in memory. `track`
+    receives the scenes and may show progress."""
 
     def __init__(
         self, open_store: Callable[[], ExperimentStore] = ExperimentStore, track: Progress = unseen
@@ -109,10 +113,11 @@ class Scorer:
         scenes: Iterable[ProtocolScene | None],
         decode: Callable[[ProtocolScene, int], tuple[Array, float]],
     ) -> list[Scored]:
-        """Decode and score every scene.
+        """Decode and score every scene, and return the results in this order; None is left out.
 
-        `decode` takes a scene and its index, which seeds the noise, and returns electrons and
-        seconds. Raises Rejected (NS0804) for a reconstruction with values that are not finite."""
+        `decode` takes a scene and its index in `scenes`, which seeds the noise, and returns
+        electrons and seconds. Raises Rejected (NS0804) for a reconstruction with values that are
+        not finite."""
         self._passes += 1
         tasks = [
             _SceneTask(self._passes, index, scene)
@@ -122,8 +127,8 @@ class Scorer:
         reconstructions: dict[str, Array] = {}
 
         def execute(tasks: Iterable[_SceneTask]) -> Iterator[Done]:
-            """Decode and score the scene of each of the `tasks`; store the reconstruction in
-            `reconstructions` by the task's key."""
+            """Decode and score the scene of each of the `tasks`, and yield its row. The
+            reconstruction is put into `reconstructions` by the task's key."""
             for task in tasks:
                 result_e, seconds = decode(task.scene, task.index)
                 _refuse_non_finite(result_e, task.scene.file.name)
@@ -153,7 +158,9 @@ class Scorer:
 
 @dataclass(frozen=True, eq=False)
 class _SceneTask:
-    """One scene to decode and score; its key in the store names file, crop and frame."""
+    """One scene to decode and score. `index` is its place in the list of scenes, and `number`
+    counts the calls of `Scorer.scored`. Its key in the store names both, and file, crop and frame.
+    """
 
     number: int
     index: int
@@ -184,7 +191,8 @@ def _refuse_non_finite(result_e: Array, name: str) -> None:
 
 
 def mean_score(scored_scenes: Sequence[Scored], metric: str) -> float:
-    """Return the mean of a metric in dB; -inf without items."""
+    """Return the mean of a metric in dB over all items, without infinite ones; -inf without
+    items."""
     scores = [number(item[metric]) for entry in scored_scenes for item in entry.items]
     return finite_mean(scores) if scores else -math.inf
 
@@ -194,10 +202,10 @@ def also_saturated(
     protocol: Protocol,
     decoded: Callable[[list[ProtocolScene | None]], list[Scored]],
 ) -> dict[str, Any]:
-    """Return the mean scores at other fractions of saturated pixels, under the key of the result,
-    if the protocol has them.
+    """Return the mean scores with other fractions of saturated pixels, under the key
+    `also_saturated` of a result. The dictionary is empty if the protocol names no other fractions.
 
-    `decoded` scores scenes, None for one that cannot be used."""
+    `decoded` scores a list of scenes, in which None stands for one that cannot be used."""
     rows = []
     for fraction in protocol.values.get("also_saturated", ()):
         usable, left_out = usable_scenes(scenes_in(files, protocol, fraction), protocol)
@@ -232,8 +240,9 @@ def result_of(
     """Return the result of scored scenes as JSON values, and the arrays of `--save` by name.
 
     The arrays are the reconstruction of each item, an `image` or a `video`, and its ground truth.
-    `left_out` lists the items that the protocol cannot use, each with `file` and `reason`. Raises
-    Rejected (NS0811) without items."""
+    `left_out` lists the items that the protocol cannot use, each with `file` and `reason`.
+    `settings` and the keyword arguments become entries of the result. Raises Rejected (NS0811)
+    without items."""
     items = [item for entry in scored_scenes for item in entry.items]
     if not items:
         reasons = dict.fromkeys(f"{entry['file']}: {entry['reason']}" for entry in left_out)
@@ -278,8 +287,8 @@ def result_of(
 
 
 def read_result(path: Path) -> dict[str, Any]:
-    """Return the result of `nscc evaluate` in file `path`; raise Rejected (NS0807) for a file that
-    is not a result."""
+    """Return the result of `nscc evaluate` in file `path`. Raise Rejected (NS0807) for a file that
+    cannot be read or is not a result."""
     try:
         document = json.loads(read_whole(path))
         if isinstance(document, dict) and document.get("schema") == SCHEMA:
@@ -305,7 +314,8 @@ def read_result(path: Path) -> dict[str, Any]:
 
 
 def score_of(result_values: Mapping[str, Any]) -> str:
-    """Return the metric whose mean is that of a result."""
+    """Return the metric whose mean is the score of a result: "correct" if it names classes, else
+    "psnr_db"."""
     classified = any("correct" in item for item in result_values["items"])
     return "correct" if classified else "psnr_db"
 
@@ -313,10 +323,11 @@ def score_of(result_values: Mapping[str, Any]) -> str:
 def mean_of(
     results: Sequence[Mapping[str, Any]], metric: str, *, by_source: bool = False
 ) -> float | None:
-    """Return the mean of a metric over the items of each result, then over results (seeds).
+    """Return the mean of a metric over the items of each result, then over results (seeds); None if
+    no item is finite.
 
     Infinite items are left out. `by_source` first averages the items of each file, so that each
-    file counts once. None if no item is finite."""
+    file counts once."""
     means = []
     for result_values in results:
         values: dict[str, list[float]] = {}
@@ -332,7 +343,8 @@ def mean_of(
 def compare(
     pairs: Sequence[tuple[dict[str, Any], dict[str, Any]]], metric: str = "psnr_db"
 ) -> dict[str, Any]:
-    """Return the gain in dB of second results over first results, item by item.
+    """Return the gain of second results over first results, item by item, as JSON values: the
+    entries of `paired`, and what the results are.
 
     Each pair is a seed; the bootstrap draws scenes, with their items of all seeds. Raises Rejected
     (NS0808) for different protocols, without common items, or without the metric."""
@@ -378,14 +390,15 @@ def compare(
 
 
 def _about(results: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """Return what results of one method have in common, and their mean, as JSON values."""
+    """Return the `method` of results and the `mean` of their scores over seeds, as JSON values."""
     means = [entry["mean"] for entry in results if entry.get("mean") is not None]
     mean = sum(means) / len(means) if means else None
     return {"method": results[0].get("method"), "mean": mean}
 
 
 def _check_alike(*results: dict[str, Any]) -> None:
-    """Raise Rejected (NS0808) if results are of different protocols or versions of one."""
+    """Raise Rejected (NS0808) if results belong to different protocols, or to different versions of
+    one."""
     for key, plural_name in (
         ("protocol", "protocols"),
         ("protocol_sha256", "versions of a protocol"),
@@ -417,7 +430,8 @@ def arrays_in(folder: Path, arrays: Mapping[str, NDArray[Any]]) -> dict[Path, Pr
 
 
 def result_text(result: dict[str, Any]) -> str:
-    """Return a result of `nscc_training.evaluation.results` as a few lines."""
+    """Return a result as text for people: method and protocol, scores by file or class, what was
+    left out, mean with its interval, and decoding time."""
     lines = [
         f"{result['method']}, protocol {result['protocol']} ({result['protocol_sha256'][:12]})"
     ]
@@ -461,7 +475,8 @@ def result_text(result: dict[str, Any]) -> str:
 
 
 def _scene_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return a line for each file with its mean PSNR, its SSIM and the number of its items."""
+    """Return a line for each file among `items`, with its mean PSNR and SSIM and the number of its
+    items. Infinite PSNR is left out."""
     lines = []
     for file in dict.fromkeys(item["file"] for item in items):
         file_items = [item for item in items if item["file"] == file]

@@ -57,12 +57,14 @@ def evaluate_run(
     changes: Sequence[str] = (),
     scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a run with its hard shutters, and its arrays by name.
+    """Return the result of a run with its hard shutters on the scenes in the folder `data`, and its
+    arrays by name, both as `result_of` does.
 
-    With `skip_seen`, files that the run was trained or validated on are left out, and the result
-    says so. `effects` (as for `nscc run --effects`) exposes the scenes on the emulated chip, with a
-    different chip for each `seed`, instead of the protocol's sensor; `changes` are values of the
-    chip's sensor, as for `nscc run --sensor-set`.
+    `seed` is that of the noise. With `skip_seen`, files that the run was trained or validated on
+    are left out, and the result says so. `effects` (as for `nscc run --effects`) exposes the scenes
+    on the emulated chip, with a different chip for each `seed`, instead of the protocol's sensor;
+    `changes` are values of the chip's sensor, as for `nscc run --sensor-set`. `scorer` None keeps
+    nothing.
 
     Raises Rejected: NS0756 for unknown effects; NS0841 for effects under sci8, whose measurements
     come from files; NS0820 if the run has seen a file of `data`, or with `skip_seen` all files;
@@ -103,7 +105,8 @@ def evaluate_run(
 def evaluate_validation(
     folder: RunFolder, scorer: Scorer | None = None
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a run on its validation scenes, with the run's effects.
+    """Return the result of a run on its validation scenes, with the run's effects, and its arrays
+    by name, both as `result_of` does.
 
     Its mean equals the PSNR in `metrics.csv` at the step that the run kept. Raises Rejected
     (NS0811) if the scenes of its configuration are missing or have changed."""
@@ -131,7 +134,8 @@ def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) 
     """Return a function that captures and decodes a scene: with the sensor model of the training,
     or with `effects` on the emulated chip.
 
-    `changes` are of the form KEY=VALUE, of the sensor."""
+    `changes` are texts KEY=VALUE that change the chip's sensor. `seed` is that of noise and chip.
+    """
     file = folder.path / SENSOR_FILE
     sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
     sensor = load_sensor(folder.setup.target, sensor_file, changes) if changes else None
@@ -143,7 +147,8 @@ def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) 
 
 
 def _by_mask(folder: RunFolder) -> DecodeScene:
-    """Return a function that decodes a benchmark clip with its own mask, without noise.
+    """Return a function that decodes a benchmark clip with the decoder of a run and the clip's own
+    mask, without noise.
 
     As in training, a full well is the 99th percentile of the light of an always open pixel. It is
     estimated from the measurement by scaling the light of open slots to all slots."""
@@ -151,8 +156,7 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
 
     @torch.no_grad()
     def decode(scene: ProtocolScene, _index: int) -> tuple[NDArray[Any], float]:
-        """Return the light of a benchmark clip, decoded with the benchmark's own mask, and the
-        time (s)."""
+        """Return the light of a benchmark clip on 0..1, and the seconds of decoding it."""
         assert isinstance(scene, SciClip)
         share = scene.mask.mean(axis=0)
         gathered = scene.measurement[share > 0] / share[share > 0]
@@ -176,9 +180,11 @@ def _run_result(
     effects: str,
     extra_keys: dict[str, Any],
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of scored scenes with the settings of the run, and its arrays by name.
+    """Return the result of scored scenes, with the settings of the run, and its arrays by name,
+    both as `result_of` does.
 
-    `left_out` are the scenes that could not be used, and `extra_keys` are added to the result."""
+    `files` are the scenes' files, `left_out` the scenes that could not be used, and `extra_keys`
+    are added to the result."""
     setup, settings = folder.setup, folder.setup.settings
     decoder_s = [entry.seconds for entry in scored_scenes]
     return result_of(
@@ -212,7 +218,8 @@ def _run_result(
 
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
-    """Raise Rejected (NS0821) if the run was trained for other scenes than the protocol has."""
+    """Raise Rejected (NS0821) if the run was trained for another task than the protocol's: stills,
+    clips or classes, number of slots, class of shutters, buckets."""
     setup = folder.setup
     if protocol.name == "staggered-v1":
         raise rejected(
@@ -259,7 +266,7 @@ def seen_of(folder: RunFolder, files: list[Path]) -> list[Path]:
 
 
 def check_unseen(folder: RunFolder, files: list[Path]) -> None:
-    """Raise Rejected (NS0820) if the run has seen one of the files."""
+    """Raise Rejected (NS0820) if the run was trained or validated on one of the files."""
     shared = [path.name for path in seen_of(folder, files)]
     if shared:
         other_files = counted(len(files) - len(shared), "other file")
@@ -339,6 +346,7 @@ def evaluate(
 
 
 def _refuse_codes(codes: str, subject: str) -> None:
-    """Raise Rejected (NS0840) if other codes are given for a subject with fixed codes."""
+    """Raise Rejected (NS0840) if the option --shutter, `codes`, is given for a subject with fixed
+    codes."""
     if codes:
         raise rejected("NS0840", f"{subject} has fixed codes", helps=("leave --shutter out",))

@@ -44,12 +44,16 @@ from nscc_training.sweep.point_programs import compiled_of, encoder_of, sensor_o
 LONG_US = 1000.0
 """A slot length that all words fit into."""
 _ITERATIONS = 20
+"""Iterations of GAP-TV."""
 
 
 def bench_figures(values: Values) -> Figures:
-    """Return the PSNR of a class of shutters on scenes, its words and its shortest slot.
+    """Return the figures of a class of shutters on scenes: mean PSNR, words, and the shortest slot.
+    `values` are those of the point.
 
-    Words depend on the slot length only through refresh, which shorter slots need less often."""
+    Without `at_us`, the frame has the shortest possible slots. Words depend on the slot length only
+    through refresh, which shorter slots need less often, so they are compiled for long slots first.
+    """
     slot_us = values["at_us"]
     if slot_us is None:
         longest = compiled_of({**values, "slot_us": LONG_US})
@@ -59,10 +63,10 @@ def bench_figures(values: Values) -> Figures:
 
 
 def looks_figures(values: Values) -> Figures:
-    """Return the same for pixels that look, with a number of `exposures`.
+    """Return the figures of `bench_figures` for pixels that look. `values` are those of the point.
 
-    The looks are those of a method of hdr-v1, or with `designed` they are designed for the
-    scenes."""
+    The looks are those of a method of hdr-v1 with this number of `exposures`, or with `designed`
+    they are designed for the scenes."""
     scenes = scenes_of(values)
     name = f"looks-{values['exposures']}"
     looks = (
@@ -74,7 +78,7 @@ def looks_figures(values: Values) -> Figures:
     named = chip.target if chip.file is None else None
 
     def compiled(slot_us: float) -> Compiled:
-        """Compile the schedule of looks with slots of `slot_us` microseconds."""
+        """Compile the program of the looks with slots of `slot_us` microseconds."""
         text = looking_text(looks, SLOTS, slot_us, scenes.target, named, "")
         options = Options(
             level=values["level"], codes="open", lowering="edges", target=chip.file, cache=False
@@ -86,13 +90,16 @@ def looks_figures(values: Values) -> Figures:
 
 
 def is_looks_row(exposures: int) -> bool:
-    """Return whether hdr-v1 has a method with this number of exposures."""
+    """Return whether hdr-v1 has a method of pixels that look with this number of exposures."""
     return f"looks-{exposures}" in LOOKING_ROWS
 
 
 @dataclass(frozen=True, eq=False)
 class BenchScenes:
-    """Scenes of one kind, captured with one sensor; `known` caches scores of captures."""
+    """Scenes of one kind, and the emulated chip that captures them. `model` is its sensor for
+    decoders.
+
+    `known` holds the scores of frames, by their digest, so that equal frames are decoded once."""
 
     scenes: tuple[ProtocolScene, ...]
     target: Target
@@ -103,14 +110,17 @@ class BenchScenes:
     known: dict[bytes, float] = field(default_factory=dict)
 
     def designed(self, exposures: int) -> LookSchedule:
-        """Return looks that are designed for the scenes."""
+        """Return the looks with this number of `exposures` that have the smallest expected linear
+        error on the scenes."""
         lights = histogram([scene.light_e for scene in self.scenes])
         model = LookModel(DesignChip.of(self.target, self.sensor), lights, [1.0] * SLOTS)
         return model.best(exposures - 1, "linear")
 
     def figures(self, compiled: Compiled, shutters: Encoder | LookSchedule) -> Figures:
-        """Return the words, the shortest slot, and the PSNR, averaged over scenes, that `shutters`
-        compiled to `compiled` reach with a decoder that needs no training."""
+        """Return the words and the shortest slot of the program `compiled`, and the mean PSNR over
+        scenes with a decoder that needs no training.
+
+        `shutters` are the codes, or the looks, that the program was compiled from."""
         container = compiled.container
         assert container is not None
         scores = (
@@ -126,12 +136,14 @@ class BenchScenes:
         }
 
     def request(self, index: int) -> Request:
-        """Return the effects and seeds of the frame of a scene."""
+        """Return the effects of a frame, and its seeds: of its noise for scene number `index`, and
+        of the chip."""
         seed = 1000 * self.seed + index
         return Request.of(effects=self.effects, seed=seed, device_seed=self.seed)
 
     def _looked_db(self, container: Container, scene: ProtocolScene, index: int) -> float:
-        """Return the PSNR (dB) of a scene that pixels measure by looking at their light."""
+        """Return the PSNR in dB of scene number `index` that pixels which look measure, without a
+        decoder."""
         seeds = 1000 * self.seed + index, self.seed
         light = looked_light(container, scene.light_e, self.sensor, self.effects, seeds)
         return number(scene.scores(light)["psnr_db"])
@@ -139,8 +151,10 @@ class BenchScenes:
     def _decoded_db(
         self, encoder: Encoder, container: Container, scene: ProtocolScene, index: int
     ) -> float:
-        """Return the PSNR (dB) of a scene exposed with a program and decoded; equal frames are
-        decoded once."""
+        """Return the PSNR in dB of scene number `index`, exposed with the program of the codes in
+        `encoder` and decoded.
+
+        Equal frames are decoded once."""
         light = _light(scene, encoder.spec.slots, self.target)
         shot = simulate(container, light, self.sensor, self.request(index)).frame
         codes = (shot.frame[:1] - self.model.adc_offset_lsb).astype(np.float32)
@@ -162,8 +176,8 @@ def scenes_of(values: Values) -> BenchScenes:
 
 @lru_cache(maxsize=2)  # clips and stills
 def _scenes(items: tuple[tuple[str, Any], ...]) -> BenchScenes:
-    """Return the scenes that the values of a point describe, cut to the array, with target and
-    sensor."""
+    """Return the scenes that the values of a point describe (`items` are pairs of name and value,
+    so that they can be cached), cut to the array, with target and sensor."""
     values: Mapping[str, Any] = dict(items)
     target = load_target(values["target"], Path())
     sensor = sensor_of(values, target)
@@ -181,7 +195,8 @@ def _scenes(items: tuple[tuple[str, Any], ...]) -> BenchScenes:
 
 
 def _decoded(frames: CapturedScene) -> NDArray[Any]:
-    """Return the light of frames: neighbours merged for stills, GAP-TV for clips."""
+    """Return the light of frames in electrons: neighbours are merged for stills, clips are decoded
+    by GAP-TV. A clip has as many frames as its truth."""
     if frames.is_still:
         return STILLS["merged"].decode(frames)
     decoded = CLIPS["gap-tv"].decode(frames, iterations=_ITERATIONS)
@@ -190,7 +205,8 @@ def _decoded(frames: CapturedScene) -> NDArray[Any]:
 
 
 def _light(scene: ProtocolScene, slots: int, target: Target) -> Light:
-    """Return a scene's light in `slots` slots, which together last as long as all its frames."""
+    """Return a scene's light on the array. The frames of a clip are joined to `slots` slots, which
+    together last as long."""
     light_e = scene.light_e
     if light_e.ndim == 3:
         light_e = light_e.reshape(slots, -1, *light_e.shape[1:]).sum(axis=1)

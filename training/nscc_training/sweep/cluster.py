@@ -20,17 +20,19 @@ if TYPE_CHECKING:
     from distributed import Client, Future
 
 _TRIES = 2
+"""How often a point is tried whose worker ended."""
 _POOLS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
 """Environment variables for the number of threads of libraries; they are read at import."""
 _PATIENCE_S = 10
+"""Seconds in which a scheduler must answer."""
 _AHEAD = 2
 """Number of points per worker that are submitted in advance."""
 
 
 @contextmanager
 def local_workers(workers: int, threads: int) -> Iterator[Executor[PointTask]]:
-    """Start `workers` processes with `threads` threads each on this machine, for the `with`
-    block; yield what executes tasks on them."""
+    """Start `workers` processes with `threads` threads each on this machine, until the block ends.
+    Yield the function that executes tasks on them."""
     import dask
     from distributed import Client, LocalCluster
 
@@ -64,7 +66,8 @@ def local_workers(workers: int, threads: int) -> Iterator[Executor[PointTask]]:
 
 @contextmanager
 def scheduler_workers(scheduler: str) -> Iterator[Executor[PointTask]]:
-    """Use the workers of a scheduler; raise NS0835 if it does not answer."""
+    """Yield the function that executes tasks on the workers of the Dask scheduler at the address
+    `scheduler`. Raise Rejected (NS0835) if it does not answer."""
     from distributed import Client
 
     try:
@@ -82,14 +85,16 @@ def scheduler_workers(scheduler: str) -> Iterator[Executor[PointTask]]:
 
 
 def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
-    """Yield the results of tasks as they finish; a task that fails is tried once more."""
+    """Yield the results of tasks, in the order in which the workers of `client` finish them. A task
+    whose worker ended is tried once more."""
     from distributed import as_completed
 
     tries: Counter[str] = Counter()
     running: dict[Future, PointTask] = {}
 
     def start(task: PointTask) -> Future:
-        """Submit a task under a new name, and count how often it was tried."""
+        """Submit a task to a worker and return its future. Each try has a name of its own, because
+        Dask would otherwise return the earlier failure."""
         tries[task.key] += 1
         name = f"point-{task.key}-{tries[task.key]}"
         future = client.submit(work, task, key=name, pure=False)
@@ -113,8 +118,8 @@ def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
 
 
 def _finished(future: Future, task: PointTask) -> Done:
-    """Return the result of a task, or a failure if its worker died; raise ModuleNotFoundError,
-    which all would meet."""
+    """Return the result of a task, or a failed row if its worker ended. Raise ModuleNotFoundError
+    if a package is missing, because all tasks would fail for this reason."""
     if future.status == "finished":
         result: Done = future.result()
         return result

@@ -29,8 +29,8 @@ from nscc_training.sweep.point_programs import (
 
 
 def _compile(values: Values, _task: PointTask) -> Figures:
-    """Return the costs of the program with the settings `values`: words, registers, shortest
-    slot."""
+    """Return the figures of a point of kind compile: words, registers and times of the program that
+    `values` name. A chip without logic has times only."""
     compiled_program = compiled_of(values)
     build_report = KINDS.of(compiled_program.program).report(compiled_program)
     figures = _common(compiled_program, build_report)
@@ -53,7 +53,7 @@ def _compile(values: Values, _task: PointTask) -> Figures:
 
 
 def _common(compiled_program: Compiled, build_report: Mapping[str, Any]) -> Figures:
-    """Return the figures that every chip's `build_report` of a program contains."""
+    """Return the figures that the report of a program has for every chip."""
     return {
         "program_class": build_report["class"],
         "shutters": build_report["codes"]["shutters"],
@@ -65,7 +65,8 @@ def _common(compiled_program: Compiled, build_report: Mapping[str, Any]) -> Figu
 
 
 def _compile_fault(values: Values, named: Collection[str]) -> PointFault | None:
-    """Return what is wrong with the values of a point of kind compile, or None."""
+    """Return what is wrong with the values of a point of kind compile, or None. `named` are the
+    keys that the grid states."""
     chosen = () if "class" in values else ("seed",)
     return program_fault(values, named) or silent(named, chosen, "codes of its own")
 
@@ -98,7 +99,7 @@ def _limit_keys() -> tuple[Key, ...]:
 
 
 def _limit_fault(values: Values, _named: Collection[str]) -> PointFault | None:
-    """Return what is wrong with the values of a limit, or None."""
+    """Return what is wrong with the values of a point of kind limits, or None."""
     if "family" not in values:
         return PointFault(
             "", "the key family is missing: a class at every size", 'add family = "d"'
@@ -111,8 +112,10 @@ def _limit_fault(values: Values, _named: Collection[str]) -> PointFault | None:
 
 
 def _limit(values: Values, _task: PointTask) -> Figures:
-    """Return the largest size of a family of programs that fits the chip, and the smallest
-    impossible one."""
+    """Return the figures of a point of kind limits: the largest size of a family of programs that
+    fits the chip, and the smallest size that is proved not to fit.
+
+    Either is None if it is not known."""
     family = next(family for family in families() if family.name == values["family"])
     target = target_of(values)
     assert target is not None

@@ -48,7 +48,8 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
-    """Return what is wrong with the values of a point of kind design, or None."""
+    """Return what is wrong with the values of a point of kind design, or None. The keys that the
+    grid states do not matter."""
     if "scene" not in values:
         return PointFault("", "a point needs a scene to design for", 'add scene = "builtin:hdr"')
     if (values["criterion"] == _TILE) == ("looks" in values):
@@ -68,8 +69,8 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _design(values: Values, task: PointTask) -> Figures:
-    """Design a program for a scene, write it to the point's file, and return its expected PSNR
-    and costs."""
+    """Design a program for the scene of a point, and write it to `task.files`. Return its expected
+    PSNR and costs."""
     from nscc_runtime.scenes import laid_lights
     from nscc_training.design import Design, Frame, design_looks, design_tile
     from nscc_training.metrics import psnr_of_mse

@@ -77,8 +77,8 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _fault(values: Values, named: Collection[str]) -> PointFault | None:
-    """Return what is wrong with the values of a capture, or None; `named` are the keys that the
-    grid names."""
+    """Return what is wrong with the values of a point of kind emulate, or None. `named` are the
+    keys that the grid states."""
     if ("scene" in values) == ("bench" in values):
         return PointFault(
             "bench" if "bench" in values else "",
@@ -111,8 +111,10 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _capture(values: Values, threads: int) -> Figures:
-    """Expose a scene with the program of a point, and return mean, saturation, and predicted and
-    measured errors. `threads` are those of the simulation."""
+    """Expose a scene with the program of a point. Return the mean, the shares of saturated and
+    invalid pixels, and the predicted and measured errors of the plan.
+
+    `threads` are those of the simulation."""
     from nscc.containers import with_pixels
     from nscc.words.readout import converter_of
     from nscc_runtime import capture
@@ -146,8 +148,8 @@ def _capture(values: Values, threads: int) -> Figures:
 
 
 def _bench(values: Values) -> Figures:
-    """Return PSNR (dB) and shortest slot (us) of a class of shutters on the scenes of a
-    protocol."""
+    """Return the mean PSNR in dB and the shortest slot in microseconds of a class of shutters on
+    the scenes of a protocol."""
     from nscc_training.sweep.bench import bench_figures
 
     figures = bench_figures(values)

@@ -45,7 +45,8 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
-    """Return what is wrong with the values of a point of kind evaluate, or None."""
+    """Return what is wrong with the values of a point of kind evaluate, or None. The keys that the
+    grid states do not matter."""
     if (RUN in values) == ("subject" in values):
         message = "a point needs a run of this grid or a subject"
         return PointFault(
@@ -66,7 +67,8 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _evaluate(values: Values, task: PointTask) -> Figures:
-    """Evaluate a run or a method, write the result to the point's file, and return its mean scores.
+    """Evaluate a run or a method, write the complete result to `task.files`, and return its mean
+    scores.
 
     Raises Rejected if files are damaged, because a mean of fewer files could not be compared."""
     import torch
@@ -91,8 +93,8 @@ def _evaluate(values: Values, task: PointTask) -> Figures:
 
 
 def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
-    """Return the mean of each score over the items that have it; a crop without dark pixels lacks
-    one."""
+    """Return the mean of each score over the `items` that have it, by name; None if no value is
+    finite. A crop without dark pixels, for example, has no score for them."""
     from nscc_training.statistics import summary
 
     means = {}
@@ -105,8 +107,8 @@ def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
 
 
 def _result(values: Values) -> dict[str, Any]:
-    """Return the result of the evaluation with the settings `values`, as `nscc evaluate` writes
-    it."""
+    """Return the result of the evaluation that `values` describe, in the form that `nscc evaluate`
+    writes."""
     from nscc_training.evaluation.baselines import evaluate_sci8
     from nscc_training.evaluation.methods import CLIPS
     from nscc_training.evaluation.runs import evaluate

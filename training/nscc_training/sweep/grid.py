@@ -31,6 +31,7 @@ from nscc_training.sweep.kinds import KINDS
 from nscc_training.sweep.point import OF_RUN, GridPoint, PointFault, Values
 
 MOST_POINTS = 100_000
+"""Most points of a grid."""
 
 _CODES = FileCodes("NS0830", "NS0830", unknown="NS0831", wrong_value="NS0832", missing="NS0832")
 _START = "`nscc sweep --schema KIND` prints a complete part to start from"
@@ -78,8 +79,10 @@ _PLOT_KEYS = keys_of(Plot, _PLOT)
 
 @dataclass(frozen=True)
 class Grid:
-    """A grid: its points, the keys that occur (`columns`), those with several values in a part
-    (`axes`), and its text."""
+    """A grid that has been read.
+
+    `name` and `folder` are those of its file, and `text` is its content. `columns` are the keys
+    that occur in it, `axes` those with several values in a part. `plot` describes its diagram."""
 
     name: str
     folder: Path
@@ -91,7 +94,7 @@ class Grid:
 
 
 def read_grid(path: Path) -> Grid:
-    """Read a grid from a file.
+    """Read a grid from a file, and check all its points.
 
     Raises Rejected (status 2) with all errors at once: NS0830 for a file that cannot be read or is
     not TOML, NS0831 for unknown keys, NS0832 for invalid values."""
@@ -133,7 +136,10 @@ def read_grid(path: Path) -> Grid:
 
 
 def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
-    """Return the grid with only some parts and their runs; raise NS0832 for unknown ones."""
+    """Return the grid with only the points of the parts named in `grid_parts`, and the runs that
+    they need; all points if none is named.
+
+    Raises Rejected (NS0832) for an unknown part."""
     known_parts = tuple(dict.fromkeys(point.grid_part for point in grid.points))
     for grid_part in grid_parts:
         if grid_part not in known_parts:
@@ -142,7 +148,7 @@ def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
     points: dict[GridPoint, None] = {}
 
     def take(point: GridPoint) -> None:
-        """Add a point after the runs that it needs."""
+        """Add a point to `points`, after the runs that it needs."""
         for run in point.after:
             take(run)
         points[point] = None
@@ -154,13 +160,15 @@ def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
 
 
 def part_text(kind: str) -> str:
-    """Return a complete example part of a kind: every key with its default, or as a comment."""
+    """Return an example of a part of a grid, with points of this `kind`. Every key has its default;
+    keys without one are listed in comments."""
     keys = [replace(key, section=kind, heading=kind) for key in KINDS[kind].takes()]
     known = [key for key in keys if key.default is not MISSING]
     schema = Schema("grid", (replace(_KIND, default=kind), *known), {"": "", kind: ""}, _CODES, "")
 
     def remark(key: Key) -> str:
-        """Return the comment on a key: its meaning and its allowed values."""
+        """Return the comment on a key: its meaning and its allowed values; "" for a key that is not
+        an axis."""
         axis = key.kind
         return f"{key.meaning} ({axis.element.allowed})" if isinstance(axis, Axis) else ""
 
@@ -176,7 +184,8 @@ def part_text(kind: str) -> str:
 
 
 def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
-    """Return a nested table with dotted keys, such as `sensor.adc_noise_lsb`."""
+    """Return a nested table with dotted keys, such as `sensor.adc_noise_lsb`. `begin` is put in
+    front of each key."""
     flat_keys: dict[str, Any] = {}
     for name, value in table.items():
         if isinstance(value, Mapping) and value:
@@ -187,14 +196,16 @@ def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
 
 
 def _problem(message: str, grid_part: str, key: str, source: Source, help_text: str) -> Diagnostic:
-    """Return the error NS0832 at a key of a part."""
+    """Return the error NS0832 with this `message`, at a `key` of a part in the text `source`.
+    `help_text` says what to do."""
     return _schema({}).problem(_CODES.wrong_value, message, grid_part, key, source, help_text)
 
 
 def _kinds(
     common: Any, grid_parts: Mapping[str, Mapping[str, Any]], source: Source
 ) -> dict[str, str]:
-    """Return the kind of each part: its own, or `common`, that of the grid.
+    """Return the kind of each part's points: its own, or `common`, the one that stands above all
+    parts.
 
     Raises Rejected (NS0832) with all parts that lack a kind or have an invalid name."""
     problems: list[Diagnostic] = []
@@ -219,7 +230,7 @@ def _kinds(
 
 
 def _schema(kinds: Mapping[str, str]) -> Schema[Key]:
-    """Return the schema of a grid whose parts have these kinds."""
+    """Return the keys that a grid may have whose parts have these kinds (part to kind)."""
     keys = [
         replace(key, section=grid_part, heading=grid_part)
         for grid_part, kind in kinds.items()
@@ -237,8 +248,9 @@ def _points(
 ) -> tuple[GridPoint, ...]:
     """Return the points of all parts, with training runs before the points that need them.
 
-    `called` are the templates for the names of points. Raises Rejected (NS0832) for too many
-    points, and for invalid ones."""
+    `axes_by_part` are the values of each part's keys. `called` are the templates for names of
+    points, by part ("" for none). Raises Rejected (NS0832) for too many points, and with all errors
+    of invalid points."""
     count = sum(prod(map(len, keys.values())) for keys in axes_by_part.values())
     if count > MOST_POINTS:
         message = f"the grid has {count} points, but at most {MOST_POINTS} are allowed"
@@ -273,25 +285,26 @@ def _points(
 
 
 def _linked(points: Sequence[GridPoint], source: Source) -> tuple[GridPoint, ...]:
-    """Return the points, each linked to the points whose runs its values name (`run:NAME`).
+    """Return the points, each with the points whose runs its values name (`run:NAME`) as `after`.
 
-    Raises Rejected (NS0832) unless exactly one point of kind train has the name, and for circular
-    references."""
+    Raises Rejected (NS0832) unless exactly one point of kind train has the name, and for a run that
+    depends on itself."""
     trained = [point for point in points if point.kind == "train"]
     runs = {point.name: point for point in trained}
     count = Counter(point.name for point in trained)
     linked: dict[int, GridPoint] = {}
 
     def problem(point: GridPoint, message: str, key: str) -> Rejected:
-        """Return the error for a point that names a run which does not exist."""
+        """Return the error with this `message` for the value of `key` in a point, which names a run
+        that is not possible."""
         help_text = "write the name of a point of kind train, as its `name` defines it"
         return Rejected(_problem(message, point.grid_part, key, source, help_text), status=2)
 
     def link(point: GridPoint, above: tuple[str, ...] = ()) -> GridPoint:
-        """Return the point with the points of the runs that it names; raise Rejected for unknown
-        names or cycles.
+        """Return the point with the points of the runs that it names, each of which is linked, too.
 
-        `above` are the names of runs that depend on this point."""
+        `above` are the names of the runs that need this point. Raises Rejected for an unknown name,
+        and for a run that depends on itself."""
         if id(point) in linked:
             return linked[id(point)]
         after = list(point.after)
@@ -317,10 +330,11 @@ def _linked(points: Sequence[GridPoint], source: Source) -> tuple[GridPoint, ...
 def _of_part(
     grid_part: str, kind: str, axes: Mapping[str, tuple[Any, ...]], called: str
 ) -> Iterator[GridPoint]:
-    """Yield the points of a part: every combination of its keys' values; the first key varies
+    """Yield the points of a part: every combination of its keys' values. The first key varies
     slowest.
 
-    `called` is the template for their names, or ""."""
+    `axes` are the values of the keys. `called` is the template for the points' names; "" names them
+    after the part and the values of keys with several values."""
     defaults = KINDS[kind].defaults()
     several = [name for name, values in axes.items() if len(values) > 1]
     for values in product(*axes.values()):
@@ -330,11 +344,12 @@ def _of_part(
 
 
 def _called(called: str, values: Values) -> str:
-    """Return a point's name: the template `called` with the point's values; "/" in values
-    separates folders."""
+    """Return the name of a point: the template `called`, in which its values replace `{KEY}`. A "/"
+    in a value makes folders."""
 
     def spelled(value: Any) -> str:
-        """Return a value as a part of a file name; folders of a path stay."""
+        """Return a value as a part of a file name. The folders of a path stay, except `.` and
+        `..`."""
         if not isinstance(value, str):
             return _spelled(value)
         folder_names = (
@@ -348,8 +363,8 @@ def _called(called: str, values: Values) -> str:
 
 
 def _name_fault(called: str, point: GridPoint) -> PointFault | None:
-    """Return the error in the template `called` of a part, if it names a key that the point
-    lacks, or None."""
+    """Return the error in the template `called` for the name of a point, if it names a key that the
+    point does not have; else None."""
     unknown_key = next((key for key in _VALUE.findall(called) if key not in point.values), None)
     if unknown_key is None:
         return None
@@ -362,7 +377,10 @@ def _name_fault(called: str, point: GridPoint) -> PointFault | None:
 def _about(
     point: GridPoint, run: GridPoint, axes: Mapping[str, tuple[Any, ...]], called: str
 ) -> GridPoint:
-    """Return the point that evaluates a run, named after the run and the axes of its part."""
+    """Return the point that evaluates one run: `point` with `run` as its subject.
+
+    It is named after the run and the axes of its part, or if there is a template `called`, after
+    that and the run."""
     own_axes = [name for name, values in axes.items() if len(values) > 1 and name != RUN]
     name = "_".join([run.name, *(_spelled(point.values[axis]) for axis in own_axes)])
     values = {**point.values, "subject": f"{OF_RUN}{run.name}"}
@@ -370,7 +388,8 @@ def _about(
 
 
 def _spelled(value: Any) -> str:
-    """Return a value as text for file names."""
+    """Return a value as text for file names: at most 40 letters, digits and signs. Of programs and
+    TOML files the name without ending is used."""
     items: Sequence[Any] = value if isinstance(value, tuple) else (value,)
     text = "x".join(f"{item:g}" if isinstance(item, float) else str(item) for item in items)
     text = text.lower() if isinstance(value, bool) else text

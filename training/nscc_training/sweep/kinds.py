@@ -20,7 +20,8 @@ SHIPPED = {kind.name: kind for kind in (COMPILE, LIMITS, EMULATE, TRAIN, EVALUAT
 
 
 def _added() -> dict[str, PointKind]:
-    """Return the kinds of installed packages; raise Rejected (NS0905) for other objects."""
+    """Return the kinds of points that installed packages add (entry points `nscc.measurements`), by
+    name. Raise Rejected (NS0905) for an unusable one."""
     kinds: dict[str, PointKind] = added("nscc.measurements", SHIPPED)
     for name, kind in kinds.items():
         if not isinstance(kind, PointKind) or kind.name != name:
@@ -35,12 +36,13 @@ _SCHEMA = "nscc-point-1"
 
 
 def key_of(point: GridPoint, threads: int) -> str:
-    """Return the key of a point: 64 hexadecimal digits.
+    """Return the key of a point, 64 hexadecimal digits: a digest of everything that its result
+    depends on.
 
-    Paths are relative to the current folder. The key depends on the values, the content of every
-    file that they name, the sources of the packages that compute the point, and the versions of
-    their dependencies. If torch computes the point, the key also depends on `threads`, because sums
-    of floats do. Raises Rejected for a program that cannot be read."""
+    These are its values, the content of every file that they name, the sources of the packages that
+    compute the point, and the versions of their dependencies. Paths are relative to the current
+    folder. If torch computes the point, the key also depends on `threads`, because sums of floats
+    do. Raises Rejected for a program that cannot be read."""
     kind = KINDS[point.kind]
     after = [key_of(run_point, threads) for run_point in point.after]
     # 1 and 1.0 are the same value of a key.
@@ -63,7 +65,8 @@ def key_of(point: GridPoint, threads: int) -> str:
 
 @cache
 def versions(packages: Sequence[str], distributions: Sequence[str]) -> tuple[str, ...]:
-    """Return the digests of nscc's packages and the versions of distributions."""
+    """Return a digest of the source of each of nscc's `packages`, or its version if it has no
+    source, and the versions of other `distributions`."""
     package_versions = (
         version_digest() if name == "nscc" else package_digest(name) for name in packages
     )

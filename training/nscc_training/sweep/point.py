@@ -19,7 +19,8 @@ OF_RUN = "run:"
 
 @dataclass(frozen=True)
 class PointFault:
-    """An invalid combination of values: the key, the reason, and what to do."""
+    """An invalid combination of values: the key to change ("" for none in particular), the reason,
+    and what to do."""
 
     key: str
     message: str
@@ -71,10 +72,10 @@ class PointKind:
 
 @dataclass(frozen=True)
 class GridPoint:
-    """One combination of a part's values; `name` is unique in the grid.
+    """A point of a grid: one combination of a part's values, whose result is one row of the table.
 
-    `after` are the points whose runs the values name; `run:NAME` is replaced by the run's folder.
-    """
+    `kind` names what is computed, and `name` is unique in the grid. `after` are the points whose
+    runs the values name; `run:NAME` is replaced by the run's folder."""
 
     grid_part: str
     kind: str
@@ -85,8 +86,11 @@ class GridPoint:
 
 @dataclass(frozen=True)
 class PointTask:
-    """A point to compute in `folder`, into names that begin with `files`, after the `runs` that its
-    values name."""
+    """A point to compute.
+
+    Its paths are relative to `folder`. It writes into the file or folder `files`. `runs` are the
+    folders of the runs that its values name, by `run:NAME`. `key` is the digest under which its
+    result is stored."""
 
     point: GridPoint
     key: str

@@ -44,14 +44,17 @@ _SILENT: dict[str, tuple[str, ...]] = {
 
 
 def axis(name: str, kind: object, meaning: str, default: object = MISSING) -> Key:
-    """Return a key that takes a value or a list of values."""
+    """Return a key of a grid that takes a value of this kind, or a list of such values. Without a
+    `default` the key may be missing."""
     default_values = default if default is MISSING else (default,)
     return Key("", name, Axis(kind), meaning, default_values)  # type: ignore[arg-type]
 
 
 def declared_axes(settings: type, *names: str, **defaults: object) -> tuple[Key, ...]:
-    """Return axes for the options `names` that fields of the dataclass `settings` declare;
-    `defaults` replace their defaults and add options."""
+    """Return keys of a grid for options that fields of the dataclass `settings` declare.
+
+    `names` are the fields. `defaults` are further fields, with another default than they declare.
+    """
     keys = declared(settings)
     return tuple(
         axis(name, keys[name].kind, keys[name].meaning, defaults.get(name, keys[name].default))
@@ -97,7 +100,8 @@ def program_keys() -> tuple[Key, ...]:
 
 
 def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
-    """Return the error in values of `program_keys`. `named`: keys that the grid states."""
+    """Return what is wrong with the values of `program_keys`, or None. `named` are the keys that
+    the grid states."""
     sources = [name for name in SOURCES if name in values]
     if len(sources) != 1:
         have = " and ".join(sources) or "none of them"
@@ -112,7 +116,8 @@ def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
 
 
 def target_fault(values: Values) -> PointFault | None:
-    """Return the error in the values of `target_keys`, or None."""
+    """Return what is wrong with the values of `target_keys`, or None: values of a chip that is not
+    named."""
     name = next((name for name in values if name.startswith(_CHIP)), None)
     if name is None or values["target"]:
         return None
@@ -121,8 +126,9 @@ def target_fault(values: Values) -> PointFault | None:
 
 
 def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> PointFault | None:
-    """Return the error of naming one of the `keys`, which have no effect on such points and
-    would give identical ones, or None."""
+    """Return the error of stating one of the `keys`, or None if the grid states none of them
+    (`named`). They have no effect on points with `point_text`, so that several values would give
+    identical points."""
     name = next((key for key in keys if key in named), None)
     if name is None:
         return None
@@ -132,8 +138,8 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
 
 
 def program_files(values: Values) -> Sequence[Path]:
-    """Return the files of the point with settings `values`: its program, the files that the program
-    names, and its target."""
+    """Return the files that a program of a point consists of: its text, the files that the text
+    names, and the target."""
     files: list[Path] = []
     if "program" in values:
         files += text_files(Path(values["program"]))
@@ -143,14 +149,15 @@ def program_files(values: Values) -> Sequence[Path]:
 
 
 def text_files(path: Path) -> list[Path]:
-    """Return a program's file and the files that it names; raise Rejected for unreadable files."""
+    """Return the file of a program and the files that it names in quotes. Raise Rejected if the
+    program cannot be read."""
     named = re.findall(r'"([^"\n]{1,255})"', read_source(path).text)
     return [path, *(path.parent / name for name in named)]
 
 
 def target_of(values: Values) -> Target | None:
-    """Return the chip that the settings `values` name, with their changes; None if the program's
-    own chip is used."""
+    """Return the chip that the values of a point name, with their changes (`chip.KEY`). Return None
+    if the program's own chip is used."""
     if not values["target"]:
         return None
     changes = {
@@ -173,8 +180,8 @@ def compiled_of(values: Values) -> Compiled:
 
 
 def _source(values: Values) -> tuple[Source, Path]:
-    """Return the text of a point's program, which is a file, a rule, or random codes, and the
-    folder of the files that it names."""
+    """Return the text of a point's program, which is a file, a rule, or codes of a class, and the
+    folder in which it names files."""
     if "program" in values:
         path = Path(values["program"])
         return read_source(path), path.parent
@@ -188,7 +195,8 @@ def _source(values: Values) -> tuple[Source, Path]:
 
 
 def encoder_of(values: Values) -> Encoder:
-    """Return an encoder with the class, slots, tile and initial codes of the settings `values`."""
+    """Return the encoder with the class, slots, tile and initial codes that the values of a point
+    name."""
     from nscc_training.encoders import ShutterSpec, make_encoder
 
     kind = values["class"]
@@ -203,7 +211,8 @@ def encoder_of(values: Values) -> Encoder:
 
 
 def whole_ticks(slot_us: float) -> float:
-    """Return the slot length rounded up to a multiple of 10 ns, so that programs are readable."""
+    """Return a slot length in microseconds, rounded up to a multiple of 10 ns, so that texts of
+    programs are readable."""
     return round(max(1, ceil(slot_us / 0.01 - 1e-6)) * 0.01, 6)
 
 
@@ -238,7 +247,7 @@ def sensor_keys() -> tuple[Key, ...]:
 
 
 def light_files(values: Values) -> Sequence[Path]:
-    """Return the files of a point's scene and sensor."""
+    """Return the files of a point's scene and sensor; built-in scenes have none."""
     named = values[_FILE], values.get("scene", "")
     return [Path(name) for name in named if name and not name.startswith("builtin:")]
 
@@ -258,13 +267,15 @@ def sensor_file(values: Values) -> Path | None:
 
 
 def sensor_changes(values: Values) -> tuple[str, ...]:
-    """Return the sensor values that a point changes, in the form of --sensor-set."""
+    """Return the sensor values that a point changes (`sensor.KEY`) in the form KEY=VALUE of the
+    option --sensor-set."""
     changed = [name for name in values if name.startswith(_SENSOR) and name != _FILE]
     return tuple(f"{name.removeprefix(_SENSOR)}={values[name]!r}" for name in changed)
 
 
 def sensor_of(values: Values, target: Target) -> Sensor:
-    """Return the sensor of a point on a chip."""
+    """Return the sensor of a point on a chip: its sensor file, or the chip's default sensor, with
+    the point's changes."""
     from nscc_runtime.sensor import load_sensor
 
     return load_sensor(target, sensor_file(values), sensor_changes(values))

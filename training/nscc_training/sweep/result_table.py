@@ -15,8 +15,11 @@ from nscc_training.sweep.point import GridPoint
 
 @dataclass(frozen=True)
 class Table:
-    """A table by columns: `part`, the keys that the grid names, results, `code` and `error`, and
-    `key`; None is missing."""
+    """The results of a sweep by columns, with a row for each point.
+
+    The columns are `part`, the keys that the grid names, the figures, `code` and `error` of points
+    without figures, and `key`. A missing value is None. `inputs` and `figures` are the names of the
+    columns that identify a point, and of its results."""
 
     columns: dict[str, list[Any]]
     inputs: tuple[str, ...]
@@ -32,7 +35,9 @@ class Table:
 
 
 def table_of(grid: Grid, rows: Sequence[tuple[GridPoint, PointRow]]) -> Table:
-    """Return the table of a grid's points, each with its row."""
+    """Return the table of a grid's points. `rows` are the points with their stored rows.
+
+    A figure with the name of a key has `found_` in front of it."""
     figures = tuple(dict.fromkeys(name for _, row in rows for name in row.figures))
     several = len({point.grid_part for point, _ in rows}) > 1 or not grid.columns
     columns: dict[str, list[Any]] = {"part": [point.grid_part for point, _ in rows]}
@@ -49,14 +54,15 @@ def table_of(grid: Grid, rows: Sequence[tuple[GridPoint, PointRow]]) -> Table:
 
 
 def _input(point: GridPoint, name: str) -> Any:
-    """Return the value of a key of a point, or of the first run that it names, or None."""
+    """Return the value of the key `name` of a point as a table cell. If the point has no such key,
+    return that of the first run that it names; None if there is none."""
     if name in point.values:
         return plain(point.values[name])
     return _input(point.after[0], name) if point.after else None
 
 
 def plain(value: Any) -> Any:
-    """Return a value in the form of a table cell."""
+    """Return a value of a key as a table cell: several numbers become a text such as "4 x 4"."""
     return " x ".join(map(str, value)) if isinstance(value, tuple) else value
 
 
@@ -66,14 +72,16 @@ def csv_text(table: Table) -> str:
 
 
 def cell(value: Any) -> str:
-    """Return a value as text: empty for None, numbers as Python prints them."""
+    """Return a table cell as text: empty for None, yes or no for a bool, and numbers as Python
+    prints them."""
     if value is None:
         return ""
     return ("no", "yes")[value] if isinstance(value, bool) else str(value)
 
 
 def parquet_bytes(table: Table) -> bytes:
-    """Return the table as Parquet; columns of mixed types become text."""
+    """Return the table as a Parquet file. A column whose values have different types becomes
+    text."""
     import pyarrow
     from pyarrow import parquet
 
@@ -84,7 +92,8 @@ def parquet_bytes(table: Table) -> bytes:
 
 
 def _of_one_type(values: Sequence[Any]) -> list[Any]:
-    """Return a column with values of one type: all floats if any is, all text if types differ."""
+    """Return a column whose values have one type, except None: all floats if any is a float, all
+    text if types differ."""
     types = {type(value) for value in values if value is not None}
     if types <= {int, float}:
         return [float(v) if v is not None and float in types else v for v in values]

@@ -24,16 +24,20 @@ from nscc_training.sweep.result_table import Table, csv_text, parquet_bytes, tab
 from nscc_training.sweep.work import FAILED, serially
 
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
+"""The files of a sweep: its table, the table for other programs, the report, and the diagram in
+it."""
 TIMES = "times.csv"
+"""The file with the time of each point."""
 POINTS = "points"
 """The folder of outputs, and the store's experiment that contains all rows."""
 _MOST_REASONS = 5
+"""Most reasons for missing results that are printed."""
 
 
 @dataclass(frozen=True)
 class How:
-    """How points are computed: by processes here (0: this one) or a scheduler; `again` repeats
-    those that failed."""
+    """How points are computed: by `workers` processes of `threads` threads on this machine (0: in
+    this process), or by the workers of a `scheduler`. `again` repeats points that failed."""
 
     workers: int = 0
     threads: int = 1
@@ -43,8 +47,10 @@ class How:
 
 @dataclass(frozen=True)
 class Swept:
-    """The outcome of a sweep: its table, its files, and the points with a message or a failure in
-    place of results."""
+    """The outcome of a sweep.
+
+    `misfits` is the number of points with a message of nscc in place of figures, `failed` the
+    number of points that failed for another reason. `files` are those that were written."""
 
     table: Table
     misfits: int
@@ -53,7 +59,8 @@ class Swept:
 
 
 def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
-    """Return the number of points of a grid, and how many have stored results; computes nothing."""
+    """Return the number of points of a grid, and how many have stored results in the folder `out`.
+    Nothing is computed."""
     keys = _keys(grid, how.threads)
     if not out.is_dir():
         return len(keys), 0
@@ -66,7 +73,7 @@ def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
 
 
 def work_text(count: int, todo: int) -> str:
-    """Return a line on how many of a grid's points have results."""
+    """Return a line on how many of `count` points have results and how many are to be computed."""
     return f"{counted(count, 'point')}: {count - todo} known, {todo} to compute"
 
 
@@ -80,14 +87,15 @@ def sweep(
     track: Progress = unseen,
     report: Callable[[str], None] = lambda _text: None,
 ) -> Swept:
-    """Compute the missing points of a grid, or of some parts, and write table, report and diagram
-    to `out`.
+    """Compute the missing points of a grid, or of the parts `grid_parts` of it, and write table,
+    report and diagram to the folder `out`.
 
     Each result is stored at once, so that an interrupted sweep resumes, and two sweeps with the
     same `out` share the work. Paths in the grid, and in the files that it names, are relative to
-    its folder. `track` draws progress; `report` receives a text on the work to do. Raises Rejected:
-    NS0834 for a damaged store in `out`, NS0835 if the scheduler does not answer, NS0836 if workers
-    have other files or another version of nscc."""
+    its folder. `parquet` writes the table as Parquet, too. `track` receives the results and may
+    draw progress; `report` receives a text on the work to do. Raises Rejected: NS0834 for a damaged
+    store in `out`, NS0835 if the scheduler does not answer, NS0836 if workers have other files or
+    another version of nscc."""
     from nscc_training.sweep.sweep_report import diagram_of, report_html
 
     keys = _keys(grid, how.threads)
@@ -125,8 +133,8 @@ def sweep(
 
 
 def summary_lines(swept: Swept) -> list[str]:
-    """Return the result of a sweep as lines: numbers of points, reasons for missing results, and
-    files."""
+    """Return the outcome of a sweep as lines: numbers of points, the most frequent reasons for
+    missing results, and the files that were written."""
     columns, count = swept.table.columns, len(swept.table)
     figures = count - swept.misfits - swept.failed
     lines = [
@@ -143,8 +151,7 @@ def summary_lines(swept: Swept) -> list[str]:
 
 
 def failures(swept: Swept) -> Rejected:
-    """Return the error (NS0833) for the points of `swept` that failed, with the most frequent
-    reasons."""
+    """Return the error (NS0833) that points of a sweep failed, with the first reasons."""
     columns = swept.table.columns
     errors = [
         e for e, code in zip(columns["error"], columns["code"], strict=True) if code == FAILED
@@ -165,7 +172,10 @@ def _keys(grid: Grid, threads: int) -> dict[GridPoint, str]:
 
 
 def _is_known(row: PointRow | None, how: How, output_path: Path | None) -> bool:
-    """Return whether a point has a stored result and its output still exists."""
+    """Return whether a point has a stored result that need not be computed again.
+
+    `row` is its stored row, None without one. `output_path` is where its output should be, None if
+    it has none; a point with figures whose output is missing is computed again."""
     if row is None or (row.code == FAILED and how.again):
         return False
     return bool(row.code) or output_path is None or output_path.exists()
@@ -174,10 +184,10 @@ def _is_known(row: PointRow | None, how: How, output_path: Path | None) -> bool:
 def _task(
     point: GridPoint, keys: Mapping[GridPoint, str], grid: Grid, out: Path, how: How
 ) -> PointTask:
-    """Return the task of a point: its values, where its files go, and where those of the runs that
-    it names are.
+    """Return the task of a point: its values, the place of its output, and the outputs of the runs
+    that it names.
 
-    `keys` are the digests by which results are stored."""
+    `keys` are the keys of all points, which name their outputs in the folder `out`."""
     key = keys[point]
     runs = {f"{OF_RUN}{run.name}": _output_path(out, run, keys[run]) for run in point.after}
     files = _output_path(out, point, key) or out.resolve() / POINTS / key
@@ -185,7 +195,8 @@ def _task(
 
 
 def _output_path(out: Path, point: GridPoint, key: str) -> Path | None:
-    """Return the output file or folder of a point, or None if its kind has no output."""
+    """Return the path of the output of a point with this `key`, or None if points of its kind have
+    no output."""
     ending = KINDS[point.kind].leaves
     return None if ending is None else out.resolve() / POINTS / (key[:16] + ending)
 
@@ -197,26 +208,27 @@ def _compute(
     how: How,
     track: Progress,
 ) -> None:
-    """Compute the tasks and store their results; runs are computed before the points that name
+    """Compute the tasks and store their results. Runs are computed before the points that name
     them.
 
-    Raises Rejected (NS0836) if a worker runs other code than this process."""
+    `keys` are the keys of all points. Raises Rejected (NS0836) if a worker runs other code than
+    this process."""
     out = tasks[0].files.parent
     if any(KINDS[task.point.kind].leaves is not None for task in tasks):
         out.mkdir(exist_ok=True)
     with _executor(how, len(tasks)) as execute:
 
         def checked(tasks: Iterable[PointTask]) -> Iterator[Done]:
-            """Yield the results of `tasks`; raise Rejected if a worker runs other code than this
-            process."""
+            """Compute `tasks` and yield their results. Raise Rejected (NS0836) if a worker runs
+            other code than this process."""
             for done in execute(tasks):
                 if done.other_key:
                     raise _other_code(done)
                 yield done
 
         def all_results() -> Iterator[Done]:
-            """Yield the results of all points; a point whose run failed gets an error without
-            being computed."""
+            """Yield the results of all tasks. A point whose run has no result gets the run's error
+            without being computed."""
             pending = {task.key: task for task in tasks}
             while pending:
                 # Runs that a point names come first: one round per level of dependency.
@@ -257,8 +269,9 @@ def _other_code(done: Done) -> Rejected:
 def _without_run(
     task: PointTask, keys: Mapping[GridPoint, str], store: ExperimentStore
 ) -> Done | None:
-    """Return the failure of `task` if a run that it needs failed, else None. `keys` gives the key
-    in `store` of each run."""
+    """Return a result with the error of a run, if `task` needs a run that has no result; else None.
+
+    `keys` gives the key in `store` of each run."""
     for run in task.point.after:
         row = store.get(keys[run])
         assert row is not None  # runs are computed first
@@ -269,8 +282,8 @@ def _without_run(
 
 
 def _executor(how: How, count: int) -> AbstractContextManager[Executor[PointTask]]:
-    """Return the executor of points: Dask workers of a scheduler, of this machine, or this
-    process."""
+    """Return the context in which points are computed: by workers of a scheduler, by processes on
+    this machine (at most `count`), or in this process."""
     if how.scheduler is not None:
         from nscc_training.sweep.cluster import scheduler_workers
 
@@ -283,8 +296,10 @@ def _executor(how: How, count: int) -> AbstractContextManager[Executor[PointTask
 
 
 def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
-    """Make named links to the outputs of the grid's points, beside other processes, and remove
-    those of other grids."""
+    """Make links to the outputs of the grid's points, named after the points, and remove links that
+    are no longer valid.
+
+    Other processes may do the same at the same time."""
     links: dict[Path, str] = {}
     for point, key in keys.items():
         output_path = _output_path(out, point, key)
@@ -310,8 +325,8 @@ def store_in(folder: Path, report: Callable[[str], object] = lambda _text: None)
 
 
 def times_csv(store: ExperimentStore) -> str:
-    """Return the time and worker of each point in `store` as CSV; times start with the first
-    point."""
+    """Return the seconds, the end and the worker of each computed point in `store` as CSV. The end
+    is in seconds after the first point began."""
     timings = store.timings()
     begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
     rows = (

@@ -20,11 +20,14 @@ _MOST_ROWS = 2000
 _MOST_PANELS, _MOST_LINES = 12, 7
 """Most panels of a diagram, and most lines of a panel unless the grid names the lines."""
 _MOST_LETTERS = 60
+"""Most letters of a cell."""
 _WIDTH = 900
+"""Width of the diagram in pixels."""
 
 
 def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
-    """Return the HTML page: the diagram, points without results, all points, and the grid."""
+    """Return the report as an HTML page: the diagram (PNG, or None), points without figures, all
+    points, and the grid's text."""
     shown = [name for name in ("part", *grid.columns) if name in table.inputs or len(table) == 1]
     shown += [name for name in table.figures if any(v is not None for v in table.columns[name])]
     rows = [*zip(*(table.columns[name] for name in shown), strict=True)][:_MOST_ROWS]
@@ -46,8 +49,10 @@ def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
 
 
 def diagram_of(grid: Grid, table: Table) -> bytes | None:
-    """Return the diagram that the grid describes, or a default one, or None; raise NS0832 for
-    unknown columns."""
+    """Return the PNG of the diagram that the grid describes, or with defaults where it does not.
+    Return None if there is nothing to draw.
+
+    Raises Rejected (NS0832) if the grid names a column that the table lacks."""
     from nscc_runtime.pictures.sheet import png_of
 
     if not table.figures:
@@ -96,7 +101,7 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
 
 
 def _drawn(grid: Grid, table: Table) -> list[str]:
-    """Return the results that are drawn by default, one for each kind of point."""
+    """Return the figures that are drawn by default: one for each kind of point in the grid."""
     kinds = [KINDS[name] for name in dict.fromkeys(point.kind for point in grid.points)]
     known = ([name for name in kind.drawn if name in table.figures] for kind in kinds)
     return list(dict.fromkeys(names[0] for names in known if names))
@@ -105,8 +110,11 @@ def _drawn(grid: Grid, table: Table) -> list[str]:
 def _lines(
     table: Table, x: str, figure: str, lines: Sequence[str], chosen: dict[str, Any]
 ) -> dict[str, list[tuple[Any, float]]]:
-    """Return the points of a panel's lines: means by x, sorted, if x is an axis; else as in the
-    table."""
+    """Return the points (x, y) of a panel's lines by the name of the line.
+
+    `x` and `figure` are the columns of both axes. `lines` are columns that tell lines apart, and
+    `chosen` are values of columns that rows must have. If x is a key, equal x have the mean of y,
+    and points are sorted; if it is a figure, points stay as in the table."""
     columns = table.columns
     points_by_line: dict[str, list[tuple[Any, float]]] = {}
     for index in range(len(table)):
@@ -130,8 +138,8 @@ def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any
 
 
 def _misfits(grid: Grid, table: Table) -> html.Html:
-    """Return the points of `grid` that have a message instead of figures in `table`, grouped by
-    reason; empty if all have figures."""
+    """Return a table of the points that have a message instead of figures, grouped by reason; empty
+    if all have figures."""
     together: dict[tuple[str, str], list[str]] = {}
     columns = table.columns
     for point, code, error in zip(grid.points, columns["code"], columns["error"], strict=True):
@@ -146,7 +154,8 @@ def _misfits(grid: Grid, table: Table) -> html.Html:
 
 
 def _take(names: list[str], fits: Any = lambda _name: True) -> str:
-    """Remove the first of the names that fits, in place, and return it; "" if none does."""
+    """Remove the first of `names` for which `fits` is true from the list, and return it; "" if
+    there is none."""
     first_fit = next((name for name in names if fits(name)), "")
     if first_fit:
         names.remove(first_fit)
@@ -165,7 +174,8 @@ def _numbers(values: Sequence[Any]) -> bool:
 
 
 def _short(value: Any) -> str:
-    """Return the cell `value` as short text: numbers with six digits, long texts cut."""
+    """Return a cell as short text: floats with six digits, and long texts cut to
+    `_MOST_LETTERS`."""
     if isinstance(value, float):
         return f"{value:.6g}"
     text = " ".join(cell(value).split())

@@ -34,8 +34,8 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _settings(values: Values) -> RunSettings:
-    """Return a point's training settings: its configuration, or the defaults, with the point's
-    changes.
+    """Return the training settings of a point: its configuration file, or the defaults, with the
+    point's own values.
 
     Raises Rejected as `load_config` does."""
     changes = [
@@ -48,8 +48,8 @@ def _settings(values: Values) -> RunSettings:
 
 
 def _reads(values: Values) -> Sequence[Path]:
-    """Return the files and folders on which a training with the settings `values` depends: the
-    configuration and all that it names, including user modules."""
+    """Return the files and folders on which a training depends: its configuration and everything
+    that it names, including the user's Python modules."""
     settings = _settings(values)
     named = [
         settings.shutter.target,
@@ -77,14 +77,15 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _begun_with(path: Path) -> Sequence[Path]:
-    """Return the files of a run's start: a run folder, a code file, or a program and its files."""
+    """Return the files that a training starts from: a run folder, a code file, or a program with
+    the files that it names."""
     is_program = path.suffix.lower() == ".nsl" and path.is_file()
     return text_files(path) if is_program else [path]
 
 
 def _train(values: Values, task: PointTask) -> Figures:
-    """Train with the settings `values` in the folder `task.files`, and resume if an earlier attempt
-    left a checkpoint there. Return the scores."""
+    """Train with the settings of a point in the folder `task.files`, and return the scores of the
+    run. A checkpoint of an earlier attempt is continued."""
     import json
 
     import torch

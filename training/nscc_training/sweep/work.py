@@ -26,14 +26,19 @@ The current folder, warnings and torch's thread count are shared by the process.
 
 
 def serially(tasks: Iterable[PointTask]) -> Iterator[Done]:
-    """Compute all tasks in this process; a failed task is tried once more."""
+    """Compute all tasks in this process, one after the other, and yield their results. A task that
+    fails unexpectedly is tried once more."""
     for task in tasks:
         result = work(task)
         yield work(task) if result.failed else result
 
 
 def work(task: PointTask) -> Done:
-    """Compute a task; errors are part of its row, except for a missing package."""
+    """Compute a task and return its result. Errors become part of its row, except for a missing
+    package, which is raised.
+
+    If this process computes another key for the point, its code or data differ: nothing is
+    computed, and the result has `other_key`."""
     with _ONE, chdir(task.folder), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # errors of the compiler and of scenes for this point
         current_key = key_of(task.point, task.threads)
@@ -45,15 +50,15 @@ def work(task: PointTask) -> Done:
 
 
 def failure(task: PointTask, why: str) -> PointRow:
-    """Return the row of a failed point."""
+    """Return the row of a point that failed, with the reason `why` in one line."""
     return PointRow(task.key, code=FAILED, error=_anywhere(" ".join(why.split())[:400], task))
 
 
 def _row(task: PointTask) -> tuple[PointRow, bool]:
     """Compute a point and return its row, and whether it failed unexpectedly.
 
-    An error of the compiler becomes a row with its code; any other exception becomes a row, too, so
-    that the sweep goes on."""
+    An error of nscc becomes a row with its code; any other exception becomes a row, too, so that
+    the sweep goes on. Only a missing package is raised (ModuleNotFoundError)."""
     kind = KINDS[task.point.kind]
     values = {
         name: str(task.runs[value]) if isinstance(value, str) and value in task.runs else value
@@ -73,7 +78,8 @@ def _row(task: PointTask) -> tuple[PointRow, bool]:
 
 
 def _anywhere(text: str, task: PointTask) -> str:
-    """Return a message without the paths of this machine's folders."""
+    """Return a message without the paths of this machine's folders, so that all machines give the
+    same rows."""
     for folder in (task.files.parents[1], task.folder):
         text = text.replace(f"{folder}{os.sep}", "")
     return text

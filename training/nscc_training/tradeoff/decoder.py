@@ -46,14 +46,17 @@ _FORMATS = ("f32", "bf16")
 _WARM = 32
 """Side in pixels of the part of a capture that each method first decodes untimed."""
 _FRAMES = 16
+"""Slots of a frame for clips without a run."""
 _STOPS = 256
+"""Slots of a frame for stills without a run."""
 _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
 """Directions in which FC-net's blocks overlap, by the number of blocks that contain a pixel."""
 
 
 @dataclass(frozen=True)
 class DecoderStudySettings:
-    """The scenes for decoders: at most `count` of each kind, of `data` or synthetic."""
+    """The scenes for decoders: at most `count` of each kind, from the folder `data` or synthetic
+    ones (None), with `size` rows and columns. `seed` is that of scenes, codes and noise."""
 
     data: Path | None
     count: int
@@ -68,10 +71,11 @@ Decoder = tuple[str, str, Callable[[CapturedScene], Light], str]
 def decoder_study(
     runs: Sequence[RunFolder], settings: DecoderStudySettings, repeats: int, budget_s: float
 ) -> Study:
-    """Return the study of the decoders of `runs` and of those without training; raises Rejected as
-    `decoder_points` does.
+    """Return the study of decoders: those of `runs` and those without training, on the same
+    captures.
 
-    `repeats` and `budget_s` limit how often, and for how many seconds, each point is timed."""
+    Each point is timed `repeats` times, but no repeat starts if it would end after `budget_s`
+    seconds. Raises Rejected as `decoder_points` does."""
 
     def text(measured: StudyResult) -> str:
         """Return a table for each unit of error, and the runs that could not be measured."""
@@ -88,7 +92,7 @@ def decoder_study(
 
 
 def decoder_points(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[StudyPoint]:
-    """Return a point for each decoder of each code; runs of the same code are compared together.
+    """Return a point for each decoder of each code. Runs with the same code are compared together.
 
     Without runs, the codes are random bits for clips and the 2 x 2 pattern for stills. Raises
     Rejected: NS0811 for a folder without scenes, NS0820 if a run has seen a scene, NS0821 for a run
@@ -123,11 +127,12 @@ def decoder_points(runs: Sequence[RunFolder], settings: DecoderStudySettings) ->
 def _points(
     case: str, captures: Sequence[CapturedScene], decoders: Sequence[Decoder]
 ) -> list[StudyPoint]:
-    """Return the points of decoders for captures with one code; `case` names the code."""
+    """Return a point for each of `decoders` on the captures of several scenes with one code. `case`
+    names the code."""
     corner = captures[0].corner(_WARM)
 
     def decode_all(decode: Callable[[CapturedScene], Light]) -> list[Light]:
-        """Decode all captures."""
+        """Return the light of each capture."""
         return [decode(frames) for frames in captures]
 
     return [
@@ -147,8 +152,8 @@ def _points(
 
 
 def score_figures(captures: Sequence[CapturedScene], lights: Sequence[Light]) -> Figures:
-    """Return mean PSNR and SSIM of `lights`, the reconstructions of `captures`; infinite PSNR is
-    left out unless all scenes have it."""
+    """Return the mean PSNR and SSIM of `lights`, the reconstructions of `captures`, by name.
+    Infinite PSNR is left out unless all scenes have it."""
     pairs = zip(captures, lights, strict=True)
     scene_scores = [frames.scene.scores(light) for frames, light in pairs]
     psnr_db = finite_mean(number(scores["psnr_db"]) for scores in scene_scores)
@@ -156,7 +161,7 @@ def score_figures(captures: Sequence[CapturedScene], lights: Sequence[Light]) ->
 
 
 def untrained(kind: Kind) -> list[Decoder]:
-    """Return the decoders for this `kind` of scenes that need no training."""
+    """Return the decoders without training for clips or stills, each with several settings."""
     return [
         (name, setting, partial(method.decode, **options), "")
         for name, method in (CLIPS if kind == "clips" else STILLS).items()
@@ -165,8 +170,10 @@ def untrained(kind: Kind) -> list[Decoder]:
 
 
 def networks(folder: RunFolder, name: str) -> list[Decoder]:
-    """Return a run's decoder in both number formats, FC-net also with fewer blocks; `name`
-    follows the method's."""
+    """Return the decoder of a run in both number formats; FC-net also with fewer overlapping
+    blocks.
+
+    `name` is added to the method's name to tell runs apart."""
     setup = folder.setup
     method = f"{setup.settings.decoder.name} {setup.settings.decoder.sized}{name}"
     device = torch.cuda.get_device_name(setup.device) if setup.device.type == "cuda" else ""
@@ -186,14 +193,14 @@ def networks(folder: RunFolder, name: str) -> list[Decoder]:
 def _network(
     folder: RunFolder, net: torch.nn.Module, dtype: str
 ) -> Callable[[CapturedScene], Light]:
-    """Return a function that decodes captured frames with a run's network, in bfloat16 or
-    float32."""
+    """Return a function that decodes a capture with the network `net` of a run, in bfloat16
+    ("bf16") or float32 ("f32")."""
     setup = folder.setup
 
     @torch.no_grad()
     def run(frames: CapturedScene) -> Light:
-        """Return the light (e) that the network decodes from the first bucket of the capture
-        `frames`."""
+        """Return the light, in electrons, that the network decodes from the first frame of a
+        capture."""
         frame = setup.model.relative(torch.from_numpy(frames.codes))
         shutters = torch.from_numpy(np.ascontiguousarray(frames.masks[0]))
         with torch.autocast(setup.device.type, torch.bfloat16, enabled=dtype == "bf16"):
@@ -204,8 +211,8 @@ def _network(
 
 
 def _fixed(kind: Kind, settings: DecoderStudySettings) -> list[StudyPoint]:
-    """Return the points of untrained decoders on a fixed code: random bits for clips, 2 x 2
-    stops for stills."""
+    """Return the points of decoders without training for clips or stills with a fixed code: random
+    bits for clips, the 2 x 2 pattern of stops for stills."""
     protocol = protocol_of(kind, settings.size, _FRAMES)
     if kind == "clips":
         name, spec, start = "clips, random bits", ShutterSpec("e", _FRAMES, (8, 8)), "random"
@@ -219,10 +226,10 @@ def _fixed(kind: Kind, settings: DecoderStudySettings) -> list[StudyPoint]:
 def _learned(
     runs: Sequence[RunFolder], name: str, settings: DecoderStudySettings
 ) -> list[StudyPoint]:
-    """Return the points of untrained decoders and of these runs, all on the code that the runs
-    learned.
+    """Return the points of decoders without training, and of `runs`, all on the code that the runs
+    learned. `name` is that of the code.
 
-    Raises Rejected (NS0820) if a run has seen a file of the data."""
+    Raises Rejected (NS0820) if a run was trained on a file of the data."""
     setup = runs[0].setup
     kind: Kind = "stills" if setup.still else "clips"
     protocol = protocol_of(kind, settings.size, setup.slots)
@@ -242,8 +249,8 @@ def _learned(
 def _captures(
     protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: DecoderStudySettings
 ) -> tuple[CapturedScene, ...]:
-    """Capture the scenes of `protocol` with a `tile` of shutters (N, r, c) and the noise of
-    `model`. Each scene has its own seed."""
+    """Capture the scenes of a protocol with a `tile` of shutters (N, r, c) and the noise of
+    `model`. The noise of each scene has its own seed."""
     scenes = some_scenes(protocol, settings.data, settings.count, settings.seed)
     return tuple(
         captured(scene, tile, model, 1000 * settings.seed + k) for k, scene in enumerate(scenes)
@@ -251,7 +258,8 @@ def _captures(
 
 
 def not_measured(folders: Sequence[RunFolder]) -> list[str]:
-    """Return a line that lists the networks of which no run is among `folders`; none if all are."""
+    """Return a line that lists the networks of which no run is among `folders`; no line if all
+    networks are."""
     have = {folder.setup.settings.decoder.name for folder in folders}
     names = [name for name in DECODERS if name not in have and not DECODERS[name].fixed_channels]
     if not names:
@@ -263,8 +271,8 @@ def not_measured(folders: Sequence[RunFolder]) -> list[str]:
 
 
 def decoder_diagram(measured: StudyResult, device: str) -> Figure:
-    """Return a diagram of PSNR and SSIM against the time of a scene: a panel a case, a line a
-    decoder. `device` is named in its note."""
+    """Draw PSNR and SSIM against the time of a scene: a panel for each code and unit, a line for
+    each decoder. `device` is named in the note."""
     panels = [
         Panel(case, title, [point for point in case_points if point.error_unit == unit])
         for case, group in groupby(measured.points, key=lambda point: point.case)

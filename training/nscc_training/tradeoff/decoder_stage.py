@@ -23,11 +23,14 @@ Values = NDArray[Any]
 CLIP_VALUES = 1 << 18
 """Most slots times pixels of a decoded clip; of larger clips the middle of the array is decoded."""
 TV_ITERATIONS = (10, 40)
+"""Numbers of iterations of GAP-TV that are compared."""
 ANY_STAGES = (2, 8)
+"""Numbers of stages of the decoder for any code that are compared."""
 
 
 def decoding(bench: Bench) -> Iterator[StudyPoint]:
-    """Yield decoders by iterations, stages and precision: seconds for a frame with all effects.
+    """Yield the points of all decoders that suit the program, with several settings. Their time is
+    that of decoding one frame with all effects.
 
     The result is a picture if all shutters open at the start of the frame or pixels look, else a
     clip, as in `nscc reconstruct any`. Raises ModuleNotFoundError if torch is needed and missing.
@@ -41,8 +44,10 @@ def decoding(bench: Bench) -> Iterator[StudyPoint]:
 def _point(
     method: str, setting: str, run: Callable[[], Values], truth: Values, loads: str = ""
 ) -> StudyPoint:
-    """Return the point of the decoder `method`; `run` returns an estimate of `truth` (T, rows,
-    cols), and its error is a percentage of the mean light."""
+    """Return the point of a decoder. `run` returns an estimate of `truth` (T, rows, cols); its
+    error is a percentage of the mean light.
+
+    `loads` differs with what the first run loads, which is not timed."""
 
     def figures(light: Values) -> Figures:
         """Return the RMS error of decoded light as a percentage of the mean light, over known
@@ -56,8 +61,8 @@ def _point(
 
 
 def _of_looks(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
-    """Yield the points of decoders for pixels that look at their light: the exposure over the
-    open time, and a run."""
+    """Yield the points of decoders for pixels that look at their light: the exposure divided by the
+    open time, and the program's run if it has one."""
     frame_s = sum(bench.container.slot_us) * 1e-6
     arrays = capture.frame.told
     truth = np.asarray(bench.light.total_e())[None]
@@ -71,10 +76,10 @@ def _of_looks(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
 
 
 def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
-    """Yield the points of decoders for fixed shutters: merging or GAP-TV, `any`, and a matching
-    run.
+    """Yield the points of decoders for fixed shutters: merging for a still or GAP-TV for a clip,
+    the decoder for any code, and the program's run if it has one.
 
-    Clips are decoded on the middle of the array only; a note of `bench` says so."""
+    Large clips are decoded on the middle of the array only; a note of `bench` says so."""
     from nscc_training.any_code.decode import decoded_clip, decoded_still
     from nscc_training.any_code.frames import coded_capture
     from nscc_training.any_code.stages import STILL_STAGES
@@ -98,11 +103,13 @@ def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
     tensors = measured.tensors()
 
     def by_tv(iterations: int) -> Values:
-        """Return the clip by GAP-TV."""
+        """Return the clip in electrons per slot, reconstructed by this number of iterations of
+        GAP-TV."""
         return np.asarray(gap_tv_clip(measured, iterations) * slots)
 
     def by_any(stages: int) -> Values:
-        """Return the clip by the decoder for any code."""
+        """Return the clip in electrons per slot, reconstructed by this number of stages of the
+        decoder for any code."""
         return np.asarray(decoded_clip(tensors, stages)[0].numpy() * slots)
 
     for count in TV_ITERATIONS:
@@ -113,8 +120,8 @@ def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
 
 
 def _merged(bench: Bench, capture: Simulated) -> Values:
-    """Return electrons over the frame (1, rows, cols): neighbours of each readout of `capture`
-    merged, and the mean of the readouts."""
+    """Return the light over the frame in electrons (1, rows, cols): the mean of the readouts of a
+    frame, in each of which neighbours are merged."""
     container = bench.container
     response = response_of(container, bench.sensor, capture.effects)
     estimates = [
@@ -136,8 +143,10 @@ def _of_run(
     truth: Values,
     region: tuple[slice, slice] = (slice(None), slice(None)),
 ) -> Iterator[StudyPoint]:
-    """Yield the decoder of the program's run, if any, in both number formats; the error is
-    measured in `region`."""
+    """Yield the points of the decoder of the program's run in both number formats; none if the
+    program belongs to no run.
+
+    The rows and columns `region` of the frame are decoded; `truth` is their light."""
     if bench.request.run is None:
         return
     import torch
@@ -165,8 +174,8 @@ def _of_run(
 
 
 def _middle(shape: tuple[int, ...], slots: int) -> tuple[slice, slice]:
-    """Return the rows and columns of the middle of an array that is decoded, as large as memory
-    for `slots` slots allows."""
+    """Return the rows and columns in the middle of an array of this shape that are decoded: at most
+    `CLIP_VALUES` values in `slots` slots."""
     side = max(16, int((CLIP_VALUES / slots) ** 0.5) // 16 * 16)
     region = []
     for length in shape:

@@ -36,12 +36,15 @@ _MOST_BYTES = 1 << 28
 """Light and shutters of all slots are prepared as arrays before timing, unless they are larger than
 this; then they are computed slot by slot."""
 _COPIED_BYTES = 1 << 26
+"""Bytes of the copy whose speed is measured."""
 _COPIES = 25
+"""Number of copies, of which the fastest counts."""
 
 
 @dataclass(frozen=True, eq=False)
 class Naive:
-    """Two simple exposures of a scene with a program's shutters, both read out without noise."""
+    """Two simple exposures of a scene with a program's shutters, as users would write them in
+    numpy, for comparison. Both are read out without noise."""
 
     program: AnalysedProgram
     light: Light
@@ -56,8 +59,8 @@ class Naive:
         return self._read(total)
 
     def drawn(self, seed: int) -> Frame:
-        """Return a frame that sums numpy's Poisson counts over the open slots, without other
-        effects.
+        """Return a frame that sums Poisson counts, which numpy draws for every slot, over the open
+        slots, without other effects.
 
         Raises NotMeasured for light beyond the range of numpy, about 9e18 electrons per slot."""
         random = np.random.default_rng(seed)
@@ -76,12 +79,14 @@ class Naive:
         return np.zeros((len(self.program.container.buckets), *self.light.shape), kind)
 
     def _read(self, total: NDArray[np.floating]) -> Frame:
-        """Return the frame of summed light."""
+        """Return the frame that the converter reads from exposures in electrons (buckets, rows,
+        cols), without noise."""
         exposure = Exposure(total.astype(np.float64, copy=False), np.ones(total.shape, np.bool_))
         return read_out(exposure, self.program.container.target, self.program.sensor)
 
     def _slots(self) -> Iterator[tuple[NDArray[np.float32], NDArray[np.bool_]]]:
-        """Yield the light (rows, cols) and the open pixels (buckets, rows, cols) slot by slot."""
+        """Yield, slot by slot, the light (rows, cols) in electrons and which pixels are open
+        (buckets, rows, cols)."""
         if self._ready is not None:
             yield from zip(*self._ready, strict=True)
         else:
@@ -90,20 +95,21 @@ class Naive:
 
     @cached_property
     def _ready(self) -> tuple[NDArray[np.float32], NDArray[np.bool_]] | None:
-        """Return light and open slots as dense arrays, or None if they take too much memory."""
+        """The light and the open pixels of all slots as dense arrays, prepared once; None if they
+        take more than `_MOST_BYTES`."""
         buckets, slots = len(self.program.container.buckets), self.light.slots
         if slots * (4 + buckets) * self.light.frames[0].size > _MOST_BYTES:
             return None
         return self.light.dense(), np.stack([self._opened(n) for n in range(slots)])
 
     def _opened(self, n: int) -> NDArray[np.bool_]:
-        """Return which pixels are open in slot n, for each bucket."""
+        """Return which pixels are open in slot `n`, (buckets, rows, cols)."""
         return np.moveaxis(self.program.opened[n][self.program.lane], -1, 0)
 
 
 def copy_gb_per_s() -> float:
-    """Return the memory traffic in GB/s of copying more than the caches hold, the best of some
-    runs."""
+    """Return the memory traffic, read and written, of copying an array that is larger than the
+    caches, in GB/s. The best of `_COPIES` copies counts."""
     source = np.ones(_COPIED_BYTES // 8)
     copy = partial(np.copyto, np.zeros_like(source), source)
     best_ms = min(timed_ms(copy)[1] for _ in range(_COPIES))
@@ -111,11 +117,12 @@ def copy_gb_per_s() -> float:
 
 
 def floor_ms(light: Light, gb_per_s: float) -> float:
-    """Return the milliseconds for reading a stored scene once at this speed."""
+    """Return the milliseconds that reading a stored scene once from memory takes at this speed."""
     return light.frames.nbytes / gb_per_s / 1e6
 
 
 REFERENCE, OTHER_DRAWS, SUMMED, DRAWN = "reference", "reference redrawn", "f32", "per-slot"
+"""Names of the methods. `OTHER_DRAWS` is the reference with other random numbers."""
 PLANNED, WITH_PLANNING = "planned", "planned with planning"
 _ORDER = (REFERENCE, OTHER_DRAWS, SUMMED, DRAWN, PLANNED, WITH_PLANNING)
 ELECTRONS, LSB = "e", "lsb"
@@ -131,6 +138,7 @@ pixels stop = tile [[1, 4], [8, 16]]
 """
 """The default program."""
 SCENES = ("builtin:hdr", "builtin:motion", "builtin:flat:300")
+"""The default scenes."""
 
 
 @dataclass(frozen=True)
@@ -145,10 +153,11 @@ class NamedLight:
 class StudySettings:
     """Settings of a study.
 
-    `tolerances`: tolerances to plan for; percentages refer to the mean signal of each scene.
-    `budget`: the tolerance whose plan is shown effect by effect. `frames`: number of frames that
-    errors are averaged over, at least 2; more for small scenes, up to 65536 pixels or 64 frames.
-    `repeats`: number of times of which the median is taken."""
+    `tolerances` are the tolerances to plan for; percentages refer to the mean signal of each scene.
+    `budget` is the tolerance whose plan is shown effect by effect. `frames` is the number of frames
+    that errors are averaged over, at least 2; more for small scenes, up to 65536 pixels or 64
+    frames. `repeats` is the number of times of which the median is taken. `seed` is that of the
+    noise, `device_seed` that of fixed patterns."""
 
     tolerances: tuple[str | float, ...] = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
     budget: str | float = 5.0
@@ -181,8 +190,8 @@ class MeasuredPlan:
 class EmulatorStudy:
     """The result of one scene: points in electrons and in LSB, plans by tolerance, and bounds.
 
-    `floor_ms`: time to read the scene from memory once. `budget`: the plan for the error budget.
-    `refused`: methods that could not run, with the reasons."""
+    `floor_ms` is the time to read the scene from memory once. `budget` is the plan that is shown
+    effect by effect. `refused` are methods that could not run, with the reasons."""
 
     scene: str
     points: tuple[Point, ...]
@@ -192,20 +201,23 @@ class EmulatorStudy:
     refused: tuple[Refused, ...]
 
     def resolution(self, unit: str) -> float:
-        """Return the RMS difference of two reference frames with different draws."""
+        """Return the RMS difference of two reference frames with different random numbers, in the
+        unit "e" or "lsb". Smaller errors are not visible in a single frame."""
         return next(p.error for p in self.points if (p.method, p.error_unit) == (OTHER_DRAWS, unit))
 
 
 @dataclass(frozen=True, eq=False)
 class EmulatorBench:
-    """The methods for one scene, and their errors against frames of the reference."""
+    """The methods to compare on one scene, and their errors against frames of the reference, which
+    are computed once."""
 
     program: AnalysedProgram
     scene: NamedLight
     settings: StudySettings
 
     def points(self) -> list[StudyPoint]:
-        """Return all methods, with a plan for each tolerance."""
+        """Return the points of all methods: the reference, the simple exposures, and for each
+        tolerance a frame with a plan that exists and one whose plan is made in the same time."""
         ((counting, _),) = everything().having(CountedLight)
         naive, seed = Naive(self.program, self.scene.light), self.settings.seed
         seeds = range(seed, seed + self.frames)
@@ -246,7 +258,7 @@ class EmulatorBench:
 
     @cached_property
     def frames(self) -> int:
-        """The number of frames for errors: more for small scenes."""
+        """The number of frames from which errors are measured: more for small scenes."""
         rows, cols = self.scene.light.shape
         return max(
             self.settings.frames, min(math.ceil(_POOLED / max(1, rows * cols)), _MOST_POOLED)
@@ -264,7 +276,7 @@ class EmulatorBench:
 
     @cached_property
     def truth(self) -> tuple[list[Frame], list[float]]:
-        """Frames of the reference, and the time of each in milliseconds."""
+        """The frames of the reference, and the time of each in milliseconds."""
         settings, light, program = self.settings, self.scene.light, self.program
         drawn = iter(
             reference_frames(
@@ -284,26 +296,30 @@ class EmulatorBench:
         return [frame for frame, _ in timed], [ms for _, ms in timed]
 
     def error(self, frames: Sequence[Frame]) -> tuple[float, float]:
-        """Return the RMS difference from the reference in electrons and in codes."""
+        """Return the RMS difference of `frames` from those of the reference, in electrons and in
+        codes."""
         return error(frames, self.truth[0])
 
     @cache  # noqa: B019  # a bench lives as long as the command
     def plan_error(self, name: str) -> tuple[float, float]:
-        """Return the measured error of the plan for a tolerance, in electrons and in codes."""
+        """Return the RMS error of the plan for the tolerance `name`, in electrons and in codes,
+        measured against the reference with the same random numbers."""
         rms_e = audit(self._on(self.scene.light), self.plans[name]).measured_rms_e
         return rms_e, rms_e / self.program.sensor.electrons_per_lsb
 
     def first_frame(self, name: str) -> Frame:
-        """Return a frame under the plan for a tolerance."""
+        """Return a frame under the plan for the tolerance `name`, which exists before the time is
+        measured."""
         return self._first(self.plans[name])
 
     def first_planned(self, tolerance: Tolerance) -> Frame:
-        """Return a frame, with the plan made for it."""
+        """Make a plan for a tolerance, and return a frame under it."""
         return self._first(self._plan(tolerance))
 
     def result(self, measured: StudyResult, gb_per_s: float) -> EmulatorStudy:
-        """Return the results of this scene among all `measured`, in the order of units and methods.
-        `gb_per_s`: speed of memory copies, which bounds the time."""
+        """Return the results of this scene among all `measured`, ordered by unit and method.
+
+        `gb_per_s` is the speed of memory copies, which bounds the time of any method."""
         name = self.scene.name
         points = [point for point in measured.points if point.case == name]
         points.sort(key=lambda p: (p.error_unit != ELECTRONS, _ORDER.index(p.method)))
@@ -319,44 +335,52 @@ class EmulatorBench:
         )
 
     def _of_reference(self, error_e: float, error_lsb: float) -> Figures:
-        """Return the figures of the reference: its errors and the times of its frames."""
+        """Return the figures of the reference: these errors, and the times of its frames."""
         return {ELECTRONS: error_e, LSB: error_lsb, "ms": self.truth[1]}
 
     def _on(self, light: Light) -> PlannedScene:
-        """Return the program on some light, to be simulated in one thread."""
+        """Return the program on some light, to be simulated in one thread, so that times do not
+        depend on other processes."""
         program, seed = self.program, self.settings.device_seed
         return PlannedScene(program.container, program.sensor, light, seed, threads=1)
 
     def _tolerance(self, tolerance: str | float) -> Tolerance:
-        """Return a tolerance for this scene."""
+        """Return a tolerance for this scene from its text or number (electrons). Raise Rejected
+        (NS0746) for an invalid one."""
         scene = self._on(self.scene.light)
         return tolerance_of(tolerance, scene.sensor, scene)
 
     def _plan(self, tolerance: Tolerance) -> Plan:
-        """Make a plan for a tolerance, of light without stored sums."""
+        """Make the plan for a tolerance, of light without stored sums, so that its time includes
+        them."""
         light = unknown(self.scene.light)
         return make_plan(self._on(light), PlanRequest(selected("auto"), tolerance, figures=True))
 
     def _first(self, plan: Plan) -> Frame:
-        """Return a frame under a plan without cached results: its time includes all sums."""
+        """Return a frame under a plan, of light without stored sums, so that its time includes
+        them."""
         light = unknown(self.scene.light)
         return next(iter(self._on(light).frames(plan.kept, self.settings.seed, 1)))
 
 
 def _error_figures(errors: Callable[[], tuple[float, float]], _frame: Frame) -> Figures:
-    """Return the errors in electrons and in codes by name."""
+    """Return the errors that `errors` measures, in electrons and in codes, by the name of the unit.
+    The frame of the timed run is not used."""
     return dict(zip((ELECTRONS, LSB), errors(), strict=True))
 
 
 def unknown(light: Light) -> Light:
-    """Return the same light without cached results."""
+    """Return the same light without the results that it caches."""
     motion = light.motion
     return replace(light, motion=None if motion is None else unknown(motion))
 
 
 def error(frames: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float]:
-    """Return the RMS difference in electrons and in codes, each of the worst bucket. Only pixels
-    that are valid in both frames count. Both are infinite if a bucket has no valid pixel."""
+    """Return the RMS difference of frames from `truth`, in electrons and in codes, each of the
+    worst bucket.
+
+    Only pixels that are valid in both frames count. Both are infinite if a bucket has no valid
+    pixel."""
     totals = [np.zeros(len(truth[0].valid)) for _ in range(3)]
     for mine, theirs in zip(frames, truth, strict=True):
         valid = mine.valid & theirs.valid

@@ -26,9 +26,11 @@ if TYPE_CHECKING:
 _LOWEST = 30.0
 """Errors below the smallest tolerance over this factor are drawn at the edge, with number."""
 _SIDE = 6.2
+"""Width and height of the diagram of promises in inches."""
 _BAR = 0.2
 """Inches between bars."""
 _COLUMNS = 3
+"""Most panels beside each other."""
 
 _NAMES = {
     studied.SUMMED: "f32 sum",
@@ -40,8 +42,8 @@ _ERRORS = {ELECTRONS: "RMS error, e", studied.LSB: "RMS error after the ADC, LSB
 
 
 def study_diagram(studies: Sequence[EmulatorStudy], times: str, device: str) -> Figure:
-    """Return the work-precision diagram: for each of `studies` one panel with the error in
-    electrons and one in LSB. `times` and `device` are named in its note."""
+    """Draw error against time: for each of `studies` one panel with the error in electrons and one
+    in LSB. `times` and `device` are named in its note."""
     panels = []
     for study in studies:
         for unit, error in _ERRORS.items():
@@ -75,8 +77,8 @@ def study_diagram(studies: Sequence[EmulatorStudy], times: str, device: str) -> 
 
 
 def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
-    """Return a diagram of predicted and measured errors of all plans in `studies` against the
-    tolerance. Raises ValueError without plans."""
+    """Draw the predicted and measured errors of all plans in `studies` against their tolerance.
+    Raise ValueError without plans."""
     from matplotlib.lines import Line2D
 
     plans = [
@@ -137,7 +139,8 @@ def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
 
 
 def budget_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
-    """Draw, for each scene, the size of its effects, and the time that leaving each out saves.
+    """Draw, for each scene, the size of its effects, and the time that leaving each one out saves.
+
     Effects of the readout are excluded. Raises ValueError without scenes."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
@@ -169,16 +172,17 @@ def budget_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
 
 
 def _decisions(plan: Plan) -> list[Decision]:
-    """Return the decisions of a plan on effects; those after the exposure are left out."""
+    """Return the decisions of a plan on effects during the exposure. Effects of the readout
+    ("after") are always simulated."""
     return [decision for decision in plan.decisions if decision.kind != "after"]
 
 
 def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
-    """Draw the error of each effect as a bar, filled if it is kept, with tolerance and prediction
-    as lines.
+    """Draw into `axes` the error of each effect as a bar, filled if it is simulated, with tolerance
+    and predicted error as lines.
 
-    `span` is the range of the axis in electrons. Effects that change nothing are marked as absent.
-    """
+    `span` is the range of the axis in electrons. Effects that change nothing in this scene are
+    marked as absent."""
     decisions = _decisions(plan)
     kept_colour, dropped_colour, *_ = theme().series
     colours = {"kept": kept_colour, "dropped": dropped_colour, "absent": theme().faint}
@@ -217,7 +221,8 @@ def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
 
 
 def _saves(decision: Decision) -> str:
-    """Return the time that leaving an effect out saves, as text."""
+    """Return the time that leaving an effect out saves, as text; "" for an effect that is
+    absent."""
     if decision.decision == "absent":
         return ""
     return f"{float(f'{decision.cost_ms_model:.2g}'):g} ms" if decision.cost_ms_model else "free"

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class EmulatorBenches:
-    """The scenes of a study, and the speed of memory copies in GB/s."""
+    """The methods on all scenes of a study, and the speed of memory copies in GB/s."""
 
     benches: tuple[EmulatorBench, ...]
     gb_per_s: float
@@ -34,7 +34,8 @@ class EmulatorBenches:
     def of(
         cls, program: AnalysedProgram, scenes: Sequence[NamedLight], settings: StudySettings
     ) -> EmulatorBenches:
-        """Return the scenes of a program, whose names must differ.
+        """Prepare the study of a program on scenes, whose names must differ, and measure the speed
+        of memory.
 
         The time of analysing the program is not included in times. Raises ValueError for less than
         2 frames."""
@@ -44,7 +45,8 @@ class EmulatorBenches:
         return cls(benches, copy_gb_per_s())
 
     def study(self) -> Study:
-        """Return the study; raises Rejected (NS0746) for an invalid tolerance."""
+        """Return the study: its points, tables and diagrams. Raise Rejected (NS0746) for an invalid
+        tolerance."""
         return Study(
             [point for bench in self.benches for point in bench.points()],
             lambda measured: studies_text(self.results(measured), self.gb_per_s),
@@ -58,11 +60,13 @@ class EmulatorBenches:
         )
 
     def results(self, measured: StudyResult) -> tuple[EmulatorStudy, ...]:
-        """Return the results of each scene."""
+        """Return the results of each scene among all that were measured, in the order of the
+        scenes."""
         return tuple(bench.result(measured, self.gb_per_s) for bench in self.benches)
 
     def keep_promises(self, measured: StudyResult) -> bool:
-        """Return whether no plan exceeded its tolerance."""
+        """Return whether no plan has a measured error above its tolerance, with the slack of
+        `keeps_promise`."""
         results = self.results(measured)
         return all(keeps_promise(plan) for scene in results for plan in scene.measured_plans)
 
@@ -71,6 +75,6 @@ class EmulatorBenches:
         return study_diagram(self.results(measured), measured.times, device)
 
     def _in_order(self, points: Sequence[Point]) -> list[Point]:
-        """Return the points scene by scene."""
+        """Return the points scene by scene, for the CSV file."""
         results = self.results(StudyResult(tuple(points)))
         return [point for scene in results for point in scene.points]

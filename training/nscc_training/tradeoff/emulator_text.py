@@ -31,8 +31,10 @@ def keeps_promise(measured_plan: MeasuredPlan) -> bool:
 
 
 def studies_text(studies: Sequence[EmulatorStudy], gb_per_s: float) -> str:
-    """Return all tables: for each of `studies` the methods, then the plan of its error budget.
-    `gb_per_s`: speed of memory copies."""
+    """Return all tables as text: for each of `studies` the methods, then the plan for its error
+    budget.
+
+    `gb_per_s` is the speed of memory copies, which the first line says."""
     tables = [f"memory copies at {gb_per_s:.3g} GB/s, read and written"]
     for study in studies:
         tables += [_methods_text(study), _budget_text(study.budget)]
@@ -40,8 +42,8 @@ def studies_text(studies: Sequence[EmulatorStudy], gb_per_s: float) -> str:
 
 
 def _methods_text(study: EmulatorStudy) -> str:
-    """Return the table of methods with their errors (e, LSB) and times (ms), and what was not
-    measured."""
+    """Return the table of methods with predicted and measured errors (electrons, LSB) and times
+    (ms), and a line for each method that could not be measured."""
     plans_by_setting = {
         measured_plan.setting: measured_plan for measured_plan in study.measured_plans
     }
@@ -75,7 +77,7 @@ def _methods_text(study: EmulatorStudy) -> str:
 
 
 def _setting(measured_plan: MeasuredPlan) -> str:
-    """Return the setting of `measured_plan`, with its electrons if it has another unit."""
+    """Return the tolerance of a plan as text, with its electrons if it has another unit."""
     plain = measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
     if plain:
         return measured_plan.setting
@@ -83,8 +85,11 @@ def _setting(measured_plan: MeasuredPlan) -> str:
 
 
 def _remark(point: Point, measured_plan: MeasuredPlan | None, beaten: bool) -> str:
-    """Return the remark on a point: a broken promise, or that another point is better in error
-    and time."""
+    """Return the remark on a point: that its plan broke its promise (the measured error is too
+    large), or that another point is better in error and time; else "".
+
+    `beaten` says whether another point is better. `measured_plan` is None for methods without a
+    plan."""
     if measured_plan is not None and not keeps_promise(measured_plan):
         return f"PROMISE BROKEN: {SLACK:g} x {measured_plan.tolerance_e:g} e"
     # Planning time is expected, so it is not marked.
@@ -92,7 +97,7 @@ def _remark(point: Point, measured_plan: MeasuredPlan | None, beaten: bool) -> s
 
 
 def _budget_text(plan: Plan) -> str:
-    """Return the table of effects of `plan`, with the decision on each and its reason."""
+    """Return the table of effects in a plan, with the decision on each and its reason."""
     rows = [_BUDGET_HEAD, *(_decision(decision) for decision in plan.decisions)]
     head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
     words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
@@ -100,10 +105,10 @@ def _budget_text(plan: Plan) -> str:
 
 
 def _decision(decision: Decision) -> tuple[str, ...]:
-    """Return the row of the effect of `decision` in the error budget."""
+    """Return the row of one effect in the table of an error budget."""
 
     def number(value: float | None) -> str:
-        """Return a number as text, "" for absent effects."""
+        """Return a number as text; "" without a value, and for effects that are absent."""
         return "" if value is None or decision.decision == "absent" else f"{value:.3g}"
 
     saves = "" if decision.decision == "absent" else three_digits(decision.cost_ms_model)

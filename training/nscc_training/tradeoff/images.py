@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 
 
 def images_study(path: Path, level: int) -> Study:
-    """Return the study of the programs that `level` of optimisation finds for a file's kernels.
+    """Return the study of the words for the kernels of a program's images: several programs of
+    words for each kernel, as this `level` of optimisation finds them.
 
     The error is the standard deviation of the result's error, as a multiple of the error of one
     word. Raises Rejected if the file does not compile."""
@@ -53,8 +54,8 @@ def images_study(path: Path, level: int) -> Study:
 
 
 def images_diagram(measured: StudyResult, _device: str) -> Figure:
-    """Return a diagram of noise against time: a panel for each image of `measured`, a line for each
-    kernel."""
+    """Draw noise against time: a panel for each image, a line for each kernel. The device does not
+    matter, because times are the chip's."""
     groups = groupby(measured.points, key=lambda point: point.case)
     panels = [Panel(case, "errors of one word", list(group)) for case, group in groups]
     return precision_diagram(

@@ -36,11 +36,11 @@ _STAGES: dict[str, tuple[str, str, Callable[[Bench], Iterator[StudyPoint]]]] = {
 
 @dataclass(frozen=True)
 class Joint:
-    """A request, and numbers of its bench.
+    """A request, and figures of its program and scene that texts and diagrams need.
 
     Errors are root mean squares in percent of the mean signal `signal_e`, as `target_percent`, the
     requested error, and `shot_percent`, the light's own shot noise. `largest` are the effects with
-    the largest errors in the chip's frame."""
+    the largest errors in the chip's frame. `notes` are remarks on the numbers of stages."""
 
     request: JointRequest
     target_percent: float
@@ -50,8 +50,8 @@ class Joint:
     notes: tuple[str, ...] = ()
 
     def advice(self, points: Sequence[Point]) -> dict[str, tuple[Point | None, bool]]:
-        """Return the recommended one of `points` for each stage, None if it has none, and whether
-        it reaches the target."""
+        """Return, for each stage, the recommended one of `points` (None if the stage has none), and
+        whether it reaches the target."""
         return {
             stage: advised([p for p in points if p.case == stage], self.target_percent)
             for stage in self.request.stages
@@ -61,7 +61,8 @@ class Joint:
 def joint_study(
     request: JointRequest, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> Study:
-    """Return the study of the requested stages.
+    """Return the study of the stages that `request` names. Messages about program and scene are
+    passed to `warn`.
 
     Raises Rejected for an invalid program, scene or target. A setting or stage that cannot be
     measured is recorded with its reason."""
@@ -81,7 +82,8 @@ def joint_study(
 
 
 def _points(stage: str, bench: Bench) -> list[StudyPoint]:
-    """Return the points of one stage; if it cannot be measured, one point with the reason."""
+    """Return the points of one stage. If the stage cannot be measured, return one point that is
+    refused with the reason."""
     try:
         return list(_STAGES[stage][2](bench))
     except (Rejected, NotMeasured, ModuleNotFoundError) as why:
@@ -89,9 +91,11 @@ def _points(stage: str, bench: Bench) -> list[StudyPoint]:
 
 
 def advised(points: Sequence[Point], target_percent: float) -> tuple[Point | None, bool]:
-    """Return the fastest point within the target, else near the least error; None without points.
+    """Return the recommended point, and whether it reaches the target; None and False without
+    points.
 
-    The flag says whether a point reaches the target."""
+    It is the fastest point whose error is at most `target_percent`. If there is none, it is the
+    fastest of those whose error is near the least."""
     if not points:
         return None, False
     within = [point for point in points if point.error <= target_percent]
@@ -101,8 +105,8 @@ def advised(points: Sequence[Point], target_percent: float) -> tuple[Point | Non
 
 
 def joint_text(joint: Joint, measured: StudyResult) -> str:
-    """Return the recommendations of `joint` as text, then all points of all stages in
-    `measured`."""
+    """Return the recommendations as text, then all measured points of all stages, what was refused,
+    and notes."""
     request = joint.request
     head = (
         f"{request.program.name} on {request.scene.name}: {request.target_error} is "
@@ -131,7 +135,8 @@ def joint_text(joint: Joint, measured: StudyResult) -> str:
 
 
 def si_seconds(time_ms: float) -> str:
-    """Return `time_ms` with three digits in a suitable unit: 2.5 us, 31 ms, 1.2 s."""
+    """Return a time in milliseconds as text with three digits in a suitable unit: 2.5 us, 31 ms,
+    1.2 s."""
     time_ms = float(f"{time_ms:.3g}")
     steps = ((1e-3, "us", 1e3), (1.0, "ms", 1.0), (1e3, "s", 1e-3))
     unit, factor = next(
@@ -141,8 +146,8 @@ def si_seconds(time_ms: float) -> str:
 
 
 def joint_diagram(joint: Joint, measured: StudyResult, device: str) -> Figure:
-    """Draw error against time of the points of all stages, a line for each, and mark the
-    recommended points."""
+    """Draw error against time for the points of all stages, a line for each stage, and mark the
+    recommended points. `device` is named in the note."""
     advice = {
         stage: point
         for stage, (point, _) in joint.advice(measured.points).items()

@@ -49,9 +49,10 @@ class JointRequest:
     """A program, a scene and the largest allowed error, as given on a command line.
 
     `target_error` is written as for `--tolerance`. `stages` names the stages to measure. `levels`
-    of -O are compared; other stages use the words compiled with `options`. Times are medians of
-    `repeats`. `run` is the run folder that the program belongs to, None for other programs;
-    `trust_code` allows it to execute its Python code."""
+    of -O are compared; other stages use the words compiled with `options`. `pixels` is a file of
+    codes, `sensor` a sensor file and `changes` values of it. Times are medians of `repeats`. `run`
+    is the run folder that the program belongs to, None for other programs; `trust_code` allows it
+    to execute its Python code."""
 
     program: Path
     scene: Scene
@@ -71,9 +72,11 @@ class JointRequest:
 
 @dataclass(frozen=True, eq=False)
 class Bench:
-    """Values that all stages share, computed when first needed; `warn` takes messages.
+    """What all stages of a request share: program, sensor, light, and a frame with all effects.
+    Each is computed when it is first needed.
 
-    `notes` collects remarks on the numbers of stages."""
+    `warn` receives messages. `notes` collects remarks on the numbers of stages. `known_errors`
+    holds errors of programs by their digest."""
 
     request: JointRequest
     warn: Callable[[Diagnostic], None] = lambda _: None
@@ -82,7 +85,7 @@ class Bench:
 
     @cached_property
     def source(self) -> Source:
-        """The program's text; raises Rejected (NS0743) if the program is already compiled."""
+        """The text of the program. Raises Rejected (NS0743) if the program is compiled already."""
         if is_compiled(self.request.program):
             raise rejected(
                 "NS0743",
@@ -91,13 +94,15 @@ class Bench:
         return read_source(self.request.program)
 
     def compiled(self, source: Source, **changes: Any) -> Compiled:
-        """Compile a text in place of the program, without the cache."""
+        """Compile a text in place of the program, without the cache, so that its time can be
+        measured. `changes` are options that differ from those of the request."""
         options = replace(self.request.options, cache=False, **changes)
         options = replace(options, target=options.target or self.container.target)
         return run_passes(source, self.request.program.parent, options)
 
     def with_codes(self, compiled: Compiled, codes: Any = None) -> Container:
-        """Return the container of a compiled program, with codes for its pixels."""
+        """Return the container of a compiled program with codes for its pixels: `codes` (arrays by
+        field), or None for those of the request."""
         assert compiled.container is not None
         pixels = self.request.pixels if codes is None else codes
         return with_pixels(compiled.container, self.request.program, pixels)
@@ -124,12 +129,15 @@ class Bench:
 
     @cached_property
     def ideal_e(self) -> Values:
-        """The electrons (buckets, rows, cols) that fall while pixels are open, or could look."""
+        """The exposures (buckets, rows, cols) in electrons without effects; for pixels that look,
+        the light of the whole frame."""
         return self._ideal_e(self.container, self.light)
 
     def signal_e(self) -> float:
-        """Return the mean of `ideal_e` up to a full well; raise NS0826 for a dark scene, or for a
-        program that reads out no exposure."""
+        """Return the mean of `ideal_e` up to a full well, to which errors are relative.
+
+        Raises Rejected (NS0826) for a scene that gives no signal, or for a program that reads out
+        no exposure."""
         signal_e = mean_signal_e(self.ideal_e, self.sensor)
         if signal_e > 0:
             return signal_e
@@ -156,7 +164,8 @@ class Bench:
 
     @cached_property
     def target(self) -> Tolerance:
-        """The largest allowed error: `1%` of the mean signal, `5e`, `0.1lsb`.
+        """The largest allowed error, such as `1%` of the mean signal, `5e` or `0.1lsb`, as a
+        tolerance.
 
         Raises Rejected (NS0827) for other texts, and for an error larger than the signal."""
         text, reason = self.request.target_error, None
@@ -191,7 +200,8 @@ class Bench:
 
     @cached_property
     def largest(self) -> tuple[tuple[str, float], ...]:
-        """The effects with the largest errors in the program's frame, in percent of the signal.
+        """The names of the `_NAMED` effects with the largest errors in the program's frame, and the
+        errors in percent of the signal.
 
         The errors are predictions of the plan; empty if the frame has no plan."""
         plan = self.capture.plan
@@ -202,22 +212,19 @@ class Bench:
         )
 
     def error_percent(self, container: Container, original: Container | None = None) -> float:
-        """Return the error of a frame with all effects, in percent of the mean signal.
+        """Return the error of a frame with all effects, in percent of the mean signal: the root
+        mean square difference from the true light in the worst bucket.
 
-        It is the root mean square difference from the true light in the worst bucket. `container`
-        has codes for its pixels. `original` is the program that it replaces, whose slots have the
-        same total length. Known gains and offsets of words are corrected; pixels marked as
-        saturated are left out."""
+        `container` has codes for its pixels. `original` is the program that it replaces, whose
+        slots have the same total length; None compares it with its own ideal frame. Known gains and
+        offsets of words are corrected; pixels marked as saturated are left out."""
         digest = sha256(to_bytes(container)).hexdigest()
         if digest not in self.known_errors:
             self.known_errors[digest] = self._error(container, original)
         return self.known_errors[digest]
 
     def _error(self, container: Container, original: Container | None) -> float:
-        """Return the RMS error of a frame as a percentage of the mean signal.
-
-        `original` is the program that defines the ideal exposure, if `container` uses other slots.
-        """
+        """Compute the result of `error_percent`, which keeps it."""
         light = self._light_in(container)
         ideal_e = self._ideal_e(container, light)
         if original is not None:
@@ -233,8 +240,8 @@ class Bench:
         return rms_percent(seen_e, ideal_e, counted, mean_signal_e(ideal_e, self.sensor))
 
     def _light_in(self, container: Container) -> Light:
-        """Return the light of the scene in the slots of `container`, equally bright, so less in
-        a shorter frame."""
+        """Return the light of the scene in the slots of `container`. The scene is equally bright in
+        all frames, so that a shorter frame receives less light."""
         if container.slot_us == self.container.slot_us:
             return self.light
         its_light = scene_light(self.request.scene, container.slot_us, container.target)
@@ -248,8 +255,8 @@ class Bench:
         return self._captured(self.container, self.light)
 
     def _captured(self, container: Container, light: Light) -> Simulated:
-        """Simulate a frame with all effects, more exactly than the target error if plans are
-        possible."""
+        """Simulate a frame with all effects; if plans are possible, with a tolerance below the
+        target error, so that the simulation's own error does not matter."""
         tolerance = None
         if not KINDS.of(container).without_plan:
             tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
@@ -262,8 +269,8 @@ class Bench:
         return simulate(container, light, self.sensor, request)
 
     def _ideal_e(self, container: Container, light: Light) -> Values:
-        """Return the exposures without effects (e); for pixels that look, all light of the
-        frame."""
+        """Return the exposures of a program without effects (buckets, rows, cols) in electrons; for
+        pixels that look, the light of the whole frame."""
         if not KINDS.of(container).open_times_known:
             return np.asarray(light.total_e(), np.float64)[None]
         none = selected("none")
@@ -275,8 +282,10 @@ class Bench:
 def rms_percent(
     seen_e: Values, ideal_e: Values, counted: NDArray[np.bool_], signal_e: float
 ) -> float:
-    """Return the root mean square difference where `counted`, in percent of the signal, of the
-    worst bucket; it may be infinite."""
+    """Return the root mean square difference of `seen_e` from `ideal_e`, both (buckets, rows,
+    cols), in percent of the signal, for the worst bucket.
+
+    Only pixels in `counted` count; without any, the result is infinite."""
     mean_squares = [
         float(np.mean((bucket_e - ideal)[is_counted] ** 2)) if is_counted.any() else math.inf
         for bucket_e, ideal, is_counted in zip(seen_e, ideal_e, counted, strict=True)
@@ -285,7 +294,8 @@ def rms_percent(
 
 
 def scaled_text(target: str, factor: float) -> str:
-    """Return a tolerance multiplied by `factor`, as text in its unit: 3 % for 1 %."""
+    """Return the text of a tolerance multiplied by `factor`, in its own unit: `3%` for `1%` and
+    3."""
     match = re.fullmatch(r"\s*(.*?\d\.?)\s*(e|lsb|%|noise)\s*", target.lower())
     assert match is not None  # the text was parsed as a tolerance before
     return f"{float(match[1]) * factor:g}{match[2]}"

@@ -43,7 +43,8 @@ COMPARED = 1 << 20
 
 
 def refused(stage: str, setting: str, why: Exception) -> StudyPoint:
-    """Return a point that cannot be measured, with the setting "" a whole stage."""
+    """Return a point that raises `why` instead of measuring, so that the table lists its reason. A
+    `setting` of "" stands for the whole stage."""
 
     def refuse() -> Figures:
         """Raise the error that prevents the point."""
@@ -53,11 +54,11 @@ def refused(stage: str, setting: str, why: Exception) -> StudyPoint:
 
 
 def compiling(bench: Bench) -> Iterator[StudyPoint]:
-    """Yield a point for each level of -O: the seconds to compile, from text to proof and without
-    the cache."""
+    """Yield a point for each level of -O. Its time is that of compiling, from text to proof and
+    without the cache."""
 
     def figures(level: int, compiled: Compiled) -> Figures:
-        """Return error, lowering and number of words of a program compiled at this level."""
+        """Return error, lowering and number of words of the program, compiled at this level."""
         container = bench.with_codes(compiled)
         return {
             PERCENT: bench.error_percent(container),
@@ -71,15 +72,15 @@ def compiling(bench: Bench) -> Iterator[StudyPoint]:
 
 
 def lowering(bench: Bench) -> Iterator[StudyPoint]:
-    """Yield a point for each lowering: the shortest frame that its words allow. Raises
-    NotMeasured if there is only one."""
+    """Yield a point for each lowering. Its time is that of the shortest frame that the words allow.
+    Raise NotMeasured if the program has only one lowering."""
     source, subject = bench.source, KINDS.of(bench.container).one_lowering_for
     if subject:
         raise NotMeasured(f"there is one way for {subject}")
 
     def measured(name: str) -> Figures:
-        """Return error, frame time (ms) and number of words of the program with the lowering
-        `name`."""
+        """Return the error, the time of the shortest frame in ms, and the number of words of the
+        program with the lowering `name`."""
         compiled = bench.compiled(source, lowering=name)
         container = bench.with_codes(compiled)
         return {
@@ -93,7 +94,8 @@ def lowering(bench: Bench) -> Iterator[StudyPoint]:
 
 
 def slots(bench: Bench) -> Iterator[StudyPoint]:
-    """Yield fewer slots, and other frame lengths, down to the shortest that the words allow.
+    """Yield a point for each frame length with the program's own slots, and with fewer slots. The
+    shortest length is the one that the words allow.
 
     The scene has the same brightness in all cases, so that a shorter frame receives less light. A
     program with fewer slots opens a pixel in a joined slot if the original is open for at least
@@ -125,14 +127,17 @@ def slots(bench: Bench) -> Iterator[StudyPoint]:
 def _joined(
     bench: Bench, source: Source, codes: dict[str, NDArray[np.int32]] | None, timed: Container
 ) -> Figures:
-    """Return the error of a program with fewer slots, with the time of `timed`."""
+    """Return the error of the program `source` and the time of its frame in ms.
+
+    `codes` are those of its pixels, None for the program's own. `timed` is the original with the
+    same frame length, which gives the ideal frame."""
     container = bench.with_codes(bench.compiled(source), codes)
     return {PERCENT: bench.error_percent(container, timed), "ms": [sum(timed.slot_us) / 1e3]}
 
 
 def effects(bench: Bench) -> Iterator[StudyPoint]:
-    """Yield plans of several tolerances, all effects, and the reference: seconds to emulate a
-    frame.
+    """Yield points for plans of several tolerances, for all effects, and for the reference. Their
+    time is that of emulating a frame.
 
     Errors are those of the audit: differences from all effects with the same random numbers. Raises
     Rejected (NS0750) for a program without plans, whose simulation has no approximations."""
@@ -149,23 +154,25 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
     ways.append(("all", scaled_text(request.target_error, 1.0)))
 
     def planning() -> PlannedScene:
-        """Return the scene for a plan. Its light has no stored sums, because computing them is
-        part of the frame's time."""
+        """Return the scene for a plan. Its light has no stored sums, because computing them is part
+        of the frame's time."""
         light = unknown(bench.light)
         return planning_of(container, bench.sensor, light, request.device_seed)
 
     def plan_of(scene: PlannedScene, chosen: str, tolerance: str) -> Plan:
-        """Make the plan of chosen effects and a tolerance."""
+        """Make the plan for `chosen` effects ("auto" or "all") and a tolerance."""
         return make_plan(scene, PlanRequest(selected(chosen), tolerance))
 
     plans = {way: cache(partial(plan_of, planning(), *way)) for way in ways}
 
     def planned(way: tuple[str, str]) -> None:
-        """Expose a frame with a plan that is made before."""
+        """Expose a frame with a plan that exists before the time is measured. `way` is the choice
+        of effects and the tolerance."""
         next(iter(planning().frames(plans[way]().kept, request.seed, 1)))
 
     def with_planning(way: tuple[str, str]) -> None:
-        """Make a plan and expose a frame."""
+        """Make a plan and expose a frame with it. `way` is the choice of effects and the
+        tolerance."""
         scene = planning()
         next(iter(scene.frames(plan_of(scene, *way).kept, request.seed, 1)))
 
@@ -174,11 +181,12 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
 
     @cache
     def percent(way: tuple[str, str]) -> float:
-        """Return the measured error of a plan in percent of the signal."""
+        """Return the measured error of the plan for a choice of effects and a tolerance, in percent
+        of the signal."""
         return 100.0 * audit(scene, plans[way]()).measured_rms_e / bench.signal_e()
 
     def figures(way: tuple[str, str], _exposed: None) -> Figures:
-        """Return the error of a way by name."""
+        """Return the error of the plan for a choice of effects and a tolerance, by name."""
         return {PERCENT: percent(way)}
 
     for method, run in (("with planning", with_planning), ("planned", planned)):
@@ -191,7 +199,8 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
 
 
 def _reference(bench: Bench, rows: range) -> Figures:
-    """Return the time of a frame of the reference, from the time of some rows."""
+    """Return the figures of the reference: no error, and the time of a frame, estimated from the
+    time of some `rows`."""
     reference = Reference.of(bench.container, bench.sensor, everything())
     scene, planes = scene_of(bench.container, bench.light), bench.container.planes()
     seeds = bench.request.seed, bench.request.device_seed
@@ -202,8 +211,8 @@ def _reference(bench: Bench, rows: range) -> Figures:
 
 
 def _tolerances(bench: Bench) -> list[str]:
-    """Return the fractions PARTS of the target error as tolerances, limited to the allowed
-    range; note every limited one."""
+    """Return the fractions `PARTS` of the target error as texts of tolerances. A tolerance outside
+    the allowed range is replaced by the nearest limit, which a note of `bench` says."""
     target = bench.target
     tolerances = dict[str, None]()
     for share in PARTS:

@@ -56,7 +56,7 @@ def sensor_study(options: Mapping[str, Any]) -> Study:
         points += readout_points(options)
 
     def text(measured: StudyResult) -> str:
-        """Return the tables of shutters and readouts in `measured`, and the programs that do not
+        """Return the tables of shutters and of readouts, and a line for each program that does not
         fit."""
         readouts = [point for point in measured.points if point.case == "readouts"]
         names = ("shutters", "slots", "PSNR, dB"), ("readouts", "count", "PSNR, dB")
@@ -81,7 +81,8 @@ def shutters_of(points: Sequence[Point]) -> list[Point]:
 
 
 def sensor_points(options: Mapping[str, Any]) -> list[StudyPoint]:
-    """Return a point for each class, number of slots, kind of codes and lowering.
+    """Return a point for each combination of class, number of slots, kind of codes and lowering,
+    and for each number of looks.
 
     `options` are those of `nscc tradeoff sensor`, by name. Clips have as many frames as the largest
     number of slots. Stills are exposed by class b on a tile of 2 x 2 stops, and by pixels that
@@ -114,7 +115,8 @@ def sensor_points(options: Mapping[str, Any]) -> list[StudyPoint]:
 
 
 def bench_values(options: Mapping[str, Any], kind: str) -> Values:
-    """Return the values of a sweep's point of kind `emulate` for scenes of one kind."""
+    """Return the values of a sweep's point of kind `emulate` for scenes of one `kind`, "clips" or
+    "stills". `options` are those of the command."""
     tile = {"tile": (2, 2), "init": "quad"} if kind == "stills" else {}
     named = ("target", "level", "effects", "seed")
     return {
@@ -130,12 +132,13 @@ def bench_values(options: Mapping[str, Any], kind: str) -> Values:
 
 
 def _point(kind: str, method: str, slots: int, measure: Callable[[], Figures]) -> StudyPoint:
-    """Return a point that measures PSNR and the shortest slot of a method with this number of
-    slots."""
+    """Return a point whose PSNR and shortest slot `measure` returns, for scenes of one `kind`, a
+    method and a number of slots."""
     setting = f"{slots} slots"
 
     def figures() -> Figures:
-        """Measure, and return PSNR (dB), shortest slot (ms) and setting of the point."""
+        """Measure, and return the PSNR in dB, the shortest slot in ms, and the setting with the
+        number of words."""
         found = measure()
         return {
             "psnr_db": found["psnr_db"],
@@ -147,10 +150,11 @@ def _point(kind: str, method: str, slots: int, measure: Callable[[], Figures]) -
 
 
 def readout_points(options: Mapping[str, Any]) -> list[StudyPoint]:
-    """Return points of clips in several readouts of one exposure, and in bursts of frames.
+    """Return points for clips in several readouts of one exposure, and in bursts of as many
+    ordinary frames.
 
     Coded readouts are decoded by the decoder for any code; every frame of a burst is shown for as
-    long as it was open."""
+    long as it was open. `options` are those of the command."""
     values = {**bench_values(options, "clips"), "frames": SLOTS}
     return [
         StudyPoint("readouts", method, str(count), partial(_readouts, method, count, values))
@@ -160,8 +164,8 @@ def readout_points(options: Mapping[str, Any]) -> list[StudyPoint]:
 
 
 def _readouts(method: str, count: int, values: Values) -> Figures:
-    """Return PSNR (dB) and readout time (ms) of a clip from `count` readouts: a burst, or coded
-    frames."""
+    """Return the mean PSNR in dB and the readout time in ms of clips in `count` readouts: those of
+    a "burst", or "coded" ones. `values` describe the scenes."""
     scenes = scenes_of(values)
     if method == "burst":
         container = camera(SLOTS, SLOT_US, values["target"], count)
@@ -182,11 +186,11 @@ def _readouts(method: str, count: int, values: Values) -> Figures:
 def _clip(
     method: str, container: Container, light_e: NDArray[Any], scenes: BenchScenes, index: int
 ) -> NDArray[np.float64]:
-    """Return the reconstruction of scene number `index`, whose clip is `light_e` (N, rows, cols),
-    in electrons in each of its frames.
+    """Return the reconstruction of a clip, in electrons in each of its frames.
 
-    With `method` "coded" the network decodes it; else each frame of a burst is shown for as long as
-    it was open."""
+    The clip is scene number `index`, with the light `light_e` (N, rows, cols). With the `method`
+    "coded" the network decodes its readouts. In a burst, each frame is shown for as long as it was
+    open."""
     light = Light.of_clip(light_e.astype(np.float32))
     coded = exposed_frame(container, light, scenes.sensor, scenes.request(index))
     if method == "coded":
@@ -198,11 +202,14 @@ def _clip(
 
 
 def sensor_diagram(points: Sequence[Point], target: str, slot_us: float | None) -> Figure:
-    """Return a diagram of the PSNR of `points` against the shortest slot, or at `slot_us`, with
-    stills and clips in separate panels."""
+    """Draw the PSNR of points against the shortest slot, with a panel for stills and one for each
+    kind of codes of clips.
+
+    `slot_us` is the length of the slots, None if each program has its shortest; the note says so.
+    """
 
     def names(point: Point) -> tuple[str, str]:
-        """Return the panel and line of a point."""
+        """Return the names of the panel and of the line that a point belongs to."""
         shutters, _, way = point.method.partition(", ")
         if not way:  # pixels that look have one lowering; their number is the number of exposures
             return ("stills, pixels that look", shutters.partition("-")[0])

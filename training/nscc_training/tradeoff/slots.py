@@ -18,8 +18,8 @@ from nscc_training.experiments.study import NotMeasured
 
 
 def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
-    """Return the program `source` with the slot lengths `slot_us`; raise ValueError if its text has
-    no frame."""
+    """Return the program `source` with slots of the lengths `slot_us` in microseconds, whose number
+    may differ. Raise ValueError if its text has no frame statement."""
     tree, _ = parse(source)
     spans = [s.span for s in tree.statements if isinstance(s, EqualSlots | ListedSlots)]
     if not spans:
@@ -35,11 +35,12 @@ def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
 def in_fewer(
     container: Container, join: int, source: Source
 ) -> tuple[Source, dict[str, NDArray[np.int32]]]:
-    """Return a program in which each slot joins `join` slots of `source`, and its pixel codes.
+    """Return a program in which each slot joins `join` successive slots of a program, and the codes
+    of its pixels: `id`, int32 (rows, cols).
 
-    The codes `id` are (rows, cols). A joined slot is open if the pixel is open for at least half of
-    its time. Raises NotMeasured if the slots cannot be joined, pixels have no codes, or there are
-    too many shutters for a codebook."""
+    `container` is the compiled program and `source` its text, which gives the name. A joined slot
+    is open if the pixel is open for at least half of its time. Raises NotMeasured if the slots
+    cannot be joined, pixels have no codes, or there are too many shutters for a codebook."""
     codes, slots = container.pixel_codes, container.slots
     if codes is None or not KINDS.of(container).shutters_known:
         raise NotMeasured("programs with pixels that look keep their own slots")

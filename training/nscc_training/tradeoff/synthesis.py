@@ -35,7 +35,8 @@ _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a fram
 
 @dataclass(frozen=True)
 class StudiedProgram:
-    """A program to compile; paths in it are relative to `base`."""
+    """A program to compile. Paths in its text are relative to `base`. `codes` says whether it must
+    work for the codes in use ("fixed") or for all legal ones ("open")."""
 
     name: str
     source: Source
@@ -43,7 +44,8 @@ class StudiedProgram:
     codes: Codes
 
     def compiled(self, lowering: Lowering, level: int) -> Compiled:
-        """Compile it from text to proof, without the cache."""
+        """Compile the program from text to proof with this lowering and level, without the cache.
+        Raise Rejected if it does not fit."""
         options = Options(level=level, codes=self.codes, lowering=lowering, cache=False)
         return run_passes(self.source, self.base, options)
 
@@ -68,7 +70,8 @@ def builtin_programs() -> tuple[StudiedProgram, ...]:
 
 
 def programs_of(files: Sequence[Path]) -> tuple[StudiedProgram, ...]:
-    """Return the programs in these files, with their shortest distinct names."""
+    """Return the programs in these files, named after the files without their endings, or if these
+    are equal, after their paths."""
     paths = list(dict.fromkeys(files))
     short = len({path.stem for path in paths}) == len(paths)
     return tuple(
@@ -86,8 +89,10 @@ def synthesis_study(
     count: Count,
     repeats: int,
 ) -> Study:
-    """Return the study of each combination of program, lowering and level, with the words that
-    `count` names as its error."""
+    """Return the study of all combinations of program, lowering and level: words against compile
+    time.
+
+    `count` says which words are counted, and each combination is compiled `repeats` times."""
     words = _WORDS[count]
     points = [
         StudyPoint(
@@ -110,7 +115,8 @@ def synthesis_study(
 
 
 def word_figures(count: Count, compiled: Compiled) -> Figures:
-    """Return the number of words and its bound.
+    """Return the number of words of a compiled program, those that `count` names, and a lower bound
+    of it (None if unknown).
 
     The bound is that of the logic, plus the analog words of the plan if all words count."""
     lowered = compiled.lowered
@@ -125,9 +131,8 @@ def word_figures(count: Count, compiled: Compiled) -> Figures:
 
 
 def synthesis_diagram(words: str, measured: StudyResult, device: str) -> Figure:
-    """Draw words against time: a panel for each program, a line for each lowering.
-
-    `words` names the words that are counted."""
+    """Draw words against compile time: a panel for each program, a line for each lowering. `words`
+    says which words are counted, and `device` is named in the note."""
     points = measured.points
     panels = [
         Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
