@@ -64,7 +64,8 @@ class Name(click.types.StringParamType):
 
 
 class RunPath(click.Path):
-    """The click type of a run folder; the shell also suggests shipped runs and `more`."""
+    """The click type of a run folder. The shell suggests folders that contain a run, the runs that
+    come with nscc, and further names."""
 
     def __init__(self, further_names: Sequence[str] = (), path_type: type[Any] = Path) -> None:
         """Suggest run folders, the runs that come with nscc, and `further_names`. `path_type` is

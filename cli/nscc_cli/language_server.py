@@ -38,10 +38,12 @@ _FIX_ALL = types.CodeActionKind("source.fixAll")
 
 
 class Server(LanguageServer):
-    """The open texts by URI, and the thread that handles requests about them."""
+    """The language server: the open texts by URI, their versions, and the thread that handles
+    requests about them."""
 
     def __init__(self) -> None:
-        """Begin without open texts. One worker thread handles all requests in order."""
+        """Begin without open texts. One worker thread handles all requests in order, while the main
+        thread receives changes."""
         super().__init__(
             "nscc", __version__, text_document_sync_kind=types.TextDocumentSyncKind.Full
         )

@@ -241,7 +241,8 @@ def scenes_option(text: str) -> Callable[..., Any]:
 
 
 def target_option(text: str) -> Callable[..., Any]:
-    """Return the option `--target` of a command that compiles nothing; `text` is its help."""
+    """Return the option `--target` for commands that compile no program, with the default chip and
+    the help `text`."""
     return option(
         "--target",
         type=TARGET,

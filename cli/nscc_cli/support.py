@@ -32,7 +32,7 @@ _BAR_WIDTH = 30
 
 @dataclass
 class Session:
-    """The message settings of one invocation of nscc."""
+    """How one invocation of nscc prints messages, and its command line."""
 
     message_format: MessageFormat = "human"
     deny_warnings: bool = False
@@ -43,7 +43,7 @@ class Session:
 
 
 class NumberRange(click.FloatRange):
-    """A number within limits; rejects NaN, which click accepts."""
+    """The click type of a number within limits. It rejects NaN, which click's own type accepts."""
 
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
@@ -57,7 +57,8 @@ class NumberRange(click.FloatRange):
 
 
 class WholeNumber(click.IntRange):
-    """A whole number of 64 bits within limits."""
+    """The click type of a whole number within limits. It rejects numbers above 64 bits, which numpy
+    cannot hold."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
         """Return `value` as a whole number. Raise BadParameter if it is outside the range, above 64
@@ -75,7 +76,8 @@ def session() -> Session:
 
 
 def use_color() -> bool:
-    """Return whether standard error is a colour terminal and NO_COLOR is unset."""
+    """Return whether messages are coloured: standard error is a colour terminal, and the variable
+    NO_COLOR is not set."""
     return (
         sys.stderr.isatty()
         and not os.environ.get("NO_COLOR")
@@ -102,7 +104,8 @@ def show_gathered(of: Session) -> None:
 
 
 def _write(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> None:
-    """Write diagnostics to standard error in the chosen format."""
+    """Write diagnostics to standard error in the given format. Colours are used if the terminal has
+    them."""
     if message_format == "github" or message_format == "sarif":
         from nscc.diagnostics.reports import sarif, workflow_commands
 
@@ -174,7 +177,8 @@ def _denied(diagnostic: Diagnostic) -> Diagnostic:
 
 
 class OutPath(click.Path):
-    """The path of an output file; all other paths are input files of their command."""
+    """The click type of an output file's path. `CommonCommand` treats the paths of all other types
+    as input files."""
 
     def __init__(self, path_type: type[Any] = Path) -> None:
         """Take paths of output files."""
@@ -188,7 +192,8 @@ class CommonCommand(click.Command):
     parameters are inputs, which products must not overwrite (NS0785)."""
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
-        """Add the options `--message-format` and `--deny-warnings` to every command."""
+        """Create the command, with its own options followed by `--message-format` and
+        `--deny-warnings`. The arguments are those of `click.Command`."""
         super().__init__(*arguments, **settings)
         self.params += [
             click.Option(
@@ -369,7 +374,7 @@ def _draws() -> bool:
 
 
 def _redraw(line: str) -> None:
-    """Replace the terminal's current line; the text is cut to the terminal's width."""
+    """Replace the terminal's current line by `line`, cut to the terminal's width."""
     from shutil import get_terminal_size
 
     sys.stderr.write("\r\x1b[2K" + line[: get_terminal_size().columns - 1])

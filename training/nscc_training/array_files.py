@@ -67,8 +67,8 @@ def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
 def _read(path: Path, key: str | None) -> NDArray[Any]:
     """Return the array in a file, or the pictures of an image file as a stack.
 
-    `key` names the array. A clip in a .mat file is turned to (frames, rows, cols). Raises Rejected
-    (NS0801) for files that cannot be read."""
+    `key` names one of several arrays; None takes the usual one. A clip in a .mat file is turned to
+    (frames, rows, cols). Raises Rejected (NS0801) for files that cannot be read."""
     suffix = path.suffix.lower()
     try:
         if not path.is_file():
@@ -131,10 +131,10 @@ def _chosen(path: Path, key: str | None, names: list[str]) -> str:
 
 
 def _read_image(path: Path, suffix: str) -> NDArray[Any]:
-    """Return a picture as (rows, cols), or several as (pictures, rows, cols).
+    """Return the picture in an image file as (rows, cols), or several as (pictures, rows, cols).
 
-    Linear colours become luminance. Raises Rejected (NS0801) for other colour pictures and unknown
-    endings."""
+    `suffix` is its ending in lower case. Linear colours become luminance. Raises Rejected (NS0801)
+    for other colour pictures, for unknown endings, and for too many pictures."""
     from nscc_runtime.scenes.colour import grey
     from nscc_runtime.scenes.picture_files import PICTURES, open_pages
 

@@ -22,7 +22,8 @@ Codes = Mapping[str, NDArray[np.int64]]
 
 
 def codes_bytes(codes: Codes) -> bytes:
-    """Return an .npz file of codes; the same codes give the same bytes."""
+    """Return codes as the content of an .npz file, with an array for each field in the smallest
+    type. The same codes give the same bytes, whatever the time and the order of the fields."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(codes):

@@ -29,7 +29,8 @@ def settings_of(values: Mapping[str, Any], changes: Sequence[str] = ()) -> RunSe
 
 
 def config_toml(settings: RunSettings, *, remarks: bool = False) -> str:
-    """Return a complete configuration file; `remarks` adds the meaning of each key as a comment."""
+    """Return a complete configuration file with these settings. With `remarks`, comments give the
+    meaning and the allowed values of each key."""
 
     def remark(key: Key) -> str:
         """Return the comment on a key: its meaning and its allowed values."""

@@ -88,7 +88,8 @@ def _pu21_inside(luminance: Any) -> Any:
 
 
 def _pu21_slope(luminance: float) -> float:
-    """Return the derivative of the PU21 curve at a luminance in cd/m2."""
+    """Return the derivative of the PU21 curve at a luminance in cd/m2, with which it continues
+    outside its domain."""
     a, b, c, d, e, _f, scale = _PU21
     power = luminance**d
     ratio = (a + b * power) / (1.0 + c * power)

@@ -84,7 +84,9 @@ class Run:
 
     @cached_property
     def curves(self) -> dict[str, NDArray[np.float64]]:
-        """The columns of `metrics.csv`, NaN for empty cells; `split` is 1 for validation rows."""
+        """The columns of the log `metrics.csv` by name, each an array with a value for each line.
+
+        Empty cells are NaN. In the column `split`, 1 means validation and 0 training."""
         with open(self.path / _CURVES, encoding="utf-8", newline="") as file:
             rows = [*csv.DictReader(file)]
 
@@ -215,7 +217,7 @@ class Run:
         return likelihoods(classes, self._decoded(frame, **options))
 
     def __repr__(self) -> str:
-        """Return path, class of shutters, decoder and score as one line."""
+        """Return path, class of shutters, slots, tile, decoder and last score as one line."""
         spec, score = self.encoder.spec, self._score()
         return (
             f"<nscc run {str(self.path)!r}: class {spec.kind}, {spec.slots} slots, tile "

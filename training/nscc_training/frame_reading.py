@@ -168,11 +168,11 @@ class Dark:
     def checked(
         self, frame: Mapping[str, Any], size: tuple[int, ...], *, force: bool = False
     ) -> tuple[Diagnostic, ...]:
-        """Return warnings about subtracting this dark frame from a frame with the meta `frame`.
+        """Return warnings about subtracting this dark frame from a frame whose metadata is `frame`.
 
         `size` (rows, cols) is the size of the array. Raises Rejected (NS0819) if the dark frame has
         another program or contains light; with `force` these are warnings. A dark frame of another
-        size cannot be subtracted and is not checked."""
+        size cannot be subtracted and is not checked here."""
         if self.offset.shape[-2:] != tuple(size):
             return ()
         severity = Severity.WARNING if force else Severity.ERROR

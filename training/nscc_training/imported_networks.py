@@ -144,7 +144,8 @@ def _state(path: Path, graph: Any) -> dict[str, Tensor]:
     from onnx import numpy_helper
 
     def the(kind: str) -> Any:
-        """Return the only layer of this kind; raise Rejected if there are none or several."""
+        """Return the only layer of the ONNX operation `kind`. Raise Rejected (NS0851) if there are
+        none or several."""
         nodes = [node for node in graph.node if node.op_type == kind]
         if len(nodes) != 1:
             raise refused(path, f"it has {len(nodes)} layers {kind}, but a cell has one")

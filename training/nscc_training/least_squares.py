@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, eq=False)
 class LeastSquares:
-    """The solution with the smallest norm, the matrix's `rank`, and its `condition`."""
+    """The result of `solve`: the solution with the smallest norm, the `rank` of the matrix, and its
+    `condition` (largest over smallest singular value; infinite below full rank)."""
 
     solution: NDArray[np.float64]
     rank: int

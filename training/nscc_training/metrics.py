@@ -294,7 +294,8 @@ def _is_number(value: object) -> bool:
 
 
 def _check_range(data_range: float) -> None:
-    """Raise WrongArgument unless the data range is a finite number above 0."""
+    """Raise WrongArgument unless the data range, the peak value of a metric, is a finite number
+    above 0."""
     if not (_is_number(data_range) and 0 < data_range < math.inf):
         raise wrong_argument(
             f"the data range is the peak that errors are compared with, a number above 0, not "

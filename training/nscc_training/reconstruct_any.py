@@ -259,7 +259,8 @@ class NoiseModel:
 
     @classmethod
     def parse(cls, text: str) -> NoiseModel:
-        """Parse `SD` or `SD,GAIN`; raise Rejected (NS0846) for another text."""
+        """Return the noise that a text `SD` or `SD,GAIN` describes. Raise Rejected (NS0846) for
+        another text."""
         try:
             numbers = [float(item) for item in text.split(",")]
         except ValueError:
@@ -278,7 +279,7 @@ class NoiseModel:
         return cls(*numbers)
 
     def __str__(self) -> str:
-        """Return the noise of the measurement as text."""
+        """Return a sentence on the noise, for the terminal."""
         if not self.read_sd and not self.gain:
             return "none: the measurement is treated as exact; --noise SD[,GAIN] sets a noise model"
         photons = f", variance of photons {self.gain:g} times the measurement" if self.gain else ""

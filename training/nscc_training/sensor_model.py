@@ -75,7 +75,7 @@ class SensorModel:
     comparator_offset: float = 0.0
 
     def __post_init__(self) -> None:
-        """Raise WrongArgument for invalid values."""
+        """Raise WrongArgument for a value of the wrong type, below 0 or not finite."""
         argument("SensorModel", "adc_bits", Integer(1, 32), self.adc_bits)
         argument("SensorModel", "shot_noise", Flag(), self.shot_noise)
         for name in _NUMBERS:

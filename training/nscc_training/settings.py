@@ -440,7 +440,7 @@ class TrainSettings:
 
 @dataclass(frozen=True)
 class RunSettings:
-    """A complete configuration."""
+    """A complete configuration of a training run: a field for each section of the file."""
 
     shutter: ShutterSettings = field(default_factory=ShutterSettings)
     decoder: DecoderSettings = field(default_factory=DecoderSettings)
@@ -481,7 +481,8 @@ class RunSettings:
         return tuple(name for name in self.classes if procedural and name not in DIRECTIONS)
 
     def check(self) -> None:
-        """Raise Rejected (NS0815) with all settings that contradict others."""
+        """Raise Rejected (NS0815, status 2) with all settings that contradict others. Each key
+        declares its own checks."""
         reasons = ((key.path, check(self)) for key in SCHEMA.keys for check in key.checks)
         problems = [invalid_setting(path, reason) for path, reason in reasons if reason]
         if problems:

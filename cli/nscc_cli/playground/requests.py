@@ -75,7 +75,8 @@ class Playground:
         self._capture = lru_cache(1)(self._exposed)
 
     def answer(self, kind: str, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the answer to a request; `messages` are the errors if nscc rejects it.
+        """Return the answer to a request as JSON values. If nscc rejects the request, the answer
+        has only `messages`, the errors.
 
         The kinds are `start` (examples, words of the language, the file), `check`, `frame` and
         `words` (of one pixel), which take `PageSettings`, and `save`, which takes `text` and

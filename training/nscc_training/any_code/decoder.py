@@ -32,7 +32,7 @@ The values fit a full well of 30,000 electrons and 8 bits. Runs use their own no
 
 
 class AnyCode(nn.Module):
-    """The decoder for any code as a network: `stages` times a step towards the frames and a
+    """The decoder for any code as a torch module: `stages` times a step towards the frames and a
     denoiser.
 
     It starts from nscc's weights if it has their widths.

@@ -65,7 +65,8 @@ class CodedFrame:
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
     def crop(self, rows: slice, cols: slice) -> CodedFrame:
-        """Return the frame cut to these rows and columns; the codebook of shutters stays whole."""
+        """Return the frame cut to these rows and columns. The table of shutters stays whole,
+        because pixels refer to it by index."""
         place = (slice(None), rows, cols)
         return CodedFrame(
             self.value_e[place],
@@ -203,8 +204,9 @@ def exposed_frame(
 def coded_capture(
     container: Container, light: Light, sensor: Sensor, simulated: Simulated
 ) -> CodedFrame:
-    """Convert the `simulated` frame of a program exposed to `light`, with the shutters, noise
-    and saturation that the program and the sensor give."""
+    """Convert the `simulated` frame of the program in `container`, exposed to `light`, into the
+    form that is reconstructed, with the shutters, noise and saturation that program and sensor
+    give."""
     about = meta(container, light, simulated.frame, simulated.origin)
     table = decode_arrays(container, sensor, about["plan"])
     arrays = {"frame": simulated.frame.frame, "saturated": simulated.frame.saturated}

@@ -262,7 +262,8 @@ def _read_out(
     wide = (-1, 1, 1, 1)
 
     def drawn(limits: tuple[float, float]) -> Tensor:
-        """Return random numbers (batch, 1, 1, 1), uniform in the logarithm within the limits."""
+        """Return a random number for each frame, (batch, 1, 1, 1), uniform in the logarithm between
+        the two `limits`."""
         low, high = np.log(limits)
         return torch.exp(low + (high - low) * uniform(value, generator, (len(value),))).reshape(
             wide

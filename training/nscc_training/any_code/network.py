@@ -94,7 +94,8 @@ class ClipDenoiser(nn.Module):
 
 
 class FrameExchangeBlock(nn.Module):
-    """A residual block after an exchange of channels between neighbouring frames."""
+    """A residual block of two convolutions. Before them, neighbouring frames of a clip exchange
+    channels (`exchanged`)."""
 
     def __init__(self, width: int) -> None:
         """Build two convolutions of `width` channels."""
@@ -125,10 +126,10 @@ class _Exchanged(torch.autograd.Function):
 
     @staticmethod
     def forward(ctx: Any, x: Tensor, frames: int) -> Tensor:
-        """Return x with a quarter of its channels taken from the frame before and a quarter from
-        the frame after.
+        """Return x (batch * frames, channels, rows, cols) in which a quarter of the channels is
+        taken from the frame before, and a quarter from the frame after.
 
-        The first and the last frame keep their own channels."""
+        The first and the last frame keep their own channels where they have no neighbour."""
         ctx.frames = frames
         output = x.clone(memory_format=torch.channels_last)
         old, new = (values.view(-1, frames, *x.shape[1:]) for values in (x, output))

@@ -82,11 +82,12 @@ def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArra
 
 
 def learned(blocks: Matrix, atoms: int, sparsity: int, rounds: int, seed: int) -> Matrix:
-    """Learn a dictionary (d, `atoms`) with columns of length 1 for blocks (n, d), each the sum of
-    at most `sparsity` atoms.
+    """Learn a dictionary (d, `atoms`) with columns of length 1 for `blocks` (n, d), so that each
+    block is nearly a sum of at most `sparsity` atoms.
 
-    The first atom is constant. An unused atom is replaced by the block with the largest error.
-    Raises ValueError for fewer blocks than atoms."""
+    Each of `rounds` rounds finds the weights of the blocks, then the best atoms for them. The first
+    atom is constant. An unused atom is replaced by the block with the largest error. `seed` chooses
+    the first atoms. Raises ValueError for fewer blocks than atoms."""
     if len(blocks) < atoms:
         raise ValueError(f"{len(blocks)} blocks for {atoms} atoms")
     generator = np.random.default_rng(seed)

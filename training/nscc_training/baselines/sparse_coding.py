@@ -121,7 +121,8 @@ def spread(picture: Tensor, filters: Tensor) -> Tensor:
 
 
 def blurred(picture: Tensor) -> Tensor:
-    """Blur a picture (1, 1, rows, cols) by a Gaussian, with its edge pixels repeated outside."""
+    """Blur a picture (1, 1, rows, cols) by a Gaussian with the standard deviation `_COARSE`.
+    Outside, its edge pixels are repeated."""
     reach = round(3 * _COARSE)
     line = torch.exp(-0.5 * (torch.arange(-reach, reach + 1) / _COARSE) ** 2)
     line = line / line.sum()

@@ -169,11 +169,12 @@ Clip = NDArray[np.float32]
 
 
 def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) -> Clip:
-    """Denoise a clip (T, rows, cols) by Chambolle's method, isotropic in space and time.
+    """Denoise a clip (T, rows, cols) by `iterations` of Chambolle's method for total variation, and
+    return float32.
 
-    `time` weights differences between frames relative to those between pixels; 0 denoises every
-    frame alone. The dual field starts at 0. Raises ValueError for an array that is not a clip and
-    for a weight of 0 or less."""
+    A larger `weight` smooths more. `time` weights differences between frames relative to those
+    between pixels; 0 denoises every frame alone. The dual field starts at 0. Raises ValueError for
+    an array that is not a clip and for a weight of 0 or less."""
     if clip.ndim != 3 or 0 in clip.shape:
         raise ValueError(f"a clip of the shape {clip.shape}")
     if not weight > 0 or iterations < 0 or not time >= 0:

@@ -10,7 +10,7 @@ from nscc.toml.schema import key
 
 @dataclass(frozen=True)
 class TvSettings:
-    """How clips are decoded by total variation."""
+    """How clips are reconstructed by total variation."""
 
     iterations: int = key(Integer(1, 10000), "Iterations of total variation", 40)
     weight: float = key(

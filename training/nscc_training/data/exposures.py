@@ -54,7 +54,7 @@ class Batch:
     classes: Tensor | None = None
 
     def patches(self, first: int, last: int) -> Batch:
-        """Return the patches from `first` up to `last`."""
+        """Return the part of the batch from patch number `first` up to, but without, `last`."""
         cut = slice(first, last)
         return replace(
             self,
@@ -292,7 +292,8 @@ def _cut(
 def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
     """Return the quantile of each row of `values` (batch, count), float64 (batch,).
 
-    `quantile` is a number or (batch,). The result is interpolated as by numpy."""
+    `quantile` is a number from 0 to 1, or one for each row (batch,). Values between two elements
+    are interpolated linearly, as numpy does."""
     last = values.shape[1] - 1
     if isinstance(quantile, float):
         below = int(quantile * last)

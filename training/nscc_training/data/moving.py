@@ -92,7 +92,7 @@ class _Layer:
         """Return a random layer: a picture with its motion, rotation, zoom, waves and outline.
 
         `size` is the side of the clip in pixels. A background fills the frame and has no outline.
-        Of several random places in the picture, the layer shows the one with most detail."""
+        Of several random places in a random picture, the layer shows the one with most detail."""
         picture = pictures[int(generator.integers(len(pictures)))]
         speed = np.exp(generator.uniform(*np.log(_SPEEDS))) * (generator.random() > _STILL)
         heading = generator.uniform(0, 2 * np.pi)

@@ -63,7 +63,7 @@ class SourceScene:
 
 @dataclass(frozen=True, eq=False)
 class Scenes:
-    """The scenes of a run; `train` and `val` share no scene."""
+    """The scenes of a training run. `train` and `val` (validation) share no scene."""
 
     train: tuple[SourceScene, ...]
     val: tuple[SourceScene, ...]

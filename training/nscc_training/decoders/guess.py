@@ -96,7 +96,8 @@ class _Tent(Function):
 
     @staticmethod
     def forward(_ctx: Any, x: Tensor) -> Tensor:
-        """Return x convolved with a 3 x 3 tent that weights the pixel itself by `_OWN`."""
+        """Return x (batch, channels, rows, cols) convolved, channel by channel, with a 3 x 3 tent
+        that weights the pixel itself by `_OWN`."""
         kernel = torch.tensor([[0.25, 0.5, 0.25], [0.5, _OWN, 0.5], [0.25, 0.5, 0.25]])
         channels = x.shape[1]
         stacked = kernel.to(x).expand(channels, 1, 3, 3)

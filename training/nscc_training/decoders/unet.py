@@ -27,10 +27,12 @@ def _guesses(task: DecoderTask, size: str) -> bool:
 
 
 class UNet(nn.Module):
-    """A U-Net with `widths` channels from the finest level to the coarsest.
+    """A U-Net: at each level two convolutions, and half the resolution at the next; on the way
+    back, the result is joined with that of the same level.
 
-    The input is padded to a multiple of 2 ** (levels - 1) by repeating its edge, and the result is
-    cut to the size of the input."""
+    `widths` are the channels from the finest level to the coarsest. The input is padded to a
+    multiple of 2 ** (levels - 1) by repeating its edge, and the result is cut to the size of the
+    input."""
 
     def __init__(self, inputs: int, outputs: int, widths: Sequence[int], dimensions: int) -> None:
         """Build a U-Net with `inputs` and `outputs` channels in two or three `dimensions`.

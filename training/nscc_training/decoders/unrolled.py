@@ -74,6 +74,7 @@ class Unrolled(nn.Module):
 
 
 class Refined(Unrolled):
-    """The decoder that starts from GAP-TV, which is better, but passes no gradient to the codes."""
+    """The decoder `Unrolled`, started from a clip by GAP-TV. This start is better than the first
+    guess, but passes no gradient to the codes."""
 
     tv_iterations = 20

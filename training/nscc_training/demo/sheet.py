@@ -116,7 +116,8 @@ class Shown:
 
     @cached_property
     def bracket_light(self) -> NDArray[np.float64] | None:
-        """The light of an ordinary bracket, merged without a network; None if there is none."""
+        """The light that an ordinary bracket measured, merged without a network, in electrons over
+        the frame; None if there is no bracket."""
         if self.exposed_scene.bracket is None:
             return None
         capture, dark = self.exposed_scene.bracket

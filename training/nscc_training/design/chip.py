@@ -65,7 +65,8 @@ class DesignChip:
 
     @cached_property
     def full_e(self) -> float:
-        """The largest exposure in electrons: of full well, codes, and linear registers."""
+        """The largest exposure, in electrons, that is measured without clipping or compression: the
+        smallest limit of full well, converter and registers."""
         codes = self.target.top_code - self.sensor.adc_offset_lsb
         most = min(float(self.sensor.full_well_e), float(codes * self.code_e / self.gain))
         soft = self.effects.find_part(Soft)

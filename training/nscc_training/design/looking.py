@@ -35,7 +35,10 @@ _MOST_KEPT = 128
 
 @dataclass(frozen=True)
 class LookSchedule:
-    """Looks at boundaries `at`, in increasing order, and their levels `steps` in steps of IN."""
+    """When pixels look at their light, and at which level they close.
+
+    `at` are the boundaries of the looks, in increasing order, and `steps` their levels in steps of
+    IN, the value that the controller sends to all pixels."""
 
     at: tuple[int, ...]
     steps: tuple[int, ...]

@@ -24,7 +24,7 @@ _REACH = 2
 
 
 class AlwaysOpen(Encoder):
-    """Class a: always open, with nothing to learn."""
+    """Class a: pixels that are always open, with no codes to learn."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         """Begin; there is nothing to learn. A buffer follows the module to its device."""

@@ -32,7 +32,8 @@ SomeTask = TypeVar("SomeTask", bound=Task)
 
 @dataclass(frozen=True)
 class PointRow:
-    """The result of a point: `figures`, or `code` and text of a message if there are none."""
+    """The stored result of a task. `figures` are its results by name; if there are none, `code` and
+    `error` are those of a message."""
 
     key: str
     figures: Figures = field(default_factory=dict, hash=False)

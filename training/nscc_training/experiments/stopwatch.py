@@ -13,7 +13,8 @@ _CPUINFO = Path("/proc/cpuinfo")
 
 
 def processor_name() -> str:
-    """Return the processor's name, or its architecture if the name is unknown."""
+    """Return the name of this machine's processor, or if the system does not tell it, its
+    architecture."""
     try:
         lines = _CPUINFO.read_text(errors="replace").splitlines()
     except OSError:

@@ -72,7 +72,8 @@ class StudyPoint:
 
 @dataclass(frozen=True)
 class StudyResult:
-    """The points of a study, the settings that could not be measured, and the number of repeats."""
+    """The result of a study: its points with figures and times, the settings that were refused, and
+    how often each point was timed."""
 
     points: tuple[Point, ...]
     refused: tuple[Refused, ...] = ()
@@ -155,7 +156,8 @@ def measure(
 
 @dataclass(frozen=True)
 class _Turn:
-    """One measurement of a point: its number of the repeat distinguishes it in the store."""
+    """One measurement of a point. `turn` is the number of the repeat, which makes its key in the
+    store different from that of the other repeats."""
 
     point: StudyPoint
     turn: int

@@ -24,7 +24,8 @@ COLUMNS = (
 
 @dataclass(frozen=True)
 class Refused:
-    """A setting that cannot be measured, with the error's code and message."""
+    """A setting of a method that was refused, with the code of the message ("" without one) and its
+    text."""
 
     case: str
     method: str
@@ -52,7 +53,7 @@ def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = 
 
 
 def csv_of(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
-    """Return rows of cells as CSV, with the names of the columns in the first line."""
+    """Return rows of cells as CSV; `head` are the names of the columns, in the first line."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(head)

@@ -15,7 +15,8 @@ _MUON_RATE = 4.0
 
 
 class Muon(torch.optim.Muon):
-    """`torch.optim.Muon` for convolution weights (out, ...), viewed as matrices."""
+    """The optimizer `torch.optim.Muon`, which needs matrices, for the weights of convolutions
+    (outputs, ...)."""
 
     def __init__(self, weights: Iterable[Tensor], lr: float) -> None:
         """Prepare to update each of the `weights` as a matrix with a row for each output. `lr` is

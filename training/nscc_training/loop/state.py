@@ -57,8 +57,8 @@ class TrainingState:
     average: AveragedModel | None
 
     def tensors(self) -> dict[str, Tensor]:
-        """Return copies of all tensors of the checkpoint by name: parameters, their average, the
-        optimizers and the measured sensor."""
+        """Return copies of all tensors of the checkpoint by name: parameters, their running
+        average, the states of the optimizers, and the table of the emulated sensor."""
         tensors = tensors_of(self.setup)
         tensors |= {f"emulated.{k}": _copied(v) for k, v in self.setup.tables.tensors().items()}
         if self.average is not None:

@@ -28,7 +28,8 @@ from nscc_training.sensor_model import laid
 
 
 class StepLoss(nn.Module):
-    """The loss of a batch in one step, as a module so that ranks share its gradients."""
+    """The loss of a batch in one step. It is a module, so that torch averages its gradients over
+    the processes that train together."""
 
     def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
         """Prepare to compute losses of this run. `ranks` are the processes that train together."""

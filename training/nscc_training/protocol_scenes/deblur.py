@@ -21,7 +21,8 @@ Picture = NDArray[np.float64]
 
 
 class DeblurMoment(ProtocolScene):
-    """A view of a panorama by a turning camera; the truth is the light of one slot."""
+    """A view of a panorama by a turning camera, in slots. The truth is the light of one slot, as if
+    the camera had stood still."""
 
     @property
     def truth_e(self) -> Picture:

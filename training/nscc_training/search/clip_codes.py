@@ -84,7 +84,8 @@ class ClipCode:
 
 @dataclass(frozen=True, eq=False)
 class ClipDesign(Design):
-    """A design with the best `code` for clips; `ranked` contains all codes, the best first."""
+    """A design with the best `code` for clips. `ranked` contains all codes that were compared, the
+    best first."""
 
     code: ClipCode
     ranked: tuple[ClipCode, ...]

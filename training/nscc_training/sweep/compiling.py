@@ -83,7 +83,7 @@ COMPILE = PointKind(
 
 
 def _limit_keys() -> tuple[Key, ...]:
-    """Return the keys of points of kind limits."""
+    """Return the keys that points of kind limits may have in a grid."""
     names = tuple(family.name for family in families())
     return (
         axis("family", TextKind(names), "a class at every size"),

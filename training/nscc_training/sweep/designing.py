@@ -28,7 +28,7 @@ _CRITERIA = ("mu", "linear", "log", _TILE)
 
 
 def _keys() -> tuple[Key, ...]:
-    """Return the keys of points of kind design."""
+    """Return the keys that points of kind design may have in a grid."""
     return (
         *scene_keys(),
         axis("looks", Integer(2, 32), "exposures of pixels that look, the last the whole frame"),

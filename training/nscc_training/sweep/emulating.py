@@ -44,7 +44,7 @@ _SILENT = {
 
 
 def _keys() -> tuple[Key, ...]:
-    """Return the keys of points of kind emulate."""
+    """Return the keys that points of kind emulate may have in a grid."""
     return (
         *program_keys(),
         *scene_keys(),

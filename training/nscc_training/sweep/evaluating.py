@@ -22,7 +22,7 @@ RUN = "run"
 
 
 def _keys() -> tuple[Key, ...]:
-    """Return the keys of points of kind evaluate."""
+    """Return the keys that points of kind evaluate may have in a grid."""
     return (
         axis(RUN, TextKind(), "parts of this grid, of kind train, whose runs are evaluated"),
         axis(

@@ -63,7 +63,8 @@ def declared_axes(settings: type, *names: str, **defaults: object) -> tuple[Key,
 
 
 def target_keys() -> tuple[Key, ...]:
-    """Return the keys of chips: the target, and each value as `chip.KEY`."""
+    """Return the keys of a grid that name a chip, and those that change one of its values
+    (`chip.KEY`)."""
     numbers = (
         axis(_CHIP + key.attribute, key.kind, key.meaning)
         for key in SCHEMA.keys
@@ -76,7 +77,8 @@ def target_keys() -> tuple[Key, ...]:
 
 
 def program_keys() -> tuple[Key, ...]:
-    """Return the keys of programs and of their compilation."""
+    """Return the keys of a grid that name a program (a file, a rule or a class of codes), and how
+    it is compiled."""
     return (
         axis("program", TextKind(), "a file of a program"),
         axis("rule", TextKind(), "instead of program: the statements below `frame`"),
@@ -220,7 +222,7 @@ _SENSOR, _FILE = "sensor.", "sensor.file"
 
 
 def scene_keys() -> tuple[Key, ...]:
-    """Return the keys that name a scene and its exposure."""
+    """Return the keys of a grid that name a scene, its exposure and its encoding."""
     return (
         axis("scene", TextKind(), "a scene, as nscc run takes it"),
         axis(
@@ -239,7 +241,8 @@ def scene_keys() -> tuple[Key, ...]:
 
 
 def sensor_keys() -> tuple[Key, ...]:
-    """Return the keys of sensors: the sensor file, and each value as `sensor.KEY`."""
+    """Return the keys of a grid that name a sensor file, and those that change one of its values
+    (`sensor.KEY`)."""
     from nscc_runtime.sensor.file import schema
 
     numbers = (axis(_SENSOR + key.name, key.kind, key.meaning) for key in schema().keys)
@@ -253,7 +256,7 @@ def light_files(values: Values) -> Sequence[Path]:
 
 
 def scene_of(values: Values) -> Scene:
-    """Return the scene that the values of a point name."""
+    """Return the scene that the values of a point name, with its exposure and encoding."""
     from nscc_runtime.scenes import Scene
 
     return Scene(

@@ -251,8 +251,8 @@ def _compute(
 
 
 def _other_code(done: Done) -> Rejected:
-    """Return the error (NS0836) for a worker whose code or data differ, so that it would compute
-    another point."""
+    """Return the error (NS0836) that the worker of `done` has other code or data than this process,
+    so that it would compute another point."""
     return rejected(
         "NS0836",
         f"the worker {done.worker} has other code or data than the process that "

@@ -129,7 +129,8 @@ def _lines(
 
 
 def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any, float]]:
-    """Return one point for each x, with the mean of y; sorted by x if `ordered`."""
+    """Return one point (x, y) for each x, with the mean of its y. They are sorted by x if
+    `ordered`, else in the order of the first points."""
     places: dict[Any, list[float]] = {}
     for across, up in points:
         places.setdefault(across, []).append(up)

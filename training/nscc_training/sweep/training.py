@@ -25,7 +25,8 @@ _STAGES = ("soft", "hard", "compiled", "emulated")
 
 @cache
 def _keys() -> tuple[Key, ...]:
-    """Return the keys of points of kind train: all settings of a training configuration."""
+    """Return the keys that points of kind train may have in a grid: a configuration file and all
+    settings of a training."""
     settings = (Key("", key.path, Axis(key.kind), key.meaning, MISSING) for key in SCHEMA.keys)
     return (
         axis(_CONFIG, TextKind(), "a configuration of nscc train, else its defaults"),

@@ -78,7 +78,7 @@ def decoder_study(
     seconds. Raises Rejected as `decoder_points` does."""
 
     def text(measured: StudyResult) -> str:
-        """Return a table for each unit of error, and the runs that could not be measured."""
+        """Return a table for each unit of error, and a line on networks without a run."""
         tables = (
             table_text(
                 [p for p in measured.points if p.error_unit == unit], ("decoder", "setting", title)

@@ -50,8 +50,8 @@ def _point(
     `loads` differs with what the first run loads, which is not timed."""
 
     def figures(light: Values) -> Figures:
-        """Return the RMS error of decoded light as a percentage of the mean light, over known
-        pixels."""
+        """Return the RMS error of decoded light as a percentage of the mean light, over pixels
+        whose light is known (finite)."""
         light_e, truth_e = np.asarray(light, np.float64), np.asarray(truth, np.float64)
         known = np.isfinite(light_e)
         signal_e = float(truth_e.mean())

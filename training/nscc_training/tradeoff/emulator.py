@@ -50,7 +50,8 @@ class Naive:
     light: Light
 
     def summed(self) -> Frame:
-        """Return a frame that sums the light over the open slots in float32, without effects."""
+        """Return a frame that sums the light over the open slots in float32, without noise or any
+        other effect."""
         total = self._dark(np.float32)
         with np.errstate(over="ignore"):
             for light, opened in self._slots():
@@ -143,7 +144,7 @@ SCENES = ("builtin:hdr", "builtin:motion", "builtin:flat:300")
 
 @dataclass(frozen=True)
 class NamedLight:
-    """The light of a scene, with its name."""
+    """The light of a scene, and a name for tables."""
 
     name: str
     light: Light
@@ -169,7 +170,8 @@ class StudySettings:
 
 @dataclass(frozen=True)
 class MeasuredPlan:
-    """A plan for the tolerance `setting`, and its measured RMS error in the worst bucket."""
+    """A plan for the tolerance that is called `setting`, and its measured RMS error in electrons in
+    the worst bucket."""
 
     setting: str
     plan: Plan

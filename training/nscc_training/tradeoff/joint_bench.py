@@ -109,7 +109,8 @@ class Bench:
 
     @cached_property
     def container(self) -> Container:
-        """The compiled program, with codes for its pixels."""
+        """The compiled program of the request, with codes for its pixels. Messages of the compiler
+        are passed to `warn`."""
         container, messages = load_container(self.request.program, self.request.options)
         for message in messages:
             self.warn(message)

@@ -51,8 +51,8 @@ class StudiedProgram:
 
 
 def builtin_programs() -> tuple[StudiedProgram, ...]:
-    """Return programs of classes b to e and a random codebook, in sizes for a chip with 13
-    registers."""
+    """Return the programs that are compiled if the user names none: classes b to e and a random
+    codebook, in sizes for a chip with 13 registers."""
     rows = np.random.default_rng(1).integers(0, 2, (64, 16))
     rules = {
         **{f"b {n}": (n, f"code stop : 0..{n - 1}\nopen when n < stop") for n in (16, 64, 256)},
