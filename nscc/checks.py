@@ -56,7 +56,8 @@ def check_plans(planned: Planned) -> None:
 
 
 def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
-    """Return for each slot the shutters whose light a plan collects in a bucket, as a truth vector.
+    """Return for each slot the shutters whose light a plan collects in a bucket, as a truth vector
+    (an integer with one bit for each shutter).
 
     `first` are the shutters that are open in slot 0. Raises Inconsistent if the light of a shutter
     is never read."""
@@ -86,8 +87,8 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
 
 
 def check_gates(gated: Gated) -> None:
-    """Check every solution by replaying its gates on truth vectors; raise Inconsistent if it fails
-    its demands."""
+    """Check every solution by replaying its gates on truth vectors (integers with one bit for each
+    shutter); raise Inconsistent if it fails its demands."""
     machine = Machine.of(gated.program.target)
     for decoding in gated.decodings:
         fault_text = fault(decoding.problem, machine, decoding.solution)

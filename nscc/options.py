@@ -21,9 +21,9 @@ class Options:
     """Options of the compiler; each field that is an option of the command line declares its
     meaning.
 
-    `price_all` computes the costs of all lowerings, for the report. If `unproved_is_error` is false
-    and only a longer search can decide whether the program fits, this is a note instead of an
-    error."""
+    `price_all` computes the costs of all lowerings (ways to compute the exposure), for the report.
+    If `unproved_is_error` is false and only a longer search can decide whether the program fits,
+    this is a note instead of an error."""
 
     level: int = key(
         Integer(0, 3),

@@ -116,8 +116,8 @@ _SUMMARY = LazyFunctions("nscc.emit.summary")
 
 
 def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
-    """Return an exposure plan for each lowering that supports the program, and the error if there
-    is none.
+    """Return an exposure plan for each lowering (way to compute the exposure) that supports the
+    program, and the error if there is none.
 
     The errors are NS0412 for more shutters than a pixel's registers can distinguish, NS0413 for
     more buckets than analog registers, and NS0414 for a lowering that does not support the program.
@@ -159,7 +159,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
 
 def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
     """Return the kernels (lists of words) and the boundaries at which they start, the best lowering
-    first; and errors.
+    (way to compute the exposure) first; and errors.
 
     The errors are for a program that exceeds the store (NS0501), the slots' time (NS0601), the
     retention time of registers (NS0602) or the user's limit (NS0603)."""
@@ -275,11 +275,11 @@ class ProgramKind:
         return dict(LazyFunctions("nscc.emit.products").word_product(product, compiled, stem, self))
 
     def gates_text(self, lowered: Any) -> str:
-        """Return the gates of a lowering as text."""
+        """Return the gates of a lowering (way to compute the exposure) as text."""
         return str(_TEXTS.gates_text(lowered.decoding, lowered.program))
 
     def network(self, lowered: Any) -> DiGraph:
-        """Return the gates of a lowering as a network."""
+        """Return the gates of a lowering (way to compute the exposure) as a network."""
         network: DiGraph = LazyFunctions("nscc.emit.network").network_of(lowered)
         return network
 
@@ -409,8 +409,8 @@ def run_passes(
 
 
 def with_all_lowerings(compiled: Compiled, options: Options) -> Compiled:
-    """Return a compiled program with the words of all lowerings, for its report; `options` are
-    those of its compilation."""
+    """Return a compiled program with the words of all lowerings (ways to compute the exposure), for
+    its report; `options` are those of its compilation."""
     results = results_of_user() if options.cache else None
     job = Job(compiled.program.source, replace(options, price_all=True), Path(), results)
     value: Any = compiled.program

@@ -60,7 +60,7 @@ def vector(shutters: NDArray[np.intp]) -> int:
 
 
 def union(vectors: Iterable[int]) -> int:
-    """Return the OR of all truth vectors."""
+    """Return the OR of all truth vectors (integers with one bit for each shutter)."""
     return reduce(or_, vectors, 0)
 
 

@@ -232,7 +232,8 @@ class Target:
 
     @property
     def electrons_per_step(self) -> float:
-        """Electrons per step of IN: `in_step_e` or, if that is None, `register_max_e` / 127."""
+        """Electrons per step of IN (the level sent to all pixels): `in_step_e` or, if that is None,
+        `register_max_e` / 127."""
         # The magnitude of the lowest default value of IN is 127: it then reaches a full register.
         return self.register_max_e / 127 if self.in_step_e is None else self.in_step_e
 
@@ -269,15 +270,15 @@ class Target:
     def conversion(self) -> Literal["spread", "full", "half"]:
         """The conversion that is used: `readout`, but "full" where exposures cannot be spread.
 
-        Spreading subtracts a full well with IN. So IN and the registers must reach a full well
-        below 0; see `spread_level`."""
+        Spreading subtracts a full well with IN (the level sent to all pixels). So IN and the
+        registers must reach a full well below 0; see `spread_level`."""
         reached = not self.has_logic or self.spread_level is not None
         return "full" if self.readout == "spread" and not reached else self.readout
 
     @property
     def spread_level(self) -> int | None:
-        """The value of IN, in steps, closest to minus a full well. Adding it spreads exposures over
-        all codes.
+        """The value of IN (the level sent to all pixels), in steps, closest to minus a full well.
+        Adding it spreads exposures over all codes.
 
         None if exposures are not spread, or if IN or a register does not reach this value."""
         level = round(-self.full_well_e / self.electrons_per_step)

@@ -233,7 +233,7 @@ def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
     assembly text.
 
     At the start of a line, completions are directives and instructions; later they are targets,
-    kernels or registers. After `;`, `#` or `|` there are none."""
+    kernels (lists of words) or registers. After `;`, `#` or `|` there are none."""
     line = listing.text[:offset].rpartition("\n")[2]
     typed = match.group() if (match := _TYPED.search(line)) else ""
     before = line[: len(line) - len(typed)]
@@ -245,7 +245,7 @@ def _offers(listing: Listing, before: list[str]) -> Iterator[Offer]:
     """Yield the completions of a line of assembly text after the words `before`.
 
     The first word of a line is a directive or a mnemonic. Later words are a chip after `.target`, a
-    kernel after `.slot`, and else registers."""
+    kernel (list of words) after `.slot`, and else registers."""
     if not before:
         yield from (Offer(name, "word", "a directive") for name in DIRECTIVES)
         known = mnemonics(listing.target.words)

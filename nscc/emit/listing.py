@@ -141,7 +141,7 @@ def plan_text(plan: ExposurePlan) -> str:
 
 
 def gates_text(decoding: Decoding, program: Program) -> str:
-    """Return the gates that compute FLAG at every boundary as text.
+    """Return the gates that compute FLAG (the bit that lets a pixel act) at every boundary as text.
 
     They are on virtual registers; the text begins with the chip's register of each."""
     solution = decoding.solution
@@ -185,8 +185,8 @@ def schedule_text(lowered: Lowered) -> str:
 
 
 def choice_text(choice: Choice) -> str:
-    """Return all lowerings with their costs, best first, the reasons of those without, and the best
-    one's kernels."""
+    """Return all lowerings (ways to compute the exposure) with their costs, best first, the reasons
+    of those without, and the best one's kernels (lists of words)."""
     lines = []
     for lowered in choice.lowerings:
         least, most = lowered.plan.analog_writes
@@ -200,7 +200,8 @@ def choice_text(choice: Choice) -> str:
 
 
 def _misfits_text(misfits: Mapping[Lowering, Misfit]) -> str:
-    """Return a line for each lowering that cannot implement the program, with the reason."""
+    """Return a line for each lowering (way to compute the exposure) that cannot implement the
+    program, with the reason."""
     return "".join(f"{name:<11}{misfit.reason}\n" for name, misfit in misfits.items())
 
 
@@ -210,12 +211,14 @@ def parsed_text(parsed: Any) -> str:
 
 
 def plans_text(planned: Planned) -> str:
-    """Return the exposure plans of all lowerings as text, and why other lowerings have none."""
+    """Return the exposure plans of all lowerings (ways to compute the exposure) as text, and why
+    other lowerings have none."""
     return "".join(map(plan_text, planned.plans)) + _misfits_text(planned.misfits)
 
 
 def all_gates_text(gated: Gated) -> str:
-    """Return the gates of every lowering as text, and why other lowerings have none."""
+    """Return the gates of every lowering (way to compute the exposure) as text, and why other
+    lowerings have none."""
     texts = [
         f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program)}"
         for decoding in gated.decodings

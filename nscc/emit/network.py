@@ -69,7 +69,8 @@ class NetworkMaker:
     `network` has the nodes so far, and `holds` the node of the current value of each register."""
 
     def __init__(self, lowered: Lowered, encoding: str) -> None:
-        """Begin with an empty network; its graph attributes name encoding, lowering and size."""
+        """Begin with an empty network; its graph attributes name encoding, lowering (way to compute
+        the exposure) and size."""
         plan = lowered.plan
         self.lowered = lowered
         self.places = lowered.schedule.allocation.places
@@ -135,7 +136,8 @@ class NetworkMaker:
         return node
 
     def demand(self, edge: str, bucket: str, boundary: int) -> None:
-        """Add the node of a demand: what the value of FLAG is needed for at a boundary.
+        """Add the node of a demand: what the value of FLAG (the bit that lets a pixel act) is
+        needed for at a boundary.
 
         `edge` is "open", "rise", "fall" or "reset", and `bucket` is "" for a reset."""
         node = self._named("d")
@@ -165,7 +167,7 @@ class KernelFinder:
     """Finds the kernel (list of words) that contains each gate's words, gate after gate."""
 
     def __init__(self, lowered: Lowered) -> None:
-        """List the words that run at each boundary, with their kernels.
+        """List the words that run at each boundary, with their kernels (lists of words).
 
         Kernels that only write registers again (refresh) are left out, because they have no gates.
         """
@@ -182,8 +184,8 @@ class KernelFinder:
         self._next = dict.fromkeys(self._run, 0)
 
     def kernel_of(self, gate: tuple[Op, ...], boundary: int) -> int:
-        """Return the number of the kernel that contains the boundary's next gate, which is given by
-        its words.
+        """Return the number of the kernel (list of words) that contains the boundary's next gate,
+        which is given by its words.
 
         Must be called in the order of gates. Raises ValueError if the boundary does not run these
         words."""
@@ -203,7 +205,8 @@ def depth(network: nx.DiGraph) -> int:
 
 
 def registers_needed(network: nx.DiGraph) -> int:
-    """Return the fewest registers, including FLAG, that can hold all values in this order of gates.
+    """Return the fewest registers, including FLAG (the bit that lets a pixel act), that can hold
+    all values in this order of gates.
 
     That is the largest number of values that are alive at the same time. Planes are alive before
     the first gate. A gate may overwrite a register that it reads for the last time."""

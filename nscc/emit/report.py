@@ -34,7 +34,8 @@ def subject(program: Program) -> dict[str, Any]:
 
 
 def report(choice: Choice, proof: Proof) -> dict[str, Any]:
-    """Return the build report of the best lowering as JSON values, as `--emit report` writes them.
+    """Return the build report of the best lowering (way to compute the exposure) as JSON values, as
+    `--emit report` writes them.
 
     Times are in microseconds, and `headroom_e` in electrons. Other lowerings are listed under
     `alternatives`."""
@@ -98,8 +99,8 @@ def _range(lowered: Lowered) -> dict[str, int]:
 
 
 def _priced(lowered: Lowered) -> dict[str, Any]:
-    """Return the cost of one lowering as JSON values: words, shortest slot in microseconds, analog
-    writes, headroom in electrons."""
+    """Return the cost of one lowering (way to compute the exposure) as JSON values: words, shortest
+    slot in microseconds, analog writes, headroom in electrons."""
     return {
         "lowering": lowered.plan.lowering,
         "fits": lowered.fits,

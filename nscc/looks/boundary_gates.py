@@ -27,7 +27,8 @@ next."""
 
 
 class GateSequence(Record):
-    """Gates that compute a truth vector in a register.
+    """Gates that compute a truth vector (an integer with one bit for each node of the state machine
+    and outcome) in a register.
 
     `scratch` are the scratch registers that they write, with the values that remain there."""
 
@@ -51,9 +52,9 @@ class Board:
     """The contents of registers at a boundary, while gates are chosen.
 
     A content is a truth vector: one bit for each lane (node of the state machine with one outcome
-    of the look). `values` are the contents by name, with FLAG if it is known and the scratch
-    registers (t0, t1, ..) in use. `everything` is the vector of all lanes. `gates` are the gates
-    chosen so far."""
+    of the look). `values` are the contents by name, with FLAG (the bit that lets a pixel act) if it
+    is known and the scratch registers (t0, t1, ..) in use. `everything` is the vector of all lanes.
+    `gates` are the gates chosen so far."""
 
     machine: Machine
     everything: int
@@ -79,7 +80,8 @@ class Board:
         return (name for name in scratch if name not in self.values and name != excluded)
 
     def keep(self, name: str) -> None:
-        """Append a gate that copies a register, or FLAG, to an unused scratch register."""
+        """Append a gate that copies a register, or FLAG (the bit that lets a pixel act), to an
+        unused scratch register."""
         scratch = self.fresh()
         self.gates.append(Gate("MOV", scratch, (name,)))
         self.values[scratch] = self.values[name]
@@ -99,7 +101,8 @@ class Board:
     def tells(self, vectors: Iterable[int]) -> bool:
         """Return whether gates can compute each of these vectors from the contents of registers.
 
-        They can if no two lanes have equal contents, but different bits in the vector."""
+        They can if no two lanes (nodes of the state machine, each with one outcome) have equal
+        contents, but different bits in the vector."""
         return all(map(self._tells, vectors))
 
     def _tells(self, vector: int) -> bool:
@@ -126,8 +129,8 @@ class Board:
         return min(ways, key=lambda sequence: sequence.price, default=None)
 
     def load(self, target: int) -> GateSequence | None:
-        """Return the shortest gate sequence that writes the vector `target` to FLAG; None if there
-        is none.
+        """Return the shortest gate sequence that writes the vector `target` to FLAG (the bit that
+        lets a pixel act); None if there is none.
 
         The sequence is empty if FLAG has this value already."""
         if self.values.get(FLAG) == target:
@@ -140,7 +143,7 @@ class Board:
 
     def _through(self, sequence: GateSequence, name: str, target: int) -> GateSequence:
         """Return the sequence followed by a WHERE that copies the register `name`, which holds
-        `target`, to FLAG.
+        `target`, to FLAG (the bit that lets a pixel act).
 
         WHERE replaces a final OR if it may read the sources of the OR."""
         last, limit = sequence.gates[-1], self.machine.where_sources
@@ -196,7 +199,7 @@ class Board:
         `most_cubes` NORs or its inverse.
 
         `names` and `values` are the readable registers and their contents; `destination` is a
-        register or FLAG."""
+        register or FLAG (the bit that lets a pixel act)."""
         for inverted in (False, True):
             target = self.everything & ~vector if inverted else vector
             covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))
@@ -261,8 +264,9 @@ class Board:
 def update(board: Board, new_values: dict[str, int]) -> None:
     """Append gates that write new values to registers simultaneously: all depend on the old values.
 
-    `new_values` are truth vectors by register. Raises GaveUp if registers do not distinguish lanes
-    with different new values."""
+    `new_values` are truth vectors (integers with one bit for each node of the state machine and
+    outcome) by register. Raises GaveUp if registers do not distinguish lanes with different new
+    values."""
     changes = {name: v for name, v in new_values.items() if board.values[name] != v}
     best = _ordered(board, changes, None)
     most = inf if best is None else best.words - board.words - len(changes) - 1
@@ -274,7 +278,8 @@ def update(board: Board, new_values: dict[str, int]) -> None:
 
 
 def _with_changes(board: Board, new_values: dict[str, int], most: float) -> Iterator[Board]:
-    """Yield boards with a further scratch register: the lanes in which several registers become 1.
+    """Yield boards with a further scratch register: the lanes (nodes of the state machine, each
+    with one outcome) in which several registers become 1.
 
     Computing it takes at most `most` words. Each of these registers can then be ORed with it."""
     rises = [v & ~board.values[name] for name, v in new_values.items()]

@@ -46,7 +46,8 @@ def check_looking_plan(plan: LookingPlan) -> None:
 
 
 def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
-    """Return a truth vector as an array, bool (lanes,)."""
+    """Return a truth vector (an integer with one bit for each node of the state machine and
+    outcome) as an array, bool (lanes,)."""
     flags = np.zeros(lanes, np.bool_)
     flags[members(vector, lanes)] = True
     return flags

@@ -14,8 +14,8 @@ from nscc.looks.boundary_gates import Board
 
 
 def counted(board: Board, names: Sequence[str], new_values: Mapping[str, int]) -> int:
-    """Return the lanes, as a truth vector, in which the binary counter `names` is to count up by
-    one.
+    """Return the lanes, as a truth vector (an integer with one bit for each node of the state
+    machine and outcome), in which the binary counter `names` is to count up by one.
 
     `names` are its registers, lowest bit first. Return 0 if its new values are others, or if fewer
     than two bits change."""
@@ -32,7 +32,8 @@ def counted(board: Board, names: Sequence[str], new_values: Mapping[str, int]) -
 def count_up(board: Board, names: Sequence[str], lanes: int) -> None:
     """Append gates that add one to the binary counter `names`, lowest bit first, in `lanes`.
 
-    Raises GaveUp if no gates can compute these lanes."""
+    Raises GaveUp if no gates can compute these lanes (nodes of the state machine, each with one
+    outcome)."""
     carry = _carry(board, names, lanes)
     gates = Gates(board.machine)
     spare = (name for name in board.unused_scratch() if name != carry)
@@ -52,7 +53,8 @@ def count_up(board: Board, names: Sequence[str], lanes: int) -> None:
 
 
 def _rippled(board: Board, names: Sequence[str], count: int) -> int:
-    """Return the lanes in which the `count` lowest bits of a counter are all 1.
+    """Return the lanes (nodes of the state machine, each with one outcome) in which the `count`
+    lowest bits of a counter are all 1.
 
     `names` are its registers, lowest bit first."""
     lanes = board.everything
@@ -62,8 +64,8 @@ def _rippled(board: Board, names: Sequence[str], count: int) -> int:
 
 
 def _carry(board: Board, names: Sequence[str], lanes: int) -> str:
-    """Return a register that holds the truth vector `lanes`, after appending gates that compute it
-    if there is none.
+    """Return a register that holds the truth vector (an integer with one bit for each node of the
+    state machine and outcome) `lanes`, after appending gates that compute it if there is none.
 
     A counter with a limit counts in the lanes of an answer, except where the bits that are 1 in the
     limit all are 1: three words for each of these bits. Raises GaveUp if no gates compute it."""
@@ -88,8 +90,8 @@ def _carry(board: Board, names: Sequence[str], lanes: int) -> str:
 
 
 def _limited(board: Board, name: str, positive: bool, ones: Sequence[str]) -> str:
-    """Append gates for the lanes of `name` without those where all bits `ones` are 1; return their
-    register.
+    """Append gates for the lanes (nodes of the state machine, each with one outcome) of `name`
+    without those where all bits `ones` are 1; return their register.
 
     If not `positive`, the lanes where `name` is 0 are meant."""
     gates = Gates(board.machine)

@@ -24,7 +24,8 @@ COUNTER = "binary counter"
 
 
 class ValueBits(Record, eq=False):
-    """The register contents for the values of a state, or for the behaviours of codes.
+    """The register contents for the values of a state, or for the behaviours (sets of codes that
+    act alike) of codes.
 
     Row k of `bits`, bool (values, registers), belongs to `values[k]`. `kind` names the encoding,
     such as "one-hot"."""
@@ -109,7 +110,8 @@ def _of_code(behaviours: int) -> Iterator[tuple[str, Rows]]:
     """Yield encodings of `behaviours` different codes: their kind and bits, bool (behaviours,
     registers).
 
-    The kinds are thermometer, one-hot and binary; a single behaviour needs no register ("none")."""
+    The kinds are thermometer, one-hot and binary; a single behaviour (set of codes that act alike)
+    needs no register ("none")."""
     if behaviours == 1:
         yield "none", np.zeros((1, 0), np.bool_)
         return

@@ -31,13 +31,15 @@ Bits = NDArray[np.bool_]
 
 
 class Moment(Record, eq=False):
-    """A boundary at which pixels compare their light, shutters open or close, or PIX is reset.
+    """A boundary at which pixels compare their light, shutters open or close, or PIX (the
+    photodiode) is reset.
 
     A lane is a node of the state machine with one outcome of the comparisons. `before` and `after`
     (lanes,) are the nodes of each lane, `outcomes` (lanes,) its answers as bits. The other fields
-    are truth vectors over the lanes. For each bucket they say where its shutter closes (`falls`)
-    and opens (`rises`); `copies` says whether a closing bucket may take a copy of PIX. `resets`
-    says where PIX is reset in between."""
+    are truth vectors (integers with one bit for each node of the state machine and outcome) over
+    the lanes. For each bucket they say where its shutter closes (`falls`) and opens (`rises`);
+    `copies` says whether a closing bucket may take a copy of PIX. `resets` says where PIX is reset
+    in between."""
 
     boundary: int
     comparisons: tuple[Comparison, ...]
@@ -51,18 +53,19 @@ class Moment(Record, eq=False):
 
     @property
     def everything(self) -> int:
-        """The truth vector of all lanes."""
+        """The truth vector (an integer with one bit for each node of the state machine and outcome)
+        of all lanes."""
         return (1 << len(self.before)) - 1
 
     def below(self, comparison: int) -> int:
-        """Return the lanes in which a comparison (by its number) finds the signal at most at its
-        level."""
+        """Return the lanes (nodes of the state machine, each with one outcome) in which a
+        comparison (by its number) finds the signal at most at its level."""
         return vector(np.flatnonzero(self.outcomes >> comparison & 1 == 0))
 
 
 class LookingPlan(Record, eq=False):
-    """What happens to PIX and the analog registers at each boundary of a frame, for a program with
-    senses.
+    """What happens to PIX (the photodiode) and the analog registers at each boundary of a frame,
+    for a program with senses.
 
     `moments` are the boundaries at which something happens, in order. `registers` says what each
     register holds, and `bucket_registers` are those of the buckets. The register `reference` holds
@@ -79,8 +82,8 @@ class LookingPlan(Record, eq=False):
 
     @cached_property
     def latches(self) -> bool:
-        """Whether every closing shutter copies PIX into an empty bucket, and no shutter opens after
-        slot 0."""
+        """Whether every closing shutter copies PIX (the photodiode) into an empty bucket, and no
+        shutter opens after slot 0."""
         falls = (
             pair
             for moment in self.moments
@@ -189,8 +192,8 @@ def _moment(
 
     A lane is a transition of the state machine: from node `before[k]` to node `after[k]` by the
     answers `outcomes[k]`. `fresh`, bool (lanes, buckets), tells where a bucket is empty and was
-    open since PIX was reset, so that closing it copies PIX instead of adding a difference.
-    `comparisons` are those made at this boundary."""
+    open since PIX (the photodiode) was reset, so that closing it copies PIX instead of adding a
+    difference. `comparisons` are those made at this boundary."""
     buckets = machine.opens.shape[1]
     was = machine.opens[before, :, boundary - 1]
     inside = boundary < machine.slots

@@ -25,8 +25,8 @@ _REPORT = LazyFunctions("nscc.looks.looks_report")
 
 
 def lay_out_looking(layouts: Sequence[LookingLowered], job: Job) -> tuple[Choice, Found]:
-    """Choose the words of the first, best lowering; the errors are those of
-    `nscc.pipeline.lay_out_words`."""
+    """Choose the words of the first, best lowering (way to compute the exposure); the errors are
+    those of `nscc.pipeline.lay_out_words`."""
     choice = Choice(tuple(layouts[:1]), {})
     return choice, fit.faults(choice, level=job.options.level)
 

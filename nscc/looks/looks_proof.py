@@ -50,7 +50,8 @@ class LookingReplay(ReplayPixels):
     (lanes,), see the module."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
-        """Begin with a lane for each initial node of the state machine, at the start of a frame.
+        """Begin with a lane (simulated pixel) for each initial node of the state machine, at the
+        start of a frame.
 
         `kernels` are the container's words as operations. Registers of kept states hold their
         values, because a frame may start with any."""
@@ -64,15 +65,16 @@ class LookingReplay(ReplayPixels):
         self.bits |= self._state_bits(kept_only=True)
 
     def _start(self, nodes: NDArray[np.int64]) -> None:
-        """Begin a frame with one lane for each of these nodes of the state machine, without
-        exposure."""
+        """Begin a frame with one lane (simulated pixel) for each of these nodes of the state
+        machine, without exposure."""
         self.node, self.outcome = nodes, np.zeros_like(nodes)
         self.due = np.zeros((len(nodes), len(self.container.buckets)))
         self.since = np.zeros(len(nodes))
         self.exact = np.ones(len(nodes), np.bool_)
 
     def choose(self, lanes: NDArray[np.intp]) -> None:
-        """Replace the lanes by those with these indices, which may be repeated or left out."""
+        """Replace the lanes (simulated pixels) by those with these indices, which may be repeated
+        or left out."""
         super().choose(lanes)
         self.node, self.outcome = self.node[lanes], self.outcome[lanes]
         self.due, self.since, self.exact = self.due[lanes], self.since[lanes], self.exact[lanes]
@@ -130,8 +132,8 @@ class LookingReplay(ReplayPixels):
         return {r.register: buckets.index(r.bucket) for r in self.container.readouts}
 
     def _fall(self, slot: int, light_e: float) -> None:
-        """Add the light of a slot, `light_e` electrons in each pixel, to PIX and to what the
-        program requires.
+        """Add the light of a slot, `light_e` electrons in each pixel, to PIX (the photodiode) and
+        to what the program requires.
 
         The program's resets at the start of the slot come first."""
         self.since = np.where(self.machine.resets[self.node, slot], 0.0, self.since) + light_e
@@ -163,7 +165,8 @@ class LookingReplay(ReplayPixels):
                 raise ReplayError(WRONG_CODE)
 
     def _next_frame(self) -> None:
-        """Begin the next frame: each lane continues at the initial node with its kept states."""
+        """Begin the next frame: each lane (simulated pixel) continues at the initial node (state of
+        the machine) with its kept states."""
         machine = self.machine
         kept_states = [k for k, state in enumerate(machine.states) if state.is_kept]
         keys = np.column_stack((machine.behaviour, machine.values[:, kept_states])).tolist()
@@ -174,8 +177,8 @@ class LookingReplay(ReplayPixels):
         """Check that a comparison is one of the program's, and split every lane in two, one for
         each answer.
 
-        Return FLAG. Raises ReplayError if the sum is not a level minus a signal, or if the
-        comparison is masked."""
+        Return FLAG (the bit that lets a pixel act). Raises ReplayError if the sum is not a level
+        minus a signal, or if the comparison is masked."""
         if self.target.where_obeys_flag and self.read("FLAG") != (self.everything, 0):
             raise ReplayError(f"`{word}` is masked in some pixels, at boundary {self._boundary}")
         total = self.total(word)
@@ -193,7 +196,8 @@ class LookingReplay(ReplayPixels):
         )
 
     def _is(self, value: Values, signal: int, level_e: float) -> bool:
-        """Return whether a value, float64 (lanes, parts), is exactly signal - level in every lane.
+        """Return whether a value, float64 (lanes, parts), is exactly signal - level in every lane
+        (simulated pixel).
 
         `signal` is LIGHT or the index of a bucket, and `level_e` the level in electrons."""
         if signal == LIGHT:
@@ -203,8 +207,8 @@ class LookingReplay(ReplayPixels):
     def _amounts_to(
         self, value: Values, bucket: int | None, expected_e: Values
     ) -> NDArray[np.bool_]:
-        """Return for each lane whether a value, float64 (lanes, parts), equals `expected_e` in any
-        light.
+        """Return for each lane (simulated pixel) whether a value, float64 (lanes, parts), equals
+        `expected_e` in any light.
 
         The value must owe the exposure of `bucket` once (None: no exposure), unless the lane is
         exact."""
@@ -217,7 +221,8 @@ class LookingReplay(ReplayPixels):
         )
 
     def _follow_both(self, number: int, above: bool) -> Bits:
-        """Double the lanes, one for each answer of comparison `number`, and return FLAG.
+        """Double the lanes, one for each answer of comparison `number`, and return FLAG (the bit
+        that lets a pixel act).
 
         FLAG is 1 where the signal is above its level if `above`, else where it is not. Raises
         ReplayError beyond `MOST_LANES` transitions."""
@@ -232,7 +237,7 @@ class LookingReplay(ReplayPixels):
         return (yes, no) if above else (no, yes)
 
     def _merge(self, readouts: Mapping[str, int]) -> None:
-        """Merge lanes that behave equally from now on.
+        """Merge lanes (simulated pixels) that behave equally from now on.
 
         `readouts` has the bucket of each readout register. If all histories of a lane have equal
         exposures, the register then counts as owing exactly its bucket's exposure."""

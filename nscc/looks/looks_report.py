@@ -18,7 +18,7 @@ def moments_text(plan: LookingPlan) -> str:
     """Return the analog registers and, for each boundary, its comparisons and numbers of changes.
 
     The changes are shutters that close ("fall") or open ("rise") and resets, counted over the pairs
-    of node and outcome."""
+    of node (state of the machine) and outcome."""
     lines = [f"{register:<5} {holder}" for register, holder in plan.registers.items()]
     for moment in plan.moments:
         changes = [("fall", v) for v in moment.falls] + [("reset", moment.resets)]
@@ -42,7 +42,8 @@ def looking_gates_text(lowered: LookingLowered) -> str:
 
 
 def all_gates_text(layouts: Sequence[LookingLowered]) -> str:
-    """Return the gates and words of all lowerings of a program, one after the other."""
+    """Return the gates and words of all lowerings (ways to compute the exposure) of a program, one
+    after the other."""
     return "".join(map(looking_gates_text, layouts))
 
 

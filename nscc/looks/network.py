@@ -55,8 +55,8 @@ class LookingNetwork(NetworkMaker):
         return measured(self.network)
 
     def _word(self, word: Op, boundary: int, looks: Iterator[Comparison]) -> None:
-        """Add the node of an analog word that writes FLAG, opens or closes a shutter, or resets
-        PIX.
+        """Add the node of an analog word that writes FLAG (the bit that lets a pixel act), opens or
+        closes a shutter, or resets PIX (the photodiode).
 
         `looks` yields the boundary's comparisons in the order in which words make them."""
         effect = word.operation.effect

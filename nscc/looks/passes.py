@@ -160,8 +160,8 @@ def _schedule(
 
 
 def _setup(plan: LookingPlan) -> Words:
-    """Return the words at the start of a frame: they clear the buckets, reset PIX and store its
-    reset level."""
+    """Return the words at the start of a frame: they clear the buckets, reset PIX (the photodiode)
+    and store its reset level."""
     scratch = plan.scratch
     clear = (op("bus", (a,), (scratch,)) for a in plan.bucket_registers)
     level: Words = (op("bus", (scratch,), ("PIX",)), op("bus", (plan.reference,), (scratch,)))
@@ -173,8 +173,8 @@ def _setup(plan: LookingPlan) -> Words:
 def _kernels(
     items: Sequence[Gate | Op | SetIn], allocation: Allocation, *, apart: bool
 ) -> list[tuple[int | None, Words]]:
-    """Return the kernels of a boundary: pairs of the value of IN that is set before, or None, and
-    words.
+    """Return the kernels (lists of words) of a boundary: pairs of the value of IN (the level sent
+    to all pixels) that is set before, or None, and words.
 
     With `apart`, the gates after the last analog word are a kernel of their own."""
     last = max((i for i, item in enumerate(items) if isinstance(item, Op)), default=-1)
@@ -189,7 +189,8 @@ def _kernels(
     gates: list[Gate] = []
 
     def settle() -> None:
-        """Append the words of the gates collected so far to the kernel, and forget the gates."""
+        """Append the words of the gates collected so far to the kernel (list of words), and forget
+        the gates."""
         run.extend(words(Segment(gates) if gates else (), allocation))
         gates.clear()
 

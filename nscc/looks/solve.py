@@ -36,9 +36,10 @@ Item = Gate | Op | SetIn
 class LookingSolution(Record, eq=False):
     """The words of a frame on virtual registers, by boundary.
 
-    p0, p1, .. keep their content over frames: `planes` are their truth vectors over the behaviours
-    before the first frame, and `holders` say what they hold. s0, s1, .. are states within a frame,
-    initially 0, whose names are `states`; t0, .. are scratch registers, `scratch` of them.
+    p0, p1, .. keep their content over frames: `planes` are their truth vectors (integers with one
+    bit for each node of the state machine and outcome) over the behaviours (sets of codes that act
+    alike) before the first frame, and `holders` say what they hold. s0, s1, .. are states within a
+    frame, initially 0, whose names are `states`; t0, .. are scratch registers, `scratch` of them.
     `registers` names the virtual registers of each state, in the order of the encoding's bits."""
 
     encoding: LooksEncoding
@@ -119,7 +120,7 @@ class Solver:
 
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
         """Return the content of every register by name, for lanes that are at these nodes, as truth
-        vectors."""
+        vectors (integers with one bit for each node of the state machine and outcome)."""
         contents = dict(
             zip(
                 self.code,
@@ -136,7 +137,8 @@ class Solver:
         return contents
 
     def _columns(self, value_bits: ValueBits, values: NDArray[np.signedinteger]) -> list[int]:
-        """Return the truth vectors of the registers that hold `values`, one value for each lane."""
+        """Return the truth vectors (integers with one bit for each node of the state machine and
+        outcome) of the registers that hold `values`, one value for each lane."""
         order = np.argsort(value_bits.values)
         rows = order[np.searchsorted(np.array(value_bits.values)[order], values)]
         return columns(value_bits.bits[rows])
@@ -251,8 +253,9 @@ class _Moment:
                 self.emitted.append(op("all"))
 
     def _load(self, v: int, later: Sequence[int]) -> None:
-        """Append gates that write the truth vector `v` to FLAG, and save what FLAG holds if it is
-        needed later.
+        """Append gates that write the truth vector (an integer with one bit for each node of the
+        state machine and outcome) `v` to FLAG (the bit that lets a pixel act), and save what FLAG
+        holds if it is needed later.
 
         `later` are the vectors that FLAG must have after this. Raises GaveUp if no gates are found.
         """
@@ -278,8 +281,8 @@ class _Moment:
         self.emitted += board.pop_gates()
 
     def _save_flag(self, later: Sequence[int], written: Sequence[tuple[str, int]]) -> bool:
-        """Copy FLAG to a scratch register if `later` vectors or new values depend on it; return
-        whether they do.
+        """Copy FLAG (the bit that lets a pixel act) to a scratch register if `later` vectors or new
+        values depend on it; return whether they do.
 
         `written` are the scratch registers that are about to be written, with their values."""
         board = self.board

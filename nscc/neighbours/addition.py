@@ -33,9 +33,9 @@ Content = tuple[int, Offset, Offset]
 class Added(Record):
     """A word that adds the multiple of a neighbour, of the pixel itself, or of both to a sum.
 
-    `content` is what NEWS holds when the word runs, or None if the word adds no neighbour. `step`
-    is the offset of the pixel whose NEWS it reads. `centre` is the multiple of the pixel itself, or
-    0."""
+    `content` is what NEWS (the register that neighbours can read) holds when the word runs, or None
+    if the word adds no neighbour. `step` is the offset of the pixel whose NEWS it reads. `centre`
+    is the multiple of the pixel itself, or 0."""
 
     content: Content | None
     step: Offset
@@ -54,8 +54,8 @@ def additions(taps: Taps, forms: WordForms, beam: int = BEAM) -> list[Program]:
     first.
 
     `taps` are the weights by offset, in units of 1 / UNIT; `beam` is the number of partial orders
-    that the search keeps. If NEWS does not keep its value, each word that reads NEWS follows a word
-    that writes NEWS."""
+    that the search keeps. If NEWS (the register that neighbours can read) does not keep its value,
+    each word that reads NEWS follows a word that writes NEWS."""
     halvings = halvings_of(taps)
     weights = {at: weight * (-2) ** halvings // UNIT for at, weight in taps.items()}
     orders = _orders(weights, halvings, forms, beam)
@@ -110,8 +110,8 @@ def _predecessors(
 ) -> list[tuple[_Node, Added]]:
     """Return all ways to put one more word before the words of an unfinished order, with that word.
 
-    A `_Node` describes an unfinished order: its cost, the neighbours left, the content of NEWS, the
-    multiples used, and the number of words."""
+    A `_Node` describes an unfinished order: its cost, the neighbours left, the content of NEWS (the
+    register that neighbours can read), the multiples used, and the number of words."""
     cost, left, content, used, follow = node
     # Every word inverts the sum so far, so the sign of a weight depends on how many words follow.
     sign = -1 if follow % 2 else 1
@@ -172,8 +172,8 @@ def _program(order: Sequence[Added], halvings: int, news_keeps: bool) -> Program
     """Return the words that halve the input `halvings` times and then add the neighbours in this
     order.
 
-    `news_keeps` tells whether NEWS keeps its content when it is read, so that it need not be
-    written again."""
+    `news_keeps` tells whether NEWS (the register that neighbours can read) keeps its content when
+    it is read, so that it need not be written again."""
     words = [
         BusWord((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
         for number in range(halvings)
@@ -201,7 +201,8 @@ class _Multiples:
     """The registers of integer multiples of the halved input, which are computed when first
     requested.
 
-    `used_news` tells whether a computation overwrote NEWS."""
+    `used_news` tells whether a computation overwrote NEWS (the register that neighbours can read).
+    """
 
     def __init__(self, halvings: int, words: list[BusWord]) -> None:
         """Begin with the input and its halvings, each with the sign of the one before inverted.

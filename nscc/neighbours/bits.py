@@ -201,8 +201,8 @@ class BitWords:
             self.free.sort(key=self.available.index)
 
     def to_flag(self, node: p.Condition) -> None:
-        """Emit words that set FLAG to 1 in the pixels where a condition holds, and to 0
-        elsewhere."""
+        """Emit words that set FLAG (the bit that lets a pixel act) to 1 in the pixels where a
+        condition holds, and to 0 elsewhere."""
         bit = self.bit(node)
         self.lowering.word(op("WHERE", [], [bit[0]]))
         self.give(bit)
@@ -310,10 +310,12 @@ class BitWords:
         return self._emit_word("NOR" if len({*registers}) > 1 else "NOT", registers, used)
 
     def compare(self, node: p.Comparison, value: Held) -> None:
-        """Emit the word `where`, which sets FLAG to whether a value is above the level of `node`.
+        """Emit the word `where`, which sets FLAG (the bit that lets a pixel act) to whether a value
+        is above the level of `node`.
 
-        It tests whether the sum of the value and IN is above 0, and IN is minus the level. If the
-        register holds minus the value, FLAG is the inverse of the answer."""
+        It tests whether the sum of the value and IN (the level sent to all pixels) is above 0, and
+        IN is minus the level. If the register holds minus the value, FLAG is the inverse of the
+        answer."""
         lowering, param = self.lowering, ""
         match node:
             case p.Above():

@@ -47,7 +47,8 @@ class Held(Record):
 
     `name` is the image or bucket, or None for an intermediate result that is read once. `variance`
     is the variance of the value's error, in units of the variance of one word's error. If
-    `register` is IN, the value is equal in all pixels, and `level` is what IN has."""
+    `register` is IN (the level sent to all pixels), the value is equal in all pixels, and `level`
+    is what IN has."""
 
     register: str
     sign: int
@@ -70,10 +71,12 @@ class Held(Record):
 class Emitter(ABC):
     """Words under construction, in `words`; `now` is the image or plane that they compute.
 
-    `masked` tells whether FLAG may be 0 in some pixels, where analog words then have no effect."""
+    `masked` tells whether FLAG (the bit that lets a pixel act) may be 0 in some pixels, where
+    analog words then have no effect."""
 
     def __init__(self, pictures: p.Pictures) -> None:
-        """Begin with a word that sets FLAG in all pixels, so that analog words act everywhere."""
+        """Begin with a word that sets FLAG (the bit that lets a pixel act) in all pixels, so that
+        analog words act everywhere."""
         self.pictures = pictures
         self.weights = pictures.weights_by_name
         self.words: list[Leveled] = [(op("all"), None)]
@@ -81,8 +84,8 @@ class Emitter(ABC):
         self.now = ""
 
     def word(self, op: Op, level: Level = None) -> None:
-        """Append a word; `level` is the value of IN that it needs. `masked` follows words that
-        write FLAG."""
+        """Append a word; `level` is the value of IN (the level sent to all pixels) that it needs.
+        `masked` follows words that write FLAG (the bit that lets a pixel act)."""
         effect = op.operation.effect
         if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL):
             self.masked = True
@@ -91,7 +94,8 @@ class Emitter(ABC):
         self.words.append((op, level))
 
     def everywhere(self) -> None:
-        """Emit `all`, which sets FLAG to 1 in every pixel, unless FLAG is 1 everywhere already."""
+        """Emit `all`, which sets FLAG (the bit that lets a pixel act) to 1 in every pixel, unless
+        FLAG is 1 everywhere already."""
         if self.masked:
             self.word(op("all"))
 

@@ -169,8 +169,8 @@ def _move_flag(lowering: RegisterEmitter, begin: int) -> None:
     """Replace the last words of a step that writes where a plane is 1, and then moves the plane by
     one pixel.
 
-    FLAG has the bits of the plane already, so that one word moves them into its register. `begin`
-    is the first word of the step."""
+    FLAG (the bit that lets a pixel act) has the bits of the plane already, so that one word moves
+    them into its register. `begin` is the first word of the step."""
     words = [word for word, _ in lowering.words[max(begin, len(lowering.words) - 5) :]]
     if len(words) < 5:
         return
@@ -295,8 +295,8 @@ def _move(lowering: RegisterEmitter, value: Held, head: Held, flag: str | None) 
 def _fetched(lowering: RegisterEmitter, sources: list[str], free: str) -> list[str]:
     """Emit words that fetch values from neighbours, and return sources that a masked word may read.
 
-    A word that acts only where FLAG is 1 cannot reach neighbours. `sources` are those it would
-    read, and `free` is a register for their sum."""
+    A word that acts only where FLAG (the bit that lets a pixel act) is 1 cannot reach neighbours.
+    `sources` are those it would read, and `free` is a register for their sum."""
     before = lowering.words[-1][0]
     if len(sources) == 1 and before == op("bus", ["NEWS"], before.sources):
         right, down = STEPS[sources[0]]  # the word before moves the values instead

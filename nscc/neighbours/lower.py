@@ -269,7 +269,8 @@ class Lowering(RegisterEmitter):
     def _with_level(self, node: p.Sum) -> Held:
         """Emit the words of a sum that contains levels, and return the register of the result.
 
-        The word that adds the other terms also adds up to two levels, by IN."""
+        The word that adds the other terms also adds up to two levels, by IN (the level sent to all
+        pixels)."""
         uniform = [(f, term) for f, term in node.terms if isinstance(term, p.Uniform)]
         other = tuple(term for term in node.terms if not isinstance(term[1], p.Uniform))
         terms = [(1, self.value(p.Sum(other)))] if other else []
@@ -284,13 +285,14 @@ class Lowering(RegisterEmitter):
     def _level(self, factor: Fraction, param: str) -> Held:
         """Emit a value that is equal in all pixels, and return its register.
 
-        It is `factor` steps of IN or, if `param` is not "", times this parameter of the host."""
+        It is `factor` steps of IN (the level sent to all pixels) or, if `param` is not "", times
+        this parameter of the host."""
         whole = self.added([], [(factor.numerator, param)])
         return self.filtered(whole, {(0, 0): Fraction(1, factor.denominator)})
 
     def _steps_range(self, factor: int, param: str) -> tuple[float, float]:
-        """Return the range in electrons of `factor` steps of IN, or of `factor` times the parameter
-        `param`.
+        """Return the range in electrons of `factor` steps of IN (the level sent to all pixels), or
+        of `factor` times the parameter `param`.
 
         Raises PictureRefused if it leaves the range of IN."""
         ends = [factor]
@@ -317,9 +319,10 @@ class Lowering(RegisterEmitter):
         of the result.
 
         One or two words suffice. `levels` are up to two terms (factor, parameter): multiples of
-        that parameter of the host or, if its name is "", of a step of IN. The second is added by
-        the first word. The values have then been read. Raises PictureRefused if the sum exceeds the
-        range of registers, or needs more than four sources."""
+        that parameter of the host or, if its name is "", of a step of IN (the level sent to all
+        pixels). The second is added by the first word. The values have then been read. Raises
+        PictureRefused if the sum exceeds the range of registers, or needs more than four sources.
+        """
         low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
         high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
         for level in levels:
@@ -356,8 +359,9 @@ class Lowering(RegisterEmitter):
     def absolute(self, value: Held) -> Held:
         """Emit an absolute value and return the register of the result.
 
-        Two words write the negative to NEWS and to the result. Where the register of the value is
-        above 0, a third word inverts the result again."""
+        Two words write the negative to NEWS (the register that neighbours can read) and to the
+        result. Where the register of the value is above 0, a third word inverts the result again.
+        """
         self.everywhere()
         register = self.take()
         self.word(op("bus", ["NEWS"], [value.register]))
@@ -397,7 +401,8 @@ class Lowering(RegisterEmitter):
         the first is larger.
 
         The register of the second is overwritten if it holds the negative, and nothing reads it
-        later. Of two negatives, NEWS has the first with its own sign."""
+        later. Of two negatives, NEWS (the register that neighbours can read) has the first with its
+        own sign."""
         negative = first.sign == second.sign < 0
         if first.sign < 0 < second.sign or (negative and self._ends(first)):
             first, second = second, first
@@ -431,7 +436,7 @@ class Lowering(RegisterEmitter):
     def chosen(self, node: p.Chosen) -> Held:
         """Emit a choice between two images by a condition, and return the register of the result.
 
-        FLAG is 1 in all pixels afterwards."""
+        FLAG (the bit that lets a pixel act) is 1 in all pixels afterwards."""
         if self.pictures.is_of_version_4:
             return self._chosen_by_flag(node)
         then, otherwise = self.value(node.then), self.value(node.otherwise)
@@ -453,7 +458,7 @@ class Lowering(RegisterEmitter):
         register.
 
         The register of the second image is used if nothing reads that image later. A level needs no
-        register, and the answer of a comparison stays in FLAG."""
+        register, and the answer of a comparison stays in FLAG (the bit that lets a pixel act)."""
         then, otherwise = self._value_or_level(node.then), self._value_or_level(node.otherwise)
         condition, compared, bit = node.condition, None, None
         if isinstance(condition, p.Comparison):
@@ -490,7 +495,8 @@ class Lowering(RegisterEmitter):
         return Held(register, sign, low, high, variance=variance)
 
     def _value_or_level(self, node: p.Value) -> Held:
-        """Return the register of an image or, if the image is a level, IN with its level."""
+        """Return the register of an image or, if the image is a level, IN (the level sent to all
+        pixels) with its level."""
         terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
         if not terms:
             return Held("IN", 1, 0.0, 0.0, level=0)

@@ -250,7 +250,8 @@ def _lowered_with(
 def grouped(
     words: Sequence[Leveled], loops: Sequence[LoopWords] = ()
 ) -> tuple[list[tuple[Op, ...]], dict[str, Any]]:
-    """Group words into kernels (lists of words), one per value of IN, and store equal kernels once.
+    """Group words into kernels (lists of words), one per value of IN (the level sent to all
+    pixels), and store equal kernels once.
 
     Return the kernels, and the fields of `Pictures` that launch them: `launches`, `loops` and
     `levels_of`. A loop begins and ends with a launch."""

@@ -19,7 +19,8 @@ def pictures_us(pictures: Pictures, target: Target) -> float:
     """Return the time from the last slot to the first readout, in microseconds, if parameters have
     their starts.
 
-    It consists of words, launches, and the waits until IN is stable."""
+    It consists of words, launches, and the waits until IN (the level sent to all pixels) is stable.
+    """
     kernels = [[matching(word, target.words) for word in kernel] for kernel in pictures.kernels]
     total_us, level = 0.0, None
     for launch in pictures.executed():

@@ -196,7 +196,8 @@ def _difference(
 
 @dataclass
 class Masked:
-    """The content of an analog register after a word that wrote it only where FLAG was 1.
+    """The content of an analog register after a word that wrote it only where FLAG (the bit that
+    lets a pixel act) was 1.
 
     `PictureReplay.fields` merges `written` and `before` only when a word needs the merged value."""
 
@@ -220,7 +221,8 @@ class PictureReplay:
     def __post_init__(self) -> None:
         """Set the registers as the exposure leaves them: exposures where they are read out.
 
-        All other registers, FLAG and kept values hold unknowns of their own in each pixel."""
+        All other registers, FLAG (the bit that lets a pixel act) and kept values hold unknowns of
+        their own in each pixel."""
         container, forms = self.container, self.forms
         target = container.target
         places = forms.places()
@@ -259,7 +261,8 @@ class PictureReplay:
         any step.
 
         The registers of its repeated names get the unknowns of these names. `launched` are the
-        words of all launches. Raises PictureReplayError if FLAG is not 1 in all pixels."""
+        words of all launches (starts of kernels). Raises PictureReplayError if FLAG (the bit that
+        lets a pixel act) is not 1 in all pixels."""
         forms = self.forms
         if any(bit != forms.diagrams.one for bit in self.digital["FLAG"].values()):
             raise PictureReplayError("FLAG is not 1 in all pixels between the steps of a loop")
@@ -285,7 +288,7 @@ class PictureReplay:
         """Return the content of an analog register at each pixel.
 
         With `flag`, it is correct only where `flag` is 1, which saves merging what was written
-        under FLAG."""
+        under FLAG (the bit that lets a pixel act)."""
         held, masked = self.analog[name], []
         if isinstance(held, Masked) and flag is not None and held.flag == flag:
             return held.written
@@ -301,8 +304,8 @@ class PictureReplay:
     def run(self, op: Op, level: int | LevelOf | None) -> None:
         """Replay one word in all pixels.
 
-        `level` is the value of IN in steps, or how it follows from a parameter. Raises
-        PictureReplayError for a word that cannot run after the exposure."""
+        `level` is the value of IN (the level sent to all pixels) in steps, or how it follows from a
+        parameter. Raises PictureReplayError for a word that cannot run after the exposure."""
         forms, true_bit = self.forms, self.forms.diagrams.one
         row = op.operation
         match row.effect:
@@ -335,9 +338,9 @@ class PictureReplay:
     ) -> Fields:
         """Return `factor` times the sum of a word's analog sources, at each pixel.
 
-        `level` is the value of IN. With `flag`, the result is correct only where `flag` is 1.
-        Raises PictureReplayError if the word reads IN while it is not set, or a register that does
-        not exist."""
+        `level` is the value of IN (the level sent to all pixels). With `flag`, the result is
+        correct only where `flag` is 1. Raises PictureReplayError if the word reads IN while it is
+        not set, or a register that does not exist."""
         forms = self.forms
         fields: list[Fields | Mapping[tuple[int, int], Form]] = []
         for name in op.sources:
@@ -372,11 +375,11 @@ class PictureReplay:
         }
 
     def _bus(self, op: Op, level: int | LevelOf | None) -> None:
-        """Replay an analog word; `level` is the value of IN in steps, or how it follows from a
-        parameter.
+        """Replay an analog word; `level` is the value of IN (the level sent to all pixels) in
+        steps, or how it follows from a parameter.
 
-        Raises PictureReplayError if the word reaches neighbours while FLAG is not 1 in all pixels.
-        """
+        Raises PictureReplayError if the word reaches neighbours while FLAG (the bit that lets a
+        pixel act) is not 1 in all pixels."""
         forms, flag = self.forms, self.digital["FLAG"]
         masked = any(bit != forms.diagrams.one for bit in flag.values())
         if masked and NEIGHBOURS.keys() & {*op.sources, *op.destinations}:

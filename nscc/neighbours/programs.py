@@ -167,8 +167,8 @@ def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
     their name."""
 
     def of(operand: str) -> str:
-        """Return an operand with its new name, or with the prefix; NEWS and neighbours keep
-        theirs."""
+        """Return an operand with its new name, or with the prefix; NEWS (the register that
+        neighbours can read) and neighbours keep theirs."""
         if operand in names or operand == "NEWS" or operand in NEIGHBOURS:
             return names.get(operand, operand)
         return prefix + operand
@@ -194,9 +194,10 @@ _LETTERS = {"n": "NEWS", "N": "XN", "E": "XE", "S": "XS", "W": "XW"}
 def program_from_text(text: str) -> Program:
     """Return a program from the text form of tables, such as `n=x a=E b=W c=x,a,b d=c,n`.
 
-    A word is its destination, `=`, and its sources. A lowercase letter is a register, `n` is NEWS;
-    `N`, `E`, `S` and `W` are XN, XE, XS and XW. The destination `an` means `a` and NEWS, both
-    halved; `a2` means `a` halved, with a second destination that is never read."""
+    A word is its destination, `=`, and its sources. A lowercase letter is a register, `n` is NEWS
+    (the register that neighbours can read); `N`, `E`, `S` and `W` are XN, XE, XS and XW. The
+    destination `an` means `a` and NEWS, both halved; `a2` means `a` halved, with a second
+    destination that is never read."""
     words = []
     for assignment in text.split():
         target, _, sources = assignment.partition("=")

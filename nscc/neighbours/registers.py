@@ -45,7 +45,8 @@ def reuse(
     """Return which words of a program must run on the value that is called `base`.
 
     `contents` is what registers hold. The program's result is reused only from a `free` register,
-    because the caller owns it; NEWS is reused only with `news_keeps`."""
+    because the caller owns it; NEWS (the register that neighbours can read) is reused only with
+    `news_keeps`."""
     written = []
     for word, taps in zip(program, values_of(program), strict=True):
         places = {
@@ -89,7 +90,8 @@ def reuse(
 
 
 def _is_news(name: str) -> bool:
-    """Return whether an operand is NEWS, of the pixel itself or of a neighbour."""
+    """Return whether an operand is NEWS (the register that neighbours can read), of the pixel
+    itself or of a neighbour."""
     return name == "NEWS" or name in NEIGHBOURS
 
 

@@ -330,8 +330,8 @@ def _places_to_add(program: Program, directed_sources: int) -> list[int]:
     """Return the indices of words that can add one more source, and whose results only the last
     word reads.
 
-    `directed_sources` is the most sources of a word that reads a neighbour. NEWS is left out: it is
-    written several times, and neighbours read it."""
+    `directed_sources` is the most sources of a word that reads a neighbour. NEWS (the register that
+    neighbours can read) is left out: it is written several times, and neighbours read it."""
     read = [name for word in program for name in word.sources]
     return [
         number
@@ -399,8 +399,8 @@ def _best(candidates: list[Ranged], least_peak: int) -> list[Ranged]:
 
 
 def reads_news_once(program: Program) -> bool:
-    """Return whether a program writes NEWS again after each word that reads a neighbour's, before
-    any word reads it."""
+    """Return whether a program writes NEWS (the register that neighbours can read) again after each
+    word that reads a neighbour's, before any word reads it."""
     is_read = False
     for word in program:
         reads = NEIGHBOURS.keys() & word.sources

@@ -15,8 +15,8 @@ class WordForms(Record):
     """The words with neighbours that a chip allows.
 
     `sources` is the most sources of a word that reads or writes a neighbour. `halving` tells
-    whether a word that reads a neighbour may halve, `news_keeps` whether NEWS keeps its value when
-    a neighbour reads it."""
+    whether a word that reads a neighbour may halve, `news_keeps` whether NEWS (the register that
+    neighbours can read) keeps its value when a neighbour reads it."""
 
     sources: int = 2
     halving: bool = False

@@ -240,7 +240,8 @@ def _value(
     bindings: Bindings,
     books: Books,
 ) -> Value:
-    """Return the value of one node from the values of its operands (`arguments`).
+    """Return the value of one node of the syntax tree from the values of its operands
+    (`arguments`).
 
     `constants` and `bindings` give the values of names, and `books` the digits of codebooks. Faults
     of operands that do not decide the result are dropped."""

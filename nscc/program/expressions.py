@@ -59,7 +59,7 @@ class Checked:
 
 
 def operands(node: tree.Expr) -> tuple[tree.Expr, ...]:
-    """Return the direct subexpressions of a node in evaluation order.
+    """Return the direct subexpressions of a node of the syntax tree in evaluation order.
 
     The name before brackets, of a codebook or bit field, is not an operand."""
     match node:
@@ -85,7 +85,8 @@ def operands(node: tree.Expr) -> tuple[tree.Expr, ...]:
 
 
 def in_evaluation_order(expr: tree.Expr) -> tuple[tree.Expr, ...]:
-    """Return every node of `expr`, each after its operands, left before right."""
+    """Return every node of the syntax tree of `expr`, each after its operands, left before
+    right."""
     backwards: list[tree.Expr] = []
     waiting = [expr]
     while waiting:
@@ -105,7 +106,7 @@ def names_in(expr: tree.Expr) -> Iterator[tree.Name]:
 
 
 def nodes_in(statement: tree.Statement) -> Iterator[tree.Node]:
-    """Yield a statement and all nodes inside it, in any order."""
+    """Yield a statement and all nodes of the syntax tree inside it, in any order."""
     waiting: list[tree.Node] = [statement]
     while waiting:
         node = waiting.pop()
@@ -162,7 +163,8 @@ class _Checker:
         )
 
     def _type(self, node: tree.Expr, operand_types: list[Type | None]) -> Type | None:
-        """Return the type of a node from the types of its operands, and report errors in it.
+        """Return the type of a node of the syntax tree from the types of its operands, and report
+        errors in it.
 
         Return None if the type is unknown after an error."""
         match node:

@@ -69,7 +69,8 @@ class HostValues:
     def _param(self, name: str, statement: tree.Param) -> HostParam | None:
         """Return the checked parameter `name`; None after reporting an error (NS0545).
 
-        Range and start must all be levels or all integers, and IN must reach all levels."""
+        Range and start must all be levels or all integers, and IN (the level sent to all pixels)
+        must reach all levels."""
         parts = (statement.low, statement.high, statement.start)
         kinds = {isinstance(signed_level(part)[1], tree.Amount) for part in parts}
         text = ""
@@ -102,8 +103,8 @@ class HostValues:
 
     @property
     def most_steps(self) -> int:
-        """The most steps of IN that are possible in both directions, because levels may be added or
-        subtracted."""
+        """The most steps of IN (the level sent to all pixels) that are possible in both directions,
+        because levels may be added or subtracted."""
         return min(self.target.in_high, -self.target.in_low)
 
     def _integer(self, expr: tree.Expr) -> int | None:
@@ -111,8 +112,8 @@ class HostValues:
         return constant(expr, self.constants, self.problems, "the range of a parameter")
 
     def _steps(self, expr: tree.Expr) -> int | None:
-        """Return a level in steps of IN, rounded, or the value of an integer; None after reporting
-        an error."""
+        """Return a level in steps of IN (the level sent to all pixels), rounded, or the value of an
+        integer; None after reporting an error."""
         sign, level = signed_level(expr)
         if not isinstance(level, tree.Amount):
             return self._integer(expr)

@@ -46,8 +46,8 @@ MOST_BITS = MOST_SLOTS
 def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
     """Return the number of operations to evaluate `expr` for all values of its variables.
 
-    `sizes` has the array axis (0 or 1) and the number of values of every variable. A node costs one
-    operation for each combination of the variables below it."""
+    `sizes` has the array axis (0 or 1) and the number of values of every variable. A node of the
+    syntax tree costs one operation for each combination of the variables below it."""
     axes: list[frozenset[int]] = []
     lengths = dict.fromkeys((0, 1), 1)
     lengths.update(dict(sizes.values()))

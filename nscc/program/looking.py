@@ -24,8 +24,8 @@ class CheckedSense(Record, eq=False):
 
     `signal` is -1 for the light since the reset (`machine.LIGHT`), or the index of a bucket whose
     exposure is compared. The answer is whether the signal is above its level, or below if not
-    `above`. `steps` is the level in steps of IN for each boundary of `at`; None if the `field` of
-    the code gives the level as a converter code."""
+    `above`. `steps` is the level in steps of IN (the level sent to all pixels) for each boundary of
+    `at`; None if the `field` of the code gives the level as a converter code."""
 
     name: str
     signal: int
@@ -78,8 +78,9 @@ def make_looking(
     """Return the checked senses, states, changes and resets of a program.
 
     Return None if there are none, or after reporting errors: names that are not states (NS0209,
-    NS0214), levels that the well or IN cannot represent (NS0320, NS0321), senses without a boundary
-    (NS0322), starts outside their range (NS0311) and signals that cannot be compared (NS0323)."""
+    NS0214), levels that the well or IN (the level sent to all pixels) cannot represent (NS0320,
+    NS0321), senses without a boundary (NS0322), starts outside their range (NS0311) and signals
+    that cannot be compared (NS0323)."""
     if not declared.looking:
         return None
     maker = _Maker(declared, constants, target, problems)
@@ -212,7 +213,8 @@ class _Maker:
         return tuple(at.tolist())
 
     def _levels(self, sense: tree.Sense, looks: int, target: Target) -> tuple[int, ...] | None:
-        """Return the level of a sense at each of its `looks` boundaries, in steps of IN.
+        """Return the level of a sense at each of its `looks` boundaries, in steps of IN (the level
+        sent to all pixels).
 
         Return None after reporting an error."""
         items: tuple[tree.Amount | tree.Levels | tree.Expr, ...] = (sense.level,) * looks
@@ -232,7 +234,7 @@ class _Maker:
         return None if None in steps else tuple(step for step in steps if step is not None)
 
     def _step(self, level: tree.Amount | tree.Levels | tree.Expr, target: Target) -> int | None:
-        """Return one level in steps of IN.
+        """Return one level in steps of IN (the level sent to all pixels).
 
         Return None after reporting that it has no unit (NS0320) or that the chip cannot compare
         with it (NS0321)."""
@@ -356,15 +358,16 @@ class _Maker:
 
 
 def level_steps(value: float, unit: str, target: Target) -> int:
-    """Return a level in whole steps of IN, rounded; `unit` is "%" of a full well, "e" or "lsb"."""
+    """Return a level in whole steps of IN (the level sent to all pixels), rounded; `unit` is "%" of
+    a full well, "e" or "lsb"."""
     return round(target.level_e(value, unit) / target.electrons_per_step)
 
 
 def can_tell(value: float, unit: str, target: Target) -> bool:
     """Return whether the light can be both below and above a level, so that comparing makes sense.
 
-    `unit` is "%" of a full well, "e" or "lsb". IN must be able to represent the level, and neither
-    PIX nor a register may saturate below it."""
+    `unit` is "%" of a full well, "e" or "lsb". IN (the level sent to all pixels) must be able to
+    represent the level, and neither PIX (the photodiode) nor a register may saturate below it."""
     reached = 1 <= level_steps(value, unit, target) <= target.in_high
     return reached and target.level_e(value, unit) < _full_e(target)
 

@@ -75,8 +75,8 @@ class MachineBuilder:
         """Return the machine, and the behaviour of every code, int32 (codes,).
 
         A behaviour is a set of codes whose pixels act alike for all answers. Raises NoValue if an
-        expression has no value in a reachable node or a state leaves its range, and TooMuch for too
-        large a machine."""
+        expression has no value in a reachable node (state of the machine) or a state leaves its
+        range, and TooMuch for too large a machine."""
         # Every code with every possible value of its kept states.
         ranges = [(s.low, s.high) if s.is_kept else (s.start, s.start) for s in self.looking.states]
         size = len(self.codes) * math.prod(high - low + 1 for low, high in ranges)
@@ -137,8 +137,8 @@ class MachineBuilder:
     def _rules(
         self, nodes: Nodes, begin: int, end: int, looks: int
     ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Return the open shutters, bool (nodes, buckets, N), and the resets of PIX, bool (nodes,
-        N), of a stage.
+        """Return the open shutters, bool (nodes, buckets, N), and the resets of PIX (the
+        photodiode), bool (nodes, N), of a stage.
 
         The stage has slots `begin` to `end` - 1 and follows `looks` looks; other slots are closed.
         Raises TooMuch for too large a machine, and NoValue for faults of rules."""
@@ -185,7 +185,8 @@ class MachineBuilder:
         raise NoValue([MissingValue(gap.fault, place, gap.number)])
 
     def _place(self, node: Nodes, boundary: int) -> str:
-        """Describe a node at a boundary for a message: its code and states."""
+        """Describe a node (state of the machine) at a boundary for a message: its code and
+        states."""
         texts = [code_text(self.rules, self.codes[node[0]])] if self.rules.fields else []
         texts += [f"{state.name} = {node[1 + k]}" for k, state in enumerate(self.looking.states)]
         return f"for {', '.join(texts)}, at n = {boundary}" if texts else f"at n = {boundary}"
@@ -217,8 +218,8 @@ class MachineBuilder:
         return comparisons, of_sense
 
     def _field_step(self, sense: CheckedSense, value: int) -> int:
-        """Return the level of a sense in steps of IN for one value of its field, which is a
-        converter code.
+        """Return the level of a sense in steps of IN (the level sent to all pixels) for one value
+        of its field, which is a converter code.
 
         Raises NoValue (NS0321) if the chip cannot compare with this level."""
         target = self.target
@@ -243,7 +244,7 @@ class MachineBuilder:
         comparison_count: int,
         of_sense: Mapping[str, NDArray[np.int64]],
     ) -> tuple[NDArray[np.int64], Nodes]:
-        """Return the next node for each outcome of a look.
+        """Return the next node (state of the machine) for each outcome of a look.
 
         The first result (nodes, outcomes) has rows of the second, the nodes of the next stage. Bit
         k of an outcome is the answer of comparison k of `comparison_count`; `of_sense` gives each
@@ -288,10 +289,11 @@ class MachineBuilder:
     def _joined(
         self, stages: list[Stage], comparisons: tuple[Comparison, ...]
     ) -> tuple[StateMachine, NDArray[np.int32]]:
-        """Return the machine of all stages, and the behaviour of every code, int32 (codes,).
+        """Return the machine of all stages, and the behaviour (set of codes that act alike) of
+        every code, int32 (codes,).
 
-        Codes of equal behaviour are merged: of each behaviour, only the nodes of its first code
-        remain."""
+        Codes of equal behaviour are merged: of each behaviour, only the nodes (states of the
+        machine) of its first code remain."""
         behaviour_of_code, chosen = self._behaviours(stages)
         most = max(stage.steps.shape[1] for stage in stages)
         stage_rows = [np.flatnonzero(np.isin(stage.nodes[:, 0], chosen)) for stage in stages]

@@ -84,8 +84,8 @@ def _differing(
     """Return the first bucket whose open time the code and the states `read` do not determine, or
     None.
 
-    `last` are the nodes at the end of a frame and `times` their possible open times; `read` are
-    indices of states."""
+    `last` are the nodes (states of the machine) at the end of a frame and `times` their possible
+    open times; `read` are indices of states."""
     by_readout: dict[tuple[int, ...], set[Times]] = {}
     for node in last:
         values = machine.values[node, list(read)].tolist()

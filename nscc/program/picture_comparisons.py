@@ -223,7 +223,8 @@ class PictureComparer(ABC):
         return test if op[0] == ">" else p.Inverse(test)
 
     def _steps(self, expr: tree.Expr) -> int:
-        """Return a level, with its sign, in whole steps of IN; a plain 0 needs no unit.
+        """Return a level, with its sign, in whole steps of IN (the level sent to all pixels); a
+        plain 0 needs no unit.
 
         Raises WrongPicture after reporting NS0533 for a level without a unit, or one that IN cannot
         represent."""

@@ -142,7 +142,8 @@ class PictureMaker:
         return self._with_unit(pictures)
 
     def _with_unit(self, pictures: Pictures) -> Pictures:
-        """Choose how many steps of IN represent one count, and return `pictures` with that number.
+        """Choose how many steps of IN (the level sent to all pixels) represent one count, and
+        return `pictures` with that number.
 
         Reports the error NS0540 if the largest count does not fit a register."""
         unit = count_unit(pictures, self.target)
@@ -453,8 +454,8 @@ class PictureMaker:
     def _limits(self) -> dict[str, float]:
         """Return the largest exposure of each bucket in electrons, by name.
 
-        It is what PIX and a register hold, or less if an `assume` statement says so. Invalid
-        assumptions are reported and ignored."""
+        It is what PIX (the photodiode) and a register hold, or less if an `assume` statement says
+        so. Invalid assumptions are reported and ignored."""
         target = self.target
         full_e = min(target.full_well_e, target.register_max_e)
         limits = dict.fromkeys(self.buckets, full_e)

@@ -69,8 +69,9 @@ class Program(Record, eq=False):
     sentence on why. `legal_codes` is the number of codes that fields and `require` allow, None if
     there are too many to count. `target_span` is the place where the target statement names the
     chip, None if there is no such statement. `messages` are warnings and notes. If shutters depend
-    on the light, `machine` is the state machine; then `table` has its behaviours instead of
-    shutters, and their shutters in the dark, where no signal is above its level."""
+    on the light, `machine` is the state machine; then `table` has its behaviours (sets of codes
+    that act alike) instead of shutters, and their shutters in the dark, where no signal is above
+    its level."""
 
     source: Source
     target: Target

@@ -45,7 +45,7 @@ class Diagrams:
     diagrams of these constants."""
 
     def __init__(self) -> None:
-        """Begin with the leaves 0 and 1, which are the nodes 0 and 1."""
+        """Begin with the leaves 0 and 1, which are the nodes of a decision diagram 0 and 1."""
         self._nodes: list[tuple[int, int, int]] = []
         self._values: dict[int, Fraction] = {}
         self._number: dict[object, int] = {}
@@ -138,7 +138,8 @@ class Diagrams:
         return product
 
     def multiples(self, factor: Fraction) -> dict[int, int]:
-        """Return the known products with a fraction, by node; callers may add to the mapping."""
+        """Return the known products with a fraction, by node of a decision diagram; callers may add
+        to the mapping."""
         return self._multiples.setdefault(factor.as_integer_ratio(), {})
 
     def chosen(self, bit: int, then: int, otherwise: int) -> int:
@@ -177,8 +178,8 @@ class Diagrams:
         return result
 
     def _node(self, variable: int, low: int, high: int) -> int:
-        """Return the node that branches to `low` where the variable is 0 and to `high` where it is
-        1.
+        """Return the node of a decision diagram that branches to `low` where the variable is 0 and
+        to `high` where it is 1.
 
         Equal branches need no node, and an existing node with the same branches is used again."""
         if low == high:
@@ -188,7 +189,7 @@ class Diagrams:
         return self._add(key, key) if number is None else number
 
     def _add(self, key: object, node: tuple[int, int, int]) -> int:
-        """Append a node, which can be found by `key`, and return its number.
+        """Append a node of a decision diagram, which can be found by `key`, and return its number.
 
         Raises TooLarge beyond `MOST_NODES`."""
         if len(self._nodes) >= MOST_NODES:
@@ -207,7 +208,8 @@ IN: Unknown = ("IN", 0, 0)
 
 
 def in_at(param: str) -> Unknown:
-    """Return the unknown that stands for IN at the level of the parameter `param`."""
+    """Return the unknown that stands for IN (the level sent to all pixels) at the level of the
+    parameter `param`."""
     return (f"IN at {param}", 0, 0)
 
 
@@ -307,8 +309,8 @@ class Forms:
     def chosen(self, bit: int, then: Form, otherwise: Form) -> Form:
         """Return the form `then` where the bit is 1 and `otherwise` where it is 0.
 
-        If they differ by a number of steps of IN, the result is linear in an unknown of the bit.
-        Otherwise the factors of all unknowns branch on the bit."""
+        If they differ by a number of steps of IN (the level sent to all pixels), the result is
+        linear in an unknown of the bit. Otherwise the factors of all unknowns branch on the bit."""
         diagrams = self.diagrams
         if bit == diagrams.one:
             return then
@@ -326,7 +328,8 @@ class Forms:
         return {unknown: number for unknown, number in numbers.items() if number != zero}
 
     def _steps_between(self, first: Form, second: Form) -> Fraction | None:
-        """Return `first` - `second` if that is a constant number of steps of IN, else None."""
+        """Return `first` - `second` if that is a constant number of steps of IN (the level sent to
+        all pixels), else None."""
         if {**first, IN: 0} != {**second, IN: 0}:
             return None
         zero = self.diagrams.zero
@@ -338,7 +341,8 @@ class Forms:
 
         Sums that differ by a positive factor give the same bit, and by a negative factor its
         inverse: comparators do not detect equal charges. The sign of 0 is unknown. Only a constant
-        number of steps of IN is decided here; other bits are new variables."""
+        number of steps of IN (the level sent to all pixels) is decided here; other bits are new
+        variables."""
         diagrams = self.diagrams
         unknowns = sorted(form)
         if unknowns == [IN] and (steps := diagrams.value(form[IN])) is not None:

@@ -88,9 +88,9 @@ class ReplayPixels:
     (lanes, registers) is loaded by the host. An analog value has several parts in each lane:
     `lights` charges in electrons, then `terms` terms of a linear form, which start at zero. With
     `quiet`, analog values that were never written are zero, and the result of a word is NaN where
-    FLAG is unknown; else both are random. `transitions` counts the answers of comparisons that were
-    followed, in all lanes. `doubts` tell why known bits became unknown, and which analog word first
-    found FLAG unknown."""
+    FLAG (the bit that lets a pixel act) is unknown; else both are random. `transitions` counts the
+    answers of comparisons that were followed, in all lanes. `doubts` tell why known bits became
+    unknown, and which analog word first found FLAG unknown."""
 
     def __init__(
         self,
@@ -102,7 +102,8 @@ class ReplayPixels:
         terms: int = 0,
         quiet: bool = False,
     ) -> None:
-        """Begin a replay with one lane for each row of `encoding`; see the class for the arguments.
+        """Begin a replay with one lane (simulated pixel) for each row of `encoding`; see the class
+        for the arguments.
 
         Registers that are not loaded are unknown."""
         self.container, self.kernels, self.target = container, kernels, container.target
@@ -128,7 +129,8 @@ class ReplayPixels:
     # Lanes.
 
     def _resize(self, lanes: int) -> None:
-        """Set the number of lanes, and forget which of them have FLAG = 1."""
+        """Set the number of lanes, and forget which of them have FLAG (the bit that lets a pixel
+        act) = 1."""
         self.lanes, self.everything = lanes, (1 << lanes) - 1
         self._split: tuple[Bits, Lanes, Lanes | None] = (UNKNOWN, slice(0, 0), slice(None))
 
@@ -143,8 +145,8 @@ class ReplayPixels:
         self._resize(len(lanes))
 
     def known(self, bits: NDArray[np.bool_]) -> list[Bits]:
-        """Return known bits, bool (lanes, registers), as a pair of truth vectors for each
-        register."""
+        """Return known bits, bool (lanes, registers), as a pair of truth vectors (integers with one
+        bit for each lane) for each register."""
         return [(ones, self.everything & ~ones) for ones in columns(bits)]
 
     def code_bits(self, encoding: NDArray[np.bool_]) -> dict[str, Bits]:
@@ -164,7 +166,8 @@ class ReplayPixels:
         raise NotImplementedError
 
     def start_frame(self) -> None:
-        """Begin the next frame: all analog registers, PIX and IN are unknown.
+        """Begin the next frame: all analog registers, PIX (the photodiode) and IN (the level sent
+        to all pixels) are unknown.
 
         From the second frame on, digital registers that the frame before did not write are unknown,
         too."""
@@ -203,13 +206,14 @@ class ReplayPixels:
         self._now_us += self.target.readout_us * len(self.container.readouts)
 
     def set_in(self, level: int) -> None:
-        """Set the charge that IN supplies to `level` steps, in all lanes."""
+        """Set the charge that IN (the level sent to all pixels) supplies to `level` steps, in all
+        lanes."""
         self.analog["IN"][:] = 0.0
         self.analog["IN"][:, : self.lights] = level * self.target.electrons_per_step
 
     def _noise(self, rows: int) -> Values:
         """Return values for registers that were never written, float64 (rows, parts), for all lanes
-        alike.
+        (simulated pixels) alike.
 
         Lights are random, or zero with `quiet`; terms are zero."""
         values = np.zeros((rows, self.parts))
@@ -220,7 +224,8 @@ class ReplayPixels:
     # Words.
 
     def run(self, word: Op) -> None:
-        """Run a word in every lane, as FLAG and the target's rules allow it.
+        """Run a word in every lane, as FLAG (the bit that lets a pixel act) and the target's rules
+        allow it.
 
         Raises nothing: a result that a real chip does not determine becomes unknown."""
         match word.operation.effect:
@@ -263,8 +268,8 @@ class ReplayPixels:
         return sum(further_sources, first)
 
     def compare(self, word: Op) -> Bits:
-        """Return FLAG after a comparison of analog values: unknown, because it depends on the
-        light.
+        """Return FLAG (the bit that lets a pixel act) after a comparison of analog values: unknown,
+        because it depends on the light.
 
         Programs with senses override this."""
         self._doubt(f"`{word}` makes FLAG depend on the light")
@@ -272,8 +277,8 @@ class ReplayPixels:
         return 0, self.read("FLAG")[1] if self.target.where_obeys_flag else 0
 
     def _flagged(self, word: str) -> tuple[Lanes, Lanes | None]:
-        """Return the lanes whose FLAG is 1, and those whose FLAG is unknown (None if there are
-        none).
+        """Return the lanes whose FLAG (the bit that lets a pixel act) is 1, and those whose FLAG is
+        unknown (None if there are none).
 
         `word` is the word that asks, for the doubt that is noted. The result is cached until FLAG
         changes."""
@@ -288,7 +293,7 @@ class ReplayPixels:
         return self._split[1:]
 
     def _digital(self, word: Op) -> None:
-        """Run a digital word on the bits of all lanes.
+        """Run a digital word on the bits of all lanes (simulated pixels).
 
         In a pair, the first word writes the inner bus and the second reads it."""
         row = word.operation
@@ -307,7 +312,7 @@ class ReplayPixels:
             self.write(name, value, mask if name == masked else None)
 
     def read(self, name: str) -> Bits:
-        """Return the bits of a digital register or of FLAG, now.
+        """Return the bits of a digital register or of FLAG (the bit that lets a pixel act), now.
 
         They are unknown if they were written longer ago than the retention time; that is noted."""
         value = self.bits[name]
@@ -331,8 +336,8 @@ class ReplayPixels:
     def write(self, name: str, value: Bits, mask: str | None = None) -> None:
         """Write the bits of a register, now.
 
-        With the register `mask`, only lanes where it is 1 change, and the content counts as old as
-        before."""
+        With the register `mask`, only lanes (simulated pixels) where it is 1 change, and the
+        content counts as old as before."""
         on, off = (self.everything, 0) if mask is None else self.read(mask)
         if on == self.everything:
             self.bits[name] = value

@@ -164,7 +164,7 @@ def _grammar() -> Lark:
 def _parsed(line: str) -> tuple[tuple[str, int, int], ...]:
     """Return the pieces of a line, each with the offsets where it begins and ends.
 
-    Results are memoized, because kernels repeat lines."""
+    Results are memoized, because kernels (lists of words) repeat lines."""
     tokens = _grammar().parse(line).scan_values(lambda piece: isinstance(piece, LarkToken))
     return tuple((str(piece), piece.start_pos or 0, piece.end_pos or 0) for piece in tokens)
 

@@ -185,9 +185,10 @@ class Container:
 def with_picture_words(container: Container) -> Container:
     """Return the container as a chip executes it.
 
-    Its kernels and launches include the words of images and planes. Its readouts are the registers
-    that the chip converts: first buckets, then images. Its code registers include the registers of
-    kept states and input planes, which a device loads with their starts before the first frame."""
+    Its kernels (lists of words) and launches include the words of images and planes. Its readouts
+    are the registers that the chip converts: first buckets, then images. Its code registers include
+    the registers of kept states and input planes, which a device loads with their starts before the
+    first frame."""
     pictures, first = container.pictures, len(container.kernels)
     readouts = {readout.bucket: readout for readout in container.readouts}
     readouts |= {name: Readout(register, name) for name, register in pictures.registers.items()}

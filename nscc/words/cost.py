@@ -37,7 +37,7 @@ class FrameCost(Record):
 
 
 def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
-    """Return number and time of words, without the time of a launch.
+    """Return number and time of words, without the time of a launch (start of a kernel).
 
     Words that only the target has may have a time of their own."""
     analog = digital = 0
@@ -63,7 +63,7 @@ def word_us(word: Op, target: Target) -> float:
 
 def words_us(analog: int, digital: int, target: Target) -> float:
     """Return the time in microseconds of `analog` analog and `digital` digital words, without a
-    launch."""
+    launch (start of a kernel)."""
     return analog * target.analog_word_us + digital * target.digital_word_us
 
 
@@ -72,7 +72,7 @@ def refresh_count(words: Sequence[Op]) -> int:
 
     These are REFRESH pairs. A masked register can be written only where its mask is 1, so the words
     around its refresh count, too: SET of the mask, and those that save the mask's own code in FLAG
-    and restore it."""
+    (the bit that lets a pixel act) and restore it."""
     count = 0
     for i, word in enumerate(words):
         if not word.operation.name.startswith("REFRESH"):

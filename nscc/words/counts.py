@@ -127,7 +127,8 @@ class CountUnit(Record):
 def count_unit(pictures: p.Pictures, target: Target) -> CountUnit | None:
     """Return how a program's counts are represented; None for a program without counts.
 
-    The largest count must fit the registers and IN, and levels and factors must be whole steps."""
+    The largest count must fit the registers and IN (the level sent to all pixels), and levels and
+    factors must be whole steps."""
     known, weights = counts_by_name(pictures), pictures.weights_by_name
     peak, name, least = Fraction(0), "", 1
     for item, expression in pictures.expressions.items():

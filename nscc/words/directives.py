@@ -132,8 +132,8 @@ class Draft:
     words: int = 0
 
     def add(self, line: Instruction, faults: Faults) -> None:
-        """Add the words of a line to the last kernel; before any `.kernel` line, that is one named
-        `main`.
+        """Add the words of a line to the last kernel (list of words); before any `.kernel` line,
+        that is one named `main`.
 
         Raises Rejected with all errors (NS0718) if there are too many words."""
         if not self.kernels:
@@ -229,7 +229,8 @@ def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add a line that starts kernels at a range of boundaries; report an invalid range."""
+    """Add a line that starts kernels (lists of words) at a range of boundaries; report an invalid
+    range."""
     place, *kernels = tokens
     instants = read_ranges(place.text, MOST_SLOTS)
     if instants is None:

@@ -174,8 +174,8 @@ def _kernel(container: Container, number: int) -> Iterator[str]:
 
 
 def _schedule(container: Container) -> Iterator[str]:
-    """Yield a `.slot` line for each different list of kernels, with all boundaries at which it
-    runs."""
+    """Yield a `.slot` line for each different list of kernels (lists of words), with all boundaries
+    at which it runs."""
     at_instant: dict[int, list[int]] = {}
     for launch in container.launches:
         at_instant.setdefault(launch.instant, []).append(launch.kernel)
@@ -216,7 +216,7 @@ def _table(container: Container) -> Iterator[str]:
 
 def _machine(container: Container) -> Iterator[str]:
     """Yield the comparisons of pixels that look as comments, then their state machine and the
-    levels of IN as base64.
+    levels of IN (the level sent to all pixels) as base64.
 
     Yield nothing for other programs."""
     machine, step_e = container.machine, container.target.electrons_per_step

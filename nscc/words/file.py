@@ -99,7 +99,8 @@ class _Words(Record):
 
 
 class _Levels(Record):
-    """The value of IN that each launch sets, which files of programs with senses have."""
+    """The value of IN (the level sent to all pixels) that each launch (start of a kernel) sets,
+    which files of programs with senses have."""
 
     levels: Annotated[NDArray[np.int32], "launches"]
 

@@ -78,8 +78,8 @@ def picture_kernels(container: Container) -> tuple[tuple[Op, ...], ...]:
 def picture_words(
     container: Container, params: Mapping[str, int] = MappingProxyType({})
 ) -> list[tuple[Op, int | None]]:
-    """Return the words of images and planes as a frame executes them, each with the value of IN in
-    steps.
+    """Return the words of images and planes as a frame executes them, each with the value of IN
+    (the level sent to all pixels) in steps.
 
     The value is None if IN is not set. `params` has values of parameters, by default their starts.
     Raises Rejected as `decoded` does."""
@@ -224,7 +224,7 @@ def split_pairs(kernel: str, ops: Sequence[Op]) -> list[Diagnostic]:
     """Return an error (NS0703) for each word that is half of a pair without the other half beside
     it.
 
-    `ops` are the operations of the kernel that messages call `kernel`."""
+    `ops` are the operations of the kernel (list of words) that messages call `kernel`."""
     diagnostics = []
     for index, operation in enumerate(ops):
         before, phase = ops[index - 1] if index else None, operation.operation.phase

@@ -146,7 +146,8 @@ def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
 
 
 def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
-    """Report each instruction that the target does not have, and kernels that exceed its store."""
+    """Report each instruction that the target does not have, and kernels (lists of words) that
+    exceed its store."""
     stored = 0
     for kernel in draft.kernels:
         for line in kernel.lines:
@@ -200,7 +201,8 @@ def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
 
 
 def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
-    """Return the starts of kernels, by boundary, and at one boundary in the order of the text.
+    """Return the starts of kernels (lists of words), by boundary, and at one boundary in the order
+    of the text.
 
     Unknown kernels and boundaries beyond the frame are reported."""
     kernels = {kernel.name.text: i for i, kernel in enumerate(draft.kernels)}

@@ -28,10 +28,11 @@ LIGHT = -1
 
 
 class Comparison(Record):
-    """A comparison at `boundary`: is the signal above `level` steps of IN?
+    """A comparison at `boundary`: is the signal above `level` steps of IN (the level sent to all
+    pixels)?
 
-    `signal` is LIGHT, the charge of PIX since the start of the frame or its last reset, or the
-    index of a bucket, the light of its completed open slots."""
+    `signal` is LIGHT, the charge of PIX (the photodiode) since the start of the frame or its last
+    reset, or the index of a bucket, the light of its completed open slots."""
 
     boundary: Length
     signal: int
@@ -120,7 +121,8 @@ class StateMachine(Record, eq=False):
         return len(self.first) - 1
 
     def nodes(self, stage: int) -> slice:
-        """Return the indices of a stage's nodes, for the first axis of the arrays."""
+        """Return the indices of a stage's nodes (states of the machine), for the first axis of the
+        arrays."""
         return slice(int(self.first[stage]), int(self.first[stage + 1]))
 
     def at(self, boundary: int) -> tuple[Comparison, ...]:
@@ -132,8 +134,8 @@ class StateMachine(Record, eq=False):
     def order(self, boundary: int) -> list[int]:
         """Return the indices of a boundary's comparisons in the order in which words make them.
 
-        If two signals are the same light, such as PIX and a bucket that is still open, only this
-        order determines which of them a word compares."""
+        If two signals are the same light, such as PIX (the photodiode) and a bucket that is still
+        open, only this order determines which of them a word compares."""
         comparisons = self.at(boundary)
         # Buckets come before the light since the reset, LIGHT = -1.
         return sorted(range(len(comparisons)), key=lambda number: -comparisons[number].signal)
@@ -147,8 +149,8 @@ class StateMachine(Record, eq=False):
         return self.looks[stage] if stage < len(self.looks) else self.slots
 
     def start_nodes(self) -> NDArray[np.int64]:
-        """Return for each behaviour its node of stage 0 in which all states have their start
-        values, int64 (behaviours,)."""
+        """Return for each behaviour (set of codes that act alike) its node (state of the machine)
+        of stage 0 in which all states have their start values, int64 (behaviours,)."""
         nodes = np.arange(self.first[1])
         starts = np.array([state.start for state in self.states], np.int64)
         chosen = nodes[(self.values[: self.first[1]] == starts).all(axis=1)]

@@ -94,7 +94,8 @@ class Largest(Record):
 
 
 class Uniform(Record):
-    """A value that is equal in all pixels: one step of IN, or as many as the parameter `param`."""
+    """A value that is equal in all pixels: one step of IN (the level sent to all pixels), or as
+    many as the parameter `param`."""
 
     param: str = ""
 
@@ -340,7 +341,8 @@ class KeptImage(Record):
 class HostParam(Record):
     """A parameter: a number that the host sets before a frame, and that a frame does not change.
 
-    `kind` "level": `low`, `high` and `start` are steps of IN; "integer": numbers without a unit."""
+    `kind` "level": `low`, `high` and `start` are steps of IN (the level sent to all pixels);
+    "integer": numbers without a unit."""
 
     name: str
     kind: Literal["level", "integer"]
@@ -350,8 +352,8 @@ class HostParam(Record):
 
 
 class LevelOf(Record):
-    """How the value of IN at launch number `launch` follows from a parameter: `factor` times
-    `param`."""
+    """How the value of IN (the level sent to all pixels) at launch (start of a kernel) number
+    `launch` follows from a parameter: `factor` times `param`."""
 
     launch: Length
     param: str
@@ -409,8 +411,8 @@ class PlaneReport(Record):
 
 
 class TailLaunch(Record):
-    """The start of kernel (list of words) number `kernel` after the exposure, with IN at `level`
-    steps.
+    """The start of kernel (list of words) number `kernel` after the exposure, with IN (the level
+    sent to all pixels) at `level` steps.
 
     The level is None if the kernel does not read IN."""
 
@@ -439,8 +441,8 @@ class Pictures:
     bit is read. `limits_e` are the largest assumed exposures in electrons, by bucket. `reads` are
     the images, planes and buckets that are read out with the frame. `kernels` run in the order of
     `launches`, after all words of the exposure; `registers` then contain the images and planes that
-    are read or reported. `count_steps` are the steps of IN for one count, 0 if nothing is
-    counted.
+    are read or reported. `count_steps` are the steps of IN (the level sent to all pixels) for one
+    count, 0 if nothing is counted.
 
     Version 4 adds planes that the host loads (`inputs`), images that are kept from frame to frame,
     and parameters. `launches` contains the launches of each loop once, and those that set IN to a

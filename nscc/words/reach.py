@@ -87,8 +87,9 @@ class RegisterReaches:
     def _run(self, op: Op) -> None:
         """Update the reach of the registers that one word writes.
 
-        In pixels whose FLAG is 0 an analog word leaves the old value, so the old reach counts, too.
-        The same is true of the masked register where its mask is 0."""
+        In pixels whose FLAG (the bit that lets a pixel act) is 0 an analog word leaves the old
+        value, so the old reach counts, too. The same is true of the masked register where its mask
+        is 0."""
         effect, phase = op.operation.effect, op.operation.phase
         reach = Reach().joined(*map(self.of, op.sources))
         if effect is WordEffect.DIGITAL_NEIGHBOURS:

@@ -22,8 +22,8 @@ Three words each add an error to twice the exposure, so the variance is 3 / 4.""
 
 
 class Preparation(Record):
-    """The words before the readout, and the value of IN in steps that they need; None if they do
-    not read IN."""
+    """The words before the readout, and the value of IN (the level sent to all pixels) in steps
+    that they need; None if they do not read IN."""
 
     words: tuple[Op, ...]
     level: int | None
@@ -32,8 +32,8 @@ class Preparation(Record):
 def preparation_of(container: Container) -> Preparation:
     """Return the words that run before the readout.
 
-    They set FLAG in all pixels and, if an analog register is free, spread the exposures over all
-    converter codes."""
+    They set FLAG (the bit that lets a pixel act) in all pixels and, if an analog register is free,
+    spread the exposures over all converter codes."""
     target = container.target
     copy = free_register(target, _read(container))
     # Readout would skip pixels without FLAG.
@@ -59,8 +59,8 @@ def converted_buckets(container: Container) -> dict[str, str]:
 def spreading(target: Target, register: str, copy: str) -> tuple[Op, Op, Op]:
     """Return three words that replace the exposure x in `register` by 2 x minus a full well.
 
-    They overwrite the register `copy` and the scratch register, and need IN at minus a full well.
-    """
+    They overwrite the register `copy` and the scratch register, and need IN (the level sent to all
+    pixels) at minus a full well."""
     scratch = target.analog_scratch
     return (
         op("bus", [copy], [register, "IN"]),

@@ -200,8 +200,8 @@ def _picture_faults(container: Container) -> Iterator[str]:
 
 
 def _loop_faults(container: Container) -> Iterator[str]:
-    """Yield the errors of loops and parameters of images, such as launches or parameters that do
-    not exist."""
+    """Yield the errors of loops and parameters of images, such as launches (starts of kernels) or
+    parameters that do not exist."""
     pictures, target, end = container.pictures, container.target, 0
     params = {param.name: param for param in pictures.params}
     for param in pictures.params:

@@ -40,8 +40,8 @@ class StoredMachine:
     """The parts of a state machine that are not arrays, as they are written to JSON.
 
     `first` are the first nodes of the stages and, last, the number of nodes. `outcomes` is the
-    largest number of outcomes of a look. In assembly text, `levels` are the values of IN of all
-    launches."""
+    largest number of outcomes of a look. In assembly text, `levels` are the values of IN (the level
+    sent to all pixels) of all launches (starts of kernels)."""
 
     states: tuple[State, ...]
     comparisons: tuple[Comparison, ...]
@@ -106,7 +106,8 @@ def machine_data(container: Container) -> bytes:
     """Return the data of `.machine` in assembly text: the record as JSON after its length, then the
     arrays.
 
-    The record also has the values of IN of all launches."""
+    The record also has the values of IN (the level sent to all pixels) of all launches (starts of
+    kernels)."""
     levels = tuple(launch.level for launch in container.launches)
     record = replace(stored_machine(container.machine, container.state_planes), levels=levels)
     text = to_json(record).encode("ascii")
@@ -116,7 +117,8 @@ def machine_data(container: Container) -> bytes:
 
 
 def with_machine_data(container: Container, data: bytes) -> Container:
-    """Return a container with the state machine and the values of IN that `data` contain.
+    """Return a container with the state machine and the values of IN (the level sent to all pixels)
+    that `data` contain.
 
     Raises ValueError for data that `machine_data` does not return for a machine of this program."""
     end = 4 + int.from_bytes(data[:4], "little")

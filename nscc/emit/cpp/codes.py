@@ -233,7 +233,7 @@ class CodeLoading:
         """Return the library calls that write every code register again, before it loses its bits.
 
         The masked register is written back while its mask is 1; the mask's own code is kept in FLAG
-        meanwhile."""
+        (the bit that lets a pixel act) meanwhile."""
         registers = [load.register for load in self.loads]
         masked, mask = self.target.masked_register, self.target.mask_register
         out: list[Call] = []

@@ -37,8 +37,8 @@ class Row:
     """A row of the schedule: `times` launches of a kernel (list of words) at equal intervals.
 
     The first launch is `at` microseconds after the frame's first word, each next one `interval_us`
-    later. IN is set to `level` steps before, unless that is None. A row with `kernel` None only
-    waits. `instants` are the boundaries of the launches."""
+    later. IN (the level sent to all pixels) is set to `level` steps before, unless that is None. A
+    row with `kernel` None only waits. `instants` are the boundaries of the launches."""
 
     at: Fraction
     interval_us: Fraction
@@ -76,15 +76,15 @@ class LaunchSchedule:
 
     @property
     def sets_in(self) -> bool:
-        """Whether some launches set IN."""
+        """Whether some launches (starts of kernels) set IN (the level sent to all pixels)."""
         return any(row.level is not None for row in self.rows)
 
 
 def schedule_of(container: Container) -> LaunchSchedule:
     """Return the times of all launches (starts of kernels) of a frame.
 
-    Launches at equal intervals with the same kernel and level are one row. Rows that only wait
-    divide long intervals."""
+    Launches at equal intervals with the same kernel (list of words) and level are one row. Rows
+    that only wait divide long intervals."""
     begin_us = ceil(_setup_us(container))
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
@@ -107,7 +107,7 @@ def exact(value: float) -> Fraction:
 
 
 def kernel_us(kernel: StoredKernel, target: Target) -> Fraction:
-    """Return the time of one launch of a kernel, in microseconds."""
+    """Return the time of one launch of a kernel (list of words), in microseconds."""
     analog = sum(decode(word).analog for word in kernel.words)
     digital = len(kernel.words) - analog
     return (
@@ -134,8 +134,8 @@ def _setup_us(container: Container) -> Fraction:
 
 
 def _rests(before: Fraction, at: Fraction, instant: int) -> Iterator[Row]:
-    """Yield rows that only wait, between launches at `before` and `at` microseconds, so that no
-    interval exceeds LONGEST_GAP_US.
+    """Yield rows that only wait, between launches (starts of kernels) at `before` and `at`
+    microseconds, so that no interval exceeds LONGEST_GAP_US.
 
     `instant` is the boundary of the second launch."""
     while at - before > LONGEST_GAP_US:
@@ -144,8 +144,8 @@ def _rests(before: Fraction, at: Fraction, instant: int) -> Iterator[Row]:
 
 
 def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
-    """Yield the rows, with launches of the same kernel and level at equal intervals merged into
-    one.
+    """Yield the rows, with launches of the same kernel (list of words) and level at equal intervals
+    merged into one.
 
     A row has at most `MOST_TIMES` launches."""
     start = 0
@@ -171,7 +171,8 @@ def kernel_name(number: int) -> str:
 
 
 def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[str]:
-    """Yield the C++ table of kernels, the table of launches, and the function that runs a frame."""
+    """Yield the C++ table of kernels (lists of words), the table of launches, and the function that
+    runs a frame."""
     count = len(container.kernels)
     if schedule.waits:
         yield "void rest() {}                      // no kernel: a moment to wait for"
@@ -224,7 +225,7 @@ def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
     """Return a row of the schedule as C++, with times in microseconds.
 
     If not all times are whole, each has a second number: its fraction in units of 2^-32 us.
-    `rest_kernel` is the number that stands for a row without a kernel."""
+    `rest_kernel` is the number that stands for a row without a kernel (list of words)."""
     numbers: list[int] = []
     for moment in (row.at, row.interval_us):
         fixed = ceil(moment * _PART)

@@ -20,7 +20,8 @@ from nscc.words.encoding import decode, encode, word_text
 
 
 def narrowed(container: Container) -> list[list[Op]] | None:
-    """Return the words of every kernel as words that all have a call in the devkit's library.
+    """Return the words of every kernel (list of words) as words that all have a call in the
+    devkit's library.
 
     Words with too many operands become several. Return None if a WHERE has too many sources and no
     digital register is free to gather them."""
@@ -45,8 +46,8 @@ class _NoRegister(Exception):
 
 
 def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
-    """Yield the words of a kernel with operands divided among more words, as the devkit's calls
-    need it.
+    """Yield the words of a kernel (list of words) with operands divided among more words, as the
+    devkit's calls need it.
 
     A pair that combines several registers becomes a chain of pairs. WHERE with many sources first
     gathers them in the register `scratch`; raises _NoRegister if that is None. OR, NOR, SET and CLR
@@ -170,8 +171,8 @@ def kernel_lines(
 
 
 def _recorded(name: str, recorded: Sequence[tuple[Call, tuple[Op, ...]]]) -> Iterator[str]:
-    """Yield the C++ function `name` of a kernel: its library calls, with their words as
-    comments."""
+    """Yield the C++ function `name` of a kernel (list of words): its library calls, with their
+    words as comments."""
     body = [
         (f"        {call_text(call)}", "; ".join(map(str, window))) for call, window in recorded
     ]

@@ -90,8 +90,8 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
 
     `tree` gives the source lines for comments; images are named after `stem`. Raises Rejected:
     NS0520 if the devkit's chip cannot run the program, because of its registers or array size,
-    missing pixel data, or no room for the kernels that load codes; NS0521 for words that the
-    devkit's library lacks."""
+    missing pixel data, or no room for the kernels (lists of words) that load codes; NS0521 for
+    words that the devkit's library lacks."""
     exposure, container = container, with_picture_words(container)
     program, target = lowered.program, container.target
     devkit = devkit_of(target)
@@ -183,7 +183,7 @@ def _check_store(
 
 
 def ops_of(kernel: StoredKernel) -> list[Op]:
-    """Return the decoded words of a kernel."""
+    """Return the decoded words of a kernel (list of words)."""
     return [decode(word) for word in kernel.words]
 
 
