@@ -82,6 +82,7 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
             for n in slots:
                 now = now & ~at.get((n, "fall"), 0) | at.get((n, "rise"), 0)
                 kept_by.append(now)
+            # A shutter that is open in the last slot closes at the end of the frame.
             require(at.get((plan.slots, "fall"), 0) == now, "a shutter is never read")
             return kept_by
 

@@ -63,6 +63,7 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
         first_error = next(d for d in error.diagnostics if d.severity is Severity.ERROR)
         if first_error.code[:4] in ("NS01", "NS02"):
             raise
+        # If only the slots are too short, the error says how long they must be.
         late = first_error.data.get("resource") == "slot_us"
         needed = float(first_error.data["required"]) if late else None
         return OnChip(target, first_error=first_error, shortest_slot_us=needed)

@@ -37,6 +37,7 @@ def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], boo
     from numpy.lib import format as npy
 
     version = npy.read_magic(stream)
+    # Version 1 has a header of at most 64 KiB; later versions allow 4 GiB.
     if version == (1, 0):
         return version, *npy.read_array_header_1_0(stream)
     length = stream.read(4)

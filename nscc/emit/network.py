@@ -176,6 +176,7 @@ class KernelFinder:
         self._run: dict[int, list[tuple[Op, int]]] = {}
         for boundary, number in schedule.launches:
             kernel = schedule.kernels[number]
+            # A refresh is the first kernel of its boundary.
             if boundary in refreshes and boundary not in self._run:
                 self._run[boundary] = []
                 if any(word.operation.name.startswith("REFRESH") for word in kernel):

@@ -89,6 +89,7 @@ def limit_of(
     trials = yield from explore(sizes, lambda size: _attempt(family, size, slot, options), BUDGET)
     ordered_trials = tuple(trials[size] for size in sorted(trials))
     built = next((trial for trial in reversed(ordered_trials) if trial.fits), None)
+    # Only if a program includes all smaller ones, a proof holds for all larger sizes.
     proved = [t for t in ordered_trials if t.proved] if family.nested else []
     impossible, reason = capacity, ""
     if capacity is not None:
@@ -328,6 +329,7 @@ def explore(
     largest_fit = max((t.size for t in trials.values() if t.fits), default=None)
     if largest_fit is None:
         return trials
+    # If no larger size failed, there is nothing in between to try.
     smallest_misfit = min((size for size in trials if size > largest_fit), default=largest_fit + 1)
     probe = largest_fit + 1
     while smallest_misfit - largest_fit > 1 and len(trials) < budget:

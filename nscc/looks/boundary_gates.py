@@ -269,6 +269,7 @@ def update(board: Board, new_values: dict[str, int]) -> None:
     values."""
     changes = {name: v for name, v in new_values.items() if board.values[name] != v}
     best = _ordered(board, changes, None)
+    # A shared value must save at least one word, and each change still takes one.
     most = inf if best is None else best.words - board.words - len(changes) - 1
     for begun in _with_changes(board, changes, most):
         best = _ordered(begun, changes, best)

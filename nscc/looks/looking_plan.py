@@ -199,6 +199,8 @@ def _moment(
     inside = boundary < machine.slots
     becomes = machine.opens[after, :, boundary] if inside else np.zeros_like(was)
     resets = machine.resets[after, boundary] if inside else np.zeros(len(after), np.bool_)
+    # A reset ends the light in PIX, so an open bucket takes it before, and continues from an empty
+    # PIX: nothing need be subtracted then.
     falls = was & (~becomes | resets[:, None])
     rises = becomes & ~was & ~resets[:, None]
     copies = [bool(fresh[falls[:, b], b].all()) for b in range(buckets)]

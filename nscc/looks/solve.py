@@ -96,6 +96,7 @@ class Solver:
         # its mask.
         unused = self.target.masked_register is not None and not self.holders
         room = len(self.target.digital_registers) - unused - len(self.holders) - len(self.states)
+        # The last boundary fails first if registers are missing.
         for moment in reversed(self.plan.moments):  # most states, so most scratch, at the end
             moment_items = tuple(_Moment(self, moment).items())
             if moment_items:
@@ -173,6 +174,7 @@ class _Moment:
             if comparison.signal != signal:
                 signal = comparison.signal
                 self._take_signal(comparison)
+            # A comparison would act only where the last one answered yes.
             elif self.target.where_obeys_flag:
                 self.emitted.append(op("all"))
             self.emitted.append(SetIn(comparison.level))
@@ -198,6 +200,7 @@ class _Moment:
             v, words = pending.pop(0)
             if not v:
                 continue
+            # The reset acts in every pixel, whatever FLAG is.
             if words is RESET and self.target.reset_honours_flag == "no":
                 self.emitted += RESET
                 self.sampled = False
@@ -208,6 +211,7 @@ class _Moment:
             )
             if words is RESET:
                 self.sampled = False
+            # The scratch register still holds -PIX: one word less.
             elif self.sampled and words[0] == self.plan.sampled():
                 words = words[1:]
             else:

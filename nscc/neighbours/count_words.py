@@ -223,6 +223,7 @@ class CountEmitter(Emitter):
     def _finished(self, accumulator: Accumulator, name: str) -> Held:
         """Make the accumulator's first word write its initial value, and return the count as a
         value."""
+        # The word inverts IN.
         level = -int(accumulator.start * self.pictures.count_steps)
         if level:
             first = self.words[accumulator.first_word][0]

@@ -38,6 +38,7 @@ def digit_plane_programs(taps: Taps, forms: WordForms) -> list[Program]:
     largest = max(
         sum(digit == sign for digit in plane.values()) for plane in planes for sign in (1, -1)
     )
+    # Each plane's total halves once. With `safe` more, the sum of a plane's digits stays in range.
     exact, safe = max(0, halvings - len(planes)), (largest - 1).bit_length()
     return [
         forms.allowed(

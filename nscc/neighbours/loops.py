@@ -35,6 +35,7 @@ def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
         _start(lowering, item.name, item.node.start)
         times = item.node.times
     lowering.everywhere()
+    # The second step does not find what registers hold before the first one.
     steered, lowering.contents, lowering.bits.steered = lowering.bits.steered, {}, None
     state = lowering.state()
     _emit_steps(lowering, steps, times)
@@ -71,6 +72,7 @@ def _emit_flood(
     seed = bits.bit(node.start)
     lowering.everywhere()
     lowering.word(op("SET", [mask]))
+    # With the mask at 1 everywhere, the masked register takes the seed in all pixels.
     lowering.word(op("MOV", [register], [seed[0]]))
     bits.give(seed)
     bits.write(mask, bits.bit(step.mask))
@@ -97,6 +99,7 @@ def _start(lowering: RegisterEmitter, name: str, node: p.Node) -> None:
         bits.planes[name] = register
         return
     value = lowering.value(node)
+    # The steps overwrite the register, so a value with other readers is copied.
     if value.name is not None and not lowering.hand_over(value.name):
         value = lowering.negated(value)
     if name in lowering.pictures.outputs:
@@ -270,6 +273,8 @@ def _move(lowering: RegisterEmitter, value: Held, head: Held, flag: str | None) 
     `flag` is the digital register that is 1 where they copy; None copies in all pixels. If the last
     word wrote the value, that word writes the register instead."""
     register, (last, level) = head.register, lowering.words[-1]
+    # A word inverts. To keep the sign, the word that wrote the value writes the register instead,
+    # or NEWS takes the value in between.
     source, again = value.register, value.sign == head.sign
     sources = [source]
     if again and value.name is None and not lowering.masked and _writes(last, source, register):

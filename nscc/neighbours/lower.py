@@ -468,6 +468,7 @@ class Lowering(RegisterEmitter):
         else:
             bit = self.bits.bit(condition)
         self.everywhere()
+        # The second value may stay where it is if this is its last read.
         in_place = otherwise.register != "IN" and self._ends(otherwise)
         if in_place:
             register, sign = otherwise.register, otherwise.sign
@@ -478,6 +479,7 @@ class Lowering(RegisterEmitter):
             register = self.take()
             self._copy(register, sign, otherwise)
         source = then
+        # The word that copies inverts, so the value must have the other sign before.
         if then.register != "IN" and then.sign == sign:
             self.word(op("bus", ["NEWS"], [then.register]))
             source = replace(then, register="NEWS", sign=-then.sign)

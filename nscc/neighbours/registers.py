@@ -66,6 +66,7 @@ def reuse(
             if _is_news(name):
                 runs = runs or news
             elif name in needed:
+                # The last word's register becomes the caller's, so nobody else may own it.
                 register = (where_free if number == last else where).get(written[number][name])
                 if register is None or register in held.values():  # two sources of one word
                     runs = True

@@ -192,6 +192,7 @@ class Synthesis:
             yield _NEGATE
             return
         if halvings_of(taps):
+            # A halving word also inverts. It comes first, last, or is part of the last word.
             doubled = added((-2, taps))
             for remaining in self._programs(doubled, depth - 1):
                 yield chained(_HALVE, remaining.program)
@@ -204,6 +205,8 @@ class Synthesis:
                 for second in self._programs_of_part(column, depth - 1):
                     yield chained(first, second)
             for line, across in ((row, column), (column, row)):
+                # The last word of this program is left out, which inverts its result: hence the
+                # negated line.
                 first = rows(self.forms).get(frozenset(added((-1, line)).items()), ())
                 for second in self._programs_of_part(across, depth - 1):
                     yield from _joined(first, second)

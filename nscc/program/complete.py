@@ -87,6 +87,7 @@ class Completion:
         code, programs without a legal code (NS0317) and too many codes (NS0450)."""
         planes = [self.planes[field.name] for field in self.rules.fields] if self.planes else []
         in_use, at_pixel = codes_in_use(planes, (self.target.rows, self.target.cols))
+        # The codes of pixels are checked before others, because their error names a pixel.
         if self.has_data and self.rules.fields:
             self._require(in_use, at_pixel)
         if self.looking is not None:

@@ -84,6 +84,7 @@ class MachineBuilder:
         values = [np.arange(low, high + 1) for low, high in ranges]
         grids = np.meshgrid(np.arange(len(self.codes)), *values, indexing="ij")
         columns = [grid.reshape(-1) for grid in grids]
+        # Before its first look, the answer of a sense is false.
         columns += [np.zeros(size, np.int64)] * len(self.remembered)
         nodes = np.stack(columns, axis=1).astype(np.int64)
         stages: list[Stage] = []
@@ -283,6 +284,7 @@ class MachineBuilder:
             after[:, k] = np.where(changes, value, rows[:, k : k + 1])[:, 0]
         for k, sense in enumerate(self.remembered, self.width):
             after[:, k] = np.broadcast_to(bindings[sense.name].data, shape)[:, 0]
+        # Equal rows are one node; the code is part of a row.
         following, inverse = np.unique(after, axis=0, return_inverse=True)
         return inverse.reshape(len(nodes), outcomes), following
 

@@ -196,6 +196,7 @@ def rows_of(
     at_pixel = np.zeros(shape, dtype=np.int64)
     for column, plane in zip(codes.T, planes, strict=True):
         values, of_code = _ranked(column)
+        # A value beyond the last has no index of its own; it differs from the last one.
         of_pixel = np.minimum(np.searchsorted(values, plane), len(values) - 1)
         unknown |= values[of_pixel] != plane
         beginnings, known = _ranked(known * len(values) + of_code)

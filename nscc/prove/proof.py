@@ -109,6 +109,7 @@ def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[n
     lights = -(-slots // _SLOTS_A_LIGHT)
     light = np.zeros((slots, lights))
     numbers = np.arange(slots)
+    # Each column has the light of 24 slots: the base-4 digits of a sum are their weights.
     light[numbers, numbers // _SLOTS_A_LIGHT] = 4.0 ** (numbers % _SLOTS_A_LIGHT)
     # A reset level of zero keeps the sums exact; the proof checks that programs subtract it.
     replay = Replay(container, kernels, lights=lights, quiet=True)
@@ -123,6 +124,7 @@ def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[n
             if not np.isin(weight, (0, 1)).all():
                 return None
             columns_ = slice(digit, None, _SLOTS_A_LIGHT)
+            # The last column may have fewer than 24 slots.
             opened[:, index, columns_] = weight[:, : len(range(*columns_.indices(slots)))] == 1
             value = (value - weight) / 4
         if np.any(value != 0):

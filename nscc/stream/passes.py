@@ -70,6 +70,7 @@ def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target)
             slot,
             int(second),
         )
+    # Bucket b is tap b, so the next tap belongs to no bucket.
     away = DRAIN if target.drain else len(buckets) if len(buckets) < taps else None
     open_in = np.where(shutters.any(axis=1), shutters.argmax(axis=1), _NOWHERE)
     return _chosen(open_in.astype(np.int8), away, buckets, target)

@@ -70,6 +70,7 @@ def lex(source: Source) -> Tokens:
     statement = ""
     for token in lexer.lex(None):  # type: ignore[no-untyped-call]
         start = span_of(token).start
+        # Part of a token that was made here from several, such as a target's name with dots.
         if start < end:
             continue
         if tokens.kinds[-1:] == ["target"]:

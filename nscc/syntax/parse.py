@@ -163,6 +163,7 @@ def statement_starts(tokens: Tokens) -> list[int]:
             and kinds[index : index + 2] != ["pixels", "from"]
         ):
             continue
+        # `state NAME : image`, `with plane NAME` and `input plane NAME`.
         if kind in ("image", "plane") and starts and kinds[index - 1] in _BEFORE_A_KIND:
             continue
         if kind == "open" and awaits_open:

@@ -189,6 +189,7 @@ class Schema(Generic[Row]):
                 problems.append(self._take(key_values, "", name, value, source))
         for key in self.keys:
             place = values.get(key.section, {}) if key.section else values
+            # Files written before a `later` key existed lack it.
             needed = key.required or (complete and key.default != () and not key.later)
             if needed and isinstance(place, Mapping) and key.name not in place:
                 message = f"the key {key.path} is missing: {key.meaning}"

@@ -102,6 +102,7 @@ def _pair(first: Op, second: Op | None) -> str | None:
     if destination not in first.sources:
         return None
     other_sources = [register for register in first.sources if register != destination]
+    # The NOR of a register alone is its NOT.
     if kind == "REFRESH" or (kind == "NOR" and not other_sources):
         return f"{'NOT' if kind == 'NOR' else kind} {destination}"
     if len(other_sources) != 1:

@@ -180,6 +180,7 @@ def reaches_of_frames(
         first = None
         yield known[key]
         before = {name: known[key][name] for name in names}
+        # States without reach have the key of the first frame, whose result is known.
         before = before if any(reach != Reach() for reach in before.values()) else {}
 
 

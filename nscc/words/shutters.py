@@ -35,6 +35,7 @@ def shutters_of(container: Container) -> Shutters:
     slots = patterns.shape[2]
     union: NDArray[np.bool_] = np.any(patterns, axis=1)
     first = np.where(np.any(union, axis=1), np.argmax(union, axis=1), slots)
+    # By first open slot of any bucket, then by the open time of the first bucket.
     order = np.lexsort((used, (patterns[:, 0] @ np.array(container.slot_us)), first))
     rank = np.full(len(table.shutters), -1, np.int64)
     rank[used[order]] = np.arange(len(used))

@@ -90,6 +90,7 @@ def schedule_of(container: Container) -> LaunchSchedule:
     rows: list[Row] = []
     before = Fraction(0)
     for launch in container.launches:
+        # Launches at boundary 0 set up the frame, before the exposure begins.
         at = boundary[launch.instant] if launch.instant else Fraction(0)
         rows += _rests(before, at, launch.instant)
         rows.append(Row(at, Fraction(0), launch.kernel, launch.level, (launch.instant,)))
