@@ -84,6 +84,7 @@ def _memory_text(error_text: str, on_gpu: bool) -> str:
     asked = f"one array needs {needed[1]}" if needed else "this needs more than is free"
     if on_gpu:
         return f"there is not enough memory on the GPU: {asked}"
+    # The size of a page in GiB.
     page = os.sysconf("SC_PAGE_SIZE") / (1 << 30)
     free, total = (os.sysconf(name) * page for name in ("SC_AVPHYS_PAGES", "SC_PHYS_PAGES"))
     return (
@@ -133,6 +134,7 @@ def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ..
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in members.items():
+            # The earliest date of the format, so that the same fault gives the same file.
             archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), content)
     saved = _save(packed.getvalue())
     if saved is None:

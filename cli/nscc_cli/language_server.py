@@ -152,13 +152,14 @@ def _take_texts(server: Server) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
     def did_open(params: types.DidOpenTextDocumentParams) -> None:
-        """Take the text of an opened document."""
+        """Store and check the text of a document that the editor has opened."""
         opened = params.text_document
         server.take(opened.uri, opened.text, opened.version)
 
     @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)
     def did_change(params: types.DidChangeTextDocumentParams) -> None:
-        """Take the last text of a changed document."""
+        """Store and check the text of a changed document. The editor sends whole texts; only the
+        last counts."""
         changed = params.text_document
         for change in params.content_changes[-1:]:
             server.take(changed.uri, change.text, changed.version)

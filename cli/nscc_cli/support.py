@@ -265,7 +265,8 @@ def _paths(value: Any) -> Iterator[Path]:
 
 
 def _to_session(context: click.Context, option: click.Parameter, value: Any) -> None:
-    """Store the value of an option, if it is given, for the whole command."""
+    """Store the value of an option in the `Session` of the whole command, under the option's name.
+    An option that is not given changes nothing."""
     if value:
         setattr(context.find_root().ensure_object(Session), str(option.name), value)
 

@@ -137,7 +137,9 @@ class PixelCell(nn.Module):
         self.register_load_state_dict_post_hook(_read_settings)  # type: ignore[no-untyped-call]
 
     def kernels(self) -> Tensor:
-        """Return the weights (gates, 1 + states, kernel, kernel) as -1, 0, 1, int64."""
+        """Return the signs of the weights: int64 (gates, 1 + states, kernel, kernel), with values
+        -1, 0 and 1. Index 0 of the second axis weights the exposure's bit, the others weight the
+        states."""
         return torch.sign(self.weight.detach()).long()
 
     def thresholds(self) -> Tensor:

@@ -29,6 +29,7 @@ def codes_bytes(codes: Codes) -> bytes:
         for name in sorted(codes):
             entry = io.BytesIO()
             np.lib.format.write_array(entry, _small(codes[name]), version=(1, 0))
+            # The earliest date of the format; the present one would make bytes differ.
             info = zipfile.ZipInfo(f"{name}.npy", (1980, 1, 1, 0, 0, 0))
             archive.writestr(info, entry.getvalue(), zipfile.ZIP_DEFLATED)
     return stream.getvalue()
@@ -124,6 +125,7 @@ def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.
     integral = values.dtype.kind in "iub"
     if values.dtype.kind == "f":
         reals = values.astype(np.float64)
+        # Larger floats do not represent all whole numbers.
         integral = bool((np.abs(reals) < 2**53).all() and (np.rint(reals) == reals).all())
     if values.dtype.kind == "u" and values.size and int(values.max()) > np.iinfo(np.int64).max:
         integral = False

@@ -8,8 +8,10 @@ from torch import Tensor
 
 
 def generator_of(device: torch.device, *numbers: int) -> torch.Generator:
-    """Return a random generator on a device, seeded by all `numbers`."""
+    """Return a random generator on `device`, seeded by all `numbers` together: other numbers give
+    an independent sequence."""
     state = np.random.SeedSequence(list(numbers)).generate_state(1, np.uint64)[0]
+    # Shifted to 63 bits, so that the seed is not negative as a signed integer.
     return torch.Generator(device).manual_seed(int(state) >> 1)
 
 

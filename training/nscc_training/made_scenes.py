@@ -27,11 +27,13 @@ def still(generator: Generator, size: int) -> Picture:
     surface = _fractal(generator, size, 4.0)
     for _ in range(int(generator.integers(6, 14))):
         shape_mask = _shape(generator, size)
+        # Logarithms of light: a shape has less texture, and its own brightness.
         surface = np.where(shape_mask, surface * 0.3 + generator.normal(0, 1.2), surface)
     for _ in range(int(generator.integers(1, 5))):
         y, x = generator.random(2) * size
         rows, cols = np.mgrid[:size, :size]
         distance = ((rows - y) ** 2 + (cols - x) ** 2) / (size * generator.uniform(0.01, 0.06)) ** 2
+        # A lamp, 7 to 400 times as bright as its place, with a wide halo.
         surface += generator.uniform(2, 6) / (1 + distance**2)
     return np.exp(surface).astype(np.float32)
 
@@ -39,6 +41,7 @@ def still(generator: Generator, size: int) -> Picture:
 def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
     """Return a clip (frames, size, size) of light from 0 to 1, in which textured objects cross a
     panning background."""
+    # More than the background can move: 1.5 pixels per frame at most.
     margin = 3 * frames
     ground = _unit(_fractal(generator, size + 2 * margin, 1.0))
     pan = generator.uniform(-1.5, 1.5, 2)

@@ -55,6 +55,7 @@ class Measured(Generic[Array]):
         `sensor` gives the noise, and the code that counts as saturated."""
         codes = np.asarray(frames, np.float32)[None]
         value = codes * np.float32(sensor.electrons_per_lsb)
+        # Rounding to whole codes adds the variance 1 / 12.
         noise_lsb2 = sensor.adc_noise_lsb**2 + 1 / 12
         variance = np.full_like(value, noise_lsb2 * sensor.electrons_per_lsb**2)
         if sensor.shot_noise:
@@ -132,7 +133,8 @@ class Measured(Generic[Array]):
 
     @cached_property
     def overlap(self) -> Array:
-        """The sums over N of products of two frames' masks, (batch or 1, rows, cols, B, B)."""
+        """How much two frames of an exposure have in common: the sum over the N slots of the
+        product of their masks, (batch or 1, rows, cols, B, B)."""
         masks = namespace(self.mask).moveaxis(self.mask, (1, 2), (3, 4))
         overlap: Array = masks @ masks.mT
         return overlap

@@ -95,7 +95,8 @@ def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -
 
 
 def stamp(path: Path) -> dict[str, str]:
-    """Return the name (`file`) and the digest (`sha256`) of a file."""
+    """Return what identifies a file in a result: its name without the folder (`file`) and its
+    SHA-256 digest (`sha256`)."""
     return {"file": path.name, "sha256": file_sha256(path)}
 
 

@@ -163,6 +163,7 @@ class SensorModel:
         is less. Decoders represent this light as 1."""
         codes = max(self.top_code - self.adc_offset_lsb, 1.0)
         end_e = codes * self.electrons_per_lsb
+        # Where both are equal but for rounding, it is the full well exactly.
         return self.full_well_e if end_e > self.full_well_e * (1 - 1e-9) else end_e
 
     @property

@@ -32,6 +32,7 @@ def turned(
         return np.radians(generator.uniform(0, 360)), np.radians(generator.uniform(-15, 15))
 
     yaw, pitch = somewhere()
+    # Yaw and pitch; the rotation is mostly sideways, so the rate of pitch is reduced.
     turn = np.radians(_velocity(generator, _TURNS) * (0.3, 1.0))[::-1]
     views = [view(panorama, yaw + turn[0] * k, pitch + turn[1] * k, size) for k in range(frames)]
     clip = np.stack(views)
@@ -45,6 +46,7 @@ def turned(
         for k in range(frames):
             y, x = place + speed * k
             outside = np.hypot((rows - y) / height, (cols - x) / width) - 1
+            # The border of an object is about one pixel wide.
             cover = np.clip(0.5 - outside * min(height, width), 0, 1)
             shift = np.array([[1, 0, x - place[1]], [0, 1, y - place[0]]])
             moved = cv2.warpAffine(texture, shift, (size, size), borderMode=cv2.BORDER_REFLECT)

@@ -91,6 +91,8 @@ class LessonSet(Dataset[Lesson]):
         exact = kind == "denoise" or (not filmed and generator.random() < settings.decoder.exact)
         lengths = (8,) if kind == "denoise" else _FILM_LENGTHS if filmed else _LENGTHS
         frames = lengths[int(generator.integers(len(lengths)))]
+        # The batch is counted in clips of 8 frames; longer clips are fewer, so that a lesson needs
+        # the same memory.
         count = max(1, batch * 8 // frames)
         clips = [moving(self.pictures, generator, frames, size) for _ in range(count)]  # type: ignore[arg-type]
         if settings.decoder.still:
@@ -162,11 +164,15 @@ def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> 
     crop = crop.reshape(size, step, size, step).mean(axis=(1, 3))
     turned = np.rot90(crop, int(generator.integers(4)))[:, :: int(generator.choice((1, -1)))]
     light = np.asarray(np.maximum(turned, 1e-7) ** generator.uniform(0.8, 1.3), np.float32)
+    # Light that fills a well: 2 to 60 % of the pixels would saturate if they were always open.
     level = max(float(np.quantile(light, generator.uniform(0.4, 0.98))), 1e-6)
+    # Sides of a tile. With 1 all pixels have one exposure time, with `size` each has its own.
     tile = int(generator.choice((1, 2, 2, 4, 4, 8, size)))
+    # The shortest exposure is between 1 / 256 and 1 / 2 of the frame.
     lowest = generator.uniform(-8, -1)
     stops = np.exp2(generator.uniform(lowest, 0, (tile, tile)))
     if tile == 2 and generator.random() < 0.5:
+        # Four exposure times in equal ratios, in random order.
         stops = np.exp2(np.linspace(lowest, 0, 4)[generator.permutation(4)]).reshape(2, 2)
     mask = over_array(stops, size, size).astype(np.float32)
     return np.asarray(light / level, np.float32), mask
@@ -178,6 +184,7 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
 
     Their kind is random, too: free bits, bumps of one length, bumps of any length, rows of a
     codebook, or stops. Some are drawn for each pixel, others for a tile that is repeated."""
+    # Free bits in six of ten cases: they include all other kinds.
     kind = generator.choice((*["bits"] * 6, "bump", "bumps", "book", "stops"))
     tile = size
     if generator.random() < (0.3 if kind == "bits" else 0.6):
@@ -275,12 +282,16 @@ def _read_out(
         shares = 0.15 * uniform(value, generator, (len(value),))
         shares = shares * (uniform(value, generator, (len(value),)) < 0.4)
         reached = quantiles(value.flatten(1), 1 - shares).to(value).clamp(min=1e-3)
+        # Where nothing may saturate, the brightest pixel stays 2 % below a full well.
         full = reached * torch.where(shares == 0, 1.02, 1.0)
     level = full.reshape(wide)
+    # Two full wells saturate in any case; the limit keeps numbers small.
     electrons = (value / level).clamp(max=2.0) * well_e
     noise = torch.randn((2, *value.shape), generator=generator, device=generator.device).to(value)
     charge = electrons + electrons.sqrt() * noise[0]
     codes = torch.round(charge / well_e * _TOP + read_lsb * noise[1]).clamp(0, _TOP)
     read = codes / _TOP * level
+    # Rounding to whole codes adds the variance 1 / 12. Shot noise is estimated from the value that
+    # was read.
     variance = (level / _TOP) ** 2 * (read_lsb**2 + 1 / 12) + level / well_e * read.clamp(min=0)
     return read, masks, variance, codes >= _TOP

@@ -163,6 +163,7 @@ def _planes(measured: Measured[Tensor]) -> Tensor:
     noise = measured.variance.sqrt() / mask.clamp(min=1e-9) / (alone + _FLOOR) / _SPAN
     noise = torch.where(opened & ~measured.saturated, noise.clamp(max=0.5), 1.0)
     noise, best = noise.min(dim=1, keepdim=True)
+    # From 0 for 1 / 4096 of the frame or less, to 1 for the whole frame.
     share = torch.log2(mask.clamp(min=2.0**-12)).expand_as(alone) / 12 + 1
     planes = [share.gather(1, best), coded_light(alone.gather(1, best)), noise]
     return torch.stack(planes, dim=1)

@@ -92,7 +92,8 @@ def thin_out(clip: Clip) -> Clip:
 
 
 def _energy(mask: Clip) -> NDArray[np.float32]:
-    """Return the sum of squares of the mask at each pixel; 1 for pixels that never open."""
+    """Return the sum over the frames of the squared `mask`, (rows, cols). It is 1 where a pixel
+    never opens, so that one can divide by it."""
     energy = np.einsum("trc,trc->rc", mask, mask)
     return np.asarray(np.where(energy > 0, energy, 1), np.float32)
 

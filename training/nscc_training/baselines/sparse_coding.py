@@ -99,11 +99,13 @@ def made_filters() -> Tensor:
     for _ in range(16):
         light = made_scenes.still(generator, 96)
         root = np.sqrt(light / np.quantile(light, 0.7))
+        # At most 16 times the light of the quantile: lamps would dominate the filters.
         picture = torch.from_numpy(np.minimum(root, 4.0)).float()[None, None]
         detail = (picture - blurred(picture))[0, 0].numpy()
         for _ in range(150):
             row, col = generator.integers(0, 96 - SIDE + 1, 2)
             block = detail[row : row + SIDE, col : col + SIDE].ravel()
+            # Blocks of length 1, but those with almost no detail are not amplified further.
             blocks.append(block / max(float(np.linalg.norm(block)), 0.05))
     atoms = learned(np.array(blocks, np.float64), FILTERS, 3, 8, seed=0)
     return torch.from_numpy(atoms.T.reshape(FILTERS, 1, SIDE, SIDE).copy()).float()

@@ -57,6 +57,7 @@ def moving(
                     image += cover * (layer.picture_at(time, size) - image)
             clip[frame] += image
     clip /= moments * 255
+    # Most clips are stretched to the whole range; a dull one is amplified by 10 at most.
     if generator.random() < 0.6:
         low, high = np.percentile(clip[0], (1, 99))
         clip = np.clip((clip - low) / max(high - low, 0.1), 0, 1)
@@ -111,7 +112,9 @@ class _Layer:
         outline = None
         if not background:
             corners = generator.uniform(0.4, 1.0, int(generator.integers(4, 12)))
+            # The distance of the farthest corner is 8 to 40 % of the clip's side.
             outline = corners * size * generator.uniform(0.08, 0.4)
+        # Away from the borders, beyond which the picture is mirrored.
         places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
 
         def detail(place: NDArray[np.float64]) -> float:

@@ -206,6 +206,7 @@ def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
     count, stream = kind.settings.scenes, DrawStream.TRAINING_SCENES
     if split_name != "train":
         count, stream = -(-count // 4), DrawStream.VALIDATION_SCENES
+    # Larger than a patch, so that patches can be cut at different places.
     size = max(kind.settings.patch + kind.settings.patch // 2, 32)
     protocol = load_protocol(kind.settings.protocol)
     scenes = []

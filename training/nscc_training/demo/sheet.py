@@ -381,6 +381,7 @@ def _fit(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Return an image magnified by a whole number, or a large one reduced, so that its longer side
     is about `_SIDE_PIXELS`."""
     side = max(image.shape[:2])
+    # Up to 1.5 times the side, a picture is shown without resampling.
     if side > 1.5 * _SIDE_PIXELS:
         import cv2
 

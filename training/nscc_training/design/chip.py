@@ -46,12 +46,13 @@ class DesignChip:
 
     @classmethod
     def of(cls, target: Target, sensor: Sensor) -> DesignChip:
-        """Return the chip with all effects."""
+        """Return the chip with all effects of the emulator switched on."""
         return cls(target, sensor, everything())
 
     @property
     def code_e(self) -> float:
-        """Electrons of one converter code; less light over a whole frame counts as dark."""
+        """Electrons of one converter code. A pixel that receives less over a whole frame counts as
+        dark."""
         return self.sensor.electrons_per_lsb
 
     @cached_property

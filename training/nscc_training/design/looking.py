@@ -142,6 +142,7 @@ class LookModel:
                 np.bincount(self.scene.scene, values)
                 for values in (group_errors, self.scene.weight)
             )
+            # The limit is for scenes without error, whose weight would be infinite.
             by = 1 / np.maximum(scene_errors / weights, 1e-12 * worth)
             weighed = LookModel(self.chip, self.scene.weighed(by), self._slot_us)
             weighed._exposure_errors, weighed._closed = self._exposure_errors, self._closed
@@ -154,6 +155,7 @@ class LookModel:
         worth = np.inf
         for _ in range(_ROUNDS):
             schedule, now = self._round(schedule, curve)
+            # A round that improves the error by less than 0.01 % is the last.
             if now >= worth * (1 - 1e-4):
                 break
             worth = now

@@ -65,6 +65,7 @@ def shapes() -> dict[str, Levels]:
         "ordered 4 x 4": RANKS // 2,
     }
     for levels in (2, 3, 4, 8):
+        # The 64 pixels of an 8 x 8 tile in random order, about as many at each level.
         places = np.random.default_rng(levels).permutation(64) * levels // 64
         levels_of_shape[f"stochastic, {levels} levels"] = places.reshape(8, 8)
     return levels_of_shape

@@ -151,7 +151,8 @@ class Encoder(nn.Module, ABC):
 
     @abstractmethod
     def start_quad(self) -> None:
-        """Set a 2 x 2 pattern: geometric exposure times, or for clips consecutive intervals."""
+        """Begin with four codes, one for each pixel of 2 x 2: for stills with exposure times in a
+        geometric sequence, for clips open in consecutive intervals."""
 
     @abstractmethod
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:

@@ -232,7 +232,8 @@ class Codebook(_Digits):
         self.choose(self.spread())
 
     def start_uniform(self) -> None:
-        """Open all shapes, and use them in turn."""
+        """Begin with all slots open in every row of the codebook. The pixels choose the rows in
+        turn."""
         self.set_digits(self.shapes, np.ones((self.rows, self.spec.slots), np.bool_))
         self.choose(self.spread())
 

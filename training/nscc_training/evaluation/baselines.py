@@ -168,6 +168,7 @@ def evaluate_baseline(
         def decode(scene: ProtocolScene, index: int) -> tuple[Light, float]:
             """Return the light of a scene that is captured with the tile, and the seconds of
             decoding it. Its `index` seeds the noise."""
+            # Each scene has its own noise; up to 1000 scenes share none with another seed's.
             frames = captured(scene, tile, model, 1000 * seed + index)
             begin = perf_counter()
             return baseline.decode(frames), perf_counter() - begin

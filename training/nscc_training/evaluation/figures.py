@@ -209,6 +209,7 @@ def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
         codes = {start: make_encoder(spec, start, seed) for start in ("random", "quad")}
         for name, encoder in {**codes, "run": folder.setup.encoder}.items():
             opened = encoder.hard().double().cpu().numpy()
+            # The middle of each slot, in slots.
             share, count = opened.mean(axis=0), np.arange(len(opened)) + 0.5
             mean_time = (
                 np.tensordot(count, opened, 1) / np.maximum(opened.sum(axis=0), 1) / len(opened)

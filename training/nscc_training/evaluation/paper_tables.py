@@ -43,7 +43,8 @@ def paper_tables(results: Path | None = None) -> tuple[list[dict[str, Any]], str
 
 
 def results_named(folder: Path, name: str) -> list[dict[str, Any]]:
-    """Return the results whose files match a name."""
+    """Read the result files in `folder` whose names without `.json` match the pattern `name`, in
+    which * stands for any text. Return them in the order of the file names."""
     return [read_result(path) for path in sorted(folder.glob(f"{name}.json"))]
 
 

@@ -100,7 +100,7 @@ class Scorer:
     def __init__(
         self, open_store: Callable[[], ExperimentStore] = ExperimentStore, track: Progress = unseen
     ) -> None:
-        """Begin; the store is opened when it is needed."""
+        """Begin without results. `open_store` is called when the first score is needed."""
         self._open_store, self._track, self._passes = open_store, track, 0
 
     @cached_property
@@ -191,8 +191,8 @@ def _refuse_non_finite(result_e: Array, name: str) -> None:
 
 
 def mean_score(scored_scenes: Sequence[Scored], metric: str) -> float:
-    """Return the mean of a metric in dB over all items, without infinite ones; -inf without
-    items."""
+    """Return the mean of a metric in dB over the items of all scenes. Infinite values are left out;
+    without items it is -inf."""
     scores = [number(item[metric]) for entry in scored_scenes for item in entry.items]
     return finite_mean(scores) if scores else -math.inf
 

@@ -164,7 +164,8 @@ class _Turn:
 
     @property
     def label(self) -> str:
-        """The measurement as text, which is also its key."""
+        """The case, method, setting and turn as text. It also identifies the measurement in the
+        store."""
         return f"{self.point.case}, {self.point.method}, {self.point.setting}, {self.turn}"
 
     key = label

@@ -20,12 +20,15 @@ _WARM_UP, _SHARE = 20, 50
 
 
 def settling_step(settings: RunSettings) -> int:
-    """Return the step at which the codes are frozen; the number of steps if they never are."""
+    """Return the step from which the codes stay as they are and only the decoder learns; the number
+    of steps if the run has no such phase."""
+    # Rounded first: an error of floating point must not add a step.
     return math.ceil(round((1 - settings.settle_share) * settings.train.steps, 6))
 
 
 def _starts(settings: RunSettings) -> int:
-    """Return how often the codes start to learn."""
+    """Return in how many cycles the codes learn: one, and one more for each restart. It is 1 if
+    codes are not learned."""
     return 1 + settings.shutter.restarts if settings.shutter.learn else 1
 
 

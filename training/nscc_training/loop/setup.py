@@ -86,12 +86,14 @@ class TrainingSetup:
 
     @property
     def classes(self) -> tuple[str, ...]:
-        """The classes that the decoder distinguishes; empty if it reconstructs light."""
+        """The names of the classes that the decoder distinguishes; empty if it reconstructs
+        light."""
         return self.settings.classes
 
     @property
     def buckets(self) -> int:
-        """Number of frames per exposure."""
+        """The number of readouts per exposure: 1, or 2 if pixels sort their light into two
+        buckets."""
         return self.encoder.spec.buckets
 
     @property

@@ -97,7 +97,8 @@ def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
 
 
 def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
-    """Load the tensors of `tensors_of`; raise KeyError or RuntimeError for others."""
+    """Load the tensors of `tensors_of` into the encoder and the decoder of `setup`. Raise KeyError
+    or RuntimeError if names or shapes differ."""
     setup.encoder.load_state_dict(_below("encoder.", tensors))
     setup.decoder.load_state_dict(_below("decoder.", tensors))
 

@@ -116,7 +116,7 @@ class Log:
         self._events.flush()
 
     def csv(self) -> bytes:
-        """Return `metrics.csv`."""
+        """Return the content of `metrics.csv`: a header, and a line for each call of `add`."""
         return ("\n".join(self.rows) + "\n").encode()
 
     def close(self) -> None:

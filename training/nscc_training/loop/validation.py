@@ -41,7 +41,7 @@ class Validation:
 
     @property
     def score(self) -> float | str:
-        """The mean of the protocol's first metric."""
+        """The mean, over the validation scenes, of the metric that the protocol lists first."""
         return next(iter(self.means.values()))
 
 
@@ -122,6 +122,7 @@ def by_model(
 
     `tile` (N, r, c) and `model` replace the run's shutters and sensor model; None keeps them. Each
     scene has its own noise, which `seed` and the scene's index determine."""
+    # Up to 1000 scenes have noise of their own for each seed.
     return lambda light_e, index: scene_by_model(setup, light_e, 1000 * seed + index, tile, model)
 
 

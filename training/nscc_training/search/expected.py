@@ -136,6 +136,7 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
     _, rows, cols = clip.shape
     side = min(_BLOCK, rows, cols)
     window = cv2.createHanningWindow((side, side), cv2.CV_64F) if side > 1 else None
+    # One block at rest with almost no weight: all quantiles are 0 if no block has contrast.
     moves, weights = [0.0], [1e-12]
     if window is not None:
         for row in range(0, rows - side + 1, side):

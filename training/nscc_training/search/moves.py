@@ -43,6 +43,8 @@ def moved(
     for _ in range(int(generator.integers(1, _MOST_AT_ONCE + 1))):
         places = _somewhere(spec.tile, generator)
         kind = generator.random()
+        # Half of the changes move codes. A quarter exchange codes with other pixels, a quarter copy
+        # them.
         if kind < 0.5:
             changed_codes = MOVING[spec.kind](spec, changed_codes, places, generator)
         else:
@@ -114,6 +116,7 @@ def _stops(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator)
     """Return codes of class b in which the exposure times of the pixels `places` are multiplied by
     one random ratio, and changed by at least one slot."""
     stop = codes["stop"]
+    # Longer or shorter by 7 % to a factor of 4.
     ratio = 2.0 ** (generator.choice((-1, 1)) * generator.uniform(0.1, 2))
     stops = np.rint(stop * ratio)
     stops = np.where(stops == stop, stop + np.sign(ratio - 1), stops)
@@ -158,6 +161,8 @@ def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
     itself changes, or all rows become shifted copies of one."""
     book = codes["book"]
     row, kind = int(generator.integers(len(book))), generator.random()
+    # Of ten changes, one makes all rows shifted copies; the others change pixels or a row, equally
+    # often.
     if kind < 0.45:
         return {"id": np.where(places, row, codes["id"]), "book": book}
     if kind > 0.9:

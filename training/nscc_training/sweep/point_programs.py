@@ -215,6 +215,7 @@ def encoder_of(values: Values) -> Encoder:
 def whole_ticks(slot_us: float) -> float:
     """Return a slot length in microseconds, rounded up to a multiple of 10 ns, so that texts of
     programs are readable."""
+    # The 1e-6 keeps multiples of 10 ns, whose quotient may lie just above a whole number.
     return round(max(1, ceil(slot_us / 0.01 - 1e-6)) * 0.01, 6)
 
 

@@ -30,7 +30,7 @@ class Table:
         return len(self.columns["part"])
 
     def rows(self) -> list[tuple[Any, ...]]:
-        """Return the rows."""
+        """Return the rows of the table, each with one value for every column."""
         return [*zip(*self.columns.values(), strict=True)]
 
 

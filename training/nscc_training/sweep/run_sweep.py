@@ -166,7 +166,8 @@ def failures(swept: Swept) -> Rejected:
 
 
 def _keys(grid: Grid, threads: int) -> dict[GridPoint, str]:
-    """Return the key of every point."""
+    """Return the key of every point: a digest of all that its result depends on. The files that
+    points name are found from the grid's folder."""
     with chdir(grid.folder):
         return {point: key_of(point, threads) for point in grid.points}
 
@@ -198,6 +199,7 @@ def _output_path(out: Path, point: GridPoint, key: str) -> Path | None:
     """Return the path of the output of a point with this `key`, or None if points of its kind have
     no output."""
     ending = KINDS[point.kind].leaves
+    # Sixteen hexadecimal digits tell points apart, and keep names short.
     return None if ending is None else out.resolve() / POINTS / (key[:16] + ending)
 
 
@@ -320,7 +322,8 @@ def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
 
 
 def store_in(folder: Path, report: Callable[[str], object] = lambda _text: None) -> ExperimentStore:
-    """Return the store of a sweep's points, created if needed."""
+    """Open the store of a sweep's results in `folder`, created if needed. `report` receives a text
+    if another process holds it locked."""
     return ExperimentStore(folder / STORE, POINTS, report)
 
 

@@ -76,7 +76,8 @@ class Naive:
         return self._read(total)
 
     def _dark(self, kind: type[np.floating]) -> NDArray[np.floating]:
-        """Return exposures of 0."""
+        """Return an empty sum of light for each bucket of the program, (buckets, rows, cols), of
+        this type."""
         return np.zeros((len(self.program.container.buckets), *self.light.shape), kind)
 
     def _read(self, total: NDArray[np.floating]) -> Frame:
