@@ -49,10 +49,10 @@ def compare(
 
     `noise_of` returns the noise of a compiled program; None leaves the noise out. Raises Rejected
     for errors that do not depend on the chip: syntax, names and types."""
-    return [_on(path, target, level, noise_of) for target in targets]
+    return [_compile_for_chip(path, target, level, noise_of) for target in targets]
 
 
-def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnChip:
+def _compile_for_chip(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnChip:
     """Compile a program for one chip; return its figures, or the first error if it does not fit.
 
     If only the slots are too short, `shortest_slot_us` of the result is the length that the chip

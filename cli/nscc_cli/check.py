@@ -104,7 +104,7 @@ def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
 def _mend(path: Path, options: dict[str, Any]) -> None:
     """Apply all safe fixes to the program at `path`, in place. Check it again after each round,
     because one error may hide another."""
-    from nscc.diagnostics.message import mended
+    from nscc.diagnostics.message import with_safe_fixes
     from nscc.files import write_back
     from nscc.syntax.parse import read_source
 
@@ -114,7 +114,7 @@ def _mend(path: Path, options: dict[str, Any]) -> None:
         try:
             compile_program(path, options, unproved_is_error=CHECK.unproved_is_error)
         except Rejected as rejected:
-            better, fixes = mended(source, rejected.diagnostics)
+            better, fixes = with_safe_fixes(source, rejected.diagnostics)
         else:
             break
         if not fixes:

@@ -21,7 +21,7 @@ from pygls.lsp.server import LanguageServer
 from nscc import __version__
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.editing.complete import Listing, Text, complete, complete_listing
-from nscc.editing.document import Document, all_mended, fixes_at, outline
+from nscc.editing.document import Document, fixes_at, outline, text_with_safe_fixes
 from nscc.editing.hover import hints, hover
 from nscc.editing.mentions import CannotRename, alike, declaration, mention_at, renameable, renamed
 from nscc.source import Span
@@ -255,7 +255,7 @@ def _fixes(
         values.quick_fix(diagnostic, fix, document, uri)
         for diagnostic, fix in fixes_at(document, at.span(params.range))
     ]
-    better = all_mended(document)
+    better = text_with_safe_fixes(document)
     if better is not None:
         edit = values.edits(uri, [(_document_span(document), better)], at)
         actions.append(types.CodeAction("Apply all safe fixes", _FIX_ALL, edit=edit))

@@ -69,7 +69,7 @@ class OwnWords(Kind):
         for number, table in enumerate(value, 1):
             row = _row(table, f"word {number}")
             for operation in (*OPERATIONS, *operations):
-                if _alike(row, operation):
+                if _may_have_same_bits(row, operation):
                     raise ValueError(f"{row.name} and {operation.name} can be the same word")
             if row.name in (*MNEMONICS, *BY_NAME, *(operation.name for operation in operations)):
                 raise ValueError(f"the word {row.name} exists already")
@@ -205,7 +205,7 @@ def _operand_lines(digital: bool) -> frozenset[int]:
     return frozenset({*(line for name in reads for line in READ_LINES[name]), *writes.values()})
 
 
-def _alike(first: Operation, second: Operation) -> bool:
+def _may_have_same_bits(first: Operation, second: Operation) -> bool:
     """Return whether two operations can have the same bits in a word.
 
     They can if they have the same clock, equal control lines besides those that select operands,
@@ -215,10 +215,12 @@ def _alike(first: Operation, second: Operation) -> bool:
     operands = _operand_lines(not first.analog)
     if {*first.lines} - operands != {*second.lines} - operands:
         return False
-    return _meet(first.destinations, second.destinations) and _meet(first.sources, second.sources)
+    return _ranges_overlap(first.destinations, second.destinations) and _ranges_overlap(
+        first.sources, second.sources
+    )
 
 
-def _meet(first: tuple[int, int | None], second: tuple[int, int | None]) -> bool:
+def _ranges_overlap(first: tuple[int, int | None], second: tuple[int, int | None]) -> bool:
     """Return whether two ranges (fewest, most) of operand counts overlap; `most` None means no
     limit."""
     return (second[1] is None or first[0] <= second[1]) and (

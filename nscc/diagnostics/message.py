@@ -91,7 +91,7 @@ class Diagnostic:
     data: Mapping[str, Any] = field(default_factory=dict)
 
 
-def mended(source: Source, diagnostics: Iterable[Diagnostic]) -> tuple[Source, int]:
+def with_safe_fixes(source: Source, diagnostics: Iterable[Diagnostic]) -> tuple[Source, int]:
     """Apply the safe fixes of a text's diagnostics; return the new text and the number of fixes.
 
     Only the first safe fix of each diagnostic is used, and only diagnostics of this text count. Of

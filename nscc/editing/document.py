@@ -11,7 +11,7 @@ from pathlib import Path
 from nscc.chips.target import Target
 from nscc.compiler import CHECK, compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Rejected
-from nscc.diagnostics.message import mended
+from nscc.diagnostics.message import with_safe_fixes
 from nscc.pipeline import Compiled
 from nscc.program.analyse import target_of
 from nscc.program.constants import constants_scope, resolve_constants
@@ -126,10 +126,10 @@ def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]
                 yield diagnostic, fix
 
 
-def all_mended(document: Document) -> str | None:
+def text_with_safe_fixes(document: Document) -> str | None:
     """Return the text after all safe fixes were applied once, as `nscc check --fix` does; None if
     there are none."""
-    better, count = mended(document.source, document.checked.diagnostics)
+    better, count = with_safe_fixes(document.source, document.checked.diagnostics)
     return better.text if count else None
 
 

@@ -95,7 +95,7 @@ def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOu
     yield from _fewer_rows(program, attempt, most)
     if len(program.buckets) == 1:
         yield from _fewer_slots(program, attempt, level)
-    for source, change, why in _simpler(program):
+    for source, change, why in _of_other_classes(program):
         lowered = attempt(source, "open", level)
         if lowered is not None:
             yield _way_out(change, why, lowered, level)
@@ -110,7 +110,7 @@ def _way_out(change: str, why: str, lowered: Lowered, level: int, **data: int) -
     return WayOut(f"{change:<24}{why}: {words:.3g} words a slot at -O{level}", data)
 
 
-def _source(program: Program, rule: str, slots: int) -> Source:
+def _source_of_rule(program: Program, rule: str, slots: int) -> Source:
     """Return a program with the statements `rule` and `slots` slots of the original's mean
     length."""
     slot_us = sum(program.frame.slot_us) / len(program.frame.slot_us)
@@ -215,7 +215,7 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
             return
         case _:
             rule, kept_shutters = "", "every shutter of the rule"
-    build = partial(_source, program, rule) if rule else partial(_shorter, program)
+    build = partial(_source_of_rule, program, rule) if rule else partial(_with_slots, program)
     quick = partial(attempt, level=level)
     count, lowered, remark = _largest(least, most, build, quick, _FRAME_TRIALS)
     if lowered is not None:
@@ -223,7 +223,7 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
         yield _way_out(f"frame {count} slots", why, lowered, level)
 
 
-def _shorter(program: Program, slots: int) -> Source:
+def _with_slots(program: Program, slots: int) -> Source:
     """Return the program text with `slots` slots; unchanged if its `frame` statement lists slot
     lengths."""
     text, span = program.source.text, program.frame.span
@@ -231,7 +231,7 @@ def _shorter(program: Program, slots: int) -> Source:
     return Source("way-out.nsl", text[: span.start] + frame + text[span.end :])
 
 
-def _simpler(program: Program) -> Iterator[tuple[Source, str, str]]:
+def _of_other_classes(program: Program) -> Iterator[tuple[Source, str, str]]:
     """Yield programs of other shutter classes for the same frame.
 
     Each is (program text, what the user would write, description). They do less than the original:
@@ -250,11 +250,11 @@ def _simpler(program: Program) -> Iterator[tuple[Source, str, str]]:
     if len(buckets) > 1:
         return
     if program.class_name not in ("b", "c", "d"):
-        source = _source(program, bump_rule(), slots)
+        source = _source_of_rule(program, bump_rule(), slots)
         yield source, "`start <= n < stop`", f"{slots} slots kept, one bump a pixel"
     if program.class_name != "b":
         yield (
-            _source(program, stop_rule("1"), slots),
+            _source_of_rule(program, stop_rule("1"), slots),
             "`n < stop`",
             f"{slots} slots kept, open from the start to a stop of each pixel",
         )

@@ -70,7 +70,7 @@ class Board:
         """Return a board with the same gates and contents, which can be continued on its own."""
         return Board(self.machine, self.everything, dict(self.values), list(self.gates))
 
-    def fresh(self) -> str:
+    def first_unused_scratch(self) -> str:
         """Return the name of the first unused scratch register."""
         return next(self.unused_scratch())
 
@@ -79,10 +79,10 @@ class Board:
         scratch = (f"t{number}" for number in count())
         return (name for name in scratch if name not in self.values and name != excluded)
 
-    def keep(self, name: str) -> None:
+    def copy_to_scratch(self, name: str) -> None:
         """Append a gate that copies a register, or FLAG (the bit that lets a pixel act), to an
         unused scratch register."""
-        scratch = self.fresh()
+        scratch = self.first_unused_scratch()
         self.gates.append(Gate("MOV", scratch, (name,)))
         self.values[scratch] = self.values[name]
 
@@ -98,16 +98,16 @@ class Board:
         self.gates.clear()
         return gates
 
-    def tells(self, vectors: Iterable[int]) -> bool:
+    def distinguishes(self, vectors: Iterable[int]) -> bool:
         """Return whether gates can compute each of these vectors from the contents of registers.
 
         They can if no two lanes (nodes of the state machine, each with one outcome) have equal
         contents, but different bits in the vector."""
-        return all(map(self._tells, vectors))
+        return all(map(self._distinguishes, vectors))
 
-    def _tells(self, vector: int) -> bool:
+    def _distinguishes(self, vector: int) -> bool:
         """Return whether gates can compute this vector from the contents of registers; see
-        `tells`."""
+        `distinguishes`."""
         mixed = [self.everything]  # groups of lanes with equal contents, inside and outside
         for v in (self.everything, *self.values.values()):
             halves = [half for group in mixed for half in (group & v, group & ~v)]
@@ -116,7 +116,9 @@ class Board:
                 return True
         return False
 
-    def make(self, target: int, destination: str, most: float = inf) -> GateSequence | None:
+    def shortest_gates(
+        self, target: int, destination: str, most: float = inf
+    ) -> GateSequence | None:
         """Return the shortest gate sequence that writes the vector `target` to the register
         `destination`.
 
@@ -124,20 +126,22 @@ class Board:
         if most < 1:
             return None
         ways = (
-            sequence for sequence in self._ways(target, destination, most) if sequence.words <= most
+            sequence
+            for sequence in self._sequences(target, destination, most)
+            if sequence.words <= most
         )
         return min(ways, key=lambda sequence: sequence.price, default=None)
 
-    def load(self, target: int) -> GateSequence | None:
+    def shortest_gates_to_flag(self, target: int) -> GateSequence | None:
         """Return the shortest gate sequence that writes the vector `target` to FLAG (the bit that
         lets a pixel act); None if there is none.
 
         The sequence is empty if FLAG has this value already."""
         if self.values.get(FLAG) == target:
             return GateSequence((), ())
-        name = self.fresh()
+        name = self.first_unused_scratch()
         sequences = [
-            self._through(sequence, name, target) for sequence in self._ways(target, name, inf)
+            self._through(sequence, name, target) for sequence in self._sequences(target, name, inf)
         ]
         return min(sequences, key=lambda sequence: sequence.price, default=None)
 
@@ -161,7 +165,7 @@ class Board:
             (*sequence.gates, Gate("WHERE", FLAG, (name,))), (*sequence.scratch, (name, target))
         )
 
-    def _ways(self, target: int, destination: str, most: float) -> Iterator[GateSequence]:
+    def _sequences(self, target: int, destination: str, most: float) -> Iterator[GateSequence]:
         """Yield gate sequences that write the vector `target` to `destination`.
 
         They are an OR of NORs for it or for its complement. All such sequences of at most `most`
@@ -261,7 +265,7 @@ class Board:
         return GateSequence(gates.take(), tuple(scratch_values.items()))
 
 
-def update(board: Board, new_values: dict[str, int]) -> None:
+def write_simultaneously(board: Board, new_values: dict[str, int]) -> None:
     """Append gates that write new values to registers simultaneously: all depend on the old values.
 
     `new_values` are truth vectors (integers with one bit for each node of the state machine and
@@ -287,8 +291,8 @@ def _with_changes(board: Board, new_values: dict[str, int], most: float) -> Iter
     for rise in dict.fromkeys(rises):
         if rises.count(rise) > 1 and rise not in board.values.values():
             after = board.copy()
-            name = after.fresh()
-            sequence = after.make(rise, name, most)
+            name = after.first_unused_scratch()
+            sequence = after.shortest_gates(rise, name, most)
             if sequence is not None:
                 after.take(sequence, (name, rise))
                 yield after
@@ -331,16 +335,16 @@ def _written(board: Board, name: str, new_values: dict[str, int], most: float) -
 
     The old value is saved first if the other new values need it. Return None if that exceeds `most`
     words in all."""
-    sequence = board.make(new_values[name], name, most - board.words)
+    sequence = board.shortest_gates(new_values[name], name, most - board.words)
     if sequence is None:
         return None
     after = board.copy()
     after.take(sequence, (name, new_values[name]))
-    if after.tells(_without(name, new_values).values()):
+    if after.distinguishes(_without(name, new_values).values()):
         return after
     after = board.copy()
-    after.keep(name)
-    sequence = after.make(new_values[name], name, most - after.words)
+    after.copy_to_scratch(name)
+    sequence = after.shortest_gates(new_values[name], name, most - after.words)
     if sequence is None:
         return None
     after.take(sequence, (name, new_values[name]))

@@ -34,11 +34,11 @@ def count_up(board: Board, names: Sequence[str], lanes: int) -> None:
 
     Raises GaveUp if no gates can compute these lanes (nodes of the state machine, each with one
     outcome)."""
-    carry = _carry(board, names, lanes)
+    carry = _carry_register(board, names, lanes)
     gates = Gates(board.machine)
     spare = (name for name in board.unused_scratch() if name != carry)
     neither, only_bit, only_carry, next_carry = islice(spare, 4)
-    highest = max(k for k, name in enumerate(names) if lanes & _rippled(board, names, k))
+    highest = max(k for k, name in enumerate(names) if lanes & _lanes_of_ones(board, names, k))
     for name in names[: highest + 1]:
         gates.nor(neither, [name, carry])
         gates.nor(only_carry, [neither, name])
@@ -52,7 +52,7 @@ def count_up(board: Board, names: Sequence[str], lanes: int) -> None:
     board.gates += gates.take()
 
 
-def _rippled(board: Board, names: Sequence[str], count: int) -> int:
+def _lanes_of_ones(board: Board, names: Sequence[str], count: int) -> int:
     """Return the lanes (nodes of the state machine, each with one outcome) in which the `count`
     lowest bits of a counter are all 1.
 
@@ -63,7 +63,7 @@ def _rippled(board: Board, names: Sequence[str], count: int) -> int:
     return lanes
 
 
-def _carry(board: Board, names: Sequence[str], lanes: int) -> str:
+def _carry_register(board: Board, names: Sequence[str], lanes: int) -> str:
     """Return a register that holds the truth vector (an integer with one bit for each node of the
     state machine and outcome) `lanes`, after appending gates that compute it if there is none.
 
@@ -80,16 +80,16 @@ def _carry(board: Board, names: Sequence[str], lanes: int) -> str:
             for bit in ones:
                 at_limit &= board.values[bit]
             if answer & ~at_limit == lanes:
-                return _limited(board, name, answer == v, ones)
-    carry = board.fresh()
-    sequence = board.make(lanes, carry)
+                return _answer_below_limit(board, name, answer == v, ones)
+    carry = board.first_unused_scratch()
+    sequence = board.shortest_gates(lanes, carry)
     if sequence is None:
         raise GaveUp("the registers do not tell the lanes that count")
     board.take(sequence, (carry, lanes))
     return carry
 
 
-def _limited(board: Board, name: str, positive: bool, ones: Sequence[str]) -> str:
+def _answer_below_limit(board: Board, name: str, positive: bool, ones: Sequence[str]) -> str:
     """Append gates for the lanes (nodes of the state machine, each with one outcome) of `name`
     without those where all bits `ones` are 1; return their register.
 

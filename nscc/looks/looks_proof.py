@@ -106,7 +106,7 @@ class LookingReplay(ReplayPixels):
         machine, slots = self.machine, self.container.slots
         light_e = light * (self.full_e / light.sum())
         self.start_frame()
-        self._merge({})
+        self._merge_lanes({})
         for boundary in range(slots + 1):
             looks = boundary in machine.looks
             self.pending = machine.order(boundary) if looks else []
@@ -119,9 +119,9 @@ class LookingReplay(ReplayPixels):
             if looks:
                 self.node = machine.steps[self.node, self.outcome].astype(np.int64)
                 self.outcome = np.zeros_like(self.node)
-                self._merge(self._readouts())
+                self._merge_lanes(self._readouts())
             if boundary < slots:
-                self._fall(boundary, float(light_e[boundary]))
+                self._add_light(boundary, float(light_e[boundary]))
         self.end_frame()
         self._check_end()
         self._next_frame()
@@ -131,7 +131,7 @@ class LookingReplay(ReplayPixels):
         buckets = self.container.buckets
         return {r.register: buckets.index(r.bucket) for r in self.container.readouts}
 
-    def _fall(self, slot: int, light_e: float) -> None:
+    def _add_light(self, slot: int, light_e: float) -> None:
         """Add the light of a slot, `light_e` electrons in each pixel, to PIX (the photodiode) and
         to what the program requires.
 
@@ -151,7 +151,7 @@ class LookingReplay(ReplayPixels):
             if name not in gains:
                 raise ReplayError("no register is read out", name)
             value = self.analog[gains[name].register] * gains[name].gain
-            right = self._amounts_to(value, bucket, self.due[:, bucket])
+            right = self._equals_in_any_light(value, bucket, self.due[:, bucket])
             if not right.all():
                 worst = int(self.machine.behaviour[self.node[int(np.argmin(right))]])
                 raise ReplayError(WRONG_EXPOSURE, name, worst)
@@ -187,7 +187,9 @@ class LookingReplay(ReplayPixels):
             comparison = comparisons[number]
             level_e = comparison.level * self.target.electrons_per_step
             for above in (False, True):
-                if self._is(total if above else -total, comparison.signal, level_e):
+                if self._is_signal_minus_level(
+                    total if above else -total, comparison.signal, level_e
+                ):
                     self.pending.remove(number)
                     return self._follow_both(number, above)
         raise ReplayError(
@@ -195,16 +197,16 @@ class LookingReplay(ReplayPixels):
             f"{self._boundary}"
         )
 
-    def _is(self, value: Values, signal: int, level_e: float) -> bool:
+    def _is_signal_minus_level(self, value: Values, signal: int, level_e: float) -> bool:
         """Return whether a value, float64 (lanes, parts), is exactly signal - level in every lane
         (simulated pixel).
 
         `signal` is LIGHT or the index of a bucket, and `level_e` the level in electrons."""
         if signal == LIGHT:
-            return bool(self._amounts_to(value, None, self.since - level_e).all())
-        return bool(self._amounts_to(value, signal, self.due[:, signal] - level_e).all())
+            return bool(self._equals_in_any_light(value, None, self.since - level_e).all())
+        return bool(self._equals_in_any_light(value, signal, self.due[:, signal] - level_e).all())
 
-    def _amounts_to(
+    def _equals_in_any_light(
         self, value: Values, bucket: int | None, expected_e: Values
     ) -> NDArray[np.bool_]:
         """Return for each lane (simulated pixel) whether a value, float64 (lanes, parts), equals
@@ -236,7 +238,7 @@ class LookingReplay(ReplayPixels):
         yes = no << count
         return (yes, no) if above else (no, yes)
 
-    def _merge(self, readouts: Mapping[str, int]) -> None:
+    def _merge_lanes(self, readouts: Mapping[str, int]) -> None:
         """Merge lanes (simulated pixels) that behave equally from now on.
 
         `readouts` has the bucket of each readout register. If all histories of a lane have equal

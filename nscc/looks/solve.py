@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, GaveUp, Machine
-from nscc.looks.boundary_gates import FLAG, Board, update
+from nscc.looks.boundary_gates import FLAG, Board, write_simultaneously
 from nscc.looks.count_up import count_up, counted
 from nscc.looks.encode import COUNTER, LooksEncoding, ValueBits
 from nscc.looks.looking_plan import LookingPlan, Moment
@@ -181,7 +181,7 @@ class _Moment:
             self.emitted.append(op("where", (), (*self.plan.scratched, "IN")))
             self.board.values[FLAG] = moment.below(number)
             if position + 1 < len(order):
-                self.board.keep(FLAG)
+                self.board.copy_to_scratch(FLAG)
                 self.emitted += self.board.pop_gates()
                 del self.board.values[FLAG]
         plan, registers = self.plan, self.plan.bucket_registers
@@ -222,7 +222,9 @@ class _Moment:
             if held.kind == COUNTER and (lanes := counted(self.board, names, self.new_values)):
                 counters[names] = lanes
         rippled = {name for names in counters for name in names}
-        update(self.board, {r: v for r, v in self.new_values.items() if r not in rippled})
+        write_simultaneously(
+            self.board, {r: v for r, v in self.new_values.items() if r not in rippled}
+        )
         for names, lanes in counters.items():
             count_up(self.board, names, lanes)
         self.emitted += self.board.pop_gates()
@@ -248,7 +250,7 @@ class _Moment:
             return
         self.emitted.append(self.plan.register_to_scratch(register))
         if opens.any():
-            sequence = self.board.load(vector(np.flatnonzero(opens)))
+            sequence = self.board.shortest_gates_to_flag(vector(np.flatnonzero(opens)))
             if sequence is None:
                 raise GaveUp("no gates tell which shutters are open")
             self.emitted += sequence.gates
@@ -273,12 +275,12 @@ class _Moment:
         for name, new in self.new_values.items():
             # A register without a value takes its new value at once, and FLAG reads it there.
             if new == v and not board.values[name]:
-                sequence = board.make(v, name)
+                sequence = board.shortest_gates(v, name)
                 if sequence is not None:
                     board.take(sequence, (name, v))
-        sequence = board.load(v)
+        sequence = board.shortest_gates_to_flag(v)
         if sequence and sequence.gates and self._save_flag(later, sequence.scratch):
-            sequence = board.load(v)
+            sequence = board.shortest_gates_to_flag(v)
         if sequence is None:
             raise GaveUp("the registers do not tell the lanes of a look apart")
         board.take(sequence, (FLAG, v))
@@ -295,9 +297,9 @@ class _Moment:
         without = board.copy()
         del without.values[FLAG]
         without.values.update(written)
-        if without.tells([*later, *self.new_values.values()]):
+        if without.distinguishes([*later, *self.new_values.values()]):
             return False
-        board.keep(FLAG)
+        board.copy_to_scratch(FLAG)
         return True
 
 

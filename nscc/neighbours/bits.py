@@ -365,7 +365,7 @@ class BitWords:
 
     # --- neighbours
 
-    def _look(self, register: str, outside: int, steps: frozenset[Offset]) -> str:
+    def _or_of_neighbours(self, register: str, outside: int, steps: frozenset[Offset]) -> str:
         """Emit a word that gives each pixel the OR of a register's bits in some nearest neighbours.
 
         `steps` are the offsets of these neighbours, and `outside` is the bit of pixels beyond the
@@ -391,7 +391,7 @@ class BitWords:
         steps = [(1 if x > 0 else -1, 0)] * abs(x) + [(0, 1 if y > 0 else -1)] * abs(y)
         moved = None
         for step in steps:
-            neighbour = self._look(moved or register, outside, frozenset({step}))
+            neighbour = self._or_of_neighbours(moved or register, outside, frozenset({step}))
             if moved is not None:
                 self.give((moved, None))
             moved = neighbour
@@ -435,7 +435,7 @@ class BitWords:
         """Emit a word that shifts the bit of `register` by one step; free `register` unless it is
         `first`."""
         outside = self.lowering.pictures.outside or 0
-        neighbour = self._look(register, outside, frozenset({step}))
+        neighbour = self._or_of_neighbours(register, outside, frozenset({step}))
         if register != first:
             self.give((register, None))
         return neighbour
@@ -475,7 +475,9 @@ class BitWords:
 
         One word reads all nearest neighbours; every other bit is moved here first."""
         nearest_offsets = frozenset(offsets & set(_OF_STEP))
-        registers = [self._look(register, outside, nearest_offsets)] if nearest_offsets else []
+        registers = (
+            [self._or_of_neighbours(register, outside, nearest_offsets)] if nearest_offsets else []
+        )
         for at in sorted(offsets - nearest_offsets - {(0, 0)}):
             registers.append(self._moved(register, outside, at))
         if not registers:

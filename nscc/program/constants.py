@@ -168,7 +168,7 @@ class _Resolver:
         Constants in a cycle, and those that depend on it, are "failed"."""
         self.scope = constants_scope(self.declared, self.known)
         if isinstance(self.declared.frame, ListedSlots):
-            self._slots(len(self.declared.frame.lengths), self.declared.frame.span)
+            self._set_slots(len(self.declared.frame.lengths), self.declared.frame.span)
         needs = {
             name: [k.text for k in names_in(expr) if k.text in self.exprs]
             for name, (expr, _) in self.exprs.items()
@@ -186,11 +186,11 @@ class _Resolver:
                     role = "the number of slots" if name == "N" else "a let"
                     value = constant(expr, self.scope, self.problems, role)
                     if value is None:
-                        self._learn(name, FAILED)
+                        self._set_meaning(name, FAILED)
                     elif name == "N":
-                        self._slots(value, place)
+                        self._set_slots(value, place)
                     else:
-                        self._learn(name, Meaning("constant", value))
+                        self._set_meaning(name, Meaning("constant", value))
                     del waiting[name]
                 order.done(*ready)
             if not waiting:
@@ -198,23 +198,23 @@ class _Resolver:
             cycle = _cycle(needs, waiting)
             self._report(cycle)
             for name in cycle:
-                self._learn(name, FAILED)
+                self._set_meaning(name, FAILED)
                 del waiting[name]
         for name in waiting:
-            self._learn(name, FAILED)
+            self._set_meaning(name, FAILED)
         return self.known
 
-    def _slots(self, count: int, place: Span) -> None:
+    def _set_slots(self, count: int, place: Span) -> None:
         """Set N to `count`; report an error (NS0308) at `place` if it is not a valid number of
         slots."""
         if 1 <= count <= MOST_SLOTS:
-            self._learn("N", Meaning("constant", count))
+            self._set_meaning("N", Meaning("constant", count))
             return
-        self._learn("N", FAILED)
+        self._set_meaning("N", FAILED)
         message = f"invalid number of slots: {clipped(count)}"
         self.problems.error("NS0308", message, place, f"a frame has 1 to {MOST_SLOTS} slots")
 
-    def _learn(self, name: str, meaning: Meaning) -> None:
+    def _set_meaning(self, name: str, meaning: Meaning) -> None:
         """Store the meaning of a name.
 
         A name whose declaration has an error stays "failed" in the scope, so that its use is not

@@ -98,7 +98,7 @@ class MachineBuilder:
             if number < len(self.looks):
                 stage_comparisons, of_sense = self._comparisons(end)
                 comparisons += stage_comparisons
-                steps, following = self._look(
+                steps, following = self._next_nodes(
                     nodes, end, number + 1, len(stage_comparisons), of_sense
                 )
             stages.append(Stage(nodes, opens, resets, steps))
@@ -182,10 +182,10 @@ class MachineBuilder:
         if gap is None:
             return data
         row, slot = gap.place
-        place = self._place(nodes[row], begin + slot)
+        place = self._node_text(nodes[row], begin + slot)
         raise NoValue([MissingValue(gap.fault, place, gap.number)])
 
-    def _place(self, node: Nodes, boundary: int) -> str:
+    def _node_text(self, node: Nodes, boundary: int) -> str:
         """Describe a node (state of the machine) at a boundary for a message: its code and
         states."""
         texts = [code_text(self.rules, self.codes[node[0]])] if self.rules.fields else []
@@ -237,7 +237,7 @@ class MachineBuilder:
             raise NoValue([MissingValue(fault, f"for {sense.field} = {value}", 1)])
         return step
 
-    def _look(
+    def _next_nodes(
         self,
         nodes: Nodes,
         boundary: int,
@@ -279,7 +279,7 @@ class MachineBuilder:
                 text = f"`{state.name}` has the values {state.low}..{state.high}"
                 fault = Fault("NS0311", message, step.span, text)
                 raise NoValue(
-                    [MissingValue(fault, self._place(rows[row], boundary), int(beyond.sum()))]
+                    [MissingValue(fault, self._node_text(rows[row], boundary), int(beyond.sum()))]
                 )
             after[:, k] = np.where(changes, value, rows[:, k : k + 1])[:, 0]
         for k, sense in enumerate(self.remembered, self.width):

@@ -178,10 +178,10 @@ class _Gatherer:
             case tree.Version():
                 declared.version = statement.number.value
             case tree.TargetByName() | tree.TargetFromFile():
-                if self._once("target", declared.target, statement):
+                if self._is_first("target", declared.target, statement):
                     declared.target = statement
             case tree.EqualSlots() | tree.ListedSlots():
-                if self._once("frame", declared.frame, statement):
+                if self._is_first("frame", declared.frame, statement):
                     declared.frame = statement
             case tree.Let():
                 self._name(declared.lets, statement.name, statement)
@@ -199,10 +199,10 @@ class _Gatherer:
                 self._name(declared.states, statement.name, statement)
             case tree.Next():
                 name = statement.name.text
-                if self._once(f"next {name}", declared.nexts.get(name), statement):
+                if self._is_first(f"next {name}", declared.nexts.get(name), statement):
                     declared.nexts[name] = statement
             case tree.Reset():
-                if self._once("reset when", declared.reset, statement):
+                if self._is_first("reset when", declared.reset, statement):
                     declared.reset = statement
             case tree.Read():
                 for read_name in statement.names:
@@ -210,12 +210,12 @@ class _Gatherer:
             case tree.Kernel() | tree.KernelFromFile():
                 self._name(declared.kernels, statement.name, statement)
             case tree.Image() | tree.Plane():
-                if self._new(statement.name, *_OF_PIXELS):
+                if self._is_new_name(statement.name, *_OF_PIXELS):
                     declared.pictures.append(statement)
             case tree.Repeat():
                 for item in statement.items:
                     make = tree.Image if item.kind == "image" else tree.Plane
-                    if self._new(item.name, *_OF_PIXELS):
+                    if self._is_new_name(item.name, *_OF_PIXELS):
                         declared.pictures.append(make(item.span, item.name, item.step))
                         declared.repeats[item.name.text] = statement
             case tree.Param():
@@ -225,7 +225,7 @@ class _Gatherer:
             case tree.StateImage():
                 self._name(declared.kept_images, statement.name, statement)
             case tree.Outside():
-                if self._once("outside", declared.outside, statement):
+                if self._is_first("outside", declared.outside, statement):
                     declared.outside = statement
             case tree.Assume():
                 declared.assumes.append(statement)
@@ -241,7 +241,7 @@ class _Gatherer:
                         "NS0211", message, field.span, "the second", related=related
                     )
             case tree.PixelsFromFile():
-                if self._once("pixels from", declared.pixels_file, statement):
+                if self._is_first("pixels from", declared.pixels_file, statement):
                     declared.pixels_file = statement
             case _:
                 assert_never(statement)
@@ -271,7 +271,7 @@ class _Gatherer:
             helps = ("combine single bits in one field: `code bits : bit[K]`",)
             self.problems.error("NS0450", message, place, text, helps=helps)
 
-    def _once(self, word: str, first: tree.Statement | None, second: tree.Statement) -> bool:
+    def _is_first(self, word: str, first: tree.Statement | None, second: tree.Statement) -> bool:
         """Return whether a statement is the first of its kind; else report `second` (NS0205).
 
         `word` names the kind in the message, and `first` is the statement stored before, or None.
@@ -285,10 +285,10 @@ class _Gatherer:
 
     def _name(self, named: dict[str, Any], name: tree.Name, statement: tree.Statement) -> None:
         """Store a statement under the name that it declares, unless the name is taken."""
-        if self._new(name):
+        if self._is_new_name(name):
             named[name.text] = statement
 
-    def _new(self, name: tree.Name, *allowed: str) -> bool:
+    def _is_new_name(self, name: tree.Name, *allowed: str) -> bool:
         """Return whether a name is neither declared nor predefined; else report it (NS0201,
         NS0202).
 
@@ -302,12 +302,12 @@ class _Gatherer:
             text = f"`{name.text}` is {meaning}"
             self.problems.error("NS0202", message, name.span, text, helps=("choose another name",))
             return False
-        if self._unused(name, f"`{name.text}` is declared twice", name.text):
+        if self._is_unused(name, f"`{name.text}` is declared twice", name.text):
             return True
         self.declared.refused.add(name.text)
         return False
 
-    def _unused(self, name: tree.Name, message: str, key: str) -> bool:
+    def _is_unused(self, name: tree.Name, message: str, key: str) -> bool:
         """Return whether `key` was not declared before; else report `message` (NS0201) at
         `name`."""
         first = self.first_place.setdefault(key, name.span)
@@ -342,15 +342,15 @@ class _Gatherer:
                 helps=("give each exposure of the frame a name: `bucket NAME open when ...`",),
             )
         elif isinstance(rule, tree.Open):
-            if self._once("open when", rules[0] if rules else None, rule):
+            if self._is_first("open when", rules[0] if rules else None, rule):
                 rules.append(rule)
-        elif self.declared.version > 2 and not self._unused(
+        elif self.declared.version > 2 and not self._is_unused(
             rule.name, f"`{rule.name.text}` is declared twice", rule.name.text
         ):
             return
         # Buckets have separate names (the key cannot be a name): before version 3, no expression
         # reads them.
-        elif self._unused(
+        elif self._is_unused(
             rule.name, f"two buckets have the name `{rule.name.text}`", f"bucket {rule.name.text}"
         ):
             rules.append(rule)

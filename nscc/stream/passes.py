@@ -195,7 +195,7 @@ def late_fault(sending: Sending) -> Diagnostic | None:
     )
 
 
-def laid(container: Container, way: Route) -> Container:
+def with_planes_of_route(container: Container, way: Route) -> Container:
     """Return a container with the bit planes of its pixel codes, which it replaces.
 
     `way` has the destination of the light of each shutter. Without pixel codes the container gets
@@ -218,7 +218,7 @@ def with_planes(container: Container) -> Container:
     chosen_route = route(container.table.shutters, container.buckets, container.target)
     if isinstance(chosen_route, NoRoute):
         raise Rejected(no_route(chosen_route, container.target.name))
-    return laid(container, chosen_route)
+    return with_planes_of_route(container, chosen_route)
 
 
 def no_route(missing_route: NoRoute, chip: str, program: Program | None = None) -> Diagnostic:
@@ -269,7 +269,7 @@ def plan_of(program: Program, job: Job) -> tuple[Sending | NoRoute, Found]:
     return Sending(program, chosen_route), []
 
 
-def timed(sending: Sending, job: Job) -> tuple[Sending, Found]:
+def check_times(sending: Sending, job: Job) -> tuple[Sending, Found]:
     """Return `sending` unchanged, and the error (NS0508) if a plane cannot be loaded in time."""
     fault = late_fault(sending)
     return sending, [fault] if fault else []
@@ -297,4 +297,4 @@ def container_of(sending: Sending) -> Container:
         source_lines=tuple(program.source.text.splitlines()),
         notes={"class": program.class_name, "codes": program.mode, "lowering": "stream"},
     )
-    return laid(container, sending.route)
+    return with_planes_of_route(container, sending.route)

@@ -17,7 +17,7 @@ from nscc.program.problems import counted
 from nscc.prove.proof import Proof
 from nscc.stream import sending_report as texts
 from nscc.stream.checks import check_loadings, check_route
-from nscc.stream.passes import container_of, plan_of, timed, with_planes
+from nscc.stream.passes import check_times, container_of, plan_of, with_planes
 from nscc.stream.planes_proof import prove_planes
 from nscc.words.container import Container
 from nscc.words.legality import refuse_planes
@@ -28,7 +28,7 @@ class BitPlanes(ProgramKind):
 
     passes: ClassVar[tuple[Pass, ...]] = (
         Pass("plan", plan_of, check_route, texts.sending_text),
-        Pass("schedule", timed, check_loadings, texts.sending_text),
+        Pass("schedule", check_times, check_loadings, texts.sending_text),
     )
     subject = "planes"
     one_lowering_for = "a chip without logic"

@@ -85,7 +85,7 @@ class Container:
     dark. `state_planes` are the registers of the states that are read or kept, by name.
 
     A chip without logic has no words: `stream` is the data that it receives. It follows from table
-    and pixel codes (`nscc.stream.passes.laid`), and is None without pixel codes.
+    and pixel codes (`nscc.stream.passes.with_planes_of_route`), and is None without pixel codes.
 
     `pictures` are images and planes that are computed after the last slot; their words run after
     all `launches`. `readouts` then name the registers of the exposures before these words."""

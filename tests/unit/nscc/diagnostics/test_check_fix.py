@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix
-from nscc.diagnostics.message import mended
+from nscc.diagnostics.message import with_safe_fixes
 from nscc.source import Source, Span
 from nscc_cli.main import main
 
@@ -55,13 +55,15 @@ def test_of_fixes_that_overlap_one_is_taken() -> None:
     source = Source("a.nsl", "abcdef")
     one, other = Fix("", Span(1, 4), "X"), Fix("", Span(2, 3), "Y")
     apart, unsure = Fix("", Span(4, 6), "Z"), Fix("", Span(0, 1), "?", sure=False)
-    found, count = mended(source, [with_fixes(source, fix) for fix in (one, other, apart, unsure)])
+    found, count = with_safe_fixes(
+        source, [with_fixes(source, fix) for fix in (one, other, apart, unsure)]
+    )
     assert (found.text, count) == ("abYdZ", 2)
     elsewhere = Source("b.nsl", "other text")
-    assert mended(source, [with_fixes(elsewhere, one)]) == (source, 0)
+    assert with_safe_fixes(source, [with_fixes(elsewhere, one)]) == (source, 0)
 
 
 def test_two_insertions_at_one_place_are_one() -> None:
     source = Source("a.nsl", "ab")
     fix = Fix("", Span(1, 1), "-")
-    assert mended(source, [with_fixes(source, fix)] * 2)[0].text == "a-b"
+    assert with_safe_fixes(source, [with_fixes(source, fix)] * 2)[0].text == "a-b"

@@ -14,7 +14,7 @@ from syntax_text import bare
 from nscc.chips.load import builtin_target
 from nscc.compiler import compile_source
 from nscc.editing.complete import Listing, complete, complete_listing
-from nscc.editing.document import Document, all_mended, fixes_at, outline
+from nscc.editing.document import Document, fixes_at, outline, text_with_safe_fixes
 from nscc.editing.hover import hints, hover
 from nscc.editing.mentions import CannotRename, renamed
 from nscc.lower.resources import time_text
@@ -247,8 +247,8 @@ def test_fixes_at_a_place_and_all_sure_fixes_of_a_text() -> None:
     at = text.index("wehn")
     ((diagnostic, fix),) = fixes_at(found, Span(at + 1, at + 1))
     assert (diagnostic.code, fix.replacement, fix.sure) == ("NS0107", "when", False)
-    assert all_mended(found) == text.replace("1 ms", "1ms")
-    assert all_mended(document(STOPS)) is None
+    assert text_with_safe_fixes(found) == text.replace("1 ms", "1ms")
+    assert text_with_safe_fixes(document(STOPS)) is None
 
 
 def test_the_code_on_the_editors_page_runs(monkeypatch: pytest.MonkeyPatch) -> None:
