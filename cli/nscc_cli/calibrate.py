@@ -16,7 +16,8 @@ _DARK = "--dark"
 
 
 class _Calibrate(CommonCommand):
-    """The command `calibrate`, whose option `--dark` accepts several files."""
+    """The command `calibrate`, whose option `--dark` accepts several files (`--dark a b`), which
+    click's options cannot."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Parse the arguments of the command after rewriting `--dark a b` as `--dark a --dark b`.

@@ -115,7 +115,8 @@ RUN_OR_ANY = RunPath(("any",), path_type=str)
 
 
 class Fish(FishComplete):
-    """Completion for fish that keeps values with commas whole; click's script splits them."""
+    """Completion for the shell fish. It keeps a completed value that contains commas whole; the
+    script that click generates would split it."""
 
     source_template = FishComplete.source_template.replace(
         'string split ","', "string split --max 1 ,"

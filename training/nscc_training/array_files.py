@@ -182,7 +182,8 @@ def array_names(path: Path) -> list[str]:
 
 
 def real_array(path: Path, name: str) -> Floats:
-    """Return the array `name` of a file, or its only array; all values are finite real numbers.
+    """Return the array `name` of a file, or its only array, as float64. All values are finite real
+    numbers, at most `MOST` in magnitude.
 
     Raises
     ------

@@ -41,13 +41,18 @@ is not trained meanwhile, compares the results (`nscc_training.loop.searching`).
 
 @dataclass(frozen=True)
 class ShutterSpec:
-    """A shutter class with its number of slots and its tile.
+    """A class of shutters (the rule by which a pixel's code opens it), with its number of slots and
+    its tile (the small array of codes that is repeated over the sensor).
 
     Parameters
     ----------
     kind : {"a", "b", "c", "d", "e", "codebook", "looks"}
+        a: always open; b: open until a stop; c: a bump (consecutive open slots) of fixed length;
+        d: a bump of any length; e: free bits; codebook: rows of a table; looks: closed at the
+        first
+        look at which the light exceeds a level.
     slots : int
-        N.
+        Number N of slots of a frame.
     tile : tuple of int
         Rows and columns of the tile, or of the array for free codes; (1, looks) for looks.
     length : int, optional
@@ -55,7 +60,7 @@ class ShutterSpec:
     rows : int, optional
         Number of rows of a codebook.
     levels : int, optional
-        Largest step of IN, for looks.
+        Largest step of IN, the chip's analog input that sets levels, for looks.
     buckets : int
         1 or 2. The second bucket collects the light in slots in which the first is closed.
     """

@@ -112,8 +112,8 @@ class EmulatedSensor:
 
 
 class MeasuredTables:
-    """The emulated sensor (`table`) of the shutters in use, with the sensors of shutters that were
-    in use recently.
+    """The emulated sensor (`table`) of the shutters in use, and a few that were in use before, so
+    that returning to their shutters needs no new measurement.
 
     `table` is None before the first measurement."""
 

@@ -57,7 +57,8 @@ class _Step(Function):
 
 
 class _Saturate(Function):
-    """Clip x to `low`..`high`; beyond them the gradient is multiplied by `slope` instead of 0."""
+    """Clip x to the range from `low` to `high`. The gradient passes within the range; beyond it, it
+    is multiplied by `slope`, so that saturated values still learn."""
 
     @staticmethod
     def forward(x: Tensor, low: float, high: float, slope: float) -> Tensor:

@@ -32,14 +32,16 @@ _PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)
 
 @dataclass(frozen=True)
 class Protocol:
-    """An evaluation protocol: its name, the digest of its file, and the values that it defines."""
+    """An evaluation protocol: its name, the digest of its file, and the values that it defines. It
+    fixes how scenes are exposed and scored, so that scores can be compared."""
 
     name: str
     sha256: str
     values: Mapping[str, Any]
 
     def __getitem__(self, key: str) -> Any:
-        """Return the value of a key."""
+        """Return the value of a key of the protocol's file. Raise KeyError if the protocol lacks
+        it."""
         return self.values[key]
 
     @property

@@ -9,7 +9,8 @@ from enum import IntEnum
 
 
 class DrawStream(IntEnum):
-    """The second number of the seeds of a training and of synthetic scenes."""
+    """The second number of the seeds of a training and of synthetic scenes: with it, draws for
+    different purposes are independent although the first number, the user's seed, is the same."""
 
     TRAINING_SCENES = 1
     """Synthetic scenes for training, by index."""

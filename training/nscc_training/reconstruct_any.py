@@ -62,8 +62,8 @@ class Reconstruction:
 
     @property
     def content(self) -> Content:
-        """The reconstruction in the form that all output formats accept. Files for MATLAB have time
-        as the last axis of clips."""
+        """The reconstruction in the form that all output formats accept: the array "image" (a
+        still) or "video" (a clip). Files for MATLAB have time as the last axis of clips."""
         arrays = {"image" if self.still else "video": self.light}
         if self.method:
             arrays["method"] = np.array(self.method)

@@ -89,12 +89,14 @@ class SensorModel:
 
     @classmethod
     def of(cls, sensor: Sensor, target: Target) -> SensorModel:
-        """Return the model of a sensor.
+        """Return the model of a chip's sensor, with photon noise and the converter's noise.
 
         Parameters
         ----------
         sensor : Sensor
+            Full well, electrons per code, offset of the converter, and noise.
         target : Target
+            The chip; it gives the number of bits of the converter.
 
         Returns
         -------
@@ -113,11 +115,12 @@ class SensorModel:
 
     @classmethod
     def of_protocol(cls, protocol: Protocol) -> SensorModel:
-        """Return the sensor that a protocol defines.
+        """Return the sensor that a protocol defines: the largest converter code is a full well.
 
         Parameters
         ----------
         protocol : Protocol
+            One that defines `full_well_e` and `adc_bits`.
 
         Returns
         -------

@@ -19,7 +19,8 @@ _COUNT = Integer(1, 100_000)
 
 @dataclass(frozen=True)
 class ShutterSettings:
-    """[shutter]: the shutters, and how they are learned."""
+    """The section [shutter] of a run's configuration: the class of shutters, and how codes are
+    learned."""
 
     kind: str = key(
         TextKind(("a", "b", "c", "d", "e", "codebook", "looks")),
@@ -187,7 +188,8 @@ class ShutterSettings:
 
 @dataclass(frozen=True)
 class DecoderSettings:
-    """[decoder]: the network that reconstructs pictures from frames."""
+    """The section [decoder] of a run's configuration: the network that reconstructs pictures from
+    frames."""
 
     name: str = key(
         TextKind(), f"{', '.join(DECODERS)}, or a custom decoder as module:name", "unet2d"
@@ -256,7 +258,8 @@ class DecoderSettings:
 
 @dataclass(frozen=True)
 class SensorSettings:
-    """[sensor]: the sensor that captures the light."""
+    """The section [sensor] of a run's configuration: the sensor that captures the light in
+    training."""
 
     file: str = key(
         TextKind(), "a sensor file (nscc effects --toml); empty: the protocol's sensor", ""
@@ -294,7 +297,8 @@ class SensorSettings:
 
 @dataclass(frozen=True)
 class DataSettings:
-    """[data]: the scenes; training and validation never share a scene."""
+    """The section [data] of a run's configuration: the scenes. Training and validation never share
+    one."""
 
     train: str = key(
         TextKind(),
@@ -373,7 +377,7 @@ class DataSettings:
 
 @dataclass(frozen=True)
 class LossSettings:
-    """[loss]: the function that is minimised."""
+    """The section [loss] of a run's configuration: the function that training minimises."""
 
     name: str = key(
         TextKind(),
@@ -399,7 +403,7 @@ class LossSettings:
 
 @dataclass(frozen=True)
 class TrainSettings:
-    """[train]: the training loop."""
+    """The section [train] of a run's configuration: steps, batches, learning rates and device."""
 
     steps: int = key(Integer(1, 10**9), "updates", 1000)
     batch: int = key(_COUNT, "patches per update", 4)

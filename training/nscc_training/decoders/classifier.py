@@ -13,12 +13,14 @@ from nscc_training.sensor_model import laid, lifted, shared_out
 
 
 class Classifier(nn.Module):
-    """Pairs of 3 x 3 convolutions, the mean over all pixels, and a linear layer.
+    """A network that names the class of a clip: pairs of 3 x 3 convolutions, the mean over all
+    pixels, and a linear layer.
 
     The second convolution of a pair halves the resolution. Input: the frames of one or two buckets;
-    with `sees_code` also S^T E of each bucket, with one channel per slot. Inputs are divided by
-    their means, so that the brightness of a scene has no influence. Output (batch, classes): the
-    logarithms of likelihoods, up to a constant that all classes share. Frames may have any size."""
+    with `sees_code` also S^T E of each bucket, the frame copied to the slots in which each pixel
+    was open, with one channel per slot. Inputs are divided by their means, so that the brightness
+    of a scene has no influence. Output (batch, classes): the logarithms of likelihoods, up to a
+    constant that all classes share. Frames may have any size."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, _size: str) -> None:
         """Build the network for the slots, buckets and classes of `task`. `channels` are the widths

@@ -109,12 +109,12 @@ class _Convolution3d(nn.Conv3d):
 
 
 class StillUNet(nn.Module):
-    """A 2D U-Net.
+    """A two-dimensional U-Net for stills, or for clips with the slots as channels.
 
     Inputs: the frame, or the frames of two buckets. With `sees_code`, stills have two further
-    inputs, the open fraction of each pixel and the frame divided by it; clips have S^T E as input,
-    with one channel per slot. Output: the logarithm of the light of a still, or one channel per
-    slot of a clip (`slots`).
+    inputs, the open fraction of each pixel and the frame divided by it. Clips have S^T E as input,
+    the frame copied to the slots in which each pixel was open, with one channel per slot. Output:
+    the logarithm of the light of a still, or one channel per slot of a clip (`slots`).
 
     With `guesses`, the first guess is another input, and the network predicts a correction to it,
     for clips also a gain (`gated`); this needs `sees_code`."""
@@ -176,10 +176,11 @@ class StillUNet(nn.Module):
 
 
 class ClipUNet(nn.Module):
-    """A 3D U-Net on S^T E of each bucket: the frame copied over time and masked by the shutters.
+    """A three-dimensional U-Net for clips. Its input is S^T E of each bucket: the frame E, copied
+    to the slots in which each pixel was open, and 0 in the others.
 
-    With `guesses`, the first guess is another input, and the network predicts its correction and
-    its gain (`gated`)."""
+    With `guesses`, a first guess of the clip is another input, and the network predicts a
+    correction and a gain of it (`gated`)."""
 
     def __init__(self, channels: Sequence[int], task: DecoderTask, size: str) -> None:
         """Build a three-dimensional U-Net for clips, with levels of `channels` channels.

@@ -68,13 +68,14 @@ def merged_bracket(
     saturated: NDArray[np.bool_],
     chip: DesignChip,
 ) -> Picture:
-    """Estimate the light over the frame in electrons, (rows, cols) or with colours last, pixel by
-    pixel.
+    """Estimate the light over the frame from a bracket: several readouts with different exposure
+    times. The result is in electrons, (rows, cols) or with colours last; every pixel is estimated
+    alone.
 
     `exposure_e` and `saturated` are (readouts, rows, cols, ..), in electrons of the registers.
-    `open_share` (readouts,) is the fraction of the frame of each readout. Readouts are weighted by
-    precision, for the light in the longest readout that is not saturated; a pixel that saturates
-    all has at least the light of the shortest one."""
+    `open_share` (readouts,) is the fraction of the frame in which each readout was open. Readouts
+    are weighted by precision, for the light in the longest readout that is not saturated. A pixel
+    that saturates all of them has at least the light of the shortest one."""
     order = np.argsort(open_share)
     shares = open_share[order].reshape(-1, *[1] * (exposure_e.ndim - 1))
     light, full = exposure_e[order] / (chip.gain * shares), saturated[order]

@@ -83,8 +83,9 @@ class LookModel:
         return self._exposure_errors[curve]
 
     def closed(self, at: int) -> NDArray[np.float32]:
-        """Return the fraction of open pixels that a look at boundary `at` closes, (levels, groups,
-        offsets): by its level, the light of a pixel, and the offset of its comparator.
+        """Return the fraction of open pixels that a look at boundary `at` closes: float32 (levels,
+        groups, offsets), for each level that is tried, each group of pixels with equal light, and
+        each offset of a pixel's comparator.
 
         Results are kept for later calls."""
         if at not in self._closed:

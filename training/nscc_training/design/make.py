@@ -161,7 +161,8 @@ class Design:
 
 @dataclass(frozen=True, eq=False)
 class LookingDesign(Design):
-    """A design whose pixels look, with the looks of its `schedule` and their expected errors."""
+    """A design whose pixels compare their light with a level at several times, and close when it is
+    above. `schedule` contains times and levels, `expected` the expected errors."""
 
     schedule: LookSchedule
     expected: Expected
@@ -169,7 +170,8 @@ class LookingDesign(Design):
 
 @dataclass(frozen=True, eq=False)
 class PatternDesign(Design):
-    """A design with the best `pattern` of stops; `ranked` contains all patterns, the best first."""
+    """A design that gives every pixel of a tile an exposure time: `pattern` is the best tile of
+    stops (times in slots), `ranked` all tiles that were tried, the best first."""
 
     pattern: Pattern
     ranked: tuple[Pattern, ...]
@@ -177,7 +179,7 @@ class PatternDesign(Design):
 
 @dataclass(frozen=True, eq=False)
 class TileDesign(Design):
-    """A design with a fixed 2 x 2 tile of stops."""
+    """A design that repeats a `tile` of 2 x 2 exposure times over the sensor."""
 
     tile: Tile
 

@@ -40,8 +40,10 @@ class Histogram:
 
 
 def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
-    """Return the histogram of scenes (rows, cols) in electrons over the frame, with groups of equal
-    width in the logarithm. Raise Rejected (NS0824) for a scene without light."""
+    """Return the pixels of the scenes, each (rows, cols) in electrons over the frame, in groups of
+    nearly equal light, whose widths are equal in the logarithm.
+
+    Raise Rejected (NS0824) for a scene without light."""
     count = max(_FEWEST, _GROUPS // max(1, len(scenes)))
     histograms = []
     for number, scene in enumerate(scenes):

@@ -245,9 +245,11 @@ class Bump(Encoder):
 
 
 class Stop(Bump):
-    """Class b: open from slot 0 to a stop of 1..N; a shutter opens at least once.
+    """Class b: open from slot 0 to a stop, a boundary 1..N between slots; so a shutter opens for at
+    least one slot.
 
-    The parameter is the stop in octaves: a step changes all exposures by the same ratio."""
+    The parameter is the stop in octaves (its base-2 logarithm): a training step changes all
+    exposure times by the same ratio."""
 
     jitter_unit = 0.25
 
@@ -294,7 +296,8 @@ class Stop(Bump):
 
 
 class Start(Bump):
-    """Class c: one bump of a fixed length, opening at 0..N - length."""
+    """Class c: one bump (consecutive open slots) of a fixed length, which opens at a boundary from
+    0 to N - length."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         """Begin with all bumps at slot 0. Raise ValueError if the length in `spec` is missing or
@@ -324,8 +327,8 @@ class Start(Bump):
 
 
 class StartStop(Bump):
-    """Class d: one bump in each frame, which opens at the boundary `start` and closes at `stop`,
-    at least a slot later."""
+    """Class d: one bump (consecutive open slots) in each frame. It opens at the boundary `start`
+    and closes at `stop`, at least a slot later; both are learned."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         """Begin with all pixels open in slot 0."""

@@ -142,9 +142,11 @@ def make_encoder(
     ----------
     spec : ShutterSpec
     start : str
-        One of `nscc_training.code_choices.STARTS`.
+        The initial codes, one of `nscc_training.code_choices.STARTS`: "random", "uniform" (equal
+        at
+        all pixels), "quad" (a 2 x 2 pattern), or a published pattern.
     seed : int
-        Seed of random starts.
+        Seed of random starts; others ignore it.
     relaxation : str
         How codes are learned: one of `nscc_training.code_choices.RELAXATIONS`.
 

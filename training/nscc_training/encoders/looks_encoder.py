@@ -87,7 +87,8 @@ class LooksEncoder(Encoder):
         return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
     def codes(self) -> Codes:
-        """Return boundaries `at` and levels `level` as integers, (1, looks)."""
+        """Return the codes as integers (1, looks) by field: the boundaries `at` of the looks, and
+        the levels `level` with which they compare, in steps of the chip's analog input."""
         self.check_finite()
         with torch.no_grad():
             at, level = self.hardened(self.fields()).chunk(2)

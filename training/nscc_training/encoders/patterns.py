@@ -52,7 +52,8 @@ class _Digits(Encoder):
 
 
 class Bits(_Digits):
-    """Class e: N independent bits for every pixel of the tile."""
+    """Class e: N independent bits for every pixel of the tile, 1 for an open slot. Each has a
+    learned score, whose sign is the bit."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         """Begin with all slots of all pixels open (a logit of 0.5). Raise ValueError for more than
@@ -115,10 +116,11 @@ class Bits(_Digits):
 
 
 class Codebook(_Digits):
-    """K shapes of N digits, and a choice of shape for every pixel of the tile.
+    """A codebook: K shutters of N bits, called shapes, and a choice of shape for every pixel of the
+    tile.
 
-    With as many shapes as pixels, the codebook is as free as class e, with any N. The choice is the
-    largest of K scores of the pixel."""
+    The choice is the largest of K scores of the pixel. With as many shapes as pixels, the codebook
+    is as free as class e, with any N."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         """Begin with open shutters in all rows, and use the rows in turn. Raise ValueError if

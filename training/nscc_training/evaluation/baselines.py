@@ -80,9 +80,11 @@ def _bits(protocol: Protocol, seed: int, tile: Sequence[int], buckets: int) -> N
 
 
 def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
-    """Return the shutters (frames, slots, rows, cols) of the successive frames of a film, for a
-    tile. Each pixel opens in one interval of a frame; `staggered` intervals continue across the
-    ends of frames."""
+    """Return shutters for a film of several frames, as a tile: (frames, slots of the whole film,
+    rows, cols). Frame k is open only in its own slots.
+
+    Each pixel opens in one interval per frame. `staggered` intervals may begin at the end of one
+    frame and continue in the next one."""
     film, length = int(protocol["film"]), int(protocol["length"])
     slots = int(protocol["frames"]) // film
     rows, cols = protocol["tile"]

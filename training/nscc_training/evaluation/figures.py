@@ -61,7 +61,8 @@ class _Shot:
 
     def image(self, shown: str) -> Image:
         """Return the picture that a layout in `figures.toml` calls `shown`: the name of a frame, or
-        LIGHT:CURVE[@GAIN][#FRAME]."""
+        LIGHT:CURVE[@GAIN][#FRAME], which is light, a tone curve, a factor on the light, and the
+        frame of a clip."""
         if shown in self.frames:
             return Image(self.frames[shown], shown.replace("-", " "))
         match = _SHOWN.fullmatch(shown)

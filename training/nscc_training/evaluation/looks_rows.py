@@ -211,7 +211,8 @@ def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolSc
 
 
 def _compiled(schedule: LookSchedule, target: Target) -> Container:
-    """Return the compiled program of a schedule of looks, with slots of 125 us."""
+    """Return the compiled program of pixels that look as the schedule says, with slots of 125
+    us."""
     text = looking_text(schedule, SLOTS, 125.0, target, None, "")
     container = compile_source(Source("looks.nsl", text), Path(), Options(target=target)).container
     assert container is not None

@@ -94,7 +94,8 @@ class CapturedScene:
         return replace(self, codes=self.codes[region], saturated=self.saturated[region])
 
     def frame(self, number: int) -> CapturedScene:
-        """Return frame `number` alone, with only the slots from its first to its last open one."""
+        """Return frame `number` (from 0) alone. Of its slots, only those from the first in which a
+        pixel is open to the last are kept."""
         slots = np.flatnonzero(self.tile[number].any(axis=(1, 2)))
         frame_slice = slice(number, number + 1)
         tile = self.tile[frame_slice, slots[0] : slots[-1] + 1]

@@ -40,8 +40,8 @@ Array = NDArray[Any]
 
 
 class Scored(NamedTuple):
-    """A scene, its scored items (JSON values), its reconstruction in the form that is scored, and
-    the seconds of decoding it.
+    """A scene, its items with their scores (JSON values), its reconstruction in the form that is
+    scored, and the seconds of decoding it.
 
     The reconstruction is None if the scores were stored by an earlier process."""
 
@@ -81,7 +81,8 @@ def usable_scenes(
 
 
 def damaged_files(result: Mapping[str, Any]) -> list[Diagnostic]:
-    """Return an error for each file that is left out of a result because it cannot be read."""
+    """Return an error for each file that `result` left out because it cannot be read. Files that
+    were left out for other reasons have no error."""
     help_text = "repair or remove the file, then the same command scores all files"
     return [
         Diagnostic(entry["code"], entry["reason"], helps=(help_text,))
@@ -419,7 +420,8 @@ def result_json(result: Any) -> str:
 
 
 def arrays_in(folder: Path, arrays: Mapping[str, NDArray[Any]]) -> dict[Path, Product]:
-    """Return the files of `--save`: one NAME.npy per array in `folder`, which is created."""
+    """Return the content of the files of the option --save by path: one NAME.npy in `folder` for
+    each of `arrays`. The folder is created; files are not written."""
     folder.mkdir(parents=True, exist_ok=True)
     products: dict[Path, Product] = {}
     for name, values in arrays.items():
@@ -501,7 +503,8 @@ def _class_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
 
 
 def comparison_text(comparison: Mapping[str, Any], metric: str) -> str:
-    """Return a comparison of `nscc_training.evaluation.results.compare` as a line."""
+    """Return a line about a comparison that `compare` returned: the gain of the second result over
+    the first in the `metric`, its 95 % interval, and the numbers of items, scenes and seeds."""
     gain, interval = comparison["gain_db"], comparison["ci95"]
     if gain is None:
         return "no pair of items has finite scores"

@@ -18,7 +18,8 @@ Figures = dict[str, Any]
 
 
 class Task(Protocol):
-    """A point to measure: the key of its row, and a label for people."""
+    """A point that a worker measures: `key` identifies its result in the store, `label` is its name
+    in messages."""
 
     @property
     def key(self) -> str: ...

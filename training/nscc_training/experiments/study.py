@@ -30,7 +30,8 @@ _MORE_IS_BETTER = ("psnr_db", "ssim")
 
 
 class NotMeasured(Exception):
-    """Raised by `StudyPoint.run` if a setting cannot be measured; the text is the reason."""
+    """Raised by `StudyPoint.run` if a setting cannot be measured. The text is the reason, which the
+    table shows."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -63,7 +63,8 @@ def class_windows(
     labels = [class_of(path, classes) for path in files]
 
     def of_class(path: Path, index: int) -> Iterator[ProtocolScene | Unusable]:
-        """Yield the windows of the clip number `index`, with the class of its folder."""
+        """Yield the windows (excerpts with as many frames as the protocol needs) of the clip in
+        `path`, each with the class that is `labels[index]`. `Unusable` is passed on."""
         for window in windows(path, protocol):
             if isinstance(window, ClipWindow):
                 window = with_class(window, labels[index], classes)

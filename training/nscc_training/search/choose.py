@@ -59,19 +59,24 @@ def design_motion(
 ) -> MotionDesign:
     """Design shutters for moving light.
 
-    The candidates are bumps in a 4 x 4 tile and, for 16 slots, searched bits. The one with the
-    highest expected information that fits the chip is chosen.
+    The candidates are bumps (consecutive open slots) in a 4 x 4 tile and, for 16 slots, searched
+    bits. The one with the highest expected information that fits the chip is chosen.
 
     Parameters
     ----------
     kind : {"slow", "fast", "scene"}
         The speed of the light; "scene" measures it in `scenes`.
     scenes : sequence of array
-        Light in electrons, (intervals, rows, cols), with at most N intervals.
+        Light in electrons, (intervals, rows, cols), with at most N intervals. Without scenes,
+        typical light is assumed.
     frame : Frame, optional
-        16 slots by default.
+        Chip and slots; 16 slots of the default chip if None.
     most_words : float
-        Codes with more words per slot are skipped.
+        Codes with more words (instructions of the chip) per slot are skipped.
+
+    Returns
+    -------
+    MotionDesign
 
     Raises
     ------

@@ -32,12 +32,12 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Motion:
-    """A model of moving light.
+    """A model of moving light, whose correlation falls exponentially with distance.
 
-    `speeds` are in pixels per frame time, with equal probability. `length` is L in pixels.
-    `contrast` is the standard deviation divided by the mean. `noise` is the variance of a frame's
-    value and `counts` its increase per unit of light; both are relative to the squared mean light
-    of all slots."""
+    `speeds` are in pixels per frame time, with equal probability. `length` is the distance in
+    pixels at which the correlation is 1 / e. `contrast` is the standard deviation of the light
+    divided by its mean. `noise` is the variance of a frame's value, and `counts` its increase per
+    unit of light; both are relative to the squared mean light of all slots."""
 
     speeds: tuple[float, ...]
     length: float = 12.0

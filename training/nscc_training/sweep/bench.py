@@ -48,12 +48,12 @@ _ITERATIONS = 20
 
 
 def bench_figures(values: Values) -> Figures:
-    """Return the figures of a class of shutters on scenes: mean PSNR, words, and the shortest slot.
-    `values` are those of the point.
+    """Return the figures of a class of shutters on scenes: mean PSNR, words (instructions of the
+    chip), and the shortest slot. `values` are those of the point.
 
-    Without `at_us`, the frame has the shortest possible slots. Words depend on the slot length only
-    through refresh, which shorter slots need less often, so they are compiled for long slots first.
-    """
+    `at_us` is the slot length; None takes the shortest possible slots. Words depend on the slot
+    length only because stored values are refreshed, which shorter slots need less often. So
+    programs are compiled for long slots first."""
     slot_us = values["at_us"]
     if slot_us is None:
         longest = compiled_of({**values, "slot_us": LONG_US})

@@ -229,8 +229,8 @@ def _compute(
                 yield done
 
         def all_results() -> Iterator[Done]:
-            """Yield the results of all tasks. A point whose run has no result gets the run's error
-            without being computed."""
+            """Yield the results of all tasks. Points that evaluate a training run wait for it; if
+            it has no result, they get its error without being computed."""
             pending = {task.key: task for task in tasks}
             while pending:
                 # Runs that a point names come first: one round per level of dependency.

@@ -77,7 +77,8 @@ def _methods_text(study: EmulatorStudy) -> str:
 
 
 def _setting(measured_plan: MeasuredPlan) -> str:
-    """Return the tolerance of a plan as text, with its electrons if it has another unit."""
+    """Return the tolerance of a plan as text. If it is not in electrons (such as 1% or 0.1lsb), its
+    value in electrons follows."""
     plain = measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
     if plain:
         return measured_plan.setting

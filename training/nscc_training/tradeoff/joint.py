@@ -50,8 +50,9 @@ class Joint:
     notes: tuple[str, ...] = ()
 
     def advice(self, points: Sequence[Point]) -> dict[str, tuple[Point | None, bool]]:
-        """Return, for each stage, the recommended one of `points` (None if the stage has none), and
-        whether it reaches the target."""
+        """Return the recommendation for each stage of nscc (compile, lowering, slots, effects,
+        decoder) by name: the recommended one of `points`, None if the stage has no point, and
+        whether its error reaches the target."""
         return {
             stage: advised([p for p in points if p.case == stage], self.target_percent)
             for stage in self.request.stages
@@ -61,8 +62,8 @@ class Joint:
 def joint_study(
     request: JointRequest, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> Study:
-    """Return the study of the stages that `request` names. Messages about program and scene are
-    passed to `warn`.
+    """Return the study of time against error of the stages that `request` names: compile, lowering,
+    slots, effects, decoder. Messages about program and scene are passed to `warn`.
 
     Raises Rejected for an invalid program, scene or target. A setting or stage that cannot be
     measured is recorded with its reason."""

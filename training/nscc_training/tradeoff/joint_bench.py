@@ -72,8 +72,8 @@ class JointRequest:
 
 @dataclass(frozen=True, eq=False)
 class Bench:
-    """What all stages of a request share: program, sensor, light, and a frame with all effects.
-    Each is computed when it is first needed.
+    """What all stages (compile, lowering, slots, effects, decoder) of a request share: program,
+    sensor, light, and a frame with all effects. Each is computed when it is first needed.
 
     `warn` receives messages. `notes` collects remarks on the numbers of stages. `known_errors`
     holds errors of programs by their digest."""
