@@ -119,7 +119,8 @@ def _checked(document: Text) -> tuple[Diagnostic, ...]:
 
 
 def make_server() -> Server:
-    """Return a server without open texts, which handles all requests of `_ANSWERS`."""
+    """Return a language server that is ready to run. No text is open yet; it answers all requests
+    of `_ANSWERS`."""
     logging.getLogger("pygls.protocol.json_rpc").addFilter(_is_no_refusal)
     server = Server()
     _take_texts(server)

@@ -18,8 +18,9 @@ DECODER, STATE = "direction.decoder.safetensors", "direction.pt"
 
 @dataclass(frozen=True)
 class LinearDecoder:
-    """A linear classifier of the direction of motion. The scores are `weight` (directions, outputs)
-    times the fraction of 1 bits of each output, plus `bias` (directions,)."""
+    """A linear classifier of the direction of motion from a cell's output bits. The scores are
+    `weight` (directions, outputs) times the fraction of 1 bits of each output over a film, plus
+    `bias` (directions,)."""
 
     weight: NDArray[np.float32]
     bias: NDArray[np.float32]

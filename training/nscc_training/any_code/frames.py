@@ -42,12 +42,13 @@ _MOST_VALUES = 1 << 28
 
 @dataclass(frozen=True, eq=False)
 class CodedFrame:
-    """A frame with B buckets, prepared for reconstruction, in electrons.
+    """A frame prepared for reconstruction, in electrons. It has B buckets: sums of light that each
+    pixel collects under different shutters.
 
     `value_e` and `variance_e2` (B, rows, cols) are the light of the open slots and its variance.
     `saturated` (B, rows, cols) marks values that are lower limits. `opened` (shutters, B, N)
     contains the shutters, `row` (rows, cols) the index of each pixel's shutter, `slot_us` (N,) the
-    slot lengths."""
+    slot lengths in microseconds."""
 
     value_e: NDArray[np.float32]
     variance_e2: NDArray[np.float32]

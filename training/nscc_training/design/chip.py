@@ -37,8 +37,8 @@ _COPIES = 2
 
 @dataclass(frozen=True, eq=False)
 class DesignChip:
-    """A target with its sensor and the effects that act on the sensor. It computes the errors from
-    which designs are made."""
+    """A target (the description of a chip) with its sensor and the effects that act on the sensor.
+    It computes the errors from which designs are made."""
 
     target: Target
     sensor: Sensor

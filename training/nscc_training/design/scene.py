@@ -21,11 +21,11 @@ _FEWEST = 24
 
 @dataclass(frozen=True, eq=False)
 class Histogram:
-    """The pixels of scenes in groups of nearly equal light; arrays are (groups,).
+    """The pixels of scenes, joined to groups of nearly equal light; arrays are (groups,).
 
-    `light_e` is the light of the group in electrons over the frame, `peak_e` the peak of its scene,
-    `weight` its fraction of all pixels, with equal weight for every scene. `scene` is the index of
-    its scene."""
+    `light_e` is the light of the group in electrons over the frame, `peak_e` the light that counts
+    as white in its scene, `weight` its fraction of all pixels, with equal weight for every scene.
+    `scene` is the index of its scene."""
 
     light_e: Values
     peak_e: Values
@@ -66,9 +66,10 @@ def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
 def best_stop(chip: DesignChip, light_e: NDArray[np.floating], slots: int, curve: Curve) -> int:
     """Return the exposure time, in slots, that an ordinary camera would choose for all pixels.
 
-    Of half stops from one slot to all slots, it has the smallest expected error on `curve` over the
-    light's histogram. `light_e` (rows, cols) is in electrons over all slots. Raises Rejected as
-    `histogram` does."""
+    Of the times from one slot to all slots in ratios of about the square root of 2 (`stops_tried`),
+    it has the smallest expected error of the light after the tone curve `curve` ("mu", "linear" or
+    "log"). `light_e` (rows, cols) is in electrons over all slots. Raises Rejected as `histogram`
+    does."""
     light = histogram([light_e])
     stops = stops_tried(slots)
     errors = chip.errors(light.light_e, light.peak_e, np.array(stops) / slots, curve)

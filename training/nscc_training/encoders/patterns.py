@@ -240,8 +240,8 @@ class Codebook(_Digits):
         self.choose(self.spread())
 
     def start_quad(self) -> None:
-        """Begin with the four quarters of the frame as shapes, repeated over the rows. The pixels
-        of each 2 x 2 square choose the four quarters."""
+        """Begin with shutters that are open in one quarter of the frame each, repeated over the
+        rows of the codebook. The pixels of each 2 x 2 square choose the four quarters."""
         self.set_digits(self.shapes, quarters(self.spec.slots)[:, np.arange(self.rows) % 4].T)
         rank = self.quad_ranks()
         again = self.spread() // 4 * 4 + rank

@@ -99,7 +99,8 @@ def _limit_keys() -> tuple[Key, ...]:
 
 
 def _limit_fault(values: Values, _named: Collection[str]) -> PointFault | None:
-    """Return what is wrong with the values of a point of kind limits, or None."""
+    """Return what is wrong with the values of a point of kind limits, or None: a missing `family`
+    or chip, or an unusable chip. The keys that the grid states do not matter."""
     if "family" not in values:
         return PointFault(
             "", "the key family is missing: a class at every size", 'add family = "d"'

@@ -72,7 +72,9 @@ def compiling(bench: Bench) -> Iterator[StudyPoint]:
 
 
 def lowering(bench: Bench) -> Iterator[StudyPoint]:
-    """Yield a point for each lowering. Its time is that of the shortest frame that the words allow.
+    """Yield a point for each lowering, the way in which the exposure is computed from photodiode
+    values (accumulate, latch, edges). Its time is that of the shortest frame that the words allow.
+
     Raise NotMeasured if the program has only one lowering."""
     source, subject = bench.source, KINDS.of(bench.container).one_lowering_for
     if subject:
