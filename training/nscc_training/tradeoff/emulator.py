@@ -279,8 +279,8 @@ class EmulatorBench:
 
     @cached_property
     def truth(self) -> tuple[list[Frame], list[float]]:
-        """The frames of the reference (the emulator without approximations), and the time of each
-        in milliseconds."""
+        """The frames of the reference (the simulation with every effect, word by word), and the
+        time of each in milliseconds."""
         settings, light, program = self.settings, self.scene.light, self.program
         drawn = iter(
             reference_frames(
