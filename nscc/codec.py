@@ -58,6 +58,7 @@ Kind = TypeVar("Kind")
 Convert = Callable[[Any], Any]
 
 _MOST_FLOAT = 1e300
+"""Numbers of this size or larger are refused, so that sums of many stay finite."""
 
 
 class InvalidRecord(ValueError):

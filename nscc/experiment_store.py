@@ -27,7 +27,6 @@ _BUSY_S, _PATIENCE_S = 60.0, 2.0
 """Seconds for which a statement waits for other processes in all, and until the user is told."""
 _LEAST_BYTES = 1 << 16
 """A disk with less free space than this is full: SQLite writes whole pages."""
-_POLL_S = 0.2
 _IN_USE = 1 << 60
 """Byte of the claims file on which each process that uses the store holds a shared lock."""
 _TABLE = """

@@ -79,7 +79,7 @@ def _import_error(distribution: str) -> str:
 
 
 def _targets() -> Finding:
-    """Return the names of all targets, which this loads, or the first error in one."""
+    """Return the finding on the built-in targets: the names of all, or the first error in one."""
     try:
         names = [load_target(name, Path()).name for name in target_names()]
     except Rejected as rejected:
@@ -88,7 +88,7 @@ def _targets() -> Finding:
 
 
 def _cache() -> Finding:
-    """Return where the cache of search results is and how large, or why there is none."""
+    """Return the finding on the cache of search results: its folder and size, or why it is off."""
     folder = cache_folder()
     if folder is None:
         return Finding(ABSENT, f"cache of search results: {refusal() or 'off (NSCC_CACHE=off)'}")

@@ -15,7 +15,9 @@ MOST_BYTES = 1 << 30
 """Default limit on the memory of the arrays in one file."""
 
 _MOST_HEADER_BYTES = 1 << 16
+"""Longest header that is read, as in version 1 of the format."""
 _BLOCK_BYTES = 1 << 24
+"""Bytes read at a time, so that a header that claims too much costs little."""
 
 
 class InvalidArrays(ValueError):

@@ -149,7 +149,9 @@ DIGITAL_SOURCES = (*DIGITAL_WRITE, "FLAG", "SELECT")
 
 _ANY = (1, None)
 _ONE = (1, 1)
+"""Exactly one register."""
 _NO = (0, 0)
+"""No register."""
 _READ, _WRITE = Phase.READ, Phase.WRITE
 
 _SET = (S_IN, PLWB)

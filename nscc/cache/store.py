@@ -19,15 +19,18 @@ from nscc.cache.folder import foreign
 from nscc.record import Record
 
 MOST_BYTES = 64_000_000
+"""Default limit on the total size of all entries, in bytes."""
 _KEPT_SHARE = 0.75
 """Fraction of the size limit that remains after deletions, so that few writes must delete
 entries."""
 _LARGEST = MOST_BYTES // 4
+"""Largest entry that is stored or read, in bytes."""
 
 _FORMAT = b"nscc-cache-1"
 _ENTRY = re.compile(r"[0-9a-f]{64}")
 _PART = re.compile(r"\.[0-9a-f]{64}\.[0-9]+\.part")
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL
+"""Flags that open a file for writing only if it does not exist yet."""
 _PART_AGE_S = 600.0
 """Age in seconds above which a partial file belongs to a process that died."""
 

@@ -26,7 +26,9 @@ from nscc.toml.schema import Key, KeyValues, file_bytes, file_text, file_values,
 from nscc.toml.toml_text import shown
 
 _MOST_TOLD = 10
+"""Most errors reported for each list of registers."""
 _MOST_TAPS = 16
+"""Most taps of a pixel on a chip whose shutters arrive as a bit stream."""
 
 
 def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:

@@ -48,6 +48,7 @@ _NEEDED = ("name", "effect", "destinations", "sources")
 _DEFAULTS: dict[str, Any] = {"divisor": 1, "inverted": False, "lines": [], "us": None}
 _LINES = {name: line for line, name in LINE_NAMES.items()}
 _MOST = 32
+"""Most words that a target file may define."""
 
 
 class OwnWords(Kind):

@@ -13,6 +13,7 @@ from nscc.record import Record
 from nscc.source import Source, Span
 
 MOST_ERRORS = 20
+"""Most errors shown for one file; a further message (NS0190) counts the others."""
 
 
 def more_errors(count: int, source: Source) -> Diagnostic:

@@ -16,8 +16,11 @@ from nscc.source import Source
 Format = Literal["human", "short", "json"]
 
 PAGES = Path(__file__).parent / "pages"
+"""The folder of pages that explain the error codes."""
 _WIDEST = 100
+"""Most columns of a program line in a message."""
 _TAB = 4
+"""Columns of a tab."""
 _PAINT = {
     Severity.ERROR: "\x1b[1;31m",
     Severity.WARNING: "\x1b[1;33m",

@@ -35,7 +35,9 @@ from nscc.words.assembly import assemble
 from nscc.words.directives import DIRECTIVES
 
 _MOST_FILES = 200
+"""Most files of a folder that are offered."""
 _MOST_HASHED_BYTES = 64 << 20
+"""Largest file whose hash is offered: the user waits while it is read."""
 _WORD = re.compile(r"[\w-]*\Z")
 _ENDINGS = {"target": ".toml", "shutters": ".npz", "pixels": ".npz", "kernel": ".npz"}
 """File name endings for the statements that name files."""
@@ -226,6 +228,7 @@ class Listing(Record):
 
 
 Text = Document | Listing
+"""A text in which words are completed: a program or an assembly text."""
 
 
 def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:

@@ -140,6 +140,7 @@ _IN_OUTLINE = (
 )  # fmt: skip
 
 _LONGEST = 60
+"""Most characters of an outline entry's detail."""
 
 
 class OutlineEntry(Record):

@@ -24,6 +24,7 @@ from nscc.words.counts import counts_by_name
 from nscc.words.pictures import NO_PICTURES, Weights
 
 _MOST_VALUES = 12
+"""Most values or boundaries that a description lists."""
 
 
 class Hover(Record):

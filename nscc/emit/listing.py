@@ -17,7 +17,9 @@ from nscc.source import Source
 from nscc.syntax.tree import File, Node
 
 _MOST_SHUTTERS = 64
+"""Most shutters that a listing shows."""
 _MOST_SLOTS = 256
+"""Most slots of a shutter that a listing shows."""
 
 
 def program_text(program: Program) -> str:
@@ -91,6 +93,7 @@ def _shutter_lines(program: Program) -> list[str]:
 
 
 _LONGEST = 20
+"""Most nodes shown of a list in a syntax tree."""
 
 
 def print_tree(file: File, source: Source) -> str:

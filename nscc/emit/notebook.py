@@ -16,9 +16,11 @@ from nscc.words.container import Container
 from nscc.words.shutters import shutters_of
 
 _MOST_ROWS = 24
+"""Most shutters in a chart; of more, evenly spaced ones are drawn."""
 _COLUMNS = 360
 """Most columns of a bar; with more slots, each column shows the share of open time."""
 _SHADES = 4
+"""Steps of opacity by which a column shows its share of open time."""
 _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
 """Pixels for labels, chart width, row height and the time axis."""
 

@@ -19,10 +19,14 @@ MOST_DIGITS = 1 << 14
 """Most rows x slots of a codebook that is compiled for a limit; larger codebooks take long."""
 
 BUMP_LENGTHS = (4, 8, 16)
+"""The lengths in slots of the open intervals for which a table of limits is computed."""
 BOOK_ROWS = (16, 64, 256)
+"""The numbers of codebook rows for which the most slots are searched."""
 BOOK_SLOTS = 16
+"""The number of slots for which the most codebook rows are searched."""
 
 _WORD = 1 << 64
+"""Pseudo-random numbers are computed modulo this number, as 64-bit words."""
 
 
 class Family(Record):
@@ -101,8 +105,8 @@ def book_text(slot_us: Sequence[float], buckets: Sequence[str], shutters: NDArra
     """Return a program whose code `id` is an index into `shutters`, bool (rows, buckets, slots).
 
     It has a codebook for each bucket, and slots of `slot_us` microseconds."""
-    times = ", ".join(f"{Decimal(repr(us)):f}us" for us in slot_us)
     # Decimal writes 1e-05 without an exponent, which the language does not have.
+    times = ", ".join(f"{Decimal(repr(us)):f}us" for us in slot_us)
     lines, rules = ["nsl 1", f"frame slots [{times}]"], []
     for number, name in enumerate(buckets):
         rows = ("".join("1" if is_open else "0" for is_open in row) for row in shutters[:, number])

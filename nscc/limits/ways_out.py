@@ -37,16 +37,21 @@ from nscc.program.program import Codes, Program
 from nscc.source import Source
 
 MOST_SHOWN = 3
+"""Most similar programs suggested in one error message."""
 QUICK_LEVEL = 1
 """Highest optimisation level for alternatives, because one error message compiles several programs.
 
 Programs with fewer codebook rows use the full level."""
 _FRAME_TRIALS = 8
+"""Most compilations in a search for the largest number of slots."""
 _MOST_S = 15.0
 """Processor seconds after which no further size is tried; the last attempt may take some more."""
 _ROW_TRIALS = 10
+"""Most compilations in a search for the largest number of codebook rows."""
 _BOOK_ROWS = 64
+"""Rows of the codebook that is suggested instead of a larger shutter class."""
 _LONGEST_BOOK = 256
+"""Most slots for which such a codebook is tried."""
 _MOST_DIGITS = 1 << 13
 """Most digits of a codebook that is compiled for one error message."""
 

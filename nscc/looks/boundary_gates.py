@@ -20,7 +20,9 @@ from nscc.record import Record
 
 FLAG = "FLAG"
 _STEPS = 4_000_000
+"""Steps that one search for an OR of NORs may take."""
 _MOST_CUBES = 24
+"""Most NORs in the OR that a search considers."""
 _MOST_ORDERED = 3
 """Most registers for which all orders are tried; if there are more, the cheapest is written
 next."""

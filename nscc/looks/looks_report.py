@@ -12,6 +12,7 @@ from nscc.program.program import Program
 from nscc.words.machine import LIGHT
 
 _MOST_SHOWN = 12
+"""Most boundaries listed for a level."""
 
 
 def moments_text(plan: LookingPlan) -> str:

@@ -31,6 +31,8 @@ class SetIn(Record):
 
 
 Item = Gate | Op | SetIn
+"""An entry in the code of a boundary: a gate, a word, or a change of IN (the level sent to all
+pixels)."""
 
 
 class LookingSolution(Record, eq=False):

@@ -19,7 +19,9 @@ from nscc.record import Record
 BEAM = 60
 """Number of unfinished orders that the beam search keeps after each word."""
 _MOST_PROGRAMS = 12
+"""Most programs returned for a convolution kernel."""
 _MOST_SOURCES = 4
+"""A word that forms a multiple of the input has fewer sources than this."""
 _OPPOSITE = {name: OF_STEP[-x, -y] for name, (x, y) in STEPS.items()}
 _WRITES: dict[Offset, str] = {(0, 0): "NEWS"} | {
     step: _OPPOSITE[name] for name, step in STEPS.items()

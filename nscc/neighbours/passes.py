@@ -43,6 +43,7 @@ from nscc.words.pictures import (
 )
 
 _LEVEL_OF_ALTERNATIVES = 2
+"""Least optimisation level at which equivalent forms of the images are tried."""
 _MOST_RANGES = 6
 """Most times that the range of a kept image is widened before the range of registers is tried."""
 _LEVEL_OF_CHANGES, _STEPS_OF_CHANGES = 1, 4000

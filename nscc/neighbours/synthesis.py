@@ -37,13 +37,16 @@ from nscc.record import Record
 STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
 """Number of kernels that a search may decompose, by level of optimisation."""
 _MOST_KEPT = 6
+"""Most programs kept for each part of a convolution kernel."""
 _MOST_DEPTH = 7
+"""Most nested decompositions of a convolution kernel."""
 _MOST_SOURCES, _MOST_HALVED = 4, 2
 """Most sources of a word, and of a word that halves."""
 _MOST_ADDED = 20
 """Most weights of a kernel for which orders of adding neighbours one by one are searched."""
 
 _BEAM_OF_PARTS = 20
+"""Number of partial orders that the addition of a part's neighbours keeps after each word."""
 _LEAST_WOVEN = 5
 """Least number of weights of a kernel for which a search weaves the pixel's own multiple in."""
 

@@ -22,6 +22,7 @@ MOST_FILE_BYTES = 2**27
 """Largest file to read, in bytes: twice the largest unpacked codebook."""
 
 _MOST_KEYS = 4096
+"""Most arrays that a file may list."""
 
 
 class ArraysFile:

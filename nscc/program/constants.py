@@ -116,6 +116,7 @@ def _without_refused(scope: dict[str, Meaning], declared: Declarations) -> dict[
 
 
 _MOST_CYCLES = 20
+"""Most cyclic definitions reported for one program."""
 
 
 def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | None:

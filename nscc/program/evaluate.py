@@ -25,6 +25,7 @@ from nscc.syntax import tree
 from nscc.syntax.tree import Binary
 
 MOST_SHIFT = 61
+"""Largest shift count: integers have at most 62 bits without their sign."""
 
 Data = Any
 """An int or a bool, or an int64 or bool array that broadcasts with other data."""

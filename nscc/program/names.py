@@ -28,9 +28,13 @@ LOOKS = "looks"
 one."""
 
 State = tree.StateRange | tree.StateBit
+"""A declaration of a state, by its range or as single bits."""
 Code = tree.CodeRange | tree.CodeBits | tree.CodeRow
+"""A declaration of a code, by its range, as single bits, or as a row of a codebook."""
 Book = tree.BookInline | tree.BookFromFile
+"""A declaration of a codebook, written in the program or read from a file."""
 Rule = tree.Open | tree.Bucket
+"""A statement that opens the shutter, with or without a bucket."""
 
 
 class Declarations:

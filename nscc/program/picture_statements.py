@@ -40,6 +40,7 @@ from nscc.words.pictures import (
 MOST_SIDE = 9
 """Most rows and columns of a convolution kernel."""
 MOST_WEIGHT = 1 << 16
+"""Largest weight of a convolution kernel, either sign."""
 MOST_EVENTS = 4000
 """Most coordinates that the chip's library scans in one call."""
 _REPORTS = ("any", "events", "box", "count", "sum")

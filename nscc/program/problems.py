@@ -13,6 +13,7 @@ from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.source import Source, Span
 
 _MOST_SUGGESTIONS = 20
+"""Most unknown names for which a similar name is searched."""
 
 
 class Problems:

@@ -61,9 +61,11 @@ Bits = tuple[int, int]
 0."""
 
 UNKNOWN: Bits = (0, 0)
+"""A bit that is known in no lane."""
 
 Values = NDArray[np.float64]
 Lanes = NDArray[np.intp] | slice
+"""A choice of lanes (simulated pixels), to index an array of values."""
 
 WRONG_EXPOSURE = "exposure differs from the sum of light over the open slots"
 WRONG_CODE = "the code registers do not hold their code at the end of the frame"
@@ -357,4 +359,6 @@ class ReplayPixels:
 
 
 _SEED = 20201
+"""Fixed, so that a replay always gives the same result."""
 _MOST_DOUBTS = 4
+"""Most reasons noted for bits that became unknown."""

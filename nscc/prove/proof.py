@@ -133,6 +133,7 @@ def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[n
 
 
 _TOLERANCE = 1e-9
+"""Largest error of a converted value, as a share of the full well."""
 
 
 def readout_fault(container: Container) -> tuple[str, str] | None:
@@ -177,7 +178,9 @@ def _converter_input_e(container: Container, exposure_e: float) -> float:
 
 
 FRAMES = 2
+"""Frames that a replay runs: the second begins with whatever the first leaves in the registers."""
 LIGHT_SEED = 7
+"""Fixed, so that every proof of a program replays the same random light."""
 
 
 class Failure(Record):

@@ -77,6 +77,7 @@ def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target)
 
 
 _NOWHERE = 127
+"""Marks that no bucket is open; as an int8, and larger than the number of any bucket."""
 
 
 def _chosen(

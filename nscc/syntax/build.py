@@ -24,6 +24,7 @@ MOST_DEPTH = 200
 Python's limit of a thousand calls then allows each pass four calls per level."""
 
 _MOST_DECIMALS = 18
+"""Most digits behind the decimal point of a number."""
 _UNIT_US = {"ns": Fraction(1, 1000), "us": Fraction(1), "ms": Fraction(1000), "s": Fraction(10**6)}
 
 

@@ -26,6 +26,7 @@ from nscc.syntax.words import statement_words
 __all__ = ["MOST_BYTES", "MOST_ERRORS", "declared_at", "parse", "read_source"]
 
 VERSIONS = (1, 2, 3, 4)
+"""The versions of the language that this compiler reads."""
 
 _OTHER_LANGUAGE = re.compile(
     r"""\s*(?:\#[^\n]*\n\s*)*              # its directives look like our comments
@@ -251,6 +252,7 @@ def _said_twice(source: Source, versions: list[tree.Version]) -> Diagnostic:
 
 
 MOST_BYTES = 256 * 1024
+"""Largest program text in bytes, as UTF-8."""
 
 
 def read_source(path: Path) -> Source:

@@ -104,6 +104,7 @@ class Amount(Node):
 
 
 Expr = Int | Bool | Name | Unary | Binary | Compare | IfElse | Index | Call | Place | Amount
+"""Any expression."""
 
 
 # --- pieces of statements -----------------------------------------------------------------------

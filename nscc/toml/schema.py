@@ -155,7 +155,7 @@ class Schema(Generic[Row]):
 
     @cached_property
     def by_path(self) -> dict[str, Row]:
-        """The keys by path."""
+        """The keys by path (SECTION.NAME)."""
         return {key.path: key for key in self.keys}
 
     @cached_property
@@ -305,7 +305,9 @@ class Schema(Generic[Row]):
 
 
 WIDTH = 100
+"""Most columns of a comment that stands on its own lines."""
 _REMARK_COLUMN = 42
+"""Column of a comment that stands beside its key."""
 
 
 def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:

@@ -10,7 +10,9 @@ from typing import Any
 from nscc.source import Span
 
 LARGEST_FILE = 64 * 1024
+"""Largest TOML file that is read, in bytes."""
 _LONGEST_LINE = 1000
+"""Most characters of a line."""
 
 
 class NotToml(Exception):

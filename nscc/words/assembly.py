@@ -48,6 +48,7 @@ from nscc.words.linking import check_instructions, find_target, link
 _PIECE = re.compile(r'"(?:[^"\\]|\\.)*"?|[^\s;#"]+')
 _CODE = re.compile("[;#]")
 _MOST_PIECES = 1 << 14
+"""Most words and quoted texts in a line."""
 
 
 def assemble(source: Source, base: Path) -> Container:

@@ -18,7 +18,9 @@ _PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_.+-]*")
 _INTEGER = re.compile(r"-?[0-9]{1,19}")
 _RANGE = re.compile(r"([0-9]{1,9})(?:\.\.([0-9]{1,9})(?:/([0-9]{1,9}))?)?")
 _FEW_TURNS = 8
+"""With at most this many openings and closings in all, the form as ranges is always used."""
 _BASE64_WIDTH = 96
+"""Most characters of base64 in a line."""
 _POWER = {"ns": -3, "us": 0, "ms": 3, "s": 6}
 
 

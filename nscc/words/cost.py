@@ -12,6 +12,7 @@ from nscc.words.container import Container, StoredKernel
 from nscc.words.encoding import matching
 
 _CLOCK_CLASS = 7 << 19
+"""The bits of a word's first integer that select its clock; all 0 for the analog one."""
 
 
 class WordsCost(Record):

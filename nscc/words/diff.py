@@ -14,7 +14,9 @@ from nscc.words.disassembly import sections
 from nscc.words.file import to_bytes
 
 _LONGEST_SECTION = 4096
+"""Most lines of a part that are compared one by one."""
 _MOST_LINES = 200
+"""Most lines shown for each part."""
 _OF_DATA = (".machine", ".pictures", ".pixels plane")
 """Directives with lines of base64."""
 

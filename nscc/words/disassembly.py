@@ -28,8 +28,11 @@ from nscc.words.machine import LIGHT
 from nscc.words.stored_machine import machine_data
 
 _COMMENT_COLUMN = 40
+"""Column of the comments."""
 _LARGEST_TILE = 64 * 64
+"""Most pixels of a repeated tile that is written as numbers instead of base64."""
 _TIMES_A_LINE = 8
+"""Most slot times in a line."""
 
 
 def disassemble(container: Container) -> str:

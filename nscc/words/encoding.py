@@ -45,9 +45,12 @@ from nscc.operations import (
 )
 
 _INTEGER = 0xFFFF_FFFF
+"""The largest of the five integers that make up a word."""
 _FIVE = Struct("<5I")
 _CLOCK_SHIFT = 19
+"""Position of the clock's three bits in the first integer of a word."""
 _EXTRAS_A_WORD = 13
+"""Control lines beyond SCAMP-5d's in each of the last four integers: their bits 19 to 31."""
 
 
 def _bit(line: int) -> int:
@@ -68,6 +71,7 @@ def _raised(lines: Iterable[int]) -> int:
 
 _INDEX = sum(index << (32 * index + 16) for index in range(5))
 _CLOCK = 7 << _CLOCK_SHIFT
+"""The bits of the clock."""
 _READ = {name: _raised(lines) for name, lines in (READ_LINES | NEIGHBOURS).items()}
 # The destination of an analog word is selected like a source, and written.
 _WRITE = {name: _READ[name] | _bit(line) for name, line in ANALOG_WRITE.items()}

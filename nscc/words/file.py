@@ -47,8 +47,11 @@ VERSIONS = (1, 2, 3, 4, 5)
 those with parameters, input planes, kept or repeated images."""
 _PREAMBLE = Struct("<8sIIQ")
 _DIGEST = 32
+"""Bytes of the SHA-256 digest that ends a file."""
 LARGEST_FILE = 1 << 31
+"""Largest container file that is read, in bytes."""
 _CHUNK = 1 << 20
+"""Bytes read first; if they begin like a container, the file is read on."""
 _NO_LEVEL = -(2**31)
 """The stored level of a launch that does not set IN."""
 

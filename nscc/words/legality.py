@@ -17,6 +17,7 @@ from nscc.words.container import Container
 from nscc.words.encoding import matching, no_operation
 
 _MOST_SHOWN = 10
+"""Most illegal words reported for a container."""
 
 
 def refuse_planes(target: Target, refusal: str, help_text: str) -> None:

@@ -287,10 +287,13 @@ Condition = (
     | Propagated
 )
 Comparison = Above | AboveParam | Exceeds
+"""A condition that compares an image with a number, a parameter or another image."""
 Node = Value | Condition
+"""An expression for an image or for a plane."""
 
 
 Repeated = RepeatedImage | RepeatedPlane
+"""A definition that is executed several times."""
 
 
 class Picture(Record):

@@ -17,6 +17,7 @@ from nscc.npy import InvalidArrays, npy_array, npz_arrays
 from nscc.words.directives import Faults, PlaneDraft, shown
 
 _LARGEST_FILE = 1 << 28
+"""Largest file of arrays that is read, in bytes."""
 
 
 class _BadPlaneError(Exception):

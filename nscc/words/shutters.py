@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from nscc.words.container import Container
 
 _LONGEST_LABEL = 30
+"""Most characters of a label."""
 
 
 @dataclass(frozen=True, eq=False)

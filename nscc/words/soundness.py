@@ -13,9 +13,13 @@ from nscc.words.pictures import NO_PICTURES, Repeated, subexpressions
 from nscc.words.stored_arrays import array_fault, array_faults
 
 MOST_WORDS = 1 << 18
+"""Most words of all kernels on a target whose store does not limit them."""
 MOST_SLOTS = 1 << 20
+"""Most slots of a container."""
 _LONGEST_NAME = 200
+"""Most characters of a name."""
 _SHORTEST_SLOT_US, _LONGEST_SLOT_US = 1e-9, 1e15
+"""Shortest and longest slot in microseconds."""
 
 
 def faults(container: Container) -> list[str]:

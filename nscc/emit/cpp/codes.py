@@ -34,7 +34,9 @@ Such a plane needs up to about 700 patterns. With more bits, drawing an image pi
 fast."""
 
 _SIDE = 1 << ADDRESS_BITS
+"""Rows and columns that the address bits can select."""
 _OPEN = _SIDE - 1
+"""The mask that ignores all address bits."""
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -150,6 +152,7 @@ def _match(cube: _Cube, bits: list[_Bit]) -> Match:
 
 
 _HEADER = 14 + 40
+"""Bytes before the pixels of a BMP file: the file header and the image header."""
 
 
 def bitmap(plane: NDArray[np.bool_]) -> bytes:
@@ -176,6 +179,8 @@ def image_width(cols: int) -> int:
 
 
 _REFRESHES_IN_A_LIFE = 4
+"""How often a digital register is refreshed within the time for which it is trusted to keep its
+bit."""
 
 
 @dataclass(frozen=True)

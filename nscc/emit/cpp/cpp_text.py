@@ -8,6 +8,7 @@ from pathlib import Path
 from textwrap import wrap
 
 WIDTH = 100
+"""Most columns of a line of C++."""
 
 Call = tuple[str, tuple[str, ...]]
 """A call of the devkit's kernel library: name and operands."""

@@ -12,6 +12,7 @@ from nscc.words.container import Container
 from nscc.words.legality import loader_fault
 
 _SIDE = 1 << ADDRESS_BITS
+"""Most rows and columns whose pixels the devkit can select by address."""
 _IN_LOW, _IN_HIGH = -128, 127
 _NAMES = re.compile(r"\bscamp5(_\w+(?=\()|\.hpp)")
 

@@ -23,11 +23,15 @@ from nscc.words.encoding import decode
 LONGEST_GAP_US = 1 << 30
 """Longest wait: a 32-bit clock can order times that differ by less than half of its range."""
 MOST_TIMES = (1 << 16) - 1
+"""Most launches of a table row: its count has 16 bits."""
 AS_IT_IS = -32768
 """The value in the table for a launch that does not set IN."""
 _COMMENTED_ROWS = 256
+"""Most table rows that are written one a line, with a comment each."""
 _ROWS_A_LINE = 6
+"""Table rows in a line of a longer table."""
 _PART = 1 << 32
+"""Units per microsecond in the second number of a time."""
 _US = 1 << 32
 """The period of the 32-bit clock in microseconds."""
 

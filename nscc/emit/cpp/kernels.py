@@ -113,6 +113,7 @@ _MACROS = (
     "REFRESH", "NOT", "OR", "NOR",
 )  # fmt: skip
 _MOST_OPERANDS = 4
+"""Most operands with which a macro is expanded here: there are names for as many registers."""
 
 
 def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:

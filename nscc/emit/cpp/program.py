@@ -70,11 +70,13 @@ def report_lines(container: Container, film: list[dict[str, Reach]]) -> Iterator
 
 
 _SIDE = 1 << ADDRESS_BITS
+"""Rows and columns of SCAMP-5d's array, for which the devkit's library is written."""
 _WORDS = {
     True: "each launched kernel word for word as it was proved",
     False: "or of others that its library has calls for, proved like them",
 }
 _DISPLAYS_A_ROW = 2
+"""Displays side by side in the window of the host."""
 
 
 @dataclass(frozen=True)
@@ -284,6 +286,7 @@ def _readout_text(container: Container) -> str:
 
 
 _MOST_VALUES = 64
+"""Most values of a state that a comment lists."""
 
 
 def _state_texts(container: Container) -> Iterator[str]:
