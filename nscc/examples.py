@@ -162,7 +162,7 @@ def about(path: Path) -> str:
         if not line.startswith("#"):
             break
         words += line.lstrip("# ").split()
-    for place, word in enumerate(words):
+    for index, word in enumerate(words):
         if word.endswith((".", ":")):
-            return " ".join(words[: place + 1]).rstrip(".:")
+            return " ".join(words[: index + 1]).rstrip(".:")
     return " ".join(words)

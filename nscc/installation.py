@@ -93,8 +93,8 @@ def _cache() -> Finding:
     if folder is None:
         return Finding(ABSENT, f"cache of search results: {refusal() or 'off (NSCC_CACHE=off)'}")
     store = Store(folder)
-    place = f"cache of search results: {folder}"
+    title = f"cache of search results: {folder}"
     usage = (
         f"{store.entries()} results, {store.bytes_used() / 1e6:.1f} of {MOST_BYTES / 1e6:.0f} MB"
     )
-    return Finding(GOOD, f"{place} ({usage}; remove the folder to clear it)")
+    return Finding(GOOD, f"{title} ({usage}; remove the folder to clear it)")

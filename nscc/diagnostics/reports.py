@@ -82,12 +82,12 @@ def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
 
 def _location(source: Source, label: Label | None) -> dict[str, Any]:
     """Return a SARIF `location`: the file, and with a label its region and its text."""
-    place: dict[str, Any] = {"artifactLocation": {"uri": quote(source.name)}}
+    location: dict[str, Any] = {"artifactLocation": {"uri": quote(source.name)}}
     if label is None:
-        return {"physicalLocation": place}
-    place["region"] = _region(source, label)
+        return {"physicalLocation": location}
+    location["region"] = _region(source, label)
     text = {"message": {"text": label.text}} if label.text else {}
-    return {"physicalLocation": place, **text}
+    return {"physicalLocation": location, **text}
 
 
 def _fix(source: Source, fix: Fix) -> dict[str, Any]:

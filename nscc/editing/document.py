@@ -121,8 +121,8 @@ def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]
         if diagnostic.source is None or diagnostic.source.text != document.text:
             continue
         for fix in diagnostic.fixes:
-            places = [fix.span] if diagnostic.label is None else [fix.span, diagnostic.label.span]
-            if any(place.start <= span.end and span.start <= place.end for place in places):
+            marks = [fix.span] if diagnostic.label is None else [fix.span, diagnostic.label.span]
+            if any(marked.start <= span.end and span.start <= marked.end for marked in marks):
                 yield diagnostic, fix
 
 

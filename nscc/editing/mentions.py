@@ -36,12 +36,12 @@ def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
         raise CannotRename(f"`{name}` is a reserved word of the language")
     if old.kind == "name" and name in _predefined(document):
         raise CannotRename(f"`{name}` is predefined")
-    other_names = {(place.name, place.kind) for place in mentions(document)} - {
+    other_names = {(mention.name, mention.kind) for mention in mentions(document)} - {
         (old.name, old.kind)
     }
     if (name, old.kind) in other_names:
         raise CannotRename(f"`{name}` has another meaning in this program")
-    return tuple(place.span for place in alike(document, old))
+    return tuple(mention.span for mention in alike(document, old))
 
 
 def renameable(document: Document, offset: int) -> Mention:

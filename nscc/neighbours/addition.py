@@ -120,10 +120,10 @@ def _predecessors(
     found = []
     centre = -sign * weights[0, 0] if (0, 0) in left else 0
 
-    def add(places: frozenset[Offset], words: int, word: Added) -> None:
+    def add(offsets: frozenset[Offset], words: int, word: Added) -> None:
         """Record an order with the `added` word in front.
 
-        `places` are the neighbours that the word adds, and `words` the number of words that it
+        `offsets` are the neighbours that the word adds, and `words` the number of words that it
         takes. New multiples of the input cost further words."""
         multiples = {(word.centre, (0, 0))} if word.centre else set()
         if word.content is not None:
@@ -131,39 +131,39 @@ def _predecessors(
         # One word computes a multiple, and two more copy it to another pixel.
         new = sum(1 if at == (0, 0) else 3 for _, at in multiples - used)
         kept = content if word.content is None else word.content
-        reached = (cost + words + new, left - places, kept, used | multiples, follow + 1)
+        reached = (cost + words + new, left - offsets, kept, used | multiples, follow + 1)
         found.append((reached, word))
 
     if centre:
         add(frozenset({(0, 0)}), 1, Added(None, (0, 0), centre))
-    for place in sorted(left - {(0, 0)}):
-        base = _base(place)
-        x, y = place[0] - base[0], place[1] - base[1]
+    for offset in sorted(left - {(0, 0)}):
+        base = _base(offset)
+        x, y = offset[0] - base[0], offset[1] - base[1]
         for written in _WRITES:
             step = x - written[0], y - written[1]
             if step != (0, 0) and step not in OF_STEP:
                 continue
-            reads: Content = (sign * weights[place], base, written)
+            reads: Content = (sign * weights[offset], base, written)
             words = 1 + (reads != content or not forms.news_keeps)
-            add(frozenset({place}), words, Added(reads, step, 0))
+            add(frozenset({offset}), words, Added(reads, step, 0))
             if centre and (step == (0, 0) or len(left) == 2 or forms.sources > 2):
-                add(frozenset({place, (0, 0)}), words, Added(reads, step, centre))
+                add(frozenset({offset, (0, 0)}), words, Added(reads, step, centre))
     return found
 
 
 @cache
-def _base(place: Offset) -> Offset:
-    """Return the offset to which a multiple is copied first, at most two steps from `place`.
+def _base(offset: Offset) -> Offset:
+    """Return the offset to which a multiple is copied first, at most two steps from `offset`.
 
-    Copies move by two pixels, so the path to `place` is cut after an even number of steps."""
-    steps = _steps(place)
+    Copies move by two pixels, so the path to `offset` is cut after an even number of steps."""
+    steps = _steps(offset)
     moved = steps[: 2 * max(0, (len(steps) - 1) // 2)]
     return sum(x for x, _ in moved), sum(y for _, y in moved)
 
 
-def _steps(place: Offset) -> list[Offset]:
+def _steps(offset: Offset) -> list[Offset]:
     """Return the steps, each to a direct neighbour, that lead to an offset."""
-    x, y = place
+    x, y = offset
     return [(1 if x > 0 else -1, 0)] * abs(x) + [(0, 1 if y > 0 else -1)] * abs(y)
 
 

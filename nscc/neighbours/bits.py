@@ -160,8 +160,8 @@ class BitWords:
         """Emit a word that writes a bit to any register, as `store` does for a plane."""
         (source, owner), words = bit, self.lowering.words
         # A comparison ends with a word that sets FLAG everywhere; the word before wrote the bit.
-        place = -2 if words[-1][0].operation.effect is WordEffect.FLAG_ALL else -1
-        last = words[place][0]
+        index = -2 if words[-1][0].operation.effect is WordEffect.FLAG_ALL else -1
+        last = words[index][0]
         digital = last.operation.effect in (WordEffect.DIGITAL, WordEffect.DIGITAL_NEIGHBOURS)
         if (
             owner is None
@@ -170,7 +170,7 @@ class BitWords:
             and last.destinations == (source,)
             and register not in last.sources
         ):
-            words[place] = (op(last.name, [register], last.sources), None)
+            words[index] = (op(last.name, [register], last.sources), None)
         else:
             self.lowering.word(op("MOV", [register], [source]))
         self.give(bit)

@@ -48,7 +48,7 @@ class CountSum(Record):
             for at, weight in kernels[agreement.kernel].taps.items():
                 key = agreement.condition, at
                 total[key] = total.get(key, Fraction(0)) + factor * (1 if weight > 0 else -1)
-        return {place: weight for place, weight in total.items() if weight}
+        return {offset: weight for offset, weight in total.items() if weight}
 
 
 def split(node: p.Value) -> tuple[CountSum, list[tuple[Fraction, p.Value]]]:
@@ -180,7 +180,7 @@ class CountEmitter(Emitter):
         images with their sums. `directions_of` chooses the combinations of images that get an
         accumulator each."""
         weights = [total.weights(self.weights) for _, total in sums]
-        places = list(dict.fromkeys(place for image in weights for place in image))
+        places = list(dict.fromkeys(offset for image in weights for offset in image))
         vectors = {at: tuple(image.get(at, Fraction(0)) for image in weights) for at in places}
         directions = directions_of(list(vectors.values()), len(sums))
         steps = {at: _steps_along(vector, directions) for at, vector in vectors.items()}

@@ -132,10 +132,10 @@ def _quotient_of(taps: Taps, factor: Factor, corner: Offset, size: Offset) -> Po
             return None
         quotient[x, y] = weight
         for (right, down), factor_weight in factor.taps.items():
-            place = (x + right, y + down)
-            difference = dividend.get(place, 0) - weight * factor_weight // UNIT
+            offset = (x + right, y + down)
+            difference = dividend.get(offset, 0) - weight * factor_weight // UNIT
             if difference:
-                dividend[place] = difference
+                dividend[offset] = difference
             else:
-                dividend.pop(place, None)
+                dividend.pop(offset, None)
     return quotient

@@ -374,16 +374,16 @@ class Lowering(RegisterEmitter):
         least = 0.0 if value.low <= 0 <= value.high else min(abs(value.low), abs(value.high))
         return Held(register, 1, least, most, variance=value.variance + 2)
 
-    def largest(self, value: Held, places: Sequence[tuple[int, int]]) -> Held:
+    def largest(self, value: Held, offsets: Sequence[tuple[int, int]]) -> Held:
         """Emit the largest of the values of the pixels at these offsets, and return its register.
 
         The register holds the negative of the largest value so far; a larger value replaces it."""
         value = self.positive(value)
-        name, uses = value.name or f"largest {len(self.words)}", len(places)
+        name, uses = value.name or f"largest {len(self.words)}", len(offsets)
         self.uses[name] = self.uses[name] - 1 + uses if value.name else uses
         value = self.held[name] = replace(value, name=name)
         register, variance = "", 0.0
-        for at in places:
+        for at in offsets:
             neighbour = self.positive(self.filtered(value, {at: Fraction(1)}))
             variance = max(variance, neighbour.variance + 1)
             self.everywhere()

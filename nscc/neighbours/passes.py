@@ -259,12 +259,12 @@ def grouped(
     runs: list[tuple[list[Op], Level]] = []
     ends = {end for loop in loops for end in (loop.begin, loop.end)}
     launch_at: dict[int, int] = {len(words): 0}
-    for place, (word, level) in enumerate(words):
-        begins = place in ends
+    for index, (word, level) in enumerate(words):
+        begins = index in ends
         if not runs or begins or (level is not None and runs[-1][1] not in (None, level)):
             runs.append(([], None))
         if begins:
-            launch_at[place] = len(runs) - 1
+            launch_at[index] = len(runs) - 1
         run, before = runs[-1]
         run.append(word)
         runs[-1] = run, before if level is None else level

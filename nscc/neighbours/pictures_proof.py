@@ -368,8 +368,8 @@ class PictureReplay:
 
         Values beyond the array are new unknowns."""
         return {
-            (x, y): fields[place]
-            if (place := (x + right, y + down)) in fields
+            (x, y): fields[offset]
+            if (offset := (x + right, y + down)) in fields
             else self.forms.beyond()
             for x, y in fields
         }

@@ -96,24 +96,24 @@ def judge_looked_names(
         if steps and not used.issuperset(sense.at):
             used.update(sense.at)
             continue
-        place = declared.senses[sense.name].name.span
-        problems.note("NS0355", f"the sense `{sense.name}` is not used", place, "not used")
+        span = declared.senses[sense.name].name.span
+        problems.note("NS0355", f"the sense `{sense.name}` is not used", span, "not used")
     for k, state in enumerate(machine.states):
         if state.sense:
             continue
-        name, place = state.name, declared.states[state.name].name.span
+        name, span = state.name, declared.states[state.name].name.span
         nexts = {state: step for state, step in looking.nexts.items() if state != name}
         # A state that only its own `next` reads affects nothing else.
         without_its_own = [*rules, *replace(looking, nexts=nexts).expressions]
         if name not in declared.nexts:
             problems.note(
-                "NS0355", f"`{name}` always keeps its start value", place, "no `next` changes it"
+                "NS0355", f"`{name}` always keeps its start value", span, "no `next` changes it"
             )
         elif not state.is_kept and (machine.values[:, k] == state.start).all():
             text = "its `next` never changes it"
-            problems.note("NS0355", f"`{name}` always keeps its start value", place, text)
+            problems.note("NS0355", f"`{name}` always keeps its start value", span, text)
         elif not state.read and not any(name in checked.variables for checked in without_its_own):
-            problems.note("NS0355", f"the state `{name}` is not used", place, "not used")
+            problems.note("NS0355", f"the state `{name}` is not used", span, "not used")
 
 
 def _judge_resets(
@@ -187,8 +187,8 @@ def largest_part(
         return Excess(None, f"{counted(len(codes), 'code')} in all", helps)
     if states > 1 << levels:
         widest = max(looking.states, key=lambda state: state.high - state.low)
-        place = declared.states[widest.name].name.span
-        return Excess(place, f"states can hold {printable(states)} different values", helps)
+        span = declared.states[widest.name].name.span
+        return Excess(span, f"states can hold {printable(states)} different values", helps)
     most = max(levels_of_sense, key=lambda name: levels_of_sense[name])
     text = f"{counted(levels, 'level')} to compare at n = {boundary}: 2^{levels} answers"
     return Excess(declared.senses[most].name.span, text, helps)
@@ -297,9 +297,9 @@ def judge_names(
     for field in fields:
         # A long bit field has several chunks; only the first has its name.
         if not field.first_bit and field.name not in in_rules:
-            place = declared.codes[field.name].name.span
+            span = declared.codes[field.name].name.span
             why = "all its values give the same shutter"
-            problems.warning("NS0352", f"no rule depends on the field `{field.name}`", place, why)
+            problems.warning("NS0352", f"no rule depends on the field `{field.name}`", span, why)
     mentions = Counter(
         node.text
         for statement in declared.statements
@@ -314,8 +314,8 @@ def judge_names(
     in_rules_or_fields |= {field.book for field in fields if field.book is not None}
     for name in books:
         if name not in in_rules_or_fields:
-            place = declared.books[name].name.span
-            problems.note("NS0355", f"the codebook `{name}` is not used", place, "not used")
+            span = declared.books[name].name.span
+            problems.note("NS0355", f"the codebook `{name}` is not used", span, "not used")
 
 
 def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:

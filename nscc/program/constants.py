@@ -183,13 +183,13 @@ class _Resolver:
                 order.prepare()
             while ready := order.get_ready():
                 for name in ready:
-                    expr, place = self.exprs[name]
+                    expr, span = self.exprs[name]
                     role = "the number of slots" if name == "N" else "a let"
                     value = constant(expr, self.scope, self.problems, role)
                     if value is None:
                         self._set_meaning(name, FAILED)
                     elif name == "N":
-                        self._set_slots(value, place)
+                        self._set_slots(value, span)
                     else:
                         self._set_meaning(name, Meaning("constant", value))
                     del waiting[name]
@@ -205,15 +205,15 @@ class _Resolver:
             self._set_meaning(name, FAILED)
         return self.known
 
-    def _set_slots(self, count: int, place: Span) -> None:
-        """Set N to `count`; report an error (NS0308) at `place` if it is not a valid number of
+    def _set_slots(self, count: int, span: Span) -> None:
+        """Set N to `count`; report an error (NS0308) at `span` if it is not a valid number of
         slots."""
         if 1 <= count <= MOST_SLOTS:
             self._set_meaning("N", Meaning("constant", count))
             return
         self._set_meaning("N", FAILED)
         message = f"invalid number of slots: {clipped(count)}"
-        self.problems.error("NS0308", message, place, f"a frame has 1 to {MOST_SLOTS} slots")
+        self.problems.error("NS0308", message, span, f"a frame has 1 to {MOST_SLOTS} slots")
 
     def _set_meaning(self, name: str, meaning: Meaning) -> None:
         """Store the meaning of a name.

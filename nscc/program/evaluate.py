@@ -154,8 +154,8 @@ def _shift(node: Binary, a: Value, b: Value) -> Value:
 
     def fault() -> Fault:
         """Return the fault (NS0304) of the first invalid shift."""
-        count, place = clipped(b.data), node.right.span
-        return Fault("NS0304", f"invalid shift by {count}", place, f"the count is {count}")
+        count, span = clipped(b.data), node.right.span
+        return Fault("NS0304", f"invalid shift by {count}", span, f"the count is {count}")
 
     out_of_range = (b.data < 0) | (b.data > MOST_SHIFT)
     count, faults = guard(out_of_range, b.data, 0, fault, either(a.faults, b.faults))

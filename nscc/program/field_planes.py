@@ -142,14 +142,14 @@ class PlaneMaker:
         widths = {len(row.values) for row in lines}
         if len(widths) != 1 or 0 in widths:
             odd = next((row for row in lines if len(row.values) != len(lines[0].values)), None)
-            place, text = statement.span, "an empty tile"
+            span, text = statement.span, "an empty tile"
             if odd:
                 have = counted(len(odd.values), "value")
-                place, text = odd.span, f"{have}, the first row has {len(lines[0].values)}"
+                span, text = odd.span, f"{have}, the first row has {len(lines[0].values)}"
             message = (
                 "all rows of a tile must have the same number of values, and at least one value"
             )
-            self.problems.error("NS0316", message, place, text)
+            self.problems.error("NS0316", message, span, text)
             return None
         scope = constants_scope(self.declared, self.constants)
         values = [

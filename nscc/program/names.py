@@ -255,25 +255,25 @@ class _Gatherer:
         planes."""
         for name in self.declared.inputs.keys() & self.declared.pixels.keys():
             self.declared.input_starts[name] = self.declared.pixels.pop(name)
-        place = file.statements[0].span if file.statements else Span(0, 0)
+        span = file.statements[0].span if file.statements else Span(0, 0)
         if self.declared.frame is None:
             message = "the program has no `frame` statement"
             helps = ("add the number and the length of the slots: `frame 256 slots of 125us`",)
-            self.problems.error("NS0204", message, place, "`frame` is missing", helps=helps)
+            self.problems.error("NS0204", message, span, "`frame` is missing", helps=helps)
         if not self.declared.rules:
             message = "the program has no `open when` and no `bucket`"
             helps = ("add a rule that says when a shutter is open: `open when n < stop`",)
             self.problems.error(
-                "NS0204", message, place, "`open when` or `bucket` is missing", helps=helps
+                "NS0204", message, span, "`open when` or `bucket` is missing", helps=helps
             )
         fields = list(self.declared.codes.values())
         if len(fields) > MOST_FIELDS:
-            place, text = fields[MOST_FIELDS].name.span, f"field number {MOST_FIELDS + 1}"
+            span, text = fields[MOST_FIELDS].name.span, f"field number {MOST_FIELDS + 1}"
             message = (
                 f"the pixel code has {len(fields)} fields, but at most {MOST_FIELDS} are allowed"
             )
             helps = ("combine single bits in one field: `code bits : bit[K]`",)
-            self.problems.error("NS0450", message, place, text, helps=helps)
+            self.problems.error("NS0450", message, span, text, helps=helps)
 
     def _is_first(self, word: str, first: tree.Statement | None, second: tree.Statement) -> bool:
         """Return whether a statement is the first of its kind; else report `second` (NS0205).

@@ -152,12 +152,12 @@ class PictureMaker:
             return pictures
         if unit.steps == 0:
             items = (*self.declared.pictures, *self.declared.nexts.values())
-            place = next(item for item in items if item.name.text == unit.name).span
+            span = next(item for item in items if item.name.text == unit.name).span
             most = unit.steps_available // unit.least
             self.problems.error(
                 "NS0540",
                 f"`{unit.name}` counts up to {unit.peak}, and registers hold {most}",
-                place,
+                span,
                 "too many weights at once",
                 notes=(
                     f"a count takes {counted(unit.least, 'step')} of IN or more, and registers "

@@ -37,8 +37,8 @@ class Problems:
         """Add a diagnostic at `span`, beside whose marks `text` is printed.
 
         `members` are further fields of `Diagnostic`, such as `helps`."""
-        place = Label(span, text)
-        self._found.append(Diagnostic(code, message, severity, self.source, place, **members))
+        label = Label(span, text)
+        self._found.append(Diagnostic(code, message, severity, self.source, label, **members))
 
     error = partialmethod(add, Severity.ERROR)
     warning = partialmethod(add, Severity.WARNING)

@@ -30,7 +30,7 @@ def reaches(pictures: p.Pictures, *, of_a_step: bool = False) -> dict[str, Reach
         joined = Reach().joined(*map(reach, p.operands(node)))
         match node:
             case p.Filtered() | p.Near() | p.Largest() | p.Agreement():
-                moved = [joined.moved(*place) for place in weights[node.kernel].taps]
+                moved = [joined.moved(*offset) for offset in weights[node.kernel].taps]
                 joined = Reach().joined(*moved)
             case p.At() | p.Shifted():
                 joined = joined.moved(node.right, node.down)

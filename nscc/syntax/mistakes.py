@@ -104,10 +104,10 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
     statement = tokens.kinds[first]
     expected = expected_words(stuck.expected)
     if stuck.token < last:
-        place, actual = tokens.span(stuck.token), shown(tokens.text(stuck.token))
+        span, actual = tokens.span(stuck.token), shown(tokens.text(stuck.token))
     else:
         end = tokens.span(last - 1).end
-        place, actual = Span(end, end), "the end of the file"
+        span, actual = Span(end, end), "the end of the file"
         if last < len(tokens.kinds):
             actual = f"the next statement, {shown(tokens.text(last))}"
     # The innermost open bracket where the parser stopped, if closing it would be valid.
@@ -116,7 +116,7 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
         "NS0107",
         f"in this `{statement}` statement: expected {expected}, found {actual}",
         source=tokens.source,
-        label=Label(place, f"expected {expected}"),
+        label=Label(span, f"expected {expected}"),
         related=tuple(Label(tokens.span(at), "opened here") for at in opened[-1:]),
         notes=_forms(statement),
         helps=(*_hints(tokens, first, last, stuck), *_habit_hints(tokens, first, last, stuck)),

@@ -214,24 +214,24 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
     if not tokens.kinds:
         message = "this file is empty; a shutter program begins with `nsl 1`"
         return Diagnostic("NS0104", message, source=source, label=Label(Span(0, 0)))
-    place = tokens.span(0)
+    span = tokens.span(0)
     word = tokens.text(0)
     later = next((index for index in starts if tokens.kinds[index] == "nsl"), None)
     helps: tuple[str, ...] = ()
     fixes: tuple[Fix, ...] = ()
     if later is not None:
         helps = ("move it to the start; only comments may come before it",)
-        if source.text.startswith(("//", "/*"), place.start):
+        if source.text.startswith(("//", "/*"), span.start):
             helps = ("comments begin with `#`",)
     elif word.isalpha() and sorted(word.lower()) == sorted("nsl"):
-        fixes = (Fix(did_you_mean("nsl"), place, "nsl", sure=False),)
+        fixes = (Fix(did_you_mean("nsl"), span, "nsl", sure=False),)
     else:
-        fixes = (Fix("begin with `nsl 1`", Span(place.start, place.start), "nsl 1\n"),)
+        fixes = (Fix("begin with `nsl 1`", Span(span.start, span.start), "nsl 1\n"),)
     return Diagnostic(
         "NS0104",
         "a shutter program begins with `nsl 1`: the language and its version",
         source=source,
-        label=Label(place, "this comes first"),
+        label=Label(span, "this comes first"),
         related=() if later is None else (Label(tokens.span(later), "too late"),),
         helps=helps,
         fixes=fixes,
@@ -286,8 +286,8 @@ def source_of(path: Path, data: bytes) -> Source:
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        place = f"byte {error.start} (0x{data[error.start]:02x})"
-        raise _not_text(path, f"{place} is not UTF-8") from None
+        position = f"byte {error.start} (0x{data[error.start]:02x})"
+        raise _not_text(path, f"{position} is not UTF-8") from None
     if "\0" in text:
         raise _not_text(path, f"byte {data.index(0)} is zero")
     return Source(name, text)

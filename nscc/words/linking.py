@@ -297,8 +297,8 @@ def _table(
     fields = tuple(_indexed(draft.fields, "field", faults))
     for lines, name in ((draft.shutters, ".shutter"), (draft.codes, ".code")):
         if not lines:
-            place = (draft.codes or draft.shutters)[0][0].span
-            faults.add("NS0715", f"the decode table has no {name}", place)
+            span = (draft.codes or draft.shutters)[0][0].span
+            faults.add("NS0715", f"the decode table has no {name}", span)
     if shutters * len(buckets) * slots > MOST_TABLE_CELLS:
         message = f"{shutters} shutters of {slots} slots exceed the size of a table"
         faults.add("NS0714", message, draft.shutters[0][0].span)
@@ -351,7 +351,7 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray
     block = draft.pixels
     if block is None:
         return None
-    place = block.directive.span
+    span = block.directive.span
     form, rows, cols = block.arguments[0].text, *(int(token.text) for token in block.arguments[1:])
     texts = [text for text, _ in block.lines]
     values: NDArray[Any] | None = None
@@ -362,7 +362,7 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray
         else:
             values = np.frombuffer(b64decode("".join(texts), validate=True), dtype="<i4")
     if values is None or values.size != rows * cols:
-        faults.add("NS0714", f"the lines below are not {rows} x {cols} codes", place)
+        faults.add("NS0714", f"the lines below are not {rows} x {cols} codes", span)
         return None
     values = values.reshape(rows, cols)
     if (
@@ -371,10 +371,10 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray
         or (form == "plane" and values.shape != (target.rows, target.cols))
     ):
         message = f"{rows} x {cols} does not match {target.name}: {target.rows} x {target.cols}"
-        faults.add("NS0714", message, place)
+        faults.add("NS0714", message, span)
         return None
     if values.min() < 0 or values.max() >= codes:
-        faults.add("NS0714", f"the code of a pixel is not one of the {codes} codes", place)
+        faults.add("NS0714", f"the code of a pixel is not one of the {codes} codes", span)
         return None
     repeats = (-(-target.rows // rows), -(-target.cols // cols))
     tiled = np.tile(values.astype(np.int32), repeats)

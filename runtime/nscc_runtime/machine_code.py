@@ -43,44 +43,44 @@ def folders(module: str) -> tuple[Path, ...]:
     return Path(module).parent / _BESIDE, *(() if user is None else (user,))
 
 
-def can_keep(places: Sequence[Path]) -> bool:
-    """Return whether object files can be stored in at least one of the folders `places`."""
+def can_keep(folders: Sequence[Path]) -> bool:
+    """Return whether object files can be stored in at least one of `folders`."""
     return any(
-        place.name != _BESIDE or os.access(place if place.exists() else place.parent, os.W_OK)
-        for place in places
+        folder.name != _BESIDE or os.access(folder if folder.exists() else folder.parent, os.W_OK)
+        for folder in folders
     )
 
 
-def object_code(name: str, places: Sequence[Path], build: Callable[[], bytes]) -> bytes:
+def object_code(name: str, folders: Sequence[Path], build: Callable[[], bytes]) -> bytes:
     """Return the object code `name` from the first folder with an intact copy, else build it and
     store it."""
-    stored = read_object_file(name, places)
+    stored = read_object_file(name, folders)
     if stored is not None:
         return stored
     begin = perf_counter()
     code = build()
     _COMPILE_S.append(perf_counter() - begin)
-    for place in places:
+    for folder in folders:
         try:
-            place.mkdir(0o755, parents=True, exist_ok=True)
-            store_files({place / name: hashlib.sha256(code).digest() + code})
-            (place / name).chmod(0o644)
+            folder.mkdir(0o755, parents=True, exist_ok=True)
+            store_files({folder / name: hashlib.sha256(code).digest() + code})
+            (folder / name).chmod(0o644)
         except (OSError, Rejected):
             continue
         break
     return code
 
 
-def read_object_file(name: str, places: Sequence[Path]) -> bytes | None:
+def read_object_file(name: str, folders: Sequence[Path]) -> bytes | None:
     """Return the object file `name`; None if no folder has it intact.
 
     A file in the cache must be this user's. The folder beside the module needs no check: whoever
     can write there can also replace Python's own compiled modules."""
-    for place in places:
-        if place.name != _BESIDE and not (is_own(place) and is_own(place / name)):
+    for folder in folders:
+        if folder.name != _BESIDE and not (is_own(folder) and is_own(folder / name)):
             continue
         try:
-            data = (place / name).read_bytes()
+            data = (folder / name).read_bytes()
         except OSError:
             continue
         if hashlib.sha256(data[_DIGEST_BYTES:]).digest() == data[:_DIGEST_BYTES]:

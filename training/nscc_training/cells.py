@@ -127,8 +127,8 @@ class PixelCell(nn.Module):
             raise ValueError(f"level is {level:g}, but must be between 0 and 1 full well")
         self.kernel, self.states, self.outputs = kernel, states, outputs
         gates = states + outputs
-        places = (1 + states) * kernel * kernel
-        self.weight = nn.Parameter(torch.randn(gates, 1 + states, kernel, kernel) / sqrt(places))
+        taps = (1 + states) * kernel * kernel
+        self.weight = nn.Parameter(torch.randn(gates, 1 + states, kernel, kernel) / sqrt(taps))
         self.threshold = nn.Parameter(torch.zeros(gates))
         self.register_buffer("level", torch.tensor(level, dtype=torch.float64))
         for name, value in ("pool_size", pool), ("outside", outside), ("flips", update == "flip"):
@@ -149,10 +149,10 @@ class PixelCell(nn.Module):
         Attainable counts are -places, -places + 2, .., places, where places is the number of
         weights that are not 0. The smallest and the second largest are the limits, so that each
         gate can be +1 and -1."""
-        places = self.kernels().abs().sum((1, 2, 3))
-        steps = torch.floor((self.threshold.detach() + places) / 2).long()
+        taps = self.kernels().abs().sum((1, 2, 3))
+        steps = torch.floor((self.threshold.detach() + taps) / 2).long()
         # At least one attainable count is above the result, and at least one is not.
-        return 2 * torch.minimum(steps.clamp(min=0), (places - 1).clamp(min=0)) - places
+        return 2 * torch.minimum(steps.clamp(min=0), (taps - 1).clamp(min=0)) - taps
 
     def counts(self, bits: Tensor) -> Tensor:
         """Return the counts of all gates (batch, gates, rows, cols).
@@ -246,12 +246,12 @@ def set_moving_edges(cell: PixelCell) -> None:
     The weights of the exposure detect an edge at its present position, those of the states detect
     the same edge one frame earlier. The gate of a state becomes a majority of the exposure's bits.
     Training from these weights gives better results than training from random weights."""
-    places = torch.arange(cell.kernel) - cell.kernel // 2
+    offsets = torch.arange(cell.kernel) - cell.kernel // 2
     with torch.no_grad():
         cell.weight[: cell.states, 0] = cell.weight[: cell.states, 0].abs()
         for output in range(cell.outputs):
             angle = torch.tensor(2 * torch.pi * output / cell.outputs)
-            ahead = torch.cos(angle) * places[None, :] + torch.sin(angle) * places[:, None]
+            ahead = torch.cos(angle) * offsets[None, :] + torch.sin(angle) * offsets[:, None]
             size = cell.weight[cell.states + output].abs()
             # The edge is half a pixel ahead of the centre now, and half a pixel behind it one frame
             # ago.

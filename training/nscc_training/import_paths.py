@@ -69,9 +69,9 @@ def own_code(text: str, role: str) -> Iterator[None]:
         if is_out_of_memory(error):
             raise
         last = traceback.extract_tb(error.__traceback__)[-1]
-        place = f"{Path(last.filename).name}, line {last.lineno}"
+        location = f"{Path(last.filename).name}, line {last.lineno}"
         raise own_failed(
-            text, role, f"{type(error).__name__}: {one_line(error)} ({place})"
+            text, role, f"{type(error).__name__}: {one_line(error)} ({location})"
         ) from error
 
 

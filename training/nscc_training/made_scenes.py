@@ -49,8 +49,8 @@ def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
     light = np.empty((frames, size, size), np.float32)
     for k in range(frames):
         light[k] = _moved(ground, margin + pan * k, size)
-        for texture, mask, place, speed in sprites:
-            _paste(light[k], texture, mask, place + speed * k)
+        for texture, mask, corner, speed in sprites:
+            _paste(light[k], texture, mask, corner + speed * k)
     return light
 
 
@@ -110,8 +110,8 @@ def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
     side = int(size * generator.uniform(0.2, 0.5))
     texture = _unit(_fractal(generator, side, 1.0))
     mask = _shape(generator, side) | _shape(generator, side)
-    place = generator.uniform(-0.2, 0.9, 2) * size
-    return texture, mask.astype(np.float64), place, generator.uniform(-3, 3, 2)
+    corner = generator.uniform(-0.2, 0.9, 2) * size
+    return texture, mask.astype(np.float64), corner, generator.uniform(-3, 3, 2)
 
 
 def _moved(ground: NDArray[np.float64], corner: NDArray[np.float64], size: int) -> Picture:
@@ -129,12 +129,12 @@ def _paste(
     picture: Picture,
     texture: NDArray[np.float64],
     mask: NDArray[np.float64],
-    place: NDArray[np.float64],
+    corner: NDArray[np.float64],
 ) -> None:
     """Paste an object into `picture`, in place, where `mask` (side, side) is 1. Its corner is at
-    `place`, rounded to whole pixels; parts outside are cut."""
+    `corner`, rounded to whole pixels; parts outside are cut."""
     side = len(texture)
-    y, x = np.rint(place).astype(int)
+    y, x = np.rint(corner).astype(int)
     y0, x0 = max(y, 0), max(x, 0)
     y1, x1 = min(y + side, picture.shape[0]), min(x + side, picture.shape[1])
     if y0 >= y1 or x0 >= x1:

@@ -82,11 +82,11 @@ class Protocol:
         return float(lux * _PHOTONS_OF_LUX * counted_m2 * seconds)
 
 
-def packaged(name: str, place: str) -> Path:
+def packaged(name: str, checkout_path: str) -> Path:
     """Return the path of the file or folder `name` of the installed package. In a checkout, which
-    has no such file, return the path of `place` in the folder `training`."""
+    has no such file, return the path of `checkout_path` in the folder `training`."""
     installed = Path(__file__).with_name(name)
-    return installed if installed.exists() else Path(__file__).resolve().parents[1] / place
+    return installed if installed.exists() else Path(__file__).resolve().parents[1] / checkout_path
 
 
 def load_protocol(name: str) -> Protocol:

@@ -75,7 +75,10 @@ def shipped_runs() -> Mapping[str, Path]:
     training/results."""
     runs = packaged("shipped_runs", "results/shipped")
     installed = runs.name == "shipped_runs"
-    return {name: runs / (name if installed else place) for name, place in _SHIPPED.items()}
+    return {
+        name: runs / (name if installed else checkout_path)
+        for name, checkout_path in _SHIPPED.items()
+    }
 
 
 def shipped_evaluations() -> Path:

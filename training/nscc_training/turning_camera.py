@@ -41,14 +41,14 @@ def turned(
     for _ in range(int(generator.integers(1, 4))):
         texture = view(panorama, *somewhere(), size)
         light = level / max(float(np.median(texture)), 1e-30) * np.exp(generator.uniform(-1.5, 1.5))
-        place, speed = generator.uniform(0, size, 2), _velocity(generator, _FLIGHTS)
+        position, speed = generator.uniform(0, size, 2), _velocity(generator, _FLIGHTS)
         height, width = generator.uniform(0.04, 0.2, 2) * size
         for k in range(frames):
-            y, x = place + speed * k
+            y, x = position + speed * k
             outside = np.hypot((rows - y) / height, (cols - x) / width) - 1
             # The border of an object is about one pixel wide.
             cover = np.clip(0.5 - outside * min(height, width), 0, 1)
-            shift = np.array([[1, 0, x - place[1]], [0, 1, y - place[0]]])
+            shift = np.array([[1, 0, x - position[1]], [0, 1, y - position[0]]])
             moved = cv2.warpAffine(texture, shift, (size, size), borderMode=cv2.BORDER_REFLECT)
             clip[k] += ((moved * light - clip[k]) * cover).astype(np.float32)
     return clip

@@ -325,9 +325,9 @@ def sensor_sheet(path: Path) -> Figure:
 
 def _bars(axes: Axes, values: dict[str, float], title: str, metric: str) -> None:
     """Draw horizontal bars of `values` by name, the first at the top. `metric` labels the axis."""
-    places = range(len(values))
-    axes.barh(places, list(values.values()), color=theme().bar, height=0.6)
-    axes.set_yticks(places, list(values))
+    positions = range(len(values))
+    axes.barh(positions, list(values.values()), color=theme().bar, height=0.6)
+    axes.set_yticks(positions, list(values))
     axes.invert_yaxis()
     axes.set_xlabel(METRIC_NAMES[metric])
     axes.set_title(title)

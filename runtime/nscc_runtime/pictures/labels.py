@@ -129,14 +129,14 @@ def _drawn(axes: Axes) -> tuple[Points, Any, list[Points]]:
     to_data = axes.transData.inverted().transform
     marks, radii, lines = [np.empty((0, 2))], [np.empty(0)], []
     for line in axes.lines:
-        places = to_data(line.get_transform().transform(line.get_path().vertices))
-        places = places[np.isfinite(places).all(1)]
-        if line.get_linestyle() != "None" and len(places) > 1:
-            lines.append(places)
+        points = to_data(line.get_transform().transform(line.get_path().vertices))
+        points = points[np.isfinite(points).all(1)]
+        if line.get_linestyle() != "None" and len(points) > 1:
+            lines.append(points)
         if line.get_marker() not in (None, "None", "", " "):
             size = (line.get_markersize() + line.get_markeredgewidth()) / 2
-            marks.append(places)
-            radii.append(np.full(len(places), size * axes.figure.dpi / 72))
+            marks.append(points)
+            radii.append(np.full(len(points), size * axes.figure.dpi / 72))
     for text in axes.texts:
         corners = text.get_window_extent().corners()
         lines.append(to_data(corners[[0, 1, 3, 2, 0, 3, 1, 2]]))

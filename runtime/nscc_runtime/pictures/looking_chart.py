@@ -218,8 +218,8 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
     if lanes == 1:
         rank = np.unique(courses.opens[:, 0] @ np.diff(edges), return_inverse=True)[1]
         most = int(rank.max())
-        place = 0.08 + 0.82 * rank / most if most else np.full(lights, 0.35)
-        colours = colormaps[sheet.SCALE](place)[:, None, :3]
+        shade = 0.08 + 0.82 * rank / most if most else np.full(lights, 0.35)
+        colours = colormaps[sheet.SCALE](shade)[:, None, :3]
     else:
         colours = np.array([[to_rgb(theme().of(lane)["color"]) for lane in range(lanes)]] * lights)
     image = np.empty((lights, len(columns) - 1, 3))

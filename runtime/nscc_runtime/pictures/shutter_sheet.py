@@ -47,8 +47,8 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     chosen = np.arange(count)
     if count > _MOST_ROWS:
         chosen = np.rint(np.linspace(0, count - 1, _CHOSEN_ROWS)).astype(np.int64)
-    places = np.linspace(0.08, 0.9, count) if count > 1 else np.array([0.35])
-    colours: Field = colormaps[sheet.SCALE](places)[:, :3]
+    shades = np.linspace(0.08, 0.9, count) if count > 1 else np.array([0.35])
+    colours: Field = colormaps[sheet.SCALE](shades)[:, :3]
     chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
     flow = KINDS.of(container).flow(container, CHART_INCHES)
     maps = [] if flow is not None and count == 1 else _maps(container, shutters, colours)

@@ -133,11 +133,11 @@ def _draw(
     axes.set_ylabel(panel.upwards)
     labels = []
     for name, points in panel.lines.items():
-        places = [(across.at(x), upwards.at(y)) for x, y in points]
+        positions = [(across.at(x), upwards.at(y)) for x, y in points]
         chosen = theme().of(names.index(name))
-        axes.plot([x for x, _ in places], [y for _, y in places], clip_on=False, **chosen)
-        if places and name:
-            labels.append(ChartLabel(name, *places[-1], chosen["color"], name=True))
+        axes.plot([x for x, _ in positions], [y for _, y in positions], clip_on=False, **chosen)
+        if positions and name:
+            labels.append(ChartLabel(name, *positions[-1], chosen["color"], name=True))
     across.lay(axes, "x")
     upwards.lay(axes, "y")
     return labels

@@ -57,11 +57,11 @@ class ImagesRun(RunKind):
         told: dict[str, NDArray[Any]] = {}
         buckets = len(container.buckets_read)
         converter = image_sensor(sent.sensor, container.target)
-        for place, name in enumerate(container.pictures.images_read, buckets):
-            codes, image_e = frame.frame[place], frame.exposure_e[place]
+        for number, name in enumerate(container.pictures.images_read, buckets):
+            codes, image_e = frame.frame[number], frame.exposure_e[number]
             if not sent.exact:
                 image_e = (codes - float(converter.adc_offset_lsb)) * converter.electrons_per_lsb
             told[f"image_{name}"], told[f"image_codes_{name}"] = image_e, codes
-            told[f"image_saturated_by_{name}"] = frame.saturated_by[place]
+            told[f"image_saturated_by_{name}"] = frame.saturated_by[number]
         told |= told_of_planes(container, sent.planes, sent.reaches, sent.summaries)
         return replace(joined([frame], lambda arrays: arrays[0][:buckets]), told=told)

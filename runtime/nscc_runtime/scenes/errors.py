@@ -74,18 +74,18 @@ def refuse_no_light(
     }
     mask = next(mask for mask in masks if mask.any())
     index = np.argwhere(mask)[0].tolist()
-    place = [*index[:-2], *(at + start for at, start in zip(index[-2:], corner, strict=True))]
+    position = [*index[:-2], *(at + start for at, start in zip(index[-2:], corner, strict=True))]
     counted = ", ".join(f"{count} {_NOT_LIGHT[kind]}" for kind, count in counts.items() if count)
     total = sum(counts.values())
-    axes = "[slot, row, column]" if len(place) == 3 else "[row, column]"
+    axes = "[slot, row, column]" if len(position) == 3 else "[row, column]"
     raise rejected(
         "NS0736",
         f"{total} light value{'s' if total > 1 else ''} in '{name}' cannot be light: {counted}",
         notes=(
             f"the first of them is {values[tuple(index)]:g}, at {axes} = "
-            f"[{', '.join(map(str, place))}]",
+            f"[{', '.join(map(str, position))}]",
             "light is a count of electrons: finite (below 3.4e38) and not negative",
         ),
         helps=("repair the array, for instance with np.nan_to_num and np.clip(a, 0, None)",),
-        data={"count": total, "first": place},
+        data={"count": total, "first": position},
     )

@@ -22,7 +22,7 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
     belongs to the numbering and no picture has this number."""
     stems = {Path(name).stem for name in pictures}
     split_names = [re.split(r"(\d+)", Path(name).stem) for name in pictures]
-    place = _counting_part(split_names)
+    part_index = _counting_part(split_names)
     unread = [
         name
         for name in sorted(set(names).difference(pictures))
@@ -30,7 +30,7 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
         and Path(name).stem not in stems
         and (
             (guess_type(name, strict=False)[0] or "").startswith("image/")
-            or (place is not None and _counts(name, split_names[0], place))
+            or (part_index is not None and _counts(name, split_names[0], part_index))
         )
     ]
     sentences = []
@@ -38,13 +38,13 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
         listed = ", ".join(name[:60] for name in unread[:_SHOWN])
         rest_text = f" and {len(unread) - _SHOWN} more" if len(unread) > _SHOWN else ""
         sentences.append(f"{listed}{rest_text}: unsupported format")
-    if place is not None:
-        read = {int(split_name[place]) for split_name in split_names}
+    if part_index is not None:
+        read = {int(split_name[part_index]) for split_name in split_names}
         # Numbers of unread files are reported already.
         unread_numbers = {
-            int(re.split(r"(\d+)", Path(name).stem)[place])
+            int(re.split(r"(\d+)", Path(name).stem)[part_index])
             for name in unread
-            if _counts(name, split_names[0], place)
+            if _counts(name, split_names[0], part_index)
         }
         gaps = _gaps(sorted(read | unread_numbers))
         if gaps:
@@ -76,12 +76,12 @@ def _counting_part(split_names: Sequence[list[str]]) -> int | None:
     return None
 
 
-def _counts(name: str, like: list[str], place: int) -> bool:
+def _counts(name: str, like: list[str], part_index: int) -> bool:
     """Return whether a file name equals the frames' names except for the number at index
-    `place`; `like` is such a name, split."""
+    `part_index`; `like` is such a name, split."""
     split_name = re.split(r"(\d+)", Path(name).stem)
     return len(split_name) == len(like) and all(
-        split_name[k] == like[k] for k in range(len(like)) if k != place
+        split_name[k] == like[k] for k in range(len(like)) if k != part_index
     )
 
 

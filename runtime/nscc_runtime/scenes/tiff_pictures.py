@@ -275,9 +275,9 @@ def _files_of_planes(path: Path, byte_order: bytes, page: _Page) -> list[bytes]:
             for k in part:
                 file.seek(int(starts[k]))
                 blocks.append(file.read(int(counts[k])))
-            places = 8 + np.cumsum([0, *map(len, blocks)])
-            blocks.append(bytes(int(places[-1]) % 2))
-            stored = {starts_tag: places[:-1], counts_tag: np.diff(places)}
+            offsets = 8 + np.cumsum([0, *map(len, blocks)])
+            blocks.append(bytes(int(offsets[-1]) % 2))
+            stored = {starts_tag: offsets[:-1], counts_tag: np.diff(offsets)}
             files.append(_file_of(byte_order, b"".join(blocks), kept | stored))
     return files
 

@@ -146,11 +146,11 @@ def white(measured: Measured[Tensor]) -> Tensor:
     ordered = torch.where(opened, mean.flatten(1), -torch.inf).sort(dim=1).values
     count = opened.sum(dim=1)
     closed = ordered.shape[1] - count
-    place = closed + _BRIGHT * (count - 1).clamp(min=0)
-    below = place.floor().long().clamp(max=ordered.shape[1] - 1)
+    rank = closed + _BRIGHT * (count - 1).clamp(min=0)
+    below = rank.floor().long().clamp(max=ordered.shape[1] - 1)
     above = (below + 1).clamp(max=ordered.shape[1] - 1)
     low, high = (ordered.gather(1, index[:, None])[:, 0] for index in (below, above))
-    level = torch.where(count > 0, low + (high - low) * (place - below).to(low), 1.0)
+    level = torch.where(count > 0, low + (high - low) * (rank - below).to(low), 1.0)
     return level.clamp(min=1e-6)
 
 

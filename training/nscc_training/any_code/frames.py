@@ -68,11 +68,11 @@ class CodedFrame:
     def crop(self, rows: slice, cols: slice) -> CodedFrame:
         """Return the frame cut to these rows and columns. The table of shutters stays whole,
         because pixels refer to it by index."""
-        place = (slice(None), rows, cols)
+        window = (slice(None), rows, cols)
         return CodedFrame(
-            self.value_e[place],
-            self.variance_e2[place],
-            self.saturated[place],
+            self.value_e[window],
+            self.variance_e2[window],
+            self.saturated[window],
             self.opened,
             self.row[rows, cols],
             self.slot_us,

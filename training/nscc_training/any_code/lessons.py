@@ -231,8 +231,8 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
         begin[8:] = np.minimum(begin[8:] + length // 2, frames - length)
     if kind == 0:
         side, begin = 2, begin[:4]
-    places = generator.permutation(begin).reshape(side, side)
-    opened = (np.arange(frames)[:, None, None] - places) % frames < length
+    starts = generator.permutation(begin).reshape(side, side)
+    opened = (np.arange(frames)[:, None, None] - starts) % frames < length
     return np.ascontiguousarray(over_array(opened, size, size), np.float32)
 
 

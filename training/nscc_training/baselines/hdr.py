@@ -66,5 +66,5 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
 def _from_first_to_last(marked: NDArray[np.bool_], margin: int) -> slice:
     """Return the slice from the first to the last true element of `marked`, with `margin` more
     elements at both ends where the array has them."""
-    places = np.flatnonzero(marked)
-    return slice(max(0, int(places[0]) - margin), int(places[-1]) + margin + 1)
+    indices = np.flatnonzero(marked)
+    return slice(max(0, int(indices[0]) - margin), int(indices[-1]) + margin + 1)

@@ -126,5 +126,5 @@ def _inpainted(
 def _between(length: int, step: int) -> NDArray[np.float64]:
     """Return the matrix (length, samples) that interpolates linearly between samples at every
     `step`-th of `length` places. After the last sample its value is repeated."""
-    places = np.arange(0, length, step)
-    return np.stack([np.interp(np.arange(length), places, unit) for unit in np.eye(len(places))], 1)
+    at = np.arange(0, length, step)
+    return np.stack([np.interp(np.arange(length), at, unit) for unit in np.eye(len(at))], 1)

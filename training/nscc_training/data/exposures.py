@@ -145,9 +145,9 @@ class ExposureSet(Dataset[Exposures]):
         lights: list[Tensor] = []
         draws: list[tuple[float, float, int, bool, bool, float]] = []
         source: list[int] = []
-        corners, names, drawn_scenes = [], [], []
-        for place in range(0, self.batch, self.settings.together):
-            generator = np.random.default_rng([self.seed, DrawStream.PATCHES, step, place])
+        pixel_index, names, drawn_scenes = [], [], []
+        for start in range(0, self.batch, self.settings.together):
+            generator = np.random.default_rng([self.seed, DrawStream.PATCHES, step, start])
             scene = int(generator.integers(len(self.lights)))
             drawn_scenes.append(scene)
             light, lit, place_text = self._surroundings(scene, generator)
@@ -158,14 +158,14 @@ class ExposureSet(Dataset[Exposures]):
                     reversed_ = bool(generator.random() < 0.5)
                 else:
                     power = float(generator.uniform(0.8, 1.25))
-            count = min(self.settings.together, self.batch - place)
+            count = min(self.settings.together, self.batch - start)
             rooms = self.side - self.settings.patch + 1
             drawn = generator.integers(rooms, size=(count, 2))
             source += [len(lights)] * count
             names += [
                 f"{self.names[scene]} {place_text}+{row},{col}" for row, col in drawn.tolist()
             ]
-            corners.append(drawn)
+            pixel_index.append(drawn)
             lights.append(torch.from_numpy(np.ascontiguousarray(light)))
             factor = 1.0
             if self.settings.brightness != (1.0, 1.0):
@@ -182,7 +182,7 @@ class ExposureSet(Dataset[Exposures]):
             mirrored,
             backwards,
             torch.tensor(source),
-            torch.from_numpy(np.concatenate(corners)),
+            torch.from_numpy(np.concatenate(pixel_index)),
             brightness,
             tuple(names),
             self._classes[drawn_scenes] if self._classes.numel() else None,
@@ -196,22 +196,25 @@ class ExposureSet(Dataset[Exposures]):
 
         The region of a clip has `self.slots` frames. A region with too few lit pixels to saturate
         is drawn again, up to `_TRIES` times; then the last one is returned."""
-        light, region, share, place = self.lights[scene], None, self._lit, ""
+        light, region, share, crop_text = self.lights[scene], None, self._lit, ""
         low, high = sorted(self.settings.saturated)
         for _ in range(_TRIES):
             row, col = (int(generator.integers(side - self.side + 1)) for side in light.shape[-2:])
-            place = f"at {row},{col}"
+            crop_text = f"at {row},{col}"
             region = light[..., row : row + self.side, col : col + self.side]
             if light.ndim == 2:
                 share = float(generator.uniform(low, high))
             else:
                 first = int(generator.integers(len(light) - self.slots + 1))
-                region, place = region[first : first + self.slots], f"from {first} {place}"
+                region, crop_text = (
+                    region[first : first + self.slots],
+                    f"from {first} {crop_text}",
+                )
             lit = region > 0 if light.ndim == 2 else region.any(axis=0)
             if np.count_nonzero(lit) > share * lit.size:
                 break
         assert region is not None
-        return region, share, place
+        return region, share, crop_text
 
 
 def cut_batch(
@@ -279,14 +282,14 @@ def _cut(
     rows, cols = rows.expand(-1, -1, patch), cols.expand(-1, patch, -1)
     sides = torch.stack([rows, cols, last - rows, last - cols])
     turned, patches = turns[source], torch.arange(len(source), device=light.device)
-    place = sides[turned, patches] * (last + 1) + sides[(turned + 1) % 4, patches]
+    pixel_index = sides[turned, patches] * (last + 1) + sides[(turned + 1) % 4, patches]
     if light.ndim == 3:
-        return light.flatten(1)[source[:, None, None], place]
+        return light.flatten(1)[source[:, None, None], pixel_index]
     slots = light.shape[1]
     n = torch.arange(slots, device=light.device)
     moments = torch.where(backwards[source, None], slots - 1 - n, n)
     first = (source[:, None] * slots + moments) * (last + 1) ** 2
-    return torch.take(light, first[:, :, None, None] + place[:, None])
+    return torch.take(light, first[:, :, None, None] + pixel_index[:, None])
 
 
 def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
@@ -300,13 +303,13 @@ def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
         most = values.topk(last - below + 1, dim=1).values.double()  # in descending order
         low, high = most[:, -1], most[:, max(-2, -most.shape[1])]
         return low + (high - low) * (quantile * last - below)
-    place = quantile.double() * last
-    lower_index = place.floor().long()
+    rank = quantile.double() * last
+    lower_index = rank.floor().long()
     pair = values.sort(dim=1).values.gather(
         1, torch.stack([lower_index, (lower_index + 1).clamp(max=last)], 1)
     )
     low, high = pair.double().unbind(1)
-    return low + (high - low) * (place - lower_index)
+    return low + (high - low) * (rank - lower_index)
 
 
 def _without_poles(scene: SourceScene, settings: DataSettings) -> NDArray[np.float32]:

@@ -115,18 +115,18 @@ class _Layer:
             # The distance of the farthest corner is 8 to 40 % of the clip's side.
             outline = corners * size * generator.uniform(0.08, 0.4)
         # Away from the borders, beyond which the picture is mirrored.
-        places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
+        points = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
 
-        def detail(place: NDArray[np.float64]) -> float:
+        def detail(point: NDArray[np.float64]) -> float:
             """Return the standard deviation of the picture around a place (row, column): a measure
             of its detail."""
-            row, col = (int(at) - size // 2 for at in place)
+            row, col = (int(at) - size // 2 for at in point)
             region = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
             return float(region.std())
 
         return cls(
             picture=picture,
-            centre=np.asarray(max(places, key=detail)),
+            centre=np.asarray(max(points, key=detail)),
             velocity=speed * np.array([np.sin(heading), np.cos(heading)]),
             scale=float(np.exp(generator.uniform(np.log(0.6), np.log(1.7)))),
             zoom=float(np.exp(generator.normal(0, 0.01) * turning)),
@@ -172,9 +172,9 @@ class _Layer:
         y, x = self.middle + self.velocity * moment
         rows, cols = np.mgrid[:size, :size].astype(np.float32)
         rows, cols = rows - np.float32(y), cols - np.float32(x)
-        places = np.arange(len(self.outline) + 1) * (2 * np.pi / len(self.outline))
+        angles = np.arange(len(self.outline) + 1) * (2 * np.pi / len(self.outline))
         bearing = (np.arctan2(rows, cols) + self.spin * moment) % (2 * np.pi)
-        edge = np.interp(bearing, places, np.append(self.outline, self.outline[0]))
+        edge = np.interp(bearing, angles, np.append(self.outline, self.outline[0]))
         cover = np.clip(edge - np.hypot(rows, cols) + 0.5, 0, 1)
         return np.asarray(cover, np.float32)
 
@@ -185,8 +185,8 @@ def pictures_below(folder: Path) -> list[Path]:
     files = sorted(
         {
             path
-            for place in folders_of(str(folder))
-            for path in place.rglob("*")
+            for folder_path in folders_of(str(folder))
+            for path in folder_path.rglob("*")
             if path.suffix.lower() in PICTURES and path.is_file()
         }
     )

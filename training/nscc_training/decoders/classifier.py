@@ -57,9 +57,9 @@ def relative(values: Tensor, weight: Tensor) -> Tensor:
 
     `weight` (0 or 1) marks the values that count: the mean is taken over them, and the result is 0
     at the others."""
-    places = tuple(range(1, values.ndim))
+    axes = tuple(range(1, values.ndim))
     weight = weight.expand_as(values)
-    mean = (values * weight).sum(places, keepdim=True) / weight.sum(places, keepdim=True)
+    mean = (values * weight).sum(axes, keepdim=True) / weight.sum(axes, keepdim=True)
     return (values / mean.clamp(min=1e-6) - 1) * weight
 
 

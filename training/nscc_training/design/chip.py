@@ -105,12 +105,12 @@ class DesignChip:
         truth = on_curve(light_e[:, None], peak_e[:, None], curve, self.code_e)
         exposed = light_e[:, None] * share
         sd = self.exposed_sd_e(exposed)
-        places = np.linspace(-_REACH, _REACH, _POINTS)
-        weights = np.exp(-(places**2) / 2)
+        deviations = np.linspace(-_REACH, _REACH, _POINTS)
+        weights = np.exp(-(deviations**2) / 2)
         weights /= weights.sum()
         mean_square_error = np.zeros(exposed.shape)
-        for place, weight in zip(places, weights, strict=True):
-            measured_e = np.clip(exposed + sd * place, 0.0, self.full_e) / share
+        for deviation, weight in zip(deviations, weights, strict=True):
+            measured_e = np.clip(exposed + sd * deviation, 0.0, self.full_e) / share
             measured_on_curve = on_curve(measured_e, peak_e[:, None], curve, self.code_e)
             mean_square_error += weight * (measured_on_curve - truth) ** 2
         return mean_square_error

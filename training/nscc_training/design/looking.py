@@ -64,8 +64,8 @@ class LookModel:
         ends = np.cumsum([0.0, *slot_us])
         self.share = ends / ends[-1]
         self.slots = len(slot_us)
-        places, weights = np.polynomial.hermite_e.hermegauss(_OFFSETS)
-        self._offset_e = places * chip.offset_e
+        deviations, weights = np.polynomial.hermite_e.hermegauss(_OFFSETS)
+        self._offset_e = deviations * chip.offset_e
         self._start = scene.weight[:, None] * (weights / weights.sum())
         self._exposure_errors: dict[Curve, Values] = {}
         self._closed: dict[int, NDArray[np.float32]] = {}

@@ -52,12 +52,12 @@ def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
         # Light below a billionth of the peak cannot be measured with any shutter.
         logs = np.log(np.maximum(light, 1e-9 * peak))
         low, high = float(logs.min()), float(logs.max())
-        place = np.minimum(
+        bin_index = np.minimum(
             ((logs - low) / max(high - low, 1e-12) * count).astype(np.intp), count - 1
         )
-        pixel_counts = np.bincount(place, minlength=count)
+        pixel_counts = np.bincount(bin_index, minlength=count)
         is_filled = pixel_counts > 0
-        mean = np.bincount(place, light, count)[is_filled] / pixel_counts[is_filled]
+        mean = np.bincount(bin_index, light, count)[is_filled] / pixel_counts[is_filled]
         weight = pixel_counts[is_filled] / (len(light) * len(scenes))
         histograms.append((mean, np.full(len(mean), peak), weight, np.full(len(mean), number)))
     return Histogram(*(np.concatenate(arrays) for arrays in zip(*histograms, strict=True)))

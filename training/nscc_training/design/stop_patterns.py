@@ -66,8 +66,8 @@ def shapes() -> dict[str, Levels]:
     }
     for levels in (2, 3, 4, 8):
         # The 64 pixels of an 8 x 8 tile in random order, about as many at each level.
-        places = np.random.default_rng(levels).permutation(64) * levels // 64
-        levels_of_shape[f"stochastic, {levels} levels"] = places.reshape(8, 8)
+        level_of_pixel = np.random.default_rng(levels).permutation(64) * levels // 64
+        levels_of_shape[f"stochastic, {levels} levels"] = level_of_pixel.reshape(8, 8)
     return levels_of_shape
 
 
@@ -119,8 +119,8 @@ def judged(
 def cheapest(ranked_db: Sequence[float], words: Callable[[int], int]) -> int:
     """Return the index of the highest PSNR minus the cost of its words, among the first
     `_FINALISTS` of `ranked_db`, which falls. `words` returns the number of words for an index."""
-    places = range(min(len(ranked_db), _FINALISTS))
-    return max(places, key=lambda k: ranked_db[k] - _DB_PER_WORD * words(k))
+    candidates = range(min(len(ranked_db), _FINALISTS))
+    return max(candidates, key=lambda k: ranked_db[k] - _DB_PER_WORD * words(k))
 
 
 def _frames(

@@ -162,9 +162,9 @@ def _batch_losses(setup: TrainingSetup, tile: Tensor, batch: Batch, step: int) -
 
     All tiles have the same noise in a `step`, so that losses can be compared."""
     seed = setup.settings.train.seed
-    place = (seed, DrawStream.TILE_WINDOWS, step)
+    window_seed = (seed, DrawStream.TILE_WINDOWS, step)
     rows, cols = batch.light.shape[-2:]
-    shutters = window(tile, rows, cols, place).to(setup.device)
+    shutters = window(tile, rows, cols, window_seed).to(setup.device)
     noise = generator_of(setup.device, seed, DrawStream.READOUT_NOISE, step)
     prediction = decoded(setup, batch.light, shutters, setup.model, noise)
     return torch.stack(

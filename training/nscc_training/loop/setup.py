@@ -112,8 +112,8 @@ class TrainingSetup:
 
         Raises Rejected with the compiler's errors if none of `_MOST_DRAWS` draws compiles."""
         for attempt in range(_MOST_DRAWS):
-            place = (self.settings.train.seed, DrawStream.RANDOM_CODES, *numbers, attempt)
-            self.encoder.start_random(np.random.default_rng(place))
+            seeds = (self.settings.train.seed, DrawStream.RANDOM_CODES, *numbers, attempt)
+            self.encoder.start_random(np.random.default_rng(seeds))
             try:
                 programs.compiled(programs.program_of(self.encoder, self.chip), self.chip)
             except Rejected:

@@ -46,23 +46,23 @@ class StepLoss(nn.Module):
         setup, settings, rank = self._setup, self._setup.settings, self._ranks.rank
         seed, device = settings.train.seed, setup.device
         rows, cols = batch.light.shape[-2:]
-        place = (seed, DrawStream.TILE_WINDOWS, step)
+        window_seed = (seed, DrawStream.TILE_WINDOWS, step)
         trial = None
         learns = codes_learn(settings, step)
         if learns and setup.encoder.relaxation == "tried":
             trial = trial_of(
-                setup.encoder, rows, cols, (seed, DrawStream.RELAXED_CODES, step, rank), place
+                setup.encoder, rows, cols, (seed, DrawStream.RELAXED_CODES, step, rank), window_seed
             )
             shutters = trial.shutters[0]
         elif learns:
             # All processes share the noise of the codes, and draw the sensor's noise independently.
             tile = setup.encoder(generator_of(device, seed, DrawStream.RELAXED_CODES, step))
-            shutters = window(tile, rows, cols, place)
+            shutters = window(tile, rows, cols, window_seed)
         else:
             searched = settings.shutter.learn and setup.encoder.relaxation == "search"
             waits = searched and step < settling_step(settings)
             tile = setup.random_tile(step) if waits else setup.encoder.hard()
-            shutters = window(tile, rows, cols, place)
+            shutters = window(tile, rows, cols, window_seed)
         noise = (seed, DrawStream.READOUT_NOISE, step, rank)
         prediction = decoded(
             setup, batch.light, shutters, setup.model, generator_of(device, *noise)
@@ -74,16 +74,16 @@ class StepLoss(nn.Module):
 
 
 def trial_of(
-    encoder: Encoder, rows: int, cols: int, seed: tuple[int, ...], place: tuple[int, ...]
+    encoder: Encoder, rows: int, cols: int, seed: tuple[int, ...], window_seed: tuple[int, ...]
 ) -> CodeTrial:
     """Return a trial (`CodeTrial`) of the encoder's codes for patches of rows x cols.
 
-    `seed` is that of the trial's random moves. If the tile is larger than a patch, `place` seeds
-    the choice of its part."""
+    `seed` is that of the trial's random moves. If the tile is larger than a patch,
+    `window_seed` seeds the choice of its part."""
 
     def over(tile: Tensor) -> Tensor:
         """Return values of the tile (.., r, c), or of a part of it, repeated over a patch."""
-        return laid(window(tile, rows, cols, place), rows, cols)
+        return laid(window(tile, rows, cols, window_seed), rows, cols)
 
     return encoder.trial(over, generator_of(next(encoder.parameters()).device, *seed))
 

@@ -149,8 +149,8 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
                 weights.append(contrast)
     order = np.argsort(moves)
     share = np.cumsum(np.array(weights)[order])
-    places = np.searchsorted(share / share[-1], _SHARES)
-    return tuple(float(speed) * len(clip) for speed in np.array(moves)[order][places])
+    indices = np.searchsorted(share / share[-1], _SHARES)
+    return tuple(float(speed) * len(clip) for speed in np.array(moves)[order][indices])
 
 
 def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
