@@ -101,7 +101,7 @@ def test_plans_keep_their_promise_when_scenes_are_instants(program: str) -> None
     check(runs(program, lights, 16))
 
 
-def test_a_scene_with_one_lamp() -> None:
+def test_the_promise_holds_for_a_scene_with_one_lamp() -> None:
     """One pixel in four thousand carries the whole error of some effects."""
     slots = 8
     frames = np.full((slots, ROWS, COLS), 12.0, np.float32)

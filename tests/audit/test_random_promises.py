@@ -26,5 +26,5 @@ def test_pixels_at_the_edge_of_a_full_well_are_foreseen() -> None:
 
 
 @pytest.mark.slow
-def test_a_thousand_promises() -> None:
+def test_a_thousand_random_promises_hold() -> None:
     check([each for seed in range(250) for each in promises(seed)])

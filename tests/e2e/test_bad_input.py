@@ -117,7 +117,9 @@ def test_wrong_usage_is_refused_without_a_traceback(arguments: list[str], tmp_pa
 
 @settings(max_examples=40)
 @given(noise=st.binary(max_size=400))
-def test_any_bytes_as_program(noise: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_any_bytes_are_a_program_or_refused(
+    noise: bytes, tmp_path_factory: pytest.TempPathFactory
+) -> None:
     folder = fresh(tmp_path_factory)
     (folder / "bad.nsl").write_bytes(b"nsl 1\n" + noise)
     settled(["check", "bad.nsl"], folder)
@@ -132,7 +134,9 @@ WORDS = st.sampled_from(VOCABULARY.split())
 
 @settings(max_examples=60)
 @given(words=st.lists(WORDS, max_size=60))
-def test_any_words_as_program(words: list[str], tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_any_words_are_a_program_or_refused(
+    words: list[str], tmp_path_factory: pytest.TempPathFactory
+) -> None:
     folder = fresh(tmp_path_factory)
     (folder / "bad.nsl").write_text("nsl 1\n" + " ".join(words))
     settled(["check", "bad.nsl"], folder)
@@ -140,7 +144,9 @@ def test_any_words_as_program(words: list[str], tmp_path_factory: pytest.TempPat
 
 @settings(max_examples=60)
 @given(data=st.data())
-def test_a_damaged_container(data: st.DataObject, tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_a_damaged_container_is_read_or_refused(
+    data: st.DataObject, tmp_path_factory: pytest.TempPathFactory
+) -> None:
     folder = fresh(tmp_path_factory)
     (folder / "ok.nsl").write_text(GOOD)
     assert invoke(["build", "ok.nsl", "-o", "ok.icw"], folder).status == 0

@@ -40,7 +40,9 @@ def said_in(page: str, shell: str) -> str:
 
 
 @pytest.mark.parametrize("shell", SHELLS)
-def test_the_script_of_a_shell(shell: str, environment: dict[str, str], root: Path) -> None:
+def test_the_documented_line_prints_the_script_of_a_shell(
+    shell: str, environment: dict[str, str], root: Path
+) -> None:
     line = said_in((root / "docs/commands.md").read_text(), shell)
     variable = line[line.index("_NSCC") :].split()[0]
     found = subprocess.run(

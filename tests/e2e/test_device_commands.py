@@ -181,7 +181,7 @@ def test_a_port_that_cannot_be_opened(folder: Path) -> None:
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="the superuser may use every port")
-def test_a_port_without_permission(folder: Path) -> None:
+def test_a_port_without_permission_is_refused(folder: Path) -> None:
     (folder / "locked").write_text("")
     (folder / "locked").chmod(0)
     said = failed(invoke(["device", "info", "locked"], folder), "NS0760")
@@ -323,14 +323,16 @@ def test_what_serve_does_not_take(folder: Path) -> None:
     failed(outcome, "NS0769", 2)
 
 
-def test_serving_without_a_compiler(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_serving_without_a_compiler_is_refused(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("PATH", "/nowhere")
     line = ["device", "serve", "--target", "chip.toml", "--scene", "builtin:hdr"]
     said = failed(invoke(line, folder), "NS0772", 2)
     assert "install a C++17 compiler" in said
 
 
-def test_examples_on_a_whole_chip(tmp_path: Path, root: Path) -> None:
+def test_frames_of_the_stand_in_equal_those_of_the_emulator(tmp_path: Path, root: Path) -> None:
     """Two buckets, a codebook, 4096 slots: the same frames as on the emulator."""
     with serving(tmp_path, line=["device", "serve", "--scene", "builtin:motion"]) as device:
         for name in ("two_buckets", "codebook", "class_b_4096"):

@@ -105,13 +105,13 @@ MAY_FAIL = {"NS0414", "NS0501", "NS0502", "NS0601"}
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_at_the_level_of_check(name: str, tmp_path: Path) -> None:
+def test_programs_of_level_1_equal_a_rule_in_numpy(name: str, tmp_path: Path) -> None:
     sweep(name, tmp_path, ("plain",), ("1",))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_on_every_chip_and_level(name: str, tmp_path: Path) -> None:
+def test_programs_of_every_chip_and_level_equal_a_rule_in_numpy(name: str, tmp_path: Path) -> None:
     sweep(name, tmp_path, tuple(CHIPS), ("0", "1", "2"))
 
 

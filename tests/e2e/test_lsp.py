@@ -265,7 +265,7 @@ def test_the_server_follows_random_edits(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(40))
-def test_ten_thousand_random_edits(
+def test_the_language_server_survives_ten_thousand_edits(
     seed: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     served(lambda client: follow(client, tmp_path / "a.nsl", 100 + seed, 250, capsys))

@@ -155,7 +155,7 @@ def test_an_interrupted_sweep_prints_no_traceback(serial: tuple[Path, bytes]) ->
     assert finished(folder, "interrupted", 0) == table
 
 
-def test_a_scheduler_of_ones_own(serial: tuple[Path, bytes]) -> None:
+def test_a_sweep_on_a_dask_scheduler_gives_the_same_table(serial: tuple[Path, bytes]) -> None:
     from distributed import LocalCluster
 
     folder, table = serial

@@ -79,7 +79,7 @@ def test_files_are_checked_again(tmp_path: Path) -> None:
         assert process.wait(WAIT_S) == 0
 
 
-def test_the_files_of_a_program(tmp_path: Path) -> None:
+def test_all_files_that_a_program_names_are_watched(tmp_path: Path) -> None:
     program = tmp_path / "a.nsl"
     assert files_of(program) == {program}
     program.write_text(

@@ -174,7 +174,7 @@ def judge(folder: Path, line: str) -> int:
 
 
 @pytest.mark.parametrize("number", range(len(ARRAYS)))
-def test_pictures_of_other_arrays(number: int, folder: Path) -> None:
+def test_pictures_of_other_arrays_are_drawn_or_refused(number: int, folder: Path) -> None:
     """What is no frame is not drawn: of pictures every array counts, at its place."""
     whole = (folder / "f.npz").read_bytes()
     with np.load(folder / "f.npz") as file:

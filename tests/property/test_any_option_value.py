@@ -61,7 +61,9 @@ def judge(folder: Path, *more: str) -> None:
 @given(name=st.sampled_from(PARAMETERS), value=NUMBERS, effects=st.sampled_from(["auto", "all"]))
 @example(name="leakage_tau_s", value="1e-320", effects="auto")
 @example(name="full_well_e", value="5e-324", effects="auto")
-def test_any_value_of_the_sensor(name: str, value: str, effects: str, folder: Path) -> None:
+def test_any_value_of_the_sensor_runs_or_is_refused(
+    name: str, value: str, effects: str, folder: Path
+) -> None:
     judge(folder, "--effects", effects, "--sensor-set", f"{name}={value}")
 
 

@@ -14,7 +14,7 @@ pytestmark = pytest.mark.xdist_group("firmware")
 HALF = 100
 
 
-def test_sessions_with_the_python_twin() -> None:
+def test_sessions_with_the_python_twin_end_correctly() -> None:
     accidents = 0
     for seed in range(HALF):
         right, line = session(seed, python_loader)
@@ -31,7 +31,7 @@ def core() -> Iterator[Lockstep]:
     assert loader.close() == 0, "a sanitizer complained"
 
 
-def test_sessions_with_the_firmware(core: Lockstep) -> None:
+def test_sessions_with_the_firmware_end_correctly(core: Lockstep) -> None:
     def started(example: Example) -> RunningFirmware:
         core.chip = chip_of(example)
         core.announce()

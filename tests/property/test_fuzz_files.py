@@ -76,12 +76,12 @@ def folder_with_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("part", range(20))
-def test_ten_thousand_mutated_files(folder_with_run: Path, part: int) -> None:
+def test_ten_thousand_mutated_files_are_read_or_refused(folder_with_run: Path, part: int) -> None:
     assert faults(folder_with_run, EVERY, SEED + 100 + part, 500) == []
 
 
 @pytest.mark.slow
-def test_two_hundred_mutated_files_through_processes(folder_with_run: Path) -> None:
+def test_processes_read_or_refuse_two_hundred_mutated_files(folder_with_run: Path) -> None:
     assert faults(folder_with_run, EVERY, SEED + 200, 200, run_command) == []
 
 

@@ -141,7 +141,7 @@ def test_arrays_are_refused_or_right(values: np.ndarray, ending: str) -> None:
 
 @settings(max_examples=300, deadline=None)
 @given(arrays(), st.sampled_from([0.0, 50.0, 99.0, 100.0]))
-def test_arrays_brought_to_an_exposure(values: np.ndarray, percentile: float) -> None:
+def test_any_array_gets_the_exposure_or_is_refused(values: np.ndarray, percentile: float) -> None:
     """The pixel at the percentile gets what was asked for, or the message says why not."""
     bad = any(is_bad(v) for v in values.reshape(-1).tolist())
     with saved(values, ".npz") as path:

@@ -108,7 +108,9 @@ def test_all_shutters_of_one_light_are_its_subsets(lowering: str, light: np.ndar
 @pytest.mark.parametrize("lowering", LOWERINGS)
 @settings(max_examples=80, deadline=None)
 @given(patterns(8, 1, 9))
-def test_half_the_light_in_twice_the_slots(lowering: str, light: np.ndarray) -> None:
+def test_half_the_light_in_twice_the_slots_gives_equal_exposures(
+    lowering: str, light: np.ndarray
+) -> None:
     light = np.where(light < 1e-37, 0, light).astype(np.float32)  # halves of others are exact
     once = program(STOPS.format(8, 200, 1), lowering, 1, 9)
     twice = program(STOPS.format(16, 100, 2), lowering, 1, 9)
@@ -118,7 +120,7 @@ def test_half_the_light_in_twice_the_slots(lowering: str, light: np.ndarray) -> 
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
 @settings(max_examples=80, deadline=None)
 @given(patterns(), st.permutations(range(SLOTS)))
-def test_permuted_slots_with_permuted_shutters(
+def test_permuted_slots_and_shutters_give_equal_exposures(
     lowering: str, light: np.ndarray, order: list[int]
 ) -> None:
     container = program(EVERY, lowering, ROWS, COLS)

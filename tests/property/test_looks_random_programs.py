@@ -62,7 +62,7 @@ def test_words_do_what_the_text_says(chunk: int) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("chunk", range(CHUNKS, 3 * CHUNKS))
-def test_words_of_more_programs_and_better_encodings(chunk: int) -> None:
+def test_more_random_programs_of_level_2_equal_the_interpreter(chunk: int) -> None:
     run(chunk, range(PROGRAMS // CHUNKS), level=2)
 
 

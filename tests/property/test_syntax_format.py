@@ -73,5 +73,7 @@ def test_trees_and_comments_survive(program: tuple[int, list[t.Statement]], seed
 @pytest.mark.slow
 @settings(max_examples=10_000, suppress_health_check=list(HealthCheck), deadline=None)
 @given(PROGRAMS_BY_VERSION, st.integers(0, 2**32))
-def test_ten_thousand_programs(program: tuple[int, list[t.Statement]], seed: int) -> None:
+def test_ten_thousand_programs_survive_formatting(
+    program: tuple[int, list[t.Statement]], seed: int
+) -> None:
     survives(*program, seed)

@@ -94,7 +94,7 @@ def test_the_page_shows_report_shutters_and_pictures(page: Any) -> None:
     assert page.locator("#text .statement").all_inner_texts()[:2] == ["nsl", "frame"]
 
 
-def test_nothing_scrolls_sideways(page: Any) -> None:
+def test_the_page_does_not_scroll_sideways(page: Any) -> None:
     page.click("#follow")
     page.wait_for_selector("#registers td")
     write(page, PROGRAM.replace("n < stop", "n < stp"))

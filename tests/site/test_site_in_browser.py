@@ -137,7 +137,7 @@ def test_what_is_copied_has_no_prompt(opened: Any) -> None:
 
 
 @pytest.mark.parametrize("opened", [(1280, "light")], indirect=True)
-def test_logo_icon_and_links_of_the_home_page(opened: Any) -> None:
+def test_the_home_page_has_its_logo_icon_and_links(opened: Any) -> None:
     opened.goto((SITE / "docs/index.html").as_uri())
     assert opened.evaluate("document.querySelector('.sidebar-logo').naturalWidth") > 0
     icon = opened.evaluate("document.querySelector('link[rel~=icon]').href")

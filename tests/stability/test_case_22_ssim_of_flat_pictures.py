@@ -17,7 +17,7 @@ def test_flat_equal_pictures_are_one() -> None:
 
 
 @pytest.mark.parametrize("pedestal", [0.0, 1e4, 1e6])
-def test_a_pedestal_in_float32(pedestal: float) -> None:
+def test_ssim_is_exact_for_float32_values_far_from_zero(pedestal: float) -> None:
     """Against windows summed exactly, with each window's own mean taken away first."""
     rng = np.random.default_rng(2)
     x, y = ((pedestal + rng.standard_normal((12, 12)) * 0.25).astype(np.float32) for _ in range(2))
@@ -42,7 +42,7 @@ def test_a_pedestal_in_float32(pedestal: float) -> None:
     assert metrics.ssim(x, y, 1.0) == pytest.approx(math.fsum(exact) / 4, abs=1e-4)
 
 
-def test_always_between_minus_one_and_one() -> None:
+def test_ssim_lies_between_minus_one_and_one() -> None:
     rng = np.random.default_rng(3)
     for _ in range(40):
         scale = 10.0 ** rng.uniform(-6, 8, 2)
@@ -52,7 +52,7 @@ def test_always_between_minus_one_and_one() -> None:
 
 
 @pytest.mark.parametrize("data_range", [0.0, -1.0, math.nan])
-def test_no_data_range_no_number(data_range: float) -> None:
+def test_ssim_refuses_an_invalid_data_range(data_range: float) -> None:
     flat = np.ones((12, 12))
     with pytest.raises(ValueError, match="data range"):
         metrics.ssim(flat, flat, data_range)

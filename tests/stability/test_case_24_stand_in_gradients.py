@@ -32,7 +32,7 @@ def test_small_signals_have_the_digit_zero() -> None:
     assert signed(torch.tensor(values)).tolist() == [0, 0, 0, 0, 1, 1, 1]
 
 
-def test_rounding_and_clipping() -> None:
+def test_rounding_and_clipping_have_stand_in_gradients() -> None:
     values = [-0.001, 0.0, 0.5, 1.5, 7.2, 8.0, 8.001]
     assert gradient(lambda x: rounded(torch.clamp(x, 0, 8)), values) == [0, 1, 1, 1, 1, 1, 0]
     assert rounded(torch.tensor([0.5, 1.5, 2.4])).tolist() == [0, 2, 2]
@@ -49,7 +49,7 @@ def test_an_edges_gradient_has_unit_area() -> None:
 
 
 @pytest.mark.parametrize("spec", SPECS, ids=lambda spec: spec.kind)
-def test_the_soft_shutter_by_finite_differences(spec: ShutterSpec) -> None:
+def test_gradients_of_soft_shutters_equal_finite_differences(spec: ShutterSpec) -> None:
     small = ShutterSpec(
         spec.kind, 6, (2, 2), length=2 if spec.length else None, rows=spec.rows and 4
     )

@@ -14,7 +14,9 @@ from nscc_training.decoders.decoder_building import make_decoder  # noqa: E402
 @pytest.mark.parametrize("side", [32, slow(64)])
 @pytest.mark.parametrize("slots", [1, 8, 13, 16])
 @pytest.mark.parametrize("name", ["unet2d", "unet3d", "unrolled"])
-def test_gradients_of_small_networks(name: str, slots: int, side: int) -> None:
+def test_gradients_of_small_networks_equal_finite_differences(
+    name: str, slots: int, side: int
+) -> None:
     torch.manual_seed(1)
     decoder = make_decoder(name, "small", DecoderTask("clip", slots, (4, 4)))
     for parameter in decoder.parameters():

@@ -29,7 +29,7 @@ def test_the_brightest_have_their_part_and_no_more(name: str) -> None:
     assert share_of_the_brightest(name, 1) < 0.05
 
 
-def test_on_linear_light_they_rule() -> None:
+def test_bright_pixels_dominate_the_loss_of_linear_light() -> None:
     assert share_of_the_brightest("l1", 1) > 0.2
 
 

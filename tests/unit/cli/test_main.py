@@ -103,7 +103,7 @@ def test_every_command_has_help_and_common_options(folder: Path, name: str) -> N
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else None,
 )
-def test_exit_status_and_message(
+def test_commands_have_the_documented_status_and_message(
     folder: Path, arguments: list[str], status: int, code: str | None, part: str
 ) -> None:
     outcome = invoke(arguments, folder)
@@ -216,7 +216,7 @@ def test_denied_warnings_are_errors_and_nothing_is_written(folder: Path) -> None
     assert not (folder / "b.icw").exists()
 
 
-def test_no_colour_without_a_terminal(folder: Path) -> None:
+def test_messages_have_no_colour_without_a_terminal(folder: Path) -> None:
     assert "\x1b" not in invoke(["check", "bad.nsl"], folder).err
 
 

@@ -74,7 +74,7 @@ def test_what_was_changed_does_not(stops: Path, old: str, new: str, says: str) -
     assert says in done.err
 
 
-def test_shutters_of_a_program(stops: Path) -> None:
+def test_the_command_shutters_writes_the_shutters_of_a_program(stops: Path) -> None:
     for name in ("stops.nsl", "stops.icw"):
         assert invoke(["shutters", name, "-o", "s.npz"], stops).status == 0
         tile = np.array([[4, 3], [2, 1]])[..., None] > np.arange(4)

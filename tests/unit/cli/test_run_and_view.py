@@ -57,7 +57,7 @@ def oracle(file: str) -> np.ndarray:
         ((6, 8), "the array is 8 x 6"),
     ],
 )
-def test_light_with_the_axes_of_other_tools(
+def test_light_with_the_axes_of_other_tools_is_refused(
     shape: tuple[int, ...], words: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     np.savez("s.npz", light=np.ones(shape, np.float32))

@@ -139,7 +139,7 @@ def test_refuses_in_one_sentence_and_leaves_nothing(tmp_path: Path, name: str) -
     assert os.listdir(tmp_path) == ["file"]
 
 
-def test_several_files_or_none(tmp_path: Path) -> None:
+def test_all_files_or_none_are_written(tmp_path: Path) -> None:
     (tmp_path / "file").write_bytes(b"old")
     with pytest.raises(Rejected):
         write_together({tmp_path / "a": b"a", tmp_path / "file" / "b": b"b"})
@@ -155,7 +155,7 @@ def test_two_products_in_one_file_are_refused(tmp_path: Path) -> None:
     assert [d.code for d in raised.value.diagnostics] == ["NS0745"]
 
 
-def test_never_over_an_input_by_any_name(tmp_path: Path) -> None:
+def test_an_input_is_never_overwritten_by_any_name(tmp_path: Path) -> None:
     source, link = tmp_path / "a.nsl", tmp_path / "b.nsl"
     source.write_bytes(b"text")
     link.hardlink_to(source)

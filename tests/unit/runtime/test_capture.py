@@ -110,7 +110,7 @@ def test_seeds_threads_and_plans() -> None:
     assert not np.array_equal(other.exposure_e, one.exposure_e)
 
 
-def test_tolerances_in_electrons_or_text_and_effects_as_on_the_command_line() -> None:
+def test_capture_takes_tolerances_and_effects_as_on_the_command_line() -> None:
     sensor = default_sensor(PROGRAM.target)
     lsb = sensor.electrons_per_lsb
     for given, electrons in (("2e", 2.0), (2, 2.0), (2.5, 2.5), ("0.5lsb", 0.5 * lsb)):
@@ -186,7 +186,7 @@ def test_batches_that_do_not_pair_up() -> None:
         captures(PROGRAM, [CLIP], effects="auto", repeat=0)
 
 
-def test_one_plan_for_a_batch() -> None:
+def test_captures_of_a_batch_share_a_plan() -> None:
     plan = capture(PROGRAM, CLIP, effects="auto").plan
     found = captures(PROGRAM, [CLIP, CLIP * 2], plan=plan)
     assert all(each.plan.kept.on == plan.kept.on for each in found)

@@ -116,7 +116,7 @@ def test_converters_of_fewer_bits_clip_and_of_more_are_refused() -> None:
     assert caught.value.diagnostics[0].code == "NS0742"
 
 
-def test_layout_of_the_file() -> None:
+def test_the_file_has_the_documented_arrays() -> None:
     keep = ("light", "truth", "shutter", "codes")
     data = np.load(io.BytesIO(written(keep)))
     assert data["frame"].dtype == np.uint8
@@ -164,7 +164,7 @@ def test_repeats_have_an_axis_in_front() -> None:
             np.testing.assert_array_equal(thrice[key][k], once[key])
 
 
-def test_same_frame_same_bytes() -> None:
+def test_equal_frames_give_equal_bytes() -> None:
     keep = ("light", "truth", "shutter", "codes")
     assert written(keep) == written(keep)
 

@@ -315,7 +315,7 @@ def test_machine_code_of_other_users_is_not_executed(
     assert machine_code.read_object_file("loops.o", [folder]) == b"mine"
 
 
-def test_array_types_of_numpy_before_and_since_2_5() -> None:
+def test_array_types_of_old_and_new_numpy_are_understood() -> None:
     """`NDArray` was a generic array, and is an alias whose argument is the type of numbers."""
     number = TypeVar("number", bound=np.generic)
     array: Any = np.ndarray[tuple[Any, ...], np.dtype[number]]

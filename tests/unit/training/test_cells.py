@@ -80,7 +80,7 @@ def test_emulated_words_give_the_bits_of_torch(number: int) -> None:
 
 
 @pytest.mark.slow
-def test_a_thousand_random_frames() -> None:
+def test_cells_on_the_chip_equal_cells_in_torch_for_a_thousand_frames() -> None:
     generator = np.random.default_rng(45)
     for number in range(100):
         kernel = int(generator.choice([3, 3, 5, 7]))

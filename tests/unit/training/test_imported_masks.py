@@ -82,7 +82,7 @@ def test_an_open_shutter_is_a_bump_as_long_as_the_frame(tmp_path: Path) -> None:
     assert all("words a slot" in reason for reason in found.reasons)
 
 
-def test_the_axes_of_a_square_tile(tmp_path: Path) -> None:
+def test_the_axes_of_a_mask_with_a_square_tile_are_found(tmp_path: Path) -> None:
     mask = by_stop(1 + np.arange(16).reshape(4, 4) % 4)
     assert imported(tmp_path, mask, None)[0].axes == "8 slots (the last axis of `mask`)"
 
@@ -162,7 +162,7 @@ def test_masks_of_several_buckets_and_of_pixels_that_look(tmp_path: Path) -> Non
     assert not (tmp_path / "k.npy").exists()
 
 
-def test_a_code_for_every_pixel(tmp_path: Path) -> None:
+def test_a_mask_with_a_code_for_every_pixel_is_imported(tmp_path: Path) -> None:
     mask = by_stop(RNG.integers(1, 9, (256, 256)))
     found, shutters = imported(tmp_path, mask)
     assert (found.kind, found.tile) == ("b", (256, 256))

@@ -76,7 +76,7 @@ def test_a_sum_of_losses_has_the_sum_of_values_and_gradients() -> None:
     assert twice.item() == pytest.approx(2 * single["l1"].item())
 
 
-def test_ones_own_loss_in_a_sum(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_loss_by_import_path_is_added(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "loss_in_a_sum.py").write_text("def one(p, t):\n    return p.mean()\n")
     monkeypatch.chdir(tmp_path)
     made, truth = pair(0.1)

@@ -89,7 +89,7 @@ def test_mu_and_pu21_count_dark_errors_more() -> None:
         assert measure(truth * 7, (truth + 0.005) * 7, 7.0) == pytest.approx(in_dark, abs=1e-9)
 
 
-def test_mu_psnr_by_hand() -> None:
+def test_mu_psnr_equals_a_value_computed_by_hand() -> None:
     truth, result = np.full((11, 11), 0.5), np.full((11, 11), 0.25)
     difference = (math.log1p(2500) - math.log1p(1250)) / math.log1p(5000)
     assert metrics.mu_psnr(truth, result, 1.0) == pytest.approx(-20 * math.log10(difference))
@@ -154,12 +154,12 @@ def test_equal_pictures_have_no_part_in_a_mean() -> None:
 
 
 @pytest.mark.parametrize("bad", [[], [math.nan], [0.01, math.nan], [math.inf, 0.1], [-1.0]])
-def test_no_frame_scores_of_bad_errors(bad: list[float]) -> None:
+def test_invalid_errors_have_no_frame_scores(bad: list[float]) -> None:
     with pytest.raises(ValueError, match="a mean"):
         metrics.frame_scores(bad, 1.0)
 
 
-def test_no_summary_of_a_bad_score() -> None:
+def test_scores_that_are_not_numbers_are_refused() -> None:
     with pytest.raises(ValueError, match="NaN"):
         summary([1.0, math.nan], ["a", "b"])
     with pytest.raises(ValueError, match="NaN"):

@@ -81,7 +81,7 @@ def test_tiles_are_laid_from_the_corner() -> None:
     assert laid(tile, 5, 7)[0].tolist() == wanted
 
 
-def test_unequal_slots_of_a_still() -> None:
+def test_unequal_slots_weigh_a_still_by_their_length() -> None:
     model, _, _ = sensor_model()
     shutters = torch.tensor([1.0, 0.0, 1.0]).reshape(3, 1, 1)
     share = torch.tensor([0.5, 0.3, 0.2], dtype=torch.float64)
@@ -182,7 +182,7 @@ def test_a_factor_of_noise_is_of_both_noises() -> None:
             )
 
 
-def test_gradients_of_exposing_and_lifting() -> None:
+def test_gradients_of_exposing_and_lifting_equal_finite_differences() -> None:
     generator = torch.Generator().manual_seed(1)
     light = torch.rand(2, 3, 4, 6, generator=generator, dtype=torch.float64, requires_grad=True)
     still = torch.rand(2, 4, 6, generator=generator, dtype=torch.float64, requires_grad=True)
@@ -194,7 +194,7 @@ def test_gradients_of_exposing_and_lifting() -> None:
         exposed(light, soft[:2])
 
 
-def test_gradients_of_the_whole_capture() -> None:
+def test_gradients_of_the_whole_capture_equal_finite_differences() -> None:
     """Soft shutters, unrounded readout: finite differences agree in float64."""
     encoder = make_encoder(ShutterSpec("d", 6, (2, 2)), "random", 1, "sigmoid")
     light = torch.rand(2, 6, 4, 4, dtype=torch.float64) * 100

@@ -72,7 +72,9 @@ def built(text: str, **options: object) -> tuple[bytes, bytes]:
 
 
 @pytest.mark.parametrize("name", ["few", "c", "book", *map(slow, ("b", "d", "buckets"))])
-def test_same_bytes_without_a_search(name: str, folder: Path, searches: list[int]) -> None:
+def test_a_cached_build_is_equal_and_needs_no_search(
+    name: str, folder: Path, searches: list[int]
+) -> None:
     plain = built(TEXTS[name], cache=False)
     assert not folder.exists()
     first = built(TEXTS[name])

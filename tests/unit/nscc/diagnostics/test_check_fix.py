@@ -22,7 +22,7 @@ def with_fixes(source: Source, *fixes: Fix) -> Diagnostic:
     return Diagnostic("NS0107", "wrong", source=source, fixes=fixes)
 
 
-def test_all_mistakes_with_a_sure_remedy(
+def test_check_fix_applies_all_safe_fixes(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "a.nsl"

@@ -49,7 +49,7 @@ def _name(code: str) -> str:
     return page.stem[7:]
 
 
-def test_an_annotation_without_a_place_and_one_over_lines() -> None:
+def test_annotations_need_no_place_and_may_span_lines() -> None:
     note = Diagnostic("NS0901", "a\nb", Severity.NOTE)
     assert workflow_commands([note]).startswith("::notice title=NS0901")
     assert workflow_commands([note]).endswith("::a%0Ab\n")

@@ -239,7 +239,7 @@ def test_buckets_have_names_of_their_own() -> None:
     assert len(renamed(document(text), text.index("code a") + 5, "stop")) == 3
 
 
-def test_fixes_at_a_place_and_all_sure_fixes_of_a_text() -> None:
+def test_fixes_are_found_at_a_place_and_applied_in_a_text() -> None:
     text = "nsl 1\nframe 8 slots of 1 ms\nopen wehn n < 3\n"
     found = document(text)
     titles = [fix.title for _, fix in fixes_at(found, Span(0, len(text)))]

@@ -164,7 +164,7 @@ def test_every_slot_of_a_long_frame_is_repetition(tmp_path: Path) -> None:
 
 @needs_compiler
 @pytest.mark.parametrize("rows", ["fixed", "tile"])
-def test_all_thirteen_registers_the_masked_one_first(rows: str, tmp_path: Path) -> None:
+def test_cpp_writes_all_thirteen_registers_the_masked_one_first(rows: str, tmp_path: Path) -> None:
     data = {
         "fixed": "pixels bits = (2917 * x + 4421 * y) % 8192\n",
         "tile": "pixels bits = (2917 * (x % 8) + 4421 * (y % 4)) % 8192\n",
@@ -245,12 +245,12 @@ def test_several_buckets_are_read_out(tmp_path: Path) -> None:
 
 @needs_compiler
 @pytest.mark.parametrize("frame", ["9 slots of 0.3s", "slots [3s, 1s, 0.7s]", "9 slots of 20.3us"])
-def test_slow_fast_and_unequal_slots(frame: str, tmp_path: Path) -> None:
+def test_cpp_keeps_the_times_of_slow_fast_and_unequal_slots(frame: str, tmp_path: Path) -> None:
     checked(tmp_path, f"nsl 1\nframe {frame}\nopen when n == 1 or n == 0\n")
 
 
 @needs_compiler
-def test_a_frame_longer_than_the_clock(tmp_path: Path) -> None:
+def test_cpp_exposes_a_frame_longer_than_its_clock(tmp_path: Path) -> None:
     """32 bits of microseconds are 71 minutes."""
     recording, _, _ = checked(tmp_path, "nsl 1\nframe 2 slots of 5000s\nopen when true\n")
     [started, *_, ended] = [int(v[1]) for name, v in recording.frames[0] if name == "launch"][:-1]
@@ -302,7 +302,7 @@ def ran(container: Container, recording: Recording, numbers: list[int]) -> Conta
 
 
 @needs_compiler
-def test_a_program_for_the_scamp7(tmp_path: Path) -> None:
+def test_cpp_for_the_scamp7_uses_its_registers(tmp_path: Path) -> None:
     text = "nsl 1\nframe 18 slots of 1ms\ncode bits : bit[18]\nopen when bits[n]\n"
     data = "pixels bits = (2917 * (x % 8) + 44210 * (y % 4)) % 262144\n"
     file, container = build(tmp_path, text + data, "--target", "scamp7")

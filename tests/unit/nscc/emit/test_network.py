@@ -188,7 +188,7 @@ def lowered_planes(lowered):
     return container_of(lowered, 1).state_planes
 
 
-def test_depth_and_registers_of_a_program_done_by_hand():
+def test_depth_and_registers_equal_those_computed_by_hand():
     """Two stops: planes p0, p1 and a WHERE for each; both planes live on, and FLAG."""
     network = network_of(
         built("frame 3 slots of 1ms\ncode s : 1..3\nopen when n < s", lowering="latch").lowered

@@ -85,7 +85,7 @@ def test_bits_that_tell_shutters_apart(shutters):
 
 
 @given(st.integers(0, 100), st.integers(0, 50))
-def test_largest_with_by_counting(most, ceiling):
+def test_largest_with_equals_counting(most, ceiling):
     counted = [n for n in range(1, ceiling + 1) if n * n <= most]
     assert largest_with(lambda n: n * n, most, 1, ceiling) == max(counted, default=0)
 

@@ -73,7 +73,7 @@ def test_what_is_impossible_does_not_compile_and_is_never_built(tiny):
         assert limit.built is None or limit.built.size < limit.impossible
 
 
-def test_the_registers_of_a_tiny_chip_by_hand(tiny):
+def test_limits_of_a_tiny_chip_equal_those_computed_by_hand(tiny):
     """4 registers hold 16 states: 16 stops, 15 with never, 5 slots of bumps, 4 free bits."""
     impossible = {name: limit.impossible for (name, _), limit in tiny.items()}
     assert impossible["b 1..N"] == 17

@@ -30,7 +30,7 @@ def words(table, target):
 
 @pytest.mark.parametrize("never", [False, True])
 @pytest.mark.parametrize(("slots", "most"), [(65, 590), (66, 670), (72, 1210)])
-def test_all_bumps_of_more_slots_than_rows(slots, most, never):
+def test_bumps_of_many_slots_take_few_words(slots, most, never):
     assert words(bumps(slots, never=never), SCAMP) <= most + 60 * never
 
 

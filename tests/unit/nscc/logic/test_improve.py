@@ -147,7 +147,7 @@ def test_all_registers_in_use():
     assert words == 12 + 24
 
 
-def test_few_sources_a_word():
+def test_improved_gates_keep_the_sources_of_a_narrow_chip():
     narrow = chip(or_sources=2, where_sources=1)
     answers = ["t0 = NOR p0 p1; t1 = OR t0 p2; t1 = OR t1 p0; FLAG = WHERE t1"]
     problem, solution = solved([(ALL ^ (A | B)) | C | A], answers, scratch=2)

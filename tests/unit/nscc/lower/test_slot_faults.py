@@ -86,7 +86,7 @@ def test_more_shutters_than_states(chip, text, codes, required, what):
 
 
 @pytest.mark.slow
-def test_a_large_codebook(tmp_path):
+def test_a_codebook_that_is_too_large_is_refused(tmp_path):
     found = fault(book_file(tmp_path, 8200, 20))
     assert (found.code, found.data["required"]) == ("NS0412", 14)
     check_ways_out(found, 20)
@@ -122,7 +122,7 @@ def check_ways_out(found, slots, more=None):
     return [text[:24].strip() for text in found.ways_out]
 
 
-def test_ways_out_of_free_bits():
+def test_ways_out_of_too_many_free_bits_fit():
     text = E16 + "\npixels bits = tile [[1, 2], [3, 4]]"
     offered = check_ways_out(
         fault(text),
@@ -137,7 +137,7 @@ def test_ways_out_of_free_bits():
     assert offered[:2] == ["`--codes fixed`", "frame 13 slots"]
 
 
-def test_ways_out_of_a_rule_of_no_class():
+def test_ways_out_of_a_general_rule_fit():
     """The rule keeps its text; the frame gets the largest number of slots that fits."""
     text = "frame {} slots of 1ms\ncode s : 1..N code a : bit[9]\nopen when n < s xor a[n % 9]"
     offered = check_ways_out(
@@ -175,7 +175,7 @@ def test_a_codebook_of_random_rows_costs_no_more_than_its_stand_in(tmp_path):
     ("buckets", "lowering", "required", "most"),
     [(7, "auto", 7, 6), (8, "auto", 8, 6), (6, "accumulate", 7, 5), (6, "latch", 7, 5)],
 )
-def test_too_many_buckets(buckets, lowering, required, most):
+def test_too_many_buckets_are_refused(buckets, lowering, required, most):
     def text(count):
         rules = (f"bucket b{i} open when n < s" for i in range(count))
         return "frame 8 slots of 1ms\ncode s : 0..7\n" + "\n".join(rules)
@@ -256,7 +256,7 @@ def test_programs_that_do_less_than_asked_are_not_advised(version, text):
 
 
 @pytest.mark.parametrize(("slot_s", "readout_s", "buckets"), [(2, 0, 1), (0, 2, 1), (0, 0.7, 2)])
-def test_bits_that_decay_in_a_slot_or_a_readout(slot_s, readout_s, buckets):
+def test_bits_that_decay_in_a_slot_or_a_readout_are_refused(slot_s, readout_s, buckets):
     """Bits of codes, and those of states in a program that looks."""
     target = replace(load_target("scamp5", Path()), readout_us=readout_s * 1e6)
     frame = f"frame 4 slots of {slot_s or 0.001}s\n"
@@ -270,7 +270,7 @@ def test_bits_that_decay_in_a_slot_or_a_readout(slot_s, readout_s, buckets):
         assert ("split the slot" in found.helps[0]) == (slot_s == 2)
 
 
-def test_gates_that_were_not_found():
+def test_a_search_without_gates_is_an_unproved_error():
     found = fault("frame 13 slots of 1ms\ncode b : bit[13]\nopen when b[n]", lowering="edges")
     assert found.code == "NS0502"
     assert found.data["proved"] is False

@@ -158,7 +158,7 @@ def test_a_film_needs_images_and_light(cell: Path) -> None:
 
 
 @pytest.mark.parametrize("kernel", ["[[1, 1, 1], [1, 0, 1], [1, 1, 1]]", "[[0, 1, 1, 0, -2]]"])
-def test_the_largest_of_neighbours(kernel: str) -> None:
+def test_the_largest_of_neighbours_equals_numpy(kernel: str) -> None:
     text = (
         f"nsl 3 frame 1 slots of 1ms open when true kernel k = {kernel} "
         "image i = -exposure / 2 image up = max(exposure, k) image down = -max(i, k) "

@@ -240,7 +240,7 @@ def test_counts_fill_the_registers_and_in(changed: dict[str, Any], steps_availab
     assert unit.steps == steps_available // 5
 
 
-def test_a_kernel_from_a_file(tmp_path: Path) -> None:
+def test_a_kernel_is_read_from_a_file(tmp_path: Path) -> None:
     np.savez(tmp_path / "k.npz", k=np.array([[0, 1, 0], [1, -4, 1], [0, 1, 0]]))
     text = ONE + 'assume exposure <= 20% kernel k from "k.npz" image i = k(exposure) read i'
     made = run_passes(Source("p.nsl", text), tmp_path, Options(level=0, cache=False)).program

@@ -217,7 +217,7 @@ def test_values_that_are_equal_in_some_pixels_are_compared() -> None:
     assert pictures_fault(nscc.compile(text, level=1).container) is None
 
 
-def test_the_largest_of_values_that_a_kernel_left_negative() -> None:
+def test_the_largest_of_negative_values_is_proved() -> None:
     text = (
         "nsl 3 frame 1 slots of 1ms open when true assume exposure <= 8% kernel k = [[-1, -1, 0]] "
         "image a = k(exposure) image b = max(exposure, k) read a, b"

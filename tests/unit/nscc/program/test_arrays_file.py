@@ -171,7 +171,7 @@ def test_arrays_that_cannot_be_books(tmp_path: Path, code: str, rows: np.ndarray
     assert refused(FRAME + BOOK + READ, tmp_path) == code
 
 
-def test_codes_for_a_compiled_program(tmp_path: Path) -> None:
+def test_codes_of_a_file_are_found_in_a_compiled_table(tmp_path: Path) -> None:
     text = "code a : -3..7 code b : 0..8 require a < b open when a <= n < b"
     table = program_of(FRAME + text).table
     rng = np.random.default_rng(1)
@@ -190,7 +190,7 @@ def outside_of(folder: Path, table: DecodeTable, **known: Any) -> Diagnostic:
     return found
 
 
-def test_values_beyond_the_ranges_of_a_compiled_program(tmp_path: Path) -> None:
+def test_values_beyond_the_ranges_of_a_program_are_refused(tmp_path: Path) -> None:
     """The container knows its codes; its fields are in the source that it carries."""
     text = "nsl 1\nframe 8 slots of 1ms\nlet top = 7\ncode stop : 1..top + 1\nopen when n < stop\n"
     (tmp_path / "p.nsl").write_text(text + "pixels stop = 4\n")
@@ -205,7 +205,7 @@ def test_values_beyond_the_ranges_of_a_compiled_program(tmp_path: Path) -> None:
             assert ("1..8" in found.err) == (code == "NS0311")
 
 
-def test_a_code_that_was_not_compiled(tmp_path: Path) -> None:
+def test_a_code_that_was_not_compiled_is_refused(tmp_path: Path) -> None:
     table = program_of(FRAME + "code a : 0..7 open when n < a pixels a = 2 + 2 * (x % 3)").table
     codes = np.full((4, 6), 4)
     codes[2, 5] = 5

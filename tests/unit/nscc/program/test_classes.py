@@ -60,7 +60,7 @@ def test_the_length_of_bumps_is_named() -> None:
     assert "3 slots" in program.class_reason
 
 
-def test_the_programs_of_the_language_document() -> None:
+def test_programs_of_the_language_page_have_their_classes() -> None:
     found = {
         "b": "frame 256 slots of 125us code stop : 1..256 open when n < stop "
         "pixels stop = tile [[256, 64], [16, 4]]",
@@ -139,7 +139,7 @@ def test_printing_cuts_long_tables() -> None:
     assert max(map(len, text.splitlines())) < 300
 
 
-def test_target_from_the_file_and_from_outside(tmp_path: Path) -> None:
+def test_a_target_is_named_by_the_file_or_the_caller(tmp_path: Path) -> None:
     seven = program_of("nsl 1 target scamp7 frame 8 slots of 1ms open when n < rows")
     assert seven.target.name == "scamp7"
     assert seven.target_span is not None

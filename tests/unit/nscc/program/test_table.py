@@ -116,7 +116,7 @@ def test_wide_rows_are_told_apart() -> None:
     assert table_of(program) == shutters(text, [("a", range(4))], N=100)
 
 
-def test_many_codes_by_many_slots() -> None:
+def test_a_table_of_many_codes_and_slots_is_right() -> None:
     program = program_of(
         "nsl 1 frame 4096 slots of 20us code stop : 1..4096 open when n < stop "
         "pixels stop = 1 + (16 * x + 4099 * y) % 4096"
@@ -127,7 +127,7 @@ def test_many_codes_by_many_slots() -> None:
 
 
 @pytest.mark.parametrize("slots", [1, 2, 7, 63, 64, 65])
-def test_any_number_of_slots(slots: int) -> None:
+def test_tables_of_any_number_of_slots_equal_the_oracle(slots: int) -> None:
     text = f"nsl 1 frame {slots} slots of 1us code stop : 0..N open when n < stop"
     assert table_of(program_of(text)) == shutters(text, [("stop", range(slots + 1))], N=slots)
 

@@ -298,7 +298,7 @@ def test_a_file_has_the_keys_of_its_kind(tmp_path: Path) -> None:
         assert code in {each.code for each in caught.value.diagnostics}
 
 
-def test_two_chips_side_by_side(tmp_path: Path) -> None:
+def test_targets_compare_shows_two_chips(tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(f"nsl 1\n{STOPS}")
     found = invoke(["targets", "--compare", "scamp5", "dual-tap", "p.nsl", "--json"], tmp_path)
     assert found.status == 0

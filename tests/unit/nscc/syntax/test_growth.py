@@ -41,7 +41,7 @@ def _warm() -> None:
 
 @pytest.mark.parametrize("before", ["", "nsl 1\nlet a = "])
 @pytest.mark.parametrize("piece", PIECES)
-def test_one_piece_over_and_over(piece: str, before: str) -> None:
+def test_calls_to_read_repeated_text_grow_linearly(piece: str, before: str) -> None:
     short, long = (calls(before + over_and_over(piece, size)) for size in (_SIZE, _TIMES * _SIZE))
     assert long <= _SLACK * _TIMES * short
 

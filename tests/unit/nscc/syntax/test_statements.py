@@ -159,7 +159,7 @@ def test_what_is_long_but_not_deep_is_taken(broad: str) -> None:
     assert codes(f"nsl 1 require {broad}") == []
 
 
-def test_the_shown_programs_of_every_syntax_page() -> None:
+def test_programs_on_syntax_pages_give_their_messages() -> None:
     pages = ROOT / "nscc" / "diagnostics" / "pages"
     checked = 0
     for page in sorted(pages.glob("NS01*.md")):

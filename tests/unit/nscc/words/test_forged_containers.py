@@ -189,7 +189,7 @@ def test_every_behaviour_has_one_start() -> None:
 
 
 @pytest.mark.parametrize(("length_us", "sound"), [(1e-9, True), (9e-10, False), (1e-300, False)])
-def test_slots_last_a_femtosecond_at_least(length_us: float, sound: bool) -> None:
+def test_slots_shorter_than_a_femtosecond_are_refused(length_us: float, sound: bool) -> None:
     container = built("nsl 1\nframe 4 slots of 1ms\nopen when n < 2\n")
     changed = replace(container, slot_us=(length_us,) * container.slots)
     assert (faults(changed) == []) == sound

@@ -163,7 +163,7 @@ def test_flats_that_are_not_flat() -> None:
         assert "flat" in message
 
 
-def test_frames_without_shot_noise(stacks: tuple[list[Stack], list[Stack]]) -> None:
+def test_frames_without_shot_noise_are_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
     rng = np.random.default_rng(0)
     flats = [
         replace(stack, codes=np.rint(rng.normal(50 + 20 * i, 1.5, (4, 32, 40))).astype(np.uint16))

@@ -31,7 +31,7 @@ def errors_of(found: Calibration, chip: Chip) -> dict[str, float]:
 
 
 @pytest.mark.parametrize("name", CHIPS)
-def test_each_value_within_four_standard_errors(name: str) -> None:
+def test_measured_values_lie_within_four_standard_errors(name: str) -> None:
     chip = replace(CHIPS[name], shape=(160, 160))
     found = calibrated(*taken(chip, 1, light=LIGHTS.get(name, LIGHT)), TOP)
     off = errors_of(found, chip)
@@ -58,7 +58,7 @@ def test_standard_errors_are_honest() -> None:
         assert 0.44 < (np.abs(z) < 1).mean() < 0.9, name
 
 
-def test_more_frames_smaller_errors() -> None:
+def test_more_frames_give_smaller_errors() -> None:
     few, many = (calibrated(*taken(Chip(), 5, n, 2 * n), TOP) for n in (3, 12))
     for name in ("conversion_gain", "dark_noise_e", "prnu"):
         ratio = few.quantities[name].se / many.quantities[name].se

@@ -72,7 +72,7 @@ def test_frames_are_the_sum_of_light_in_open_slots(shape, lowering):
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_stills_and_mixed_frames(lowering):
+def test_stills_and_repeated_frames_give_the_light_of_open_slots(lowering):
     shape, slots = (6, 33), 16
     random = np.random.default_rng(3)
     start, stop = random_bumps(random, shape, slots, lowering)

@@ -64,7 +64,7 @@ def sensor_near(container: Container, **values: float) -> Sensor:
 
 @pytest.mark.parametrize("effects", SETS)
 @pytest.mark.parametrize("name", CASES)
-def test_every_lowering_and_effect_as_the_reference(name: str, effects: str) -> None:
+def test_every_lowering_and_effect_equals_the_reference(name: str, effects: str) -> None:
     container = case(name, rows=6, cols=9)
     light = moving_light((8, 6, 9), 500.0)
     found, full = compared(container, light, sensor_near(container), effects, np.arange(54))
@@ -84,7 +84,7 @@ def test_numbers_of_slots_that_are_no_powers_of_two(slots: int) -> None:
         np.testing.assert_allclose(found, full, rtol=1e-9, atol=1e-3)
 
 
-def test_arrays_of_one_pixel_one_row_and_one_column() -> None:
+def test_arrays_of_one_pixel_row_or_column_equal_the_reference() -> None:
     for rows, cols in ((1, 1), (1, 9), (9, 1)):
         container = case("d edges", rows=rows, cols=cols)
         light = moving_light((8, rows, cols), 500.0)
@@ -151,7 +151,7 @@ def test_slots_so_short_that_words_fill_them() -> None:
         np.testing.assert_allclose(found, full, rtol=1e-9, atol=1e-3)
 
 
-def test_zeros_and_extremes_of_the_sensor() -> None:
+def test_extreme_sensors_equal_the_reference() -> None:
     container = case("c accumulate", rows=6, cols=9)
     light = moving_light((8, 6, 9), 500.0)
     for values in (

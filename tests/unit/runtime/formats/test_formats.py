@@ -206,7 +206,7 @@ def test_shutters_are_a_mask(folder: Path, run_nscc: RunNscc) -> None:
     assert np.array_equal(opened[0], mask)
 
 
-def test_a_frame_in_every_format(folder: Path, run_nscc: RunNscc) -> None:
+def test_a_frame_is_written_in_every_format(folder: Path, run_nscc: RunNscc) -> None:
     scene = ["run", "bits.nsl", "--scene", "clip.mat", "--exposure", "20000", "-o"]
     assert run_nscc([*scene, "frame.npz"], folder).status == 0
     with np.load(folder / "frame.npz") as file:

@@ -152,7 +152,7 @@ def test_medians_have_at_most_60_percent_of_the_public_words(name: str, public_w
         np.testing.assert_allclose(found[frame][1:-1, 1:-1], expected[1:-1, 1:-1], atol=1e-6)
 
 
-def test_bits_of_an_image_and_back() -> None:
+def test_an_image_is_converted_to_bits_and_back() -> None:
     light = film_light(4, 12, most_steps=110)
     capture = nscc_runtime.film(program("adc"), light)
     for frame, e in enumerate(exposures(light)):
@@ -245,7 +245,7 @@ def spiral() -> NDArray[np.bool_]:
         dark[y, x] = True
 
 
-def test_flood_from_the_border() -> None:
+def test_a_flood_removes_what_touches_the_border() -> None:
     """What touches the border is removed; a spiral is longer than the steps, and the frame says
     so."""
     light = film_light(4, 6, most_steps=80)

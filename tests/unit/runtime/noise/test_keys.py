@@ -98,7 +98,7 @@ def test_keys_differ_in_every_part():
 @pytest.mark.parametrize(
     "wrong", [(-1, 0), (2**64, 0), (0, -1), (0, 2**32), (0, 0, 2**32), (0, 0, 0, -1)]
 )
-def test_numbers_too_large_for_a_key(wrong):
+def test_numbers_too_large_for_a_key_are_refused(wrong):
     with pytest.raises(ValueError, match="outside 0"):
         key(*wrong)
 

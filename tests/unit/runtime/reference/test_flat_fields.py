@@ -95,7 +95,7 @@ def test_noise_of_reads_and_resets_adds_up_over_slots(lowering: str) -> None:
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_saturation_of_the_photodiode(lowering: str) -> None:
+def test_the_photodiode_saturates_at_its_full_well(lowering: str) -> None:
     found = run(lowering, "full_well", 1, full_well_e=2.5 * E)
     small = run(lowering, "full_well", 1, full_well_e=0.5 * E)
     for stop in range(SLOTS + 1):
@@ -107,7 +107,7 @@ def test_saturation_of_the_photodiode(lowering: str) -> None:
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_soft_saturation_of_registers(lowering: str) -> None:
+def test_registers_saturate_softly_above_their_knee(lowering: str) -> None:
     limit, knee = 3 * E, 0.8
     found = run(
         lowering,
@@ -156,7 +156,7 @@ class Affine:
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_errors_of_analog_words(lowering: str) -> None:
+def test_errors_of_analog_words_have_their_mean_and_variance(lowering: str) -> None:
     gain, lsb, noise, pattern, bias = 0.98, 10.0, 0.5, 0.2, 0.3
     move_gain, move_noise = 0.995, 0.4
     found = run(
@@ -194,7 +194,7 @@ def test_errors_of_analog_words(lowering: str) -> None:
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_leakage_and_its_noise(lowering: str) -> None:
+def test_leakage_has_its_mean_noise_and_pattern(lowering: str) -> None:
     tau = 5 * SLOT_S
     values = {"leakage_tau_s": tau, "leakage_spread_fraction": 0.0}
     found = run(lowering, "leakage", 1, **values)

@@ -68,7 +68,9 @@ def test_parts_of_an_exr_count_together(tmp_path: Path, bound: None) -> None:
 @pytest.mark.parametrize(
     "line", [b"-Y 30 +X 40", b"+Y 30 -X 40", b"+X 40 -Y 30", b"# -Y 1 +X 1 \n-Y 30 +X 40"]
 )
-def test_radiance_files_of_every_orientation(tmp_path: Path, bound: None, line: bytes) -> None:
+def test_large_radiance_files_of_every_orientation_are_refused(
+    tmp_path: Path, bound: None, line: bytes
+) -> None:
     head = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n"
     comment, newline, size = line.rpartition(b"\n")
     data = head + comment + newline + b"\n" + size + b"\n" + bytes(4 * 1200)
@@ -77,7 +79,9 @@ def test_radiance_files_of_every_orientation(tmp_path: Path, bound: None, line: 
 
 
 @pytest.mark.parametrize("ending", [".heic", ".avif", ".webp", ".png"])
-def test_pictures_and_animations_of_pillow(tmp_path: Path, bound: None, ending: str) -> None:
+def test_large_pictures_and_animations_are_refused(
+    tmp_path: Path, bound: None, ending: str
+) -> None:
     path = tmp_path / f"a{ending}"
     if ending == ".heic":
         heif = pytest.importorskip("pillow_heif")
@@ -162,7 +166,7 @@ def test_huge_arrays_of_matlab_7_3_are_not_read(tmp_path: Path) -> None:
     assert "MiB are allowed" in str(raised.value.diagnostics[0].notes)
 
 
-def test_a_chunk_that_unpacks_to_more_than_a_chunk(tmp_path: Path) -> None:
+def test_a_chunk_that_unpacks_to_more_is_refused(tmp_path: Path) -> None:
     import zlib
 
     h5py = pytest.importorskip("h5py")
@@ -174,7 +178,7 @@ def test_a_chunk_that_unpacks_to_more_than_a_chunk(tmp_path: Path) -> None:
         mat_array(path, "a")
 
 
-def test_measurements_beyond_single_precision(tmp_path: Path) -> None:
+def test_measurements_beyond_single_precision_are_refused(tmp_path: Path) -> None:
     np.savez(tmp_path / "a.npz", meas=np.array([[1.0, -1e300]]))
     with pytest.raises(Rejected, match="beyond 1e\\+15"):
         real_array(tmp_path / "a.npz", "meas")

@@ -131,7 +131,7 @@ def test_photos_of_16_bits_are_merged_more_exactly(tmp_path: Path, grey: bool) -
     np.testing.assert_allclose(made.reshape(ROWS, COLS, -1)[..., 0], light(), rtol=2e-3)
 
 
-def test_exposure_times_of_raw_files(tmp_path: Path) -> None:
+def test_exposure_times_of_raw_files_are_read(tmp_path: Path) -> None:
     """The first directory is the mosaic; the times are in the EXIF directory behind it."""
     pytest.importorskip("rawpy")
     for number, time in enumerate((1 / 64, 1 / 16)):

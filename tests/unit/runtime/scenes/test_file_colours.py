@@ -144,7 +144,9 @@ CURVES = {
 @pytest.mark.parametrize("curve", CURVES)
 @pytest.mark.parametrize("ending", ["tif", "png"])
 @pytest.mark.parametrize("grey", [False, True])
-def test_curves_of_profiles_in_16_bits(tmp_path: Path, curve: str, ending: str, grey: bool) -> None:
+def test_curves_of_profiles_are_applied_in_16_bits(
+    tmp_path: Path, curve: str, ending: str, grey: bool
+) -> None:
     data, expected = CURVES[curve]
     values = np.linspace(0, 65535, COLS).round().astype(np.uint16)
     picture = np.tile(values, (ROWS, 1))
@@ -227,7 +229,7 @@ def test_folders_and_brackets_use_profiles(tmp_path: Path, as_bracket: bool) -> 
     assert len([note for note in said if "test curve" in note.message]) == 1
 
 
-def test_heic_and_avif_with_the_pq_curve(tmp_path: Path) -> None:
+def test_heic_and_avif_with_the_pq_curve_are_linearised(tmp_path: Path) -> None:
     """White of PQ at 0.5081 is 1 % of its peak."""
     heif = pytest.importorskip("pillow_heif")
     picture = np.full((64, 64, 3), 255, np.uint8)
@@ -247,7 +249,7 @@ def test_heic_and_avif_with_the_pq_curve(tmp_path: Path) -> None:
     assert any("primaries" in note.message for note in said)
 
 
-def test_an_avif_with_the_pq_curve(tmp_path: Path) -> None:
+def test_an_avif_without_a_profile_is_linearised_by_its_numbers(tmp_path: Path) -> None:
     picture = np.full((64, 64, 3), 255, np.uint8)
     picture[:, 32:] = round(0.508078 * 255)
     Image.fromarray(picture).save(tmp_path / "a.avif", quality=100, subsampling="4:4:4")
@@ -259,7 +261,7 @@ def test_an_avif_with_the_pq_curve(tmp_path: Path) -> None:
     assert light[32, 48] / light[32, 16] == pytest.approx(0.01, rel=0.05)
 
 
-def test_adobe_rgb_by_exif_data(tmp_path: Path) -> None:
+def test_adobe_rgb_is_recognised_by_exif_data(tmp_path: Path) -> None:
     def directory(tag: int, kind: int, count: int, value: bytes) -> bytes:
         return struct.pack("<HHHI", 1, tag, kind, count) + value + bytes(4)
 

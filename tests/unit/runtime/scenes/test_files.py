@@ -110,7 +110,9 @@ def test_grey_portable_float_maps_are_as_they_lie(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 @pytest.mark.parametrize("channels", [1, 3, 4])
-def test_float_tiffs_of_any_number_of_channels(tmp_path: Path, dtype: Any, channels: int) -> None:
+def test_float_tiffs_of_any_number_of_channels_are_light(
+    tmp_path: Path, dtype: Any, channels: int
+) -> None:
     import cv2
 
     rgb = colours(9).astype(dtype)

@@ -86,7 +86,7 @@ def test_a_large_picture_is_the_light_of_a_small_one(
         np.testing.assert_allclose(light(path, fit), expected, rtol=1e-5)
 
 
-def test_a_photo_that_was_turned(tmp_path: Path, limits: None) -> None:
+def test_a_rotated_photo_is_read_upright(tmp_path: Path, limits: None) -> None:
     exif = Image.Exif()
     exif[274] = 6
     path = write(tmp_path / "a.png", "RGB", exif=exif)

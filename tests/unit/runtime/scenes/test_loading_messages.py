@@ -101,7 +101,7 @@ def test_a_clip_of_any_type_is_the_same_light(tmp_path: Path, transfer: Any) -> 
     np.testing.assert_allclose(lights[2], lights[0], rtol=1e-5)
 
 
-def test_white_of_twelve_bits(tmp_path: Path) -> None:
+def test_twelve_bits_in_sixteen_give_a_message(tmp_path: Path) -> None:
     import cv2
 
     stored = np.random.default_rng(0).integers(0, 4096, (ROWS, COLS)).astype(np.uint16)

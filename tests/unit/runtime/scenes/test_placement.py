@@ -192,7 +192,7 @@ def test_what_has_no_colours_is_exposed_once(tmp_path: Path) -> None:
         assert "no colours" in said[0].message
 
 
-def test_16_bits_alpha_and_grey(tmp_path: Path) -> None:
+def test_pictures_of_16_bits_alpha_and_grey_are_scaled(tmp_path: Path) -> None:
     deep = RNG.integers(0, 65536, (24, 32), np.uint16)
     cv2.imwrite(str(tmp_path / "deep.png"), deep)
     found, said = laid(tmp_path / "deep.png", transfer="linear", fit="scale")

@@ -50,7 +50,7 @@ def test_tiff_files_with_separate_planes_are_read(
 
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.float32])
-def test_a_stack_of_imagej_in_one_directory(tmp_path: Path, dtype: Any) -> None:
+def test_a_stack_of_imagej_is_read_as_frames(tmp_path: Path, dtype: Any) -> None:
     stack = (RNG.random((5, ROWS, COLS)) * 200).astype(dtype)
     path = tmp_path / "a.tif"
     tifffile.imwrite(path, stack, imagej=True, truncate=True, metadata={"axes": "TYX"})
@@ -120,7 +120,7 @@ def test_raw_is_scaled_by_what_the_file_states_only(tmp_path: Path) -> None:
     np.testing.assert_allclose(means[2] / means[0], 4, rtol=2e-3)
 
 
-def test_black_levels_of_the_four_pixels(tmp_path: Path) -> None:
+def test_black_levels_of_the_four_pixels_are_subtracted(tmp_path: Path) -> None:
     pytest.importorskip("rawpy")
     rows, cols = np.mgrid[:64, :80] % 2
     levels = (100, 200, 300, 400)
@@ -152,7 +152,7 @@ def test_raw_files_without_colour_filters_are_light(tmp_path: Path, kind: str) -
     np.testing.assert_allclose(read_picture(tmp_path / "a.dng"), known, atol=1)
 
 
-def test_raw_of_three_colours_at_each_pixel(tmp_path: Path) -> None:
+def test_raw_files_of_three_colours_at_each_pixel_are_light(tmp_path: Path) -> None:
     pytest.importorskip("rawpy")
     values = RNG.integers(300, 4096, (64, 80, 3), np.uint16)
     levels = (100, 200, 300)
@@ -216,7 +216,7 @@ def test_times_between_steps_are_placed_exactly_with_fps(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize("ending", ["gif", "webp", "png"])
-def test_a_frame_of_no_time_and_one_of_a_day(tmp_path: Path, ending: str) -> None:
+def test_frames_of_no_time_are_left_out_and_long_ones_repeated(tmp_path: Path, ending: str) -> None:
     path = tmp_path / f"a.{ending}"
     long_ms = 600_000 if ending == "gif" else 65_000 if ending == "png" else 8_640_000
     values = animation(path, [100, 0, 100, long_ms])

@@ -142,7 +142,7 @@ def test_the_colour_part_of_an_exr_is_read(tmp_path: Path) -> None:
     assert "cannot read" in refusal(tmp_path / "cut.exr").message
 
 
-def test_layers_of_an_exr(tmp_path: Path) -> None:
+def test_the_only_colour_layer_of_an_exr_is_read(tmp_path: Path) -> None:
     rgb = RNG.random((3, ROWS, COLS)).astype(np.float32)
     layer = {f"beauty.{name}": rgb[k] for k, name in enumerate("RGB")}
     write_exr(tmp_path / "l.exr", layer | {"depth.Z": rgb[0]})
@@ -216,7 +216,7 @@ def raw_exr(channels: dict[str, tuple[np.ndarray, int]], rows: int, cols: int) -
     return head + b"".join(struct.pack("<Q", at) for at in starts) + b"".join(lines)
 
 
-def test_luminance_with_subsampled_chroma(tmp_path: Path) -> None:
+def test_luminance_with_subsampled_chroma_is_read_as_colour(tmp_path: Path) -> None:
     """Chroma that changes evenly is the same at every pixel as if it were not subsampled."""
     rows, cols = np.mgrid[:ROWS, :COLS]
     luminance = RNG.random((ROWS, COLS)) + 0.5
@@ -233,7 +233,9 @@ def test_luminance_with_subsampled_chroma(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("first", ["-Y", "+Y", "-X", "+X"])
 @pytest.mark.parametrize("second", ["-", "+"])
-def test_radiance_in_every_orientation(tmp_path: Path, first: str, second: str) -> None:
+def test_radiance_files_of_every_orientation_are_read_upright(
+    tmp_path: Path, first: str, second: str
+) -> None:
     """Samples are stored line by line: `-Y 8 +X 10` are 8 rows from the top, each from the left."""
     picture = RNG.integers(1, 256, (ROWS, COLS, 3), np.uint8)
     lies = picture if first[1] == "Y" else picture.swapaxes(0, 1)

@@ -66,7 +66,7 @@ def frames_of(path: Path) -> list[np.ndarray]:
 @pytest.mark.parametrize("matrix", NUMBERS)
 @pytest.mark.parametrize("limited", [True, False])
 @pytest.mark.parametrize("bits", [8, 10, 12])
-def test_colours_by_matrix_range_and_bits(
+def test_videos_of_every_matrix_range_and_depth_are_decoded(
     tmp_path: Path, matrix: str, limited: bool, bits: int
 ) -> None:
     """Coded by the formulas of the recommendations, and found again."""
@@ -164,7 +164,7 @@ def test_rotation_is_that_of_the_file(tmp_path: Path, quarters: int) -> None:
     assert np.abs(witness[..., ::-1].astype(float) - found).mean() < 3
 
 
-def test_frames_of_unequal_length(tmp_path: Path) -> None:
+def test_frames_of_unequal_length_are_repeated(tmp_path: Path) -> None:
     """At 0, 40, 80, 200 and 240 ms: the one at 80 lasts for three steps."""
     values = (20, 60, 100, 140, 180)
     write(tmp_path / "v.mkv", [grey(v) for v in values], times=[0, 40, 80, 200, 240])

@@ -422,7 +422,7 @@ def radiance(path: Path, *, seed: int = 1) -> None:
     cv2.imwrite(str(path), np.repeat(light[..., None], 3, axis=2))
 
 
-def test_fixed_codes_on_panoramas(tmp_path: Path) -> None:
+def test_baselines_are_evaluated_on_panoramas(tmp_path: Path) -> None:
     radiance(tmp_path / "a.hdr")
     found = {}
     for name in ("ldr", "quad"):

@@ -74,7 +74,7 @@ def test_blocks_reach_the_edge() -> None:
     np.testing.assert_allclose(found, 0.3, rtol=1e-6)
 
 
-def test_many_more_equations_than_unknowns() -> None:
+def test_dependent_equations_get_the_solution_of_least_norm() -> None:
     """Columns that depend on each other: the solution of least norm, by the pseudoinverse."""
     rng = np.random.default_rng(5)
     matrix = rng.normal(size=(90, 6)) @ np.diag([1, 1e-3, 1, 1, 1e3, 1]) @ rng.normal(size=(6, 9))

@@ -198,7 +198,7 @@ def test_examples_are_listed_copied_and_never_overwritten(
     assert run_nscc(["examples", "hdr_2x2"], tmp_path).codes == ["NS0788"]
 
 
-def test_a_new_program_checks(tmp_path: Path, run_nscc: RunNscc) -> None:
+def test_a_new_program_passes_check(tmp_path: Path, run_nscc: RunNscc) -> None:
     assert run_nscc(["new", "mine"], tmp_path).status == 0
     assert (tmp_path / "mine.nsl").read_text() == START
     assert run_nscc(["check", "mine.nsl"], tmp_path).status == 0

@@ -178,7 +178,7 @@ def test_a_film_is_never_worse_than_an_ordinary_cameras(name: str, tmp_path: Pat
     assert made.psnr_db > made.open_db - 0.3
 
 
-def test_fewer_readouts_on_request(tmp_path: Path) -> None:
+def test_the_demo_takes_the_requested_readouts(tmp_path: Path) -> None:
     frames = [
         Image.fromarray(np.uint8(200 * frame))
         for frame in made_scenes.clip(np.random.default_rng(1), 16, 64)

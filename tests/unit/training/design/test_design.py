@@ -184,7 +184,7 @@ def test_a_design_is_a_program_in_the_one_style(tmp_path: Path) -> None:
         assert invoke(["check", "p.nsl", "--deny-warnings"], tmp_path).status == 0
 
 
-def test_the_same_design_for_the_same_scene() -> None:
+def test_equal_scenes_give_equal_designs() -> None:
     texts = {design_looks([scene()], 3, Frame(slots=16, level=0)).text for _ in range(2)}
     tiles = {design_tile([scene(8)], Frame(slots=16, level=0)).text for _ in range(2)}
     assert len(texts) == len(tiles) == 1

@@ -18,7 +18,7 @@ NAMES = ["fig5_coded_frame", "fig6_frames", "fig7_shutters", "fig5_exposures", "
 
 
 @pytest.mark.slow
-def test_figures_of_scenes_of_ones_own(tmp_path: Path) -> None:
+def test_figures_are_drawn_of_given_scenes(tmp_path: Path) -> None:
     """Of a folder's panorama and clip; the built-in scenes give others, but the same shutters."""
     (tmp_path / "d").mkdir()
     one_crop(tmp_path / "d/p.hdr")

@@ -35,7 +35,7 @@ def measure(options: dict[str, Any]) -> StudyResult:
     return measure_study(sensor_study(options))
 
 
-def test_every_configuration_once() -> None:
+def test_the_study_has_every_configuration_once() -> None:
     asked = settings(classes=("b", "e"), codes=("fixed", "open"), lowerings=("accumulate", "edges"))
     found = [(each.case, each.method, each.setting) for each in sensor_points(asked)]
     assert len(found) == len(set(found)) == (2 * 2 + 1) * 2 * 2
@@ -221,7 +221,7 @@ def test_a_chip_that_nobody_knows(tmp_path: Path) -> None:
     assert (done.status, done.codes) == (2, ["NS0230"])
 
 
-def test_a_chip_of_ones_own(tmp_path: Path) -> None:
+def test_the_study_takes_a_target_file(tmp_path: Path) -> None:
     """Fewer registers refuse what the other chip takes; an array need not be square."""
     text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
     changes = {
