@@ -158,7 +158,9 @@ class NetworkMaker:
 
 
 def measured(network: nx.DiGraph) -> nx.DiGraph:
-    """Set the attributes `depth` and `registers` of a complete network, and return the network."""
+    """Return a complete network after setting its attributes `depth` and `registers`.
+
+    They are the most gates in a row, and the number of registers that the gates need."""
     network.graph |= {"depth": depth(network), "registers": registers_needed(network)}
     return network
 

@@ -73,7 +73,7 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
         "refreshed": list(schedule.refreshed),
         "analog_writes": _range(lowered),
         "headroom_e": lowered.headroom_e,
-        "alternatives": [*map(_priced, choice.lowerings[1:]), *misfits],
+        "alternatives": [*map(_lowering_values, choice.lowerings[1:]), *misfits],
         "failed_generators": list(choice.failed_generators),
         "proof": {
             "codes": proof.codes,
@@ -98,7 +98,7 @@ def _range(lowered: Lowered) -> dict[str, int]:
     return {"min": least, "max": most}
 
 
-def _priced(lowered: Lowered) -> dict[str, Any]:
+def _lowering_values(lowered: Lowered) -> dict[str, Any]:
     """Return the cost of one lowering (way to compute the exposure) as JSON values: words, shortest
     slot in microseconds, analog writes, headroom in electrons."""
     return {

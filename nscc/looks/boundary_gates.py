@@ -50,7 +50,7 @@ class GateSequence(Record):
 
 
 @dataclass
-class Board:
+class RegisterContents:
     """The contents of registers at a boundary, while gates are chosen.
 
     A content is a truth vector: one bit for each lane (node of the state machine with one outcome
@@ -68,9 +68,9 @@ class Board:
         """The number of words of all gates so far."""
         return sum(gate.words for gate in self.gates)
 
-    def copy(self) -> Board:
-        """Return a board with the same gates and contents, which can be continued on its own."""
-        return Board(self.machine, self.everything, dict(self.values), list(self.gates))
+    def copy(self) -> RegisterContents:
+        """Return a copy, to which other gates can be added."""
+        return RegisterContents(self.machine, self.everything, dict(self.values), list(self.gates))
 
     def first_unused_scratch(self) -> str:
         """Return the name of the first unused scratch register."""
@@ -267,32 +267,34 @@ class Board:
         return GateSequence(gates.take(), tuple(scratch_values.items()))
 
 
-def write_simultaneously(board: Board, new_values: dict[str, int]) -> None:
+def write_simultaneously(contents: RegisterContents, new_values: dict[str, int]) -> None:
     """Append gates that write new values to registers simultaneously: all depend on the old values.
 
     `new_values` are truth vectors (integers with one bit for each node of the state machine and
     outcome) by register. Raises GaveUp if registers do not distinguish lanes with different new
     values."""
-    changes = {name: v for name, v in new_values.items() if board.values[name] != v}
-    best = _ordered(board, changes, None)
+    changes = {name: v for name, v in new_values.items() if contents.values[name] != v}
+    best = _ordered(contents, changes, None)
     # A shared value must save at least one word, and each change still takes one.
-    most = inf if best is None else best.words - board.words - len(changes) - 1
-    for begun in _with_changes(board, changes, most):
+    most = inf if best is None else best.words - contents.words - len(changes) - 1
+    for begun in _with_changes(contents, changes, most):
         best = _ordered(begun, changes, best)
     if best is None:
         raise GaveUp("the registers do not tell the lanes of a look apart")
-    board.values, board.gates = best.values, best.gates
+    contents.values, contents.gates = best.values, best.gates
 
 
-def _with_changes(board: Board, new_values: dict[str, int], most: float) -> Iterator[Board]:
-    """Yield boards with a further scratch register: the lanes (nodes of the state machine, each
+def _with_changes(
+    contents: RegisterContents, new_values: dict[str, int], most: float
+) -> Iterator[RegisterContents]:
+    """Yield contents with a further scratch register: the lanes (nodes of the state machine, each
     with one outcome) in which several registers become 1.
 
     Computing it takes at most `most` words. Each of these registers can then be ORed with it."""
-    rises = [v & ~board.values[name] for name, v in new_values.items()]
+    rises = [v & ~contents.values[name] for name, v in new_values.items()]
     for rise in dict.fromkeys(rises):
-        if rises.count(rise) > 1 and rise not in board.values.values():
-            after = board.copy()
+        if rises.count(rise) > 1 and rise not in contents.values.values():
+            after = contents.copy()
             name = after.first_unused_scratch()
             sequence = after.shortest_gates(rise, name, most)
             if sequence is not None:
@@ -300,20 +302,22 @@ def _with_changes(board: Board, new_values: dict[str, int], most: float) -> Iter
                 yield after
 
 
-def _ordered(board: Board, new_values: dict[str, int], best: Board | None) -> Board | None:
-    """Return the board after writing all new values, one after the other, in the order of fewest
+def _ordered(
+    contents: RegisterContents, new_values: dict[str, int], best: RegisterContents | None
+) -> RegisterContents | None:
+    """Return the contents after writing all new values, one after the other, in the order of fewest
     words.
 
-    Return `best` if no order takes fewer words than that board."""
-    if best is not None and board.words + len(new_values) >= best.words:
+    Return `best` if no order takes fewer words than that."""
+    if best is not None and contents.words + len(new_values) >= best.words:
         return best  # every value takes at least one word
     if not new_values:
-        return board
+        return contents
     most = inf if best is None else best.words - len(new_values)
     greedy = len(new_values) > _MOST_ORDERED
-    cheapest: tuple[str, Board] | None = None
+    cheapest: tuple[str, RegisterContents] | None = None
     for name in new_values:
-        after = _written(board, name, new_values, most)
+        after = _written(contents, name, new_values, most)
         if after is None:
             continue
         if greedy:
@@ -332,19 +336,21 @@ def _without(name: str, new_values: dict[str, int]) -> dict[str, int]:
     return {register: v for register, v in new_values.items() if register != name}
 
 
-def _written(board: Board, name: str, new_values: dict[str, int], most: float) -> Board | None:
-    """Return the board after writing the new value of the register `name`.
+def _written(
+    contents: RegisterContents, name: str, new_values: dict[str, int], most: float
+) -> RegisterContents | None:
+    """Return the contents after writing the new value of the register `name`.
 
     The old value is saved first if the other new values need it. Return None if that exceeds `most`
     words in all."""
-    sequence = board.shortest_gates(new_values[name], name, most - board.words)
+    sequence = contents.shortest_gates(new_values[name], name, most - contents.words)
     if sequence is None:
         return None
-    after = board.copy()
+    after = contents.copy()
     after.take(sequence, (name, new_values[name]))
     if after.distinguishes(_without(name, new_values).values()):
         return after
-    after = board.copy()
+    after = contents.copy()
     after.copy_to_scratch(name)
     sequence = after.shortest_gates(new_values[name], name, most - after.words)
     if sequence is None:

@@ -10,16 +10,16 @@ from collections.abc import Mapping, Sequence
 from itertools import islice
 
 from nscc.logic.problem import Gates, GaveUp
-from nscc.looks.boundary_gates import Board
+from nscc.looks.boundary_gates import RegisterContents
 
 
-def counted(board: Board, names: Sequence[str], new_values: Mapping[str, int]) -> int:
+def counted(contents: RegisterContents, names: Sequence[str], new_values: Mapping[str, int]) -> int:
     """Return the lanes, as a truth vector (an integer with one bit for each node of the state
     machine and outcome), in which the binary counter `names` is to count up by one.
 
     `names` are its registers, lowest bit first. Return 0 if its new values are others, or if fewer
     than two bits change."""
-    old = [board.values[name] for name in names]
+    old = [contents.values[name] for name in names]
     new = [new_values.get(name, v) for name, v in zip(names, old, strict=True)]
     lanes = carry = old[0] ^ new[0] if len(set(names) & new_values.keys()) > 1 else 0
     for before, after in zip(old, new, strict=True):
@@ -29,16 +29,16 @@ def counted(board: Board, names: Sequence[str], new_values: Mapping[str, int]) -
     return lanes
 
 
-def count_up(board: Board, names: Sequence[str], lanes: int) -> None:
+def count_up(contents: RegisterContents, names: Sequence[str], lanes: int) -> None:
     """Append gates that add one to the binary counter `names`, lowest bit first, in `lanes`.
 
     Raises GaveUp if no gates can compute these lanes (nodes of the state machine, each with one
     outcome)."""
-    carry = _carry_register(board, names, lanes)
-    gates = Gates(board.machine)
-    spare = (name for name in board.unused_scratch() if name != carry)
+    carry = _carry_register(contents, names, lanes)
+    gates = Gates(contents.machine)
+    spare = (name for name in contents.unused_scratch() if name != carry)
     neither, only_bit, only_carry, next_carry = islice(spare, 4)
-    highest = max(k for k, name in enumerate(names) if lanes & _lanes_of_ones(board, names, k))
+    highest = max(k for k, name in enumerate(names) if lanes & _lanes_of_ones(contents, names, k))
     for name in names[: highest + 1]:
         gates.nor(neither, [name, carry])
         gates.nor(only_carry, [neither, name])
@@ -48,54 +48,56 @@ def count_up(board: Board, names: Sequence[str], lanes: int) -> None:
             gates.nor(next_carry, [neither, only_bit, only_carry])
         carry = next_carry
     for name in names:
-        lanes, board.values[name] = lanes & board.values[name], board.values[name] ^ lanes
-    board.gates += gates.take()
+        lanes, contents.values[name] = lanes & contents.values[name], contents.values[name] ^ lanes
+    contents.gates += gates.take()
 
 
-def _lanes_of_ones(board: Board, names: Sequence[str], count: int) -> int:
+def _lanes_of_ones(contents: RegisterContents, names: Sequence[str], count: int) -> int:
     """Return the lanes (nodes of the state machine, each with one outcome) in which the `count`
     lowest bits of a counter are all 1.
 
     `names` are its registers, lowest bit first."""
-    lanes = board.everything
+    lanes = contents.everything
     for name in names[:count]:
-        lanes &= board.values[name]
+        lanes &= contents.values[name]
     return lanes
 
 
-def _carry_register(board: Board, names: Sequence[str], lanes: int) -> str:
+def _carry_register(contents: RegisterContents, names: Sequence[str], lanes: int) -> str:
     """Return a register that holds the truth vector (an integer with one bit for each node of the
     state machine and outcome) `lanes`, after appending gates that compute it if there is none.
 
     A counter with a limit counts in the lanes of an answer, except where the bits that are 1 in the
     limit all are 1: three words for each of these bits. Raises GaveUp if no gates compute it."""
-    carry = next((name for name, v in board.values.items() if v == lanes), "")
+    carry = next((name for name, v in contents.values.items() if v == lanes), "")
     if carry:
         return carry
-    for name, v in board.values.items():
-        for answer in (v, board.everything & ~v):
+    for name, v in contents.values.items():
+        for answer in (v, contents.everything & ~v):
             blocked = answer & ~lanes
-            ones = [bit for bit in names if blocked and not blocked & ~board.values[bit]]
-            at_limit = board.everything if ones else 0
+            ones = [bit for bit in names if blocked and not blocked & ~contents.values[bit]]
+            at_limit = contents.everything if ones else 0
             for bit in ones:
-                at_limit &= board.values[bit]
+                at_limit &= contents.values[bit]
             if answer & ~at_limit == lanes:
-                return _answer_below_limit(board, name, answer == v, ones)
-    carry = board.first_unused_scratch()
-    sequence = board.shortest_gates(lanes, carry)
+                return _answer_below_limit(contents, name, answer == v, ones)
+    carry = contents.first_unused_scratch()
+    sequence = contents.shortest_gates(lanes, carry)
     if sequence is None:
         raise GaveUp("the registers do not tell the lanes that count")
-    board.take(sequence, (carry, lanes))
+    contents.take(sequence, (carry, lanes))
     return carry
 
 
-def _answer_below_limit(board: Board, name: str, positive: bool, ones: Sequence[str]) -> str:
+def _answer_below_limit(
+    contents: RegisterContents, name: str, positive: bool, ones: Sequence[str]
+) -> str:
     """Append gates for the lanes (nodes of the state machine, each with one outcome) of `name`
     without those where all bits `ones` are 1; return their register.
 
     If not `positive`, the lanes where `name` is 0 are meant."""
-    gates = Gates(board.machine)
-    answer, below, bit = islice(board.unused_scratch(), 3)
+    gates = Gates(contents.machine)
+    answer, below, bit = islice(contents.unused_scratch(), 3)
     stops = [name]
     if positive and ones:
         gates.nor(answer, [name])
@@ -108,5 +110,5 @@ def _answer_below_limit(board: Board, name: str, positive: bool, ones: Sequence[
         gates.nor(bit, [below])
         stops.append(bit)
     gates.nor(answer, stops)
-    board.gates += gates.take()
+    contents.gates += gates.take()
     return answer

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, GaveUp, Machine
-from nscc.looks.boundary_gates import FLAG, Board, write_simultaneously
+from nscc.looks.boundary_gates import FLAG, RegisterContents, write_simultaneously
 from nscc.looks.count_up import count_up, counted
 from nscc.looks.encode import COUNTER, LooksEncoding, ValueBits
 from nscc.looks.looking_plan import LookingPlan, Moment
@@ -155,9 +155,11 @@ class _Moment:
         write."""
         self.solver, self.moment, self.plan = solver, moment, solver.plan
         self.target = solver.target
-        self.board = Board(solver.gates, moment.everything, solver.vectors(moment.before))
+        self.contents = RegisterContents(
+            solver.gates, moment.everything, solver.vectors(moment.before)
+        )
         after = solver.vectors(moment.after)
-        self.new_values = {name: v for name, v in after.items() if v != self.board.values[name]}
+        self.new_values = {name: v for name, v in after.items() if v != self.contents.values[name]}
         self.emitted: list[Item] = []
         self.sampled = False
         """Whether the scratch register holds -PIX in every pixel."""
@@ -181,11 +183,11 @@ class _Moment:
                 self.emitted.append(op("all"))
             self.emitted.append(SetIn(comparison.level))
             self.emitted.append(op("where", (), (*self.plan.scratched, "IN")))
-            self.board.values[FLAG] = moment.below(number)
+            self.contents.values[FLAG] = moment.below(number)
             if position + 1 < len(order):
-                self.board.copy_to_scratch(FLAG)
-                self.emitted += self.board.pop_gates()
-                del self.board.values[FLAG]
+                self.contents.copy_to_scratch(FLAG)
+                self.emitted += self.contents.pop_gates()
+                del self.contents.values[FLAG]
         plan, registers = self.plan, self.plan.bucket_registers
         falls: list[tuple[int, tuple[Op, ...]]] = []
         for register, v, copied in zip(registers, moment.falls, moment.copies, strict=True):
@@ -221,15 +223,15 @@ class _Moment:
             self.emitted += words
         counters = {}
         for held, names in zip(self.solver.encoding.states, self.solver.registers, strict=True):
-            if held.kind == COUNTER and (lanes := counted(self.board, names, self.new_values)):
+            if held.kind == COUNTER and (lanes := counted(self.contents, names, self.new_values)):
                 counters[names] = lanes
         rippled = {name for names in counters for name in names}
         write_simultaneously(
-            self.board, {r: v for r, v in self.new_values.items() if r not in rippled}
+            self.contents, {r: v for r, v in self.new_values.items() if r not in rippled}
         )
         for names, lanes in counters.items():
-            count_up(self.board, names, lanes)
-        self.emitted += self.board.pop_gates()
+            count_up(self.contents, names, lanes)
+        self.emitted += self.contents.pop_gates()
         return renamed(self.emitted)
 
     def _take_signal(self, comparison: Comparison) -> None:
@@ -252,7 +254,7 @@ class _Moment:
             return
         self.emitted.append(self.plan.register_to_scratch(register))
         if opens.any():
-            sequence = self.board.shortest_gates_to_flag(vector(np.flatnonzero(opens)))
+            sequence = self.contents.shortest_gates_to_flag(vector(np.flatnonzero(opens)))
             if sequence is None:
                 raise GaveUp("no gates tell which shutters are open")
             self.emitted += sequence.gates
@@ -267,41 +269,41 @@ class _Moment:
 
         `later` are the vectors that FLAG must have after this. Raises GaveUp if no gates are found.
         """
-        board = self.board
+        contents = self.contents
         if v == self.moment.everything:
-            if board.values.get(FLAG) != v:
+            if contents.values.get(FLAG) != v:
                 self._save_flag(later, ())
-                self.emitted += [*board.pop_gates(), op("all")]
-                board.values[FLAG] = v
+                self.emitted += [*contents.pop_gates(), op("all")]
+                contents.values[FLAG] = v
             return
         for name, new in self.new_values.items():
             # A register without a value takes its new value at once, and FLAG reads it there.
-            if new == v and not board.values[name]:
-                sequence = board.shortest_gates(v, name)
+            if new == v and not contents.values[name]:
+                sequence = contents.shortest_gates(v, name)
                 if sequence is not None:
-                    board.take(sequence, (name, v))
-        sequence = board.shortest_gates_to_flag(v)
+                    contents.take(sequence, (name, v))
+        sequence = contents.shortest_gates_to_flag(v)
         if sequence and sequence.gates and self._save_flag(later, sequence.scratch):
-            sequence = board.shortest_gates_to_flag(v)
+            sequence = contents.shortest_gates_to_flag(v)
         if sequence is None:
             raise GaveUp("the registers do not tell the lanes of a look apart")
-        board.take(sequence, (FLAG, v))
-        self.emitted += board.pop_gates()
+        contents.take(sequence, (FLAG, v))
+        self.emitted += contents.pop_gates()
 
     def _save_flag(self, later: Sequence[int], written: Sequence[tuple[str, int]]) -> bool:
         """Copy FLAG (the bit that lets a pixel act) to a scratch register if `later` vectors or new
         values depend on it; return whether they do.
 
         `written` are the scratch registers that are about to be written, with their values."""
-        board = self.board
-        if FLAG not in board.values:
+        contents = self.contents
+        if FLAG not in contents.values:
             return False
-        without = board.copy()
+        without = contents.copy()
         del without.values[FLAG]
         without.values.update(written)
         if without.distinguishes([*later, *self.new_values.values()]):
             return False
-        board.copy_to_scratch(FLAG)
+        contents.copy_to_scratch(FLAG)
         return True
 
 

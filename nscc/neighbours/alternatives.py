@@ -19,7 +19,8 @@ _MOST_MOVED = 5
 def alternatives(pictures: p.Pictures) -> Iterator[p.Pictures]:
     """Yield programs of images with the same results that may need fewer words.
 
-    In some, convolution kernels share their halvings; in others, one image is computed first."""
+    In some, convolution kernels share their halvings; in others, one image is computed before all
+    others."""
     shared = with_shared_halvings(pictures)
     if shared is not None:
         yield shared

@@ -179,22 +179,22 @@ class _Checker:
                 return self._name(node)
             case tree.Unary():
                 expected: Type = "boolean" if node.op == "not" else "integer"
-                self._want(expected, operand_types, [node.operand], f"`{node.op}`")
+                self._expect(expected, operand_types, [node.operand], f"`{node.op}`")
                 return expected
             case tree.Binary():
                 expected = "boolean" if node.op in ("and", "or", "xor") else "integer"
-                self._want(expected, operand_types, [node.left, node.right], f"`{node.op}`")
+                self._expect(expected, operand_types, [node.left, node.right], f"`{node.op}`")
                 return expected
             case tree.Compare():
                 self._compare(node, operand_types)
                 return "boolean"
             case tree.IfElse():
-                self._want(
+                self._expect(
                     "boolean", operand_types[:1], [node.condition], "the condition after `if`"
                 )
                 return self._branches(node, operand_types[1], operand_types[2])
             case tree.Index():
-                self._want("integer", operand_types, [node.index], "an index")
+                self._expect("integer", operand_types, [node.index], "an index")
                 self._base(node.base)
                 return "boolean"
             case tree.Call():
@@ -202,7 +202,7 @@ class _Checker:
                 if name not in MinMax:
                     self._unknown(node.function, "a function", MinMax)
                     return None
-                self._want("integer", operand_types, node.arguments, f"`{name}`")
+                self._expect("integer", operand_types, node.arguments, f"`{name}`")
                 return "integer"
             case tree.Place() | tree.Amount():
                 text = "a level" if isinstance(node, tree.Amount) else "a bit of a neighbour"
@@ -286,7 +286,7 @@ class _Checker:
             if op not in ("==", "!="):
                 # A part in the middle of a chain is reported by the comparison on its left.
                 first = k if k == 0 or node.ops[k - 1] in ("==", "!=") else k + 1
-                self._want(
+                self._expect(
                     "integer", operand_types[first : k + 2], compared[first : k + 2], f"`{op}`"
                 )
             elif first_type is not None and second_type is not None and first_type != second_type:
@@ -313,7 +313,7 @@ class _Checker:
             return None
         return then
 
-    def _want(
+    def _expect(
         self,
         expected: Type,
         operand_types: list[Type | None],

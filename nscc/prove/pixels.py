@@ -38,7 +38,7 @@ class Noise:
         self._next = seed << 32
 
     def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
-        """Return the next values of the stream, distinct and between 1/4 and 1: float64 (rows,
+        """Return the next pseudo-random values, distinct and between 1/4 and 1, as float64 (rows,
         columns)."""
         end = self._next + rows * columns
         x = np.arange(self._next, end, dtype=np.uint64)

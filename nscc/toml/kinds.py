@@ -276,7 +276,7 @@ class Axis(Kind, Record):
             raise ValueError(str(reason) or f"{shown(value)} is not allowed") from None
 
     def plain(self, value: Any) -> Any:
-        """Return the values for a file: a single one without a list."""
+        """Return the values for a file: a list, or the value itself if there is only one."""
         values = [self.element.plain(item) for item in value]
         return values[0] if len(values) == 1 else values
 

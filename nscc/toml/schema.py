@@ -179,14 +179,17 @@ class Schema(Generic[Row]):
         """Return the valid values of a parsed file by path, and the errors of the invalid ones.
 
         `source` is the file's text, for places in messages. Missing keys are errors if `required`;
-        with `complete`, all are except `later` keys and lists that are empty by default."""
+        with `complete`, all missing keys are, except `later` keys and lists that are empty by
+        default."""
         key_values: KeyValues = {}
         problems: list[Diagnostic | None] = []
         for name, value in values.items():
             if name and name in self.sections and isinstance(value, Mapping):
-                problems += (self._take(key_values, name, *item, source) for item in value.items())
+                problems += (
+                    self._add_value(key_values, name, *item, source) for item in value.items()
+                )
             else:
-                problems.append(self._take(key_values, "", name, value, source))
+                problems.append(self._add_value(key_values, "", name, value, source))
         for key in self.keys:
             place = values.get(key.section, {}) if key.section else values
             # Files written before a `later` key existed lack it.
@@ -213,7 +216,9 @@ class Schema(Generic[Row]):
                 message = f"{self.option} takes {form}, not {change[:60]!a}"
                 help_text = f"for instance {self.option} {self.example}"
                 problems.append(Diagnostic(self.codes.change, message, helps=(help_text,)))
-            elif problem := self._take(key_values, section, name, spelled_value(spelled), None):
+            elif problem := self._add_value(
+                key_values, section, name, spelled_value(spelled), None
+            ):
                 problems.append(replace(problem, message=f"{self.option}: {problem.message}"))
         return key_values, problems
 
@@ -231,7 +236,7 @@ class Schema(Generic[Row]):
             place[key.name] = key.kind.plain(values[key.path])
         return tables
 
-    def _take(
+    def _add_value(
         self, key_values: KeyValues, section: str, name: str, value: Any, source: Source | None
     ) -> Diagnostic | None:
         """Add a valid value to `key_values`; return the error of an invalid value, else None.
