@@ -97,9 +97,10 @@ class ShutterSettings:
     judged: int = key(
         _COUNT,
         "with `search`: the number of best candidates by the gradient, whose loss is measured on "
-        "a fixed batch",
+        "fixed batches",
         3,
     )
+    batches: int = key(_COUNT, "with `search`: the number of these fixed batches", 1)
     most_words: float = key(
         Number(0, 1e6),
         "with `search`: the largest mean number of words per slot; 0: any",

@@ -2,11 +2,12 @@
 its measured loss.
 
 The decoder is not trained during the search, so that it does not favour codes that were tried
-earlier. It learned random codes in `warm_up`; the remaining steps (`settle`) train it for the
-result."""
+earlier. It learned random codes, and codes near the start, in `warm_up`; the remaining steps
+(`settle`) train it for the result."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 from itertools import islice
 
@@ -33,22 +34,22 @@ A move or two reduce the words by a tenth; random bits need about twenty steps t
 per slot."""
 
 
-def search(setup: TrainingSetup, batch: Batch, step: int) -> float:
+def search(setup: TrainingSetup, batches: Sequence[Batch], step: int) -> float:
     """Replace the run's codes by the best of some moved candidates, if one is better. Return the
     mean loss of the codes that the run then has.
 
     `shutter.judged` of `shutter.moves` candidates are judged: those with the largest expected gain
-    among those that compile within `shutter.most_words`. Their loss is measured on `batch`, the
+    among those that compile within `shutter.most_words`. Their loss is measured on `batches`, the
     same in all steps, plus the weighted number of words. A candidate is better if its mean gain
     over patches exceeds the standard error. While codes exceed the limit of words, the best
     candidate with at least a tenth fewer words is chosen, whatever its loss."""
     chosen = setup.settings.shutter
     setup.decoder.eval()
     generator = np.random.default_rng([setup.settings.train.seed, DrawStream.SEARCH_MOVES, step])
-    current = codes_of(setup)
-    first, words = _losses(setup, current, batch, step), _words(setup, current)
+    current = setup.codes()
+    first, words = _losses(setup, current, batches, step), _words(setup, current)
     setup.encoder.load_codes(current)
-    gain = expected_gain(setup, batch, step)
+    gain = expected_gain(setup, batches, step)
     over = words is not None and not within(chosen, words)
     allowed = chosen.most_words or np.inf
     if words is not None and over:
@@ -65,7 +66,7 @@ def search(setup: TrainingSetup, batch: Batch, step: int) -> float:
         if _fits(setup, codes, allowed)
     )
     for codes in islice(fitting, chosen.judged):
-        candidate_losses = _losses(setup, codes, batch, step)
+        candidate_losses = _losses(setup, codes, batches, step)
         gains = first - candidate_losses
         error = gains.std(ddof=1) / len(gains) ** 0.5 if len(gains) > 1 else 0.0
         if (over or gains.mean() > error) and (
@@ -81,13 +82,6 @@ def within(chosen: ShutterSettings, words: float) -> bool:
     """Return whether a run may keep codes that take `words` words per slot. Only runs that learn
     codes and set `most_words` have a limit."""
     return not (chosen.learn and chosen.most_words) or words <= chosen.most_words
-
-
-def codes_of(setup: TrainingSetup) -> Codes:
-    """Return the codes of a run's tile, int64 (rows, cols) by field; a codebook also has its shapes
-    as `book`."""
-    book = getattr(setup.encoder, "book", None)
-    return setup.encoder.codes() | ({} if book is None else {"book": book()})
 
 
 def _promising(
@@ -110,8 +104,8 @@ def _promising(
     return [codes for _, codes in ranked]
 
 
-def expected_gain(setup: TrainingSetup, batch: Batch, step: int) -> Tensor:
-    """Return by how much the mean loss of `batch` falls, to first order, if a pixel of the tile
+def expected_gain(setup: TrainingSetup, batches: Sequence[Batch], step: int) -> Tensor:
+    """Return by how much the mean loss of `batches` falls, to first order, if a pixel of the tile
     opens in a slot: (N, rows, cols).
 
     For a slot in which a pixel is open, the negative value is the gain of closing it. The value is
@@ -119,7 +113,7 @@ def expected_gain(setup: TrainingSetup, batch: Batch, step: int) -> Tensor:
     adds and what the decoder makes of the code. `step` chooses the noise."""
     tile = setup.encoder.hard().requires_grad_()
     with torch.enable_grad():
-        losses = _batch_losses(setup, tile, batch, step)
+        losses = _patch_losses(setup, tile, batches, step)
     (slope,) = torch.autograd.grad(losses.mean(), tile)
     return -slope
 
@@ -143,33 +137,38 @@ def _words(setup: TrainingSetup, codes: Codes) -> float | None:
 
 
 @torch.no_grad()
-def _losses(setup: TrainingSetup, codes: Codes, batch: Batch, step: int) -> NDArray[np.float64]:
-    """Load codes into the encoder and return the loss of each patch of `batch`, float64 (batch,),
-    plus the weighted number of their words.
+def _losses(
+    setup: TrainingSetup, codes: Codes, batches: Sequence[Batch], step: int
+) -> NDArray[np.float64]:
+    """Load codes into the encoder and return the loss of each patch of `batches`, float64
+    (patches,), plus the weighted number of their words.
 
     `step` chooses the noise. The emulated sensor of the run follows the codes."""
     setup.encoder.load_codes(codes)
     setup.follow_codes()
-    losses = _batch_losses(setup, setup.encoder.hard(), batch, step)
+    losses = _patch_losses(setup, setup.encoder.hard(), batches, step)
     weight = setup.settings.shutter.words_weight
     words = (_words(setup, codes) or 0.0) if weight else 0.0
     return losses.double().cpu().numpy() + weight * words
 
 
-def _batch_losses(setup: TrainingSetup, tile: Tensor, batch: Batch, step: int) -> Tensor:
-    """Return the loss of each patch of `batch`, (batch,), that is exposed with a tile of shutters
-    (N, r, c).
+def _patch_losses(
+    setup: TrainingSetup, tile: Tensor, batches: Sequence[Batch], step: int
+) -> Tensor:
+    """Return the loss of each patch of `batches`, (patches,), that is exposed with a tile of
+    shutters (N, r, c).
 
     All tiles have the same noise in a `step`, so that losses can be compared."""
     seed = setup.settings.train.seed
     window_seed = (seed, DrawStream.TILE_WINDOWS, step)
-    rows, cols = batch.light.shape[-2:]
-    shutters = window(tile, rows, cols, window_seed).to(setup.device)
     noise = generator_of(setup.device, seed, DrawStream.READOUT_NOISE, step)
-    prediction = decoded(setup, batch.light, shutters, setup.model, noise)
-    return torch.stack(
-        [
+    losses = []
+    for batch in batches:
+        rows, cols = batch.light.shape[-2:]
+        shutters = window(tile, rows, cols, window_seed).to(setup.device)
+        prediction = decoded(setup, batch.light, shutters, setup.model, noise)
+        losses += [
             setup.loss(*compared(prediction[k : k + 1], batch.patches(k, k + 1)))
             for k in range(len(prediction))
         ]
-    )
+    return torch.stack(losses)

@@ -30,6 +30,7 @@ from nscc_training.emulated import (
     emulated_sensor,
 )
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
+from nscc_training.encoders.base import Codes
 from nscc_training.encoders.bumps import Bump
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
@@ -38,6 +39,7 @@ from nscc_training.programs import MOST_LISTED, Chip, begun_with
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.random_streams import DrawStream
 from nscc_training.run_files import WEIGHTS, run_path
+from nscc_training.search.moves import moved
 from nscc_training.sensor_model import SensorModel, shared_out
 from nscc_training.settings import RunSettings, ShutterSettings
 
@@ -106,17 +108,28 @@ class TrainingSetup:
             self.follow_codes()
         return self.tables.table
 
-    def start_random(self, *numbers: int) -> None:
+    def codes(self) -> Codes:
+        """Return the codes of the tile, int64 (rows, cols) by field; a codebook also has its shapes
+        as `book`."""
+        book = getattr(self.encoder, "book", None)
+        return self.encoder.codes() | ({} if book is None else {"book": book()})
+
+    def start_random(self, *numbers: int, near: Codes | None = None) -> None:
         """Set the encoder to random codes that compile for the chip, drawn with the run's seed and
         `numbers`.
 
-        Raises Rejected with the compiler's errors if none of `_MOST_DRAWS` draws compiles."""
+        The first draw moves the codes `near`, if there are any, at many places. Raises Rejected
+        with the compiler's errors if none of `_MOST_DRAWS` draws compiles."""
         for attempt in range(_MOST_DRAWS):
             seeds = (self.settings.train.seed, DrawStream.RANDOM_CODES, *numbers, attempt)
-            self.encoder.start_random(np.random.default_rng(seeds))
+            generator = np.random.default_rng(seeds)
             try:
+                if near is None or attempt > 0:
+                    self.encoder.start_random(generator)
+                else:
+                    self.encoder.load_codes(moved(self.encoder.spec, near, generator, 0.0))
                 programs.compiled(programs.program_of(self.encoder, self.chip), self.chip)
-            except Rejected:
+            except (Rejected, ValueError):  # ValueError: `require` forbids the moved codes
                 if attempt == _MOST_DRAWS - 1:
                     raise
             else:
@@ -127,10 +140,12 @@ class TrainingSetup:
         emulated sensor. The encoder keeps its present codes.
 
         A decoder that learns random codes can judge codes before it is trained for one of them.
+        Codes of odd numbers are the present ones after some moves, because a search begins there.
         With effects there are only `_MEASURED_CODES` different codes, because each needs a
         measurement."""
         present = {key: value.clone() for key, value in self.encoder.state_dict().items()}
-        self.start_random(number % _MEASURED_CODES if self.settings.sensor.effects else number)
+        number = number % _MEASURED_CODES if self.settings.sensor.effects else number
+        self.start_random(number, near=self.codes() if number % 2 else None)
         self.follow_codes()
         tile = self.encoder.hard()
         self.encoder.load_state_dict(present)

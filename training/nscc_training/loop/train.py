@@ -390,7 +390,8 @@ def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
     if step % _FOLLOW_EVERY == 0 or step == first or learns != codes_learn(settings, step - 1):
         setup.follow_codes()
     if learns and setup.encoder.relaxation == "search":
-        return torch.tensor(search(setup, batch_of(run, run.dataset[0]), step))
+        batches = [batch_of(run, run.dataset[k]) for k in range(settings.shutter.batches)]
+        return torch.tensor(search(setup, batches, step))
     if not isinstance(drawn, Lesson):
         return _learn(run, run.step_loss(batch_of(run, drawn), step), drawn.names, step)
     light, mask = drawn.light.to(setup.device), drawn.mask.to(setup.device)

@@ -335,18 +335,22 @@ def _of_part(
     slowest.
 
     `axes` are the values of the keys. `called` is the template for the points' names; "" names them
-    after the part and the values of keys with several values."""
+    after the part and the values of keys with several values. A value `run:NAME` is a template,
+    too, so that a point names the run of its own seed."""
     defaults = KINDS[kind].defaults()
     several = [name for name, values in axes.items() if len(values) > 1]
     for values in product(*axes.values()):
         chosen = {**defaults, **dict(zip(axes, values, strict=True))}
+        for axis, value in chosen.items():
+            if isinstance(value, str) and value.startswith(OF_RUN):
+                chosen[axis] = _called(value, chosen)
         name = "_".join([grid_part, *(_spelled(chosen[axis]) for axis in several)])
         yield GridPoint(grid_part, kind, _called(called, chosen) or name, chosen)
 
 
 def _called(called: str, values: Values) -> str:
     """Return the name of a point: the template `called`, in which its values replace `{KEY}`. A "/"
-    in a value makes folders."""
+    in a value makes folders. A KEY without a value stays as text."""
 
     def spelled(value: Any) -> str:
         """Return a value as a part of a file name. The folders of a path stay, except `.` and
@@ -360,7 +364,7 @@ def _called(called: str, values: Values) -> str:
         )
         return "/".join(folder_names)
 
-    return _VALUE.sub(lambda match: spelled(values.get(match[1])), called)
+    return _VALUE.sub(lambda match: spelled(values.get(match[1], match[1])), called)
 
 
 def _name_fault(called: str, point: GridPoint) -> PointFault | None:

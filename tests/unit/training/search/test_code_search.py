@@ -188,14 +188,16 @@ def test_gains_of_single_slots_are_those_that_are_measured() -> None:
     light = torch.from_numpy(generator.uniform(2000, 4000, (3, 6, 8, 8)).astype(np.float32))
     # The truth is brighter than each prediction, so the loss is linear in it.
     batch = Batch(light, torch.full_like(light, 9.0), torch.full((3,), 9.0), ())
-    expected = searching.expected_gain(parts, batch, 0)
+    expected = searching.expected_gain(parts, [batch, batch], 0)
     codes = parts.encoder.codes()["bits"]
-    first = searching._losses(parts, {"bits": codes}, batch, 0)
+    first = searching._losses(parts, {"bits": codes}, [batch], 0)
+    twice = searching._losses(parts, {"bits": codes}, [batch, batch], 0)
+    assert twice.tolist() == pytest.approx([*first, *first])
     for slot in range(6):
         for place in np.ndindex(2, 2):
             flipped = codes.copy()
             flipped[place] ^= 1 << slot
-            gain = (first - searching._losses(parts, {"bits": flipped}, batch, 0)).mean()
+            gain = (first - searching._losses(parts, {"bits": flipped}, [batch], 0)).mean()
             opens = flipped[place] >> slot & 1
             wanted = float(expected[(slot, *place)]) * (1 if opens else -1)
             assert gain == pytest.approx(wanted, rel=0.02), (slot, place)
@@ -210,6 +212,12 @@ def test_a_decoder_learns_random_codes_before_a_search() -> None:
     assert not torch.equal(tiles[0], tiles[1])
     assert not torch.equal(tiles[0], tiles[2])
     assert np.array_equal(parts.encoder.codes()["start"], own)
+    # Half of the codes are the run's own codes after moves, which leave many places as they are.
+    present = parts.encoder.hard()
+    kept = np.array(
+        [float((parts.random_tile(k) == present).all(dim=0).float().mean()) for k in range(40)]
+    )
+    assert kept[1::2].mean() > 0.25 > kept[::2].mean()
 
 
 def parts_of(**shutter: object) -> searching.TrainingSetup:
@@ -249,7 +257,7 @@ def test_a_search_keeps_within_its_words(monkeypatch: pytest.MonkeyPatch) -> Non
     """However good what takes more may be."""
     parts = parts_of(moves=12, judged=12, most_words=3.0)
     before = parts.encoder.codes()["start"]
-    own = searching.codes_of(parts)
+    own = parts.codes()
     words = {"of others": 3.5}
 
     def counted(_parts: object, codes: dict[str, np.ndarray]) -> float:
@@ -270,14 +278,14 @@ def test_a_search_keeps_within_its_words(monkeypatch: pytest.MonkeyPatch) -> Non
 def test_random_bits_come_down_to_their_words_and_then_get_better() -> None:
     """With the compiler's own count, and losses that want every place to be open for long."""
     parts = parts_of(**{"class": "e"}, moves=24, judged=4, most_words=3.0)
-    first = searching._words(parts, searching.codes_of(parts))
+    first = searching._words(parts, parts.codes())
     assert first is not None
     counts, losses = [first], []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(searching, "_losses", lambda p, codes, *_: _closed(p, codes))
         for step in range(16):
             losses.append(searching.search(parts, None, step))  # type: ignore[arg-type]
-            counts.append(searching._words(parts, searching.codes_of(parts)) or np.inf)
+            counts.append(searching._words(parts, parts.codes()) or np.inf)
     under = next(k for k, words in enumerate(counts) if words <= 3)
     assert first > 6
     assert all(

@@ -401,6 +401,18 @@ def test_a_part_takes_the_keys_of_another(tmp_path: Path) -> None:
     assert key_of(points[2], 1) != key_of(replace(points[2], after=(points[0],)), 1)
 
 
+def test_each_seed_names_the_run_of_its_own_seed(tmp_path: Path) -> None:
+    second = RUNS.replace("/second", "/second/seed{train.seed}").replace(
+        'train.seed = 0\ndecoder.init = "run:class-b/first/seed1"',
+        'train.seed = [1, 0]\nshutter.init = "run:class-{shutter.class}/first/seed{train.seed}"',
+    )
+    points = read_grid(written(tmp_path, second)).points[2:]
+    assert {point.name: [run.name for run in point.after] for point in points} == {
+        "class-b/second/seed1": ["class-b/first/seed1"],
+        "class-b/second/seed0": ["class-b/first/seed0"],
+    }
+
+
 def test_a_run_begins_with_another_of_the_grid(tmp_path: Path) -> None:
     pytest.importorskip("torch")
     written(tmp_path, RUNS)
@@ -432,6 +444,7 @@ def test_one_part_is_computed_and_the_table_has_all_that_is_known(tmp_path: Path
     [
         ('decoder.init = "run:class-b/first/seed7"', "no run called 'class-b/first/seed7'"),
         ('decoder.init = "run:class-b/second"', "run 'class-b/second' depends on itself"),
+        ('decoder.init = "run:{seed}/first"', "no run called 'seed/first'"),
         ('name = "class-b/first/seed1"', "2 runs called 'class-b/first/seed1'"),
         ('name = "../second"', "second.name must be a name"),
         ('name = "/second"', "second.name must be a name"),
