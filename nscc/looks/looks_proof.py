@@ -178,7 +178,7 @@ class LookingReplay(ReplayPixels):
         each answer.
 
         Return FLAG (the bit that lets a pixel act). Raises ReplayError if the sum is not a level
-        minus a signal, or if the comparison is masked."""
+        minus a signal, or if FLAG excludes some pixels from the comparison."""
         if self.target.where_obeys_flag and self.read("FLAG") != (self.everything, 0):
             raise ReplayError(f"`{word}` is masked in some pixels, at boundary {self._boundary}")
         total = self.total(word)

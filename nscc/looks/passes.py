@@ -97,7 +97,8 @@ def lay_out_looks(
 def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
     """Return whether a write to the masked register destroys a value that is read later.
 
-    Such a write first sets the mask, and so overwrites what the mask's register holds."""
+    The chip changes that register only in pixels whose mask register is 1. So the words first set
+    the mask to 1, which overwrites what it holds."""
     held_by = {place: name for name, place in allocation.places.items()}
     mask, masked = held_by.get(allocation.mask or ""), held_by.get(allocation.masked or "")
     if mask is None or masked is None:

@@ -94,8 +94,8 @@ class Solver:
         """
         items: dict[int, tuple[Item, ...]] = {}
         scratch = 0
-        # Without unchanging code the masked register stays unused, because every write to it needs
-        # its mask.
+        # Without unchanging code the masked register stays unused: it changes only in pixels whose
+        # mask register is 1, so that every write needs that register too.
         unused = self.target.masked_register is not None and not self.holders
         room = len(self.target.digital_registers) - unused - len(self.holders) - len(self.states)
         # The last boundary fails first if registers are missing.

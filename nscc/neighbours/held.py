@@ -85,7 +85,8 @@ class Emitter(ABC):
 
     def word(self, op: Op, level: Level = None) -> None:
         """Append a word; `level` is the value of IN (the level sent to all pixels) that it needs.
-        `masked` follows words that write FLAG (the bit that lets a pixel act)."""
+
+        Set `masked` after words that write FLAG (the bit that lets a pixel act)."""
         effect = op.operation.effect
         if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL):
             self.masked = True

@@ -62,8 +62,8 @@ def _emit_flood(
 ) -> None:
     """Emit a flood as the plane `name`, by words that propagate bits through many pixels at once.
 
-    They change the chip's masked register where the mask of `step` is 1. Raises PictureRefused if
-    the chip has no such register or the program's codes need it."""
+    They change the chip's masked register, in pixels where the mask of `step` is 1. Raises
+    PictureRefused if the chip has no such register or the program's codes need it."""
     bits, mask, register = lowering.bits, lowering.target.mask_register, lowering.propagating
     if mask is None or register is None:
         raise PictureRefused("planes", name, 2, 0)

@@ -114,8 +114,9 @@ class RegisterEmitter(CountEmitter):
         """Find the registers that are free after the exposure, and count how often each value is
         read.
 
-        Registers of the code, the mask and the masked register are never free. `kept_ranges` gives
-        the least and largest value of each kept image, in electrons."""
+        Registers of the code are never free, nor the mask and the masked register, which changes
+        only in pixels whose mask is 1. `kept_ranges` gives the least and largest value of each kept
+        image, in electrons."""
         super().__init__(pictures)
         self.kept_ranges = kept_ranges
         self.loops: list[LoopWords] = []
