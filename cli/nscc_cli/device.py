@@ -15,8 +15,15 @@ from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH, target_option, values_given
 from nscc_cli.programs import load_program
-from nscc_cli.runtime_options import link_options, placing_options
-from nscc_cli.support import NumberRange, Subcommands, progress, say, say_done
+from nscc_cli.runtime_options import host_value_options, link_options, placing_options
+from nscc_cli.support import (
+    NumberRange,
+    Subcommands,
+    progress,
+    refuse_ignored,
+    say,
+    say_done,
+)
 from nscc_runtime.device.link_settings import LinkSettings
 from nscc_runtime.request import Request
 
@@ -152,6 +159,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
 @click.option(
     "--target", type=TARGET, metavar="NAME|FILE.toml", help="The chip of the stored program."
 )
+@host_value_options
 @shared.pixels_option
 @shared.sensor_options
 @link_options
@@ -163,6 +171,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
     from nscc_runtime.device.device_chip import DeviceChip
     from nscc_runtime.device.link import SerialLink
     from nscc_runtime.frame_file import check_adc
+    from nscc_runtime.host_setting import settings_of
 
     if (options["out"] is None) == (options["folder"] is None):
         raise click.UsageError("name either -o FILE (one frame) or --to FOLDER (many)")
@@ -174,11 +183,14 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
             f"--target cannot change '{program}': it is compiled already",
             helps=("give the .nsl file instead, or leave --target out",),
         )
-    container = None
+    container, settings = None, tuple[Any, ...]()
     if program is not None:
         container, messages = load_program(program, options)
         say(messages)
-    elif options["pixels"]:
+        settings = settings_of(container, options["params"], options["inputs"])
+    else:
+        refuse_ignored("no program is named", "params", "inputs")
+    if program is None and options["pixels"]:
         raise rejected(
             "NS0770",
             "--pixels needs a program, but none is named",
@@ -195,7 +207,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
         out, folder = options["out"], options["folder"]
         paths = [out] if out else numbered_paths(folder, options["count"], options["every"])
         for path in paths:
-            capture_to(path, chip, target, sensor, container)
+            capture_to(path, chip, target, sensor, container, *settings)
             say_done(f"wrote {path}")
 
 

@@ -24,7 +24,12 @@ from nscc_cli.frames import (
 )
 from nscc_cli.options import OUT, PATH, values_given
 from nscc_cli.programs import load_program
-from nscc_cli.runtime_options import fit_option, link_options, placing_options
+from nscc_cli.runtime_options import (
+    fit_option,
+    host_value_options,
+    link_options,
+    placing_options,
+)
 from nscc_cli.support import (
     common_command,
     given_options,
@@ -64,17 +69,6 @@ def _refuse_tolerance_max(
         )
 
 
-def named_values(
-    _context: click.Context, option: click.Parameter, values: tuple[str, ...]
-) -> dict[str, str] | None:
-    """Return the values of a repeatable option NAME=VALUE by name; None if the option was not
-    given. Raise BadParameter for a value without name or `=`."""
-    split = [value.partition("=") for value in values]
-    if not all(name and sign for name, sign, _ in split):
-        raise click.BadParameter(f"write {option.opts[0]} {option.make_metavar(_context)}")
-    return {name.strip(): value.strip() for name, _, value in split} or None
-
-
 @common_command("run")
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
 @shared.section(
@@ -104,25 +98,7 @@ def named_values(
         "--tolerance-max", hidden=True, expose_value=False, callback=_refuse_tolerance_max
     ),
 )
-@shared.section(
-    shared.SCENE,
-    click.option(
-        "--param",
-        "params",
-        multiple=True,
-        metavar="NAME=VALUE",
-        callback=named_values,
-        help="Values of parameters, set before the frame, for instance t=4% or m=8.",
-    ),
-    click.option(
-        "--input",
-        "inputs",
-        multiple=True,
-        metavar="NAME=FILE",
-        callback=named_values,
-        help="Bits of input planes, loaded before the frame: .npy, .npz or a picture.",
-    ),
-)
+@host_value_options
 @shared.sensor_options
 @shared.pixels_option
 @shared.build_options
@@ -275,6 +251,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     from nscc_runtime.device.device_chip import DeviceChip
     from nscc_runtime.device.link import SerialLink
     from nscc_runtime.frame_file import check_adc
+    from nscc_runtime.host_setting import settings_of
     from nscc_runtime.response import response_of
     from nscc_runtime.scenes import scene_light
     from nscc_runtime.timings import Timings
@@ -285,6 +262,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     with timings.measure("compile_s"):
         container, messages = load_program(program, options)
     check_adc(container.target)
+    settings = settings_of(container, options["params"], options["inputs"])
     sensor = sensor_of(converter_of(container), options)
     light, messages_so_far = None, list(messages)
     if scene:
@@ -316,7 +294,8 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
             SerialLink(place, **values_given(LinkSettings, options)) as link,
         ):
             chip = DeviceChip(link, sensor, progress)
-            frame, meta = exposed(chip, container, light, options["repeat"], progress)
+            repeat = options["repeat"]
+            frame, meta = exposed(chip, container, light, repeat, progress, *settings)
             effects = chip.effects
     title = f"{program.name}  ·  on the device"
     files = write_frame(
@@ -337,7 +316,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
 def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> None:
     """Raise Rejected (NS0770) if the user gave options that have no meaning for the device at
     `place`. `scene` and `keep` are the values of these options."""
-    of_port = ("baud", "repeat", "scene") if place.startswith(HOST) else ()
+    of_port = ("baud", "repeat", "scene", "params", "inputs") if place.startswith(HOST) else ()
     refused_options = given_options((*_MEANINGLESS, *of_port, *(() if scene else _SCENE)))
     if not scene:
         refused_options += [f"--keep {name}" for name in keep if name in ("light", "truth")]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import click
+
 from nscc_cli.options import (
     DEVICE,
     SCENE,
@@ -34,6 +36,39 @@ placing_options = section(
 """Options that place a scene on the array."""
 
 fit_option = section(SCENE, declared(Scene, "fit", show=True))
+
+
+def named_values(
+    _context: click.Context, option: click.Parameter, values: tuple[str, ...]
+) -> dict[str, str] | None:
+    """Return the values of a repeatable option NAME=VALUE by name; None if the option was not
+    given. Raise BadParameter for a value without name or `=`."""
+    split = [value.partition("=") for value in values]
+    if not all(name and sign for name, sign, _ in split):
+        raise click.BadParameter(f"write {option.opts[0]} {option.make_metavar(_context)}")
+    return {name.strip(): value.strip() for name, _, value in split} or None
+
+
+host_value_options = section(
+    SCENE,
+    click.option(
+        "--param",
+        "params",
+        multiple=True,
+        metavar="NAME=VALUE",
+        callback=named_values,
+        help="Values of parameters, set before the frame, for instance t=4% or m=8.",
+    ),
+    click.option(
+        "--input",
+        "inputs",
+        multiple=True,
+        metavar="NAME=FILE",
+        callback=named_values,
+        help="Bits of input planes, loaded before the frame: .npy, .npz or a picture.",
+    ),
+)
+"""Options for what the host sets before a frame."""
 
 link_options = section(DEVICE, declared(LinkSettings, show=True))
 """Options of commands that open a serial port."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.operations import Word
+from nscc.operations import Op, Word, op
 from nscc.record import Record
+from nscc.words.encoding import encode
 from nscc.words.machine import NO_LOOKS, StateMachine, StatePlanes
-from nscc.words.pictures import NO_PICTURES, Pictures, unpacked_bits
+from nscc.words.pictures import NO_PICTURES, Pictures, SteeredLaunch, unpacked_bits
 
 if TYPE_CHECKING:
     from nscc.words.stream import Stream
@@ -182,17 +183,44 @@ class Container:
         }
 
 
+def kept_starts(container: Container) -> dict[int, list[str]]:
+    """Return the registers of kept images by the value of IN, in steps, that sets them to their
+    starts.
+
+    A start between two steps becomes the nearest one: see `nscc.words.legality.loader_fault`."""
+    pictures, starts = container.pictures, dict[int, list[str]]()
+    for image in pictures.kept_images:
+        sign = 1 if image.name in pictures.negated else -1  # a bus inverts what it reads
+        level = sign * round(image.start_e / container.target.electrons_per_step)
+        starts.setdefault(level, []).append(pictures.registers[image.name])
+    return starts
+
+
+def steered_launches(container: Container) -> list[SteeredLaunch]:
+    """Return the launches that `with_picture_words` adds, as parameters change them."""
+    start = SteeredLaunch(0, None, None, None, 0, is_start=True)
+    return [*[start] * len(kept_starts(container)), *container.pictures.steered()]
+
+
+def starting(registers: Sequence[str]) -> tuple[Op, ...]:
+    """Return the words that set analog registers to minus IN in all pixels."""
+    return (op("all"), *(op("bus", [register], ["IN"]) for register in registers))
+
+
 def with_picture_words(container: Container) -> Container:
     """Return the container as a chip executes it.
 
-    Its kernels (lists of words) and launches include the words of images and planes. Its readouts
-    are the registers that the chip converts: first buckets, then images. Its code registers include
-    the registers of kept states and input planes, which a device loads with their starts before the
-    first frame."""
+    Its kernels (lists of words) and launches include the words of images and planes, and before
+    them those that set kept images to their starts, which are for the first frame only. Its
+    readouts are the registers that the chip converts: first buckets, then images. Its code
+    registers include the registers of kept states and input planes, which a device loads with their
+    starts before the first frame. Its loops have their largest number of steps
+    (`Pictures.steered`)."""
     pictures, first = container.pictures, len(container.kernels)
     readouts = {readout.bucket: readout for readout in container.readouts}
     readouts |= {name: Readout(register, name) for name, register in pictures.registers.items()}
     starts = {pictures.registers[state.name]: state.start for state in pictures.states}
+    kept, after = kept_starts(container), first + len(pictures.kernels)
     encoding = container.encoding.copy()
     for register, start in starts.items():
         encoding[:, container.target.digital_registers.index(register)] = start
@@ -207,15 +235,20 @@ def with_picture_words(container: Container) -> Container:
         kernels=(
             *container.kernels,
             *(StoredKernel(f"image{n}", words) for n, words in enumerate(pictures.kernels)),
+            *(
+                StoredKernel(f"start{n}", tuple(encode(each) for each in starting(registers)))
+                for n, registers in enumerate(kept.values())
+            ),
         ),
         launches=(
             *container.launches,
+            *(Launch(container.slots, after + n, level) for n, level in enumerate(kept)),
             *(
                 Launch(container.slots, first + launch.kernel, launch.level)
-                for launch in pictures.executed()
+                for launch in pictures.steered()
             ),
         ),
-        readouts=tuple(readouts[name] for name in (*container.buckets_read, *pictures.images_read)),
+        readouts=tuple(readouts[name] for name in (*container.buckets_read, *pictures.images_sent)),
         pictures=replace(pictures, kernels=(), launches=(), loops=(), levels_of=()),
     )
 

@@ -13,11 +13,15 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.operations import NEIGHBOURS, STEERING, Op, Phase, Word, WordEffect
-from nscc.words.container import Container
+from nscc.words.container import Container, kept_starts
 from nscc.words.encoding import matching, no_operation
 
 _MOST_SHOWN = 10
 """Most illegal words reported for a container."""
+_SAME_STEP = 1e-9
+"""The difference in steps of IN up to which levels are the same."""
+_MOST_VALUE = 1 << 31
+"""Parameters are sent as signed integers of 32 bits."""
 
 
 def refuse_planes(target: Target, refusal: str, help_text: str) -> None:
@@ -48,13 +52,18 @@ def loader_fault(container: Container) -> str | None:
     clause.
 
     Return None if there is nothing."""
-    pictures = container.pictures
-    if pictures.has_host_values:
-        return "the host sets its parameters or loads its input planes"
-    if pictures.kept_images:
-        return "it keeps images from frame to frame"
-    if any(report.kind == "sum" for report in pictures.reports):
-        return "it reports the sum of an image"
+    pictures, target = container.pictures, container.target
+    for image in pictures.kept_images:
+        steps = image.start_e / target.electrons_per_step
+        if abs(steps - round(steps)) > _SAME_STEP:
+            return (
+                f"`{image.name}` starts with {image.start_e:g} e, which is not a whole number of "
+                f"steps of IN; the nearest is {round(steps) * target.electrons_per_step!r} e"
+            )
+    if any(not target.in_low <= level <= target.in_high for level in kept_starts(container)):
+        return "an image that it keeps starts with a level that IN does not have"
+    if any(not -_MOST_VALUE < end < _MOST_VALUE for each in pictures.params for end in each.ends):
+        return f"a parameter has values of {_MOST_VALUE} or more"
     return None
 
 

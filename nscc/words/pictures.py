@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from itertools import chain, repeat
 from types import MappingProxyType
 from typing import Annotated, Any, Literal
 
@@ -353,6 +352,11 @@ class HostParam(Record):
     high: int
     start: int
 
+    @property
+    def ends(self) -> tuple[int, int]:
+        """The lowest and the highest value."""
+        return self.low, self.high
+
 
 class LevelOf(Record):
     """How the value of IN (the level sent to all pixels) at launch (start of a kernel) number
@@ -423,6 +427,31 @@ class TailLaunch(Record):
     level: int | None
 
 
+class SteeredLaunch(Record):
+    """A launch after the exposure, and what the values of parameters change about it.
+
+    IN is at `level` steps, or at the level `level_of` of a parameter. It belongs to step number
+    `step` of a loop of `times` steps, which a parameter sets; None for other launches. `is_start`:
+    it is part of the first frame only."""
+
+    kernel: Length
+    level: int | None
+    level_of: LevelOf | None
+    times: Times | None
+    step: Length
+    is_start: bool = False
+
+    def shared(self, number: int) -> tuple[Any, ...]:
+        """Return what launches have in common that are one row of a schedule. `number`: the place
+        of this launch, which grows with its step."""
+        return self.is_start, self.level_of, self.times, self.times and self.step - number
+
+    @property
+    def is_changed(self) -> bool:
+        """Whether a parameter, or the number of the frame, changes the launch."""
+        return bool(self.is_start or self.level_of or self.times)
+
+
 class PictureCost(Record):
     """The cost of an image or a plane.
 
@@ -487,17 +516,33 @@ class Pictures:
 
         `params` has values of parameters, by default their starts."""
         values = {param.name: param.start for param in self.params} | {**params}
-        launches = list(self.launches)
-        for level in self.levels_of:
-            steps = level.factor * values[level.param]
-            launches[level.launch] = TailLaunch(launches[level.launch].kernel, steps)
-        runs, at = [], 0
+        return [
+            TailLaunch(each.kernel, each.level)
+            if each.level_of is None
+            else TailLaunch(each.kernel, each.level_of.factor * values[each.level_of.param])
+            for each in self.steered(values)
+        ]
+
+    def steered(self, params: Mapping[str, int] | None = None) -> Iterator[SteeredLaunch]:
+        """Yield all launches of a frame in order, with every step of loops.
+
+        `params`: values of parameters; None for the largest number of steps of each loop."""
+        level_of, at = {level.launch: level for level in self.levels_of}, 0
+
+        def run(end: int, times: Times | None, step: int) -> Iterator[SteeredLaunch]:
+            """Yield the launches from number `at` on to `end` as a step of a loop."""
+            for number, launch in enumerate(self.launches[at:end], at):
+                level = level_of.get(number)
+                yield SteeredLaunch(launch.kernel, launch.level, level, times, step)
+
         for loop in self.loops:
-            end = loop.first + loop.launches
-            body = launches[loop.first : end]
-            runs += [launches[at : loop.first], *repeat(body, loop.times.at(values))]
-            at = end
-        return list(chain(*runs, launches[at:]))
+            yield from run(loop.first, None, 0)
+            at, times = loop.first, loop.times
+            is_set = bool(times.param)
+            for step in range(times.most if is_set and params is None else times.at(params or {})):
+                yield from run(at + loop.launches, times if is_set else None, step)
+            at += loop.launches
+        yield from run(len(self.launches), None, 0)
 
     @property
     def expressions(self) -> dict[str, Node]:
@@ -571,6 +616,16 @@ class Pictures:
         images = {item.name for item in self.items if not item.is_plane}
         images |= {state.name for state in self.kept_images}
         return tuple(name for name in self.reads if name in images)
+
+    @property
+    def images_sent(self) -> tuple[str, ...]:
+        """Return the names of the images that a device sends: those that are read out, and those
+        whose sum the host computes."""
+        summed = (report.plane for report in self.reports if report.kind == "sum")
+        return (
+            *self.images_read,
+            *dict.fromkeys(name for name in summed if name not in self.reads),
+        )
 
     @property
     def words(self) -> int:

@@ -673,6 +673,16 @@ inline vs_handle vs_gui_add_display(const char *name, uint8_t row, uint8_t col, 
     return vs_handle(devkit_stub::host().displays.size() - 1);
 }
 
+// A slider goes at once to where DEVKIT_STUB_SLIDERS says, which has a number for each slider.
+inline void vs_gui_add_slider(const char *name, int low, int high, int start, int *value) {
+    static const char *at = std::getenv("DEVKIT_STUB_SLIDERS");
+    std::printf("slider %d %d %d %s\n", low, high, start, name);
+    char *end = nullptr;
+    const long wanted = at ? std::strtol(at, &end, 10) : start;
+    at = at && *end ? end + 1 : nullptr;
+    *value = int(wanted);
+}
+
 inline void vs_configure_frame_trigger(uint16_t mode, int rate) {
     std::printf("trigger %d %d\n", mode, rate);
 }

@@ -108,7 +108,7 @@ class ChipAtOnce(EmulatedChip):
         with suppress(Exception):
             program = held.program(self.target, channels)
             executed = self.execute(program, held.board_channels(channels))
-            held.take(executed.planes, self.target)
+            held.take(executed, self.target)
             self.frame = executed.frame
 
     def exposed(self) -> bytes:

@@ -58,9 +58,14 @@ def devkit_of(target: Target) -> Devkit:
 def devkit_fault(container: Container, devkit: Devkit) -> str | None:
     """Return why the devkit cannot run the container, as the end of "the target ..."; None if it
     can."""
-    target, fault = container.target, loader_fault(container)
+    target, pictures = container.target, container.pictures
+    if any(plane.is_open for plane in pictures.inputs):
+        return "has no C++ for input planes that the host loads"
+    if any(report.kind == "sum" for report in pictures.reports):
+        return "has no C++ for sums of images"
+    fault = loader_fault(container)
     if fault is not None:
-        return f"cannot do yet what the program needs: {fault}"
+        return f"cannot do what the program needs: {fault}"
     names = (*target.analog_registers, *target.digital_registers)
     extra = [name for name in names if name not in devkit.registers]
     if extra:

@@ -12,13 +12,15 @@ from decimal import Decimal
 from fractions import Fraction
 from itertools import accumulate
 from math import ceil
+from typing import Any
 
 from nscc.chips.target import Target
-from nscc.emit.cpp.cpp_text import remarked, template_lines
+from nscc.emit.cpp.cpp_text import remarked, safe, template_lines
 from nscc.operations import WordEffect
 from nscc.words.assembly_text import ranges_text
 from nscc.words.container import Container, StoredKernel
 from nscc.words.encoding import decode
+from nscc.words.pictures import HostParam, SteeredLaunch
 
 LONGEST_GAP_US = 1 << 30
 """Longest wait: a 32-bit clock can order times that differ by less than half of its range."""
@@ -42,13 +44,15 @@ class Row:
 
     The first launch is `at` microseconds after the frame's first word, each next one `interval_us`
     later. IN (the level sent to all pixels) is set to `level` steps before, unless that is None. A
-    row with `kernel` None only waits. `instants` are the boundaries of the launches."""
+    row with `kernel` None only waits. `instants` are the boundaries of the launches. `steered`: the
+    first launch, if parameters or the number of the frame change the row."""
 
     at: Fraction
     interval_us: Fraction
     kernel: int | None
     level: int | None
     instants: tuple[int, ...]
+    steered: SteeredLaunch | None = None
 
     @property
     def times(self) -> int:
@@ -81,23 +85,34 @@ class LaunchSchedule:
     @property
     def sets_in(self) -> bool:
         """Whether some launches (starts of kernels) set IN (the level sent to all pixels)."""
-        return any(row.level is not None for row in self.rows)
+        return any(
+            row.level is not None or (row.steered is not None and row.steered.level_of)
+            for row in self.rows
+        )
+
+    @property
+    def changed(self) -> list[tuple[int, Row, SteeredLaunch]]:
+        """The rows that change from frame to frame, with their numbers and first launches."""
+        rows = ((number, row, row.steered) for number, row in enumerate(self.rows))
+        return [(number, row, of) for number, row, of in rows if of is not None and of.is_changed]
 
 
-def schedule_of(container: Container) -> LaunchSchedule:
+def schedule_of(container: Container, steered: Sequence[SteeredLaunch] = ()) -> LaunchSchedule:
     """Return the times of all launches (starts of kernels) of a frame.
 
     Launches at equal intervals with the same kernel (list of words) and level are one row. Rows
-    that only wait divide long intervals."""
+    that only wait divide long intervals. `steered`: the last launches, as parameters change
+    them."""
     begin_us = ceil(_setup_us(container))
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
-    before = Fraction(0)
-    for launch in container.launches:
+    before, first = Fraction(0), len(container.launches) - len(steered)
+    for number, launch in enumerate(container.launches):
+        of = steered[number - first] if number >= first else None
         # Launches at boundary 0 set up the frame, before the exposure begins.
         at = boundary[launch.instant] if launch.instant else Fraction(0)
         rows += _rests(before, at, launch.instant)
-        rows.append(Row(at, Fraction(0), launch.kernel, launch.level, (launch.instant,)))
+        rows.append(Row(at, Fraction(0), launch.kernel, launch.level, (launch.instant,), of))
         before = at
     rows += _rests(before, boundary[-1], container.slots)
     if not rows or rows[-1].at < boundary[-1]:
@@ -153,6 +168,12 @@ def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
     merged into one.
 
     A row has at most `MOST_TIMES` launches."""
+
+    def shared(number: int) -> Any:
+        """Return what launches in one row have in common."""
+        row = rows[number]
+        return row.kernel, row.level, row.steered and row.steered.shared(number)
+
     start = 0
     while start < len(rows):
         first, end = rows[start], start + 1
@@ -160,13 +181,13 @@ def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
         while (
             end < len(rows)
             and end - start < MOST_TIMES
-            and (rows[end].kernel, rows[end].level) == (first.kernel, first.level)
+            and shared(end) == shared(start)
             and rows[end].at - rows[end - 1].at == interval_us
         ):
             end += 1
         instants = tuple(row.instants[0] for row in rows[start:end])
         interval_us = interval_us if end - start > 1 else Fraction(0)
-        yield Row(first.at, interval_us, first.kernel, first.level, instants)
+        yield Row(first.at, interval_us, first.kernel, first.level, instants, first.steered)
         start = end
 
 
@@ -196,7 +217,7 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
         fields += "_in"
     yield from template_lines(fields)
     yield ""
-    yield "const Step schedule[] = {"
+    yield "Step schedule[] = {" if schedule.changed else "const Step schedule[] = {"
     texts = [_row_text(row, count, schedule) for row in schedule.rows]
     if len(texts) <= _COMMENTED_ROWS:
         boundaries = [ranges_text(sorted(set(row.instants))) for row in schedule.rows]
@@ -219,11 +240,35 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
         if schedule.sets_in
         else []
     )
+    yield from _change_lines(schedule, container.pictures.params)
     begin = template_lines("begin_in") if schedule.sets_in else []
+    begin = begin + ["    set_params();"] * bool(schedule.changed)
     lines = template_lines("expose")
     inserted = {"@begin@": begin, "@moment@": moment, "@settle@": settle, "@after@": after}
     for line in lines:
         yield from inserted.get(line.strip(), [line])
+
+
+def _change_lines(schedule: LaunchSchedule, params: Sequence[HostParam]) -> Iterator[str]:
+    """Yield the variables of parameters, and the function that changes the schedule to their
+    values before a frame."""
+    if not schedule.changed:
+        return
+    names = {param.name: f"param_{number}" for number, param in enumerate(params)}
+    for param in params:
+        yield f"int {names[param.name]} = {param.start};  // {safe(param.name)}"
+    yield from template_lines("limited")
+    yield "void set_params() {"
+    for number, row, of in schedule.changed:
+        if of.is_start:
+            yield f"    schedule[{number}].times = is_first_frame ? {row.times} : 0;"
+        if of.level_of is not None:
+            value = f"{of.level_of.factor} * {names[of.level_of.param]}"
+            yield f"    schedule[{number}].in = int16_t({value});"
+        if of.times is not None:
+            value = f"{of.times.offset - of.step} + {of.times.factor} * {names[of.times.param]}"
+            yield f"    schedule[{number}].times = limited({value}, {row.times});"
+    yield from ("    is_first_frame = false;", "}", "")
 
 
 def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:

@@ -116,6 +116,14 @@ struct Step {
             part += step.every_part;
             at_us += step.every_us + (part < step.every_part);
 
+//: limited
+bool is_first_frame = true;
+
+// How often a row of the schedule runs, at most `most` times.
+uint16_t limited(int times, int most) {
+    return uint16_t(times < 0 ? 0 : times > most ? most : times);
+}
+
 //: expose
 void expose() {
     vs_stopwatch clock;

@@ -43,12 +43,14 @@ from nscc.words.container import (
     Container,
     StoredKernel,
     state_registers,
+    steered_launches,
     with_picture_words,
 )
 from nscc.words.encoding import decode
 from nscc.words.reach import Reach, film_reaches
 from nscc.words.readout import converter_of, preparation_of
 
+MARGINS_FOLLOW = "the margins of its reports depend on a parameter"
 MARGINS_GROW = (
     "the states carry what is beyond the border one step further with every frame, so that reports "
     "soon cover no pixel"
@@ -100,17 +102,19 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     fault = devkit_fault(container, devkit)
     if fault is not None:
         raise Rejected(_no_cpp(program, devkit, f"{target.name} {fault}", _OTHER_CHIP))
-    film = film_reaches(exposure) if exposure.pictures and exposure.pictures.reports else []
-    if film is None:
+    film = film_reaches(exposure) if exposure.pictures.reports else []
+    follow = any(loop.times.param for loop in exposure.pictures.loops)
+    if film is None or (film and follow):
         way_out = "read the plane instead of reporting it"
-        raise Rejected(_no_cpp(program, devkit, MARGINS_GROW, way_out))
+        reason = MARGINS_FOLLOW if film else MARGINS_GROW
+        raise Rejected(_no_cpp(program, devkit, reason, way_out))
     if container.pixel_codes is None:
         reason = "without `pixels`, the pixels have no codes to load"
         raise Rejected(_no_cpp(program, devkit, reason, _DATA))
     planes = container.planes()
     loading = loading_of(planes, target, stem)
     _check_store(program, container, loading, devkit)
-    schedule = schedule_of(container)
+    schedule = schedule_of(container, steered_launches(exposure))
     lines = [
         *_header(lowered, container, schedule, loading, devkit),
         "",
@@ -380,6 +384,11 @@ def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
             f"    const auto display_{number} = "
             f"vs_gui_add_display({literal(name)}, {2 * row}, {2 * col}, 2);"
         )
+    for number, param in enumerate(pictures.params):
+        step_e = number_text(round(container.target.electrons_per_step, 3))
+        name = f"{param.name} (steps of {step_e} e)" if param.kind == "level" else param.name
+        values = f"{param.low}, {param.high}, {param.start}"
+        yield f"    vs_gui_add_slider({literal(name)}, {values}, &param_{number});"
     yield ""
     yield from template_lines("record")
     if loading.images:

@@ -20,6 +20,7 @@ struct Contents {
     const uint8_t *states;          // digital registers
     uint32_t state_count;
     uint8_t channels;
+    uint32_t kept;                  // analog registers that readout must leave as they are, a bit each
 };
 
 // Writes the code planes back before they fade; a layer that takes long over a plane calls it.

@@ -23,7 +23,8 @@ void Loader::forget_frame() {
 }
 
 Verdict Loader::capture(const Packet &packet) {
-    if (packet.size != 12) {
+    const bool sets = packet.kind == CAPTURE_WITH;
+    if (sets ? packet.size < 12 : packet.size != 12) {
         return refused(MALFORMED);
     }
     if (!announced_) {
@@ -34,6 +35,10 @@ Verdict Loader::capture(const Packet &packet) {
     }
     if (state_ != State::READY) {
         return refused(NO_PROGRAM);
+    }
+    Params &params = program_.schedule().params();
+    if (sets && packet.size != 12 + 4 * params.count()) {
+        return refused(MALFORMED, params.count());
     }
     const uint64_t number = get64(packet.body);
     if (frame_.stage == Stage::NONE || frame_.number != number) {
@@ -51,7 +56,12 @@ Verdict Loader::capture(const Packet &packet) {
         if (length > limits::most_frame) {
             return refused(TOO_LARGE, length);
         }
+        const Verdict verdict = sets ? params.set(packet.body + 12) : fine;
+        if (!verdict.good()) {
+            return verdict;
+        }
         forget_frame();
+        forget_loading();
         frame_.stage = Stage::ASKED;
         frame_.number = number;
         frame_.channels = channels;

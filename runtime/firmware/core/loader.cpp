@@ -29,6 +29,7 @@ void Loader::start() {
     declared_ = object_ = 0;
     position_ = part_ = failures_ = 0;
     frame_ = Frame{};
+    forget_loading();
     reads_ = waiting_ = 0;
     send(BOOTED, 0, 0, nullptr, 0);
 }
@@ -103,7 +104,9 @@ Verdict Loader::answer(const Packet &packet) {
         case DECLARE: return declare(packet);
         case DATA: return data(packet);
         case FINISH: return finish(packet);
-        case CAPTURE: return capture(packet);
+        case CAPTURE:
+        case CAPTURE_WITH: return capture(packet);
+        case LOAD: return load(packet);
         case READ: return read(packet);
         case CANCEL: return cancel(packet);
         default: return refused(UNKNOWN);
@@ -138,7 +141,7 @@ Verdict Loader::hello(const Packet &packet) {
     put16(body + 2, most_data);
     const uint32_t numbers[] = {
         limits::window, boot_,
-        uint32_t(limits::exact ? 1 : 0) | uint32_t(limits::gains ? 2 : 0) | 28u,
+        uint32_t(limits::exact ? 1 : 0) | uint32_t(limits::gains ? 2 : 0) | 60u,
         target::store_words, limits::most_kernels, limits::most_rows, limits::most_runs,
         limits::most_frame, hold, longest_us / 1000,
     };

@@ -77,6 +77,7 @@ private:
     Verdict capture(const Packet &packet);
     Verdict read(const Packet &packet);
     Verdict cancel(const Packet &packet);
+    Verdict load(const Packet &packet);
 
     void reply(const Packet &packet, const uint8_t *body, size_t size);
     Verdict progress(const Packet &packet);
@@ -89,6 +90,8 @@ private:
     const uint8_t *entry(size_t number) const { return entries_ + entry_size * number; }
     uint32_t entry_length(size_t number) const { return get32(entry(number) + 2); }
     void forget_frame();
+    // Makes room for a frame, or for a plane.
+    void forget_loading() { loading_ = loaded_ = 0; }
     void expose();
     void make_columns();
     bool send_piece();
@@ -106,6 +109,7 @@ private:
     uint8_t entries_[entry_size * most_objects];
     size_t declared_, object_;
     uint32_t position_, part_, failures_;
+    uint32_t loading_, loaded_;         // the register of the plane that LOAD brings, its bytes so far
     Sha256 digest_;
     Frame frame_;
     Reading reading_[most_reads];

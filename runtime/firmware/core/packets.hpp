@@ -14,7 +14,8 @@ constexpr size_t most_packet = header_size + most_body + crc_size;
 constexpr size_t most_wire = most_packet + most_packet / 254 + 4;
 
 enum Kind : uint8_t {
-    HELLO = 0x01, STATUS, BEGIN, DECLARE, DATA, FINISH, CAPTURE, READ, CANCEL,
+    HELLO = 0x01, STATUS, BEGIN, DECLARE, DATA, FINISH, CAPTURE, READ, CANCEL, CAPTURE_WITH,
+    LOAD,
     BOOTED = 0xf0,
     FAILED = 0xff,
 };

@@ -8,6 +8,9 @@ static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "words are run from whe
 
 namespace {
 
+// The role of a register in READOUTS, a bit each; what is kept only is not read out.
+constexpr uint8_t IS_IMAGE = 1, IS_KEPT = 2;
+
 constexpr uint64_t gain_of_one = uint64_t(1023) << 52;
 
 bool finite(uint64_t bits) { return (bits >> 52 & 0x7ff) != 0x7ff; }
@@ -16,7 +19,7 @@ bool finite(uint64_t bits) { return (bits >> 52 & 0x7ff) != 0x7ff; }
 
 void Program::forget() {
     has_readouts_ = has_kernels_ = has_schedule_ = false;
-    readout_count_ = state_count_ = kernels_.count = held_ = 0;
+    readout_count_ = state_count_ = kernels_.count = held_ = kept_ = 0;
     schedule_.forget();
     reports_.forget();
     board_.forget();
@@ -35,6 +38,7 @@ uint8_t *Program::room_for(uint8_t kind, uint32_t length, Verdict &verdict) {
         case LEVELS: at = schedule_.levels(), room = Schedule::levels_bytes; break;
         case STATES: at = states_raw_, room = sizeof states_raw_; break;
         case REPORTS: at = reports_.bytes(), room = Reports::most_bytes; break;
+        case PARAMS: at = schedule_.params().bytes(), room = Params::most_bytes; break;
         default: verdict = refused(MALFORMED, kind); return nullptr;
     }
     verdict = length <= room ? fine : refused(TOO_LARGE, length);
@@ -57,6 +61,7 @@ Verdict Program::accept(uint8_t kind, uint8_t reg, uint32_t length) {
             return schedule_.accept_levels(length);
         case STATES: return accept_states(length);
         case REPORTS: return accept_reports(length);
+        case PARAMS: return has_schedule_ ? schedule_.accept_params(length) : refused(SCHEDULE, 0);
         default: return refused(MALFORMED, kind);
     }
 }
@@ -78,23 +83,31 @@ Verdict Program::accept_readouts(uint32_t length) {
     if (count > target::analog_count) {
         return refused(READOUT, count);
     }
+    uint32_t converted = 0, kept = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const uint8_t *at = reader.take(16);
         if (!at) {
             return refused(READOUT, reader.at());
         }
-        readout_[i] = {at[0], at[1] != 0, get64(at + 8)};
+        if (at[0] >= target::analog_count || at[1] > (IS_IMAGE | IS_KEPT)) {
+            return refused(READOUT, at[0]);
+        }
+        kept |= at[1] & IS_KEPT ? 1u << at[0] : 0;
+        if (at[1] != IS_KEPT) {
+            readout_[converted++] = {at[0], (at[1] & IS_IMAGE) != 0, get64(at + 8)};
+        }
     }
     if (!reader.ended()) {
         return refused(READOUT, reader.at());
     }
-    for (uint32_t i = 0; i < count; ++i) {
+    for (uint32_t i = 0; i < converted; ++i) {
         const bool scaled = readout_[i].gain != gain_of_one && !limits::gains;
-        if (readout_[i].reg >= target::analog_count || !finite(readout_[i].gain) || scaled) {
+        if (!finite(readout_[i].gain) || scaled) {
             return refused(READOUT, readout_[i].reg);
         }
     }
-    readout_count_ = count;
+    readout_count_ = converted;
+    kept_ = kept;
     has_readouts_ = true;
     return fine;
 }
@@ -202,10 +215,22 @@ Verdict Program::accept_states(uint32_t length) {
 }
 
 Verdict Program::accept_plane(uint8_t reg, uint32_t length) {
+    if (reg >= target::digital_count || (held_ >> reg & 1) != 0 || length != plane_bytes) {
+        return refused(PLANE, reg);
+    }
+    const Verdict verdict = draw(reg);
+    held_ |= verdict.good() ? 1u << reg : 0;
+    return verdict;
+}
+
+Verdict Program::load(uint8_t reg) {
+    return reg < target::digital_count && (held_ >> reg & 1) != 0 ? draw(reg) : refused(PLANE, reg);
+}
+
+Verdict Program::draw(uint8_t reg) {
     constexpr uint32_t odd = uint32_t(target::rows) * target::cols % 8;
     constexpr uint32_t mask = target::mask_register < 0 ? 0 : 1u << (target::mask_register & 31);
-    if (reg >= target::digital_count || (held_ >> reg & 1) != 0 || length != plane_bytes ||
-        (odd != 0 && plane_raw_[plane_bytes - 1] >> odd != 0)) {
+    if (odd != 0 && plane_raw_[plane_bytes - 1] >> odd != 0) {
         return refused(PLANE, reg);
     }
     if (int(reg) == target::masked_register) {
@@ -215,11 +240,7 @@ Verdict Program::accept_plane(uint8_t reg, uint32_t length) {
         }
         board_.run(target::set_mask, 1);
     }
-    if (!board_.load_plane(reg, plane_raw_, *this)) {
-        return refused(HARDWARE, reg);
-    }
-    held_ |= 1u << reg;
-    return fine;
+    return board_.load_plane(reg, plane_raw_, *this) ? fine : refused(HARDWARE, reg);
 }
 
 void Program::refresh() {
@@ -247,7 +268,7 @@ void Program::read_out(uint8_t channels) {
     reports_at_ = board_bytes(channels);
     reports_.begin(reports_at_);
     const uint8_t read = uint8_t(channels & ~reports_channel) | (count > 0 ? states_channel : 0);
-    board_.read_out({readout_, readout_count_, planes_, count, read});
+    board_.read_out({readout_, readout_count_, planes_, count, read, kept_});
 }
 
 bool Program::convert(uint32_t offset, uint8_t *bytes, uint32_t count) {

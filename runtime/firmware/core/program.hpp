@@ -9,7 +9,7 @@
 namespace nscc {
 
 enum ObjectKind : uint8_t { READOUTS = 1, KERNELS, SCHEDULE_ROWS, CODE_PLANE, LEVELS, STATES,
-                            REPORTS };
+                            REPORTS, PARAMS };
 
 class Program : public Refresher {
 public:
@@ -24,6 +24,8 @@ public:
     uint8_t *room_for(uint8_t kind, uint32_t length, Verdict &verdict);
     // Check an object that is whole, and from then on use it.
     Verdict accept(uint8_t kind, uint8_t reg, uint32_t length);
+    // Load another plane in place of one that the program has, from the same buffer.
+    Verdict load(uint8_t reg);
     // Check what only all objects together tell.
     Verdict complete();
 
@@ -50,12 +52,14 @@ private:
     Verdict accept_states(uint32_t length);
     Verdict accept_reports(uint32_t length);
     Verdict accept_plane(uint8_t reg, uint32_t length);
+    Verdict draw(uint8_t reg);
     // Bytes of a frame before its reports.
     uint32_t board_bytes(uint8_t channels) const;
 
     Board &board_;
     bool has_readouts_ = false, has_kernels_ = false, has_schedule_ = false;
     uint32_t readout_count_ = 0, state_count_ = 0;
+    uint32_t kept_ = 0;                 // the analog registers that are kept, a bit each
     uint32_t held_ = 0;                 // the registers that hold planes, a bit each
     uint32_t reports_at_ = 0;           // the offset of the reports in the frame that is read out
     uint8_t planes_[2 * target::digital_count]; // what the board reads: states, then reports

@@ -92,7 +92,56 @@ int16_t Schedule::level(uint32_t row) const {
     return level_count_ > 0 ? int16_t(get16(levels_raw_ + 4 + 2 * row)) : as_it_is;
 }
 
+// Changes come in the order of their rows, so that a walk over the rows meets them. Rows with light
+// before them are executed once, whatever the values are.
+Verdict Schedule::accept_params(uint32_t length) {
+    const Verdict verdict = params_.accept(length);
+    if (!verdict.good()) {
+        return verdict;
+    }
+    uint32_t row = 0;
+    for (uint32_t i = 0; i < params_.changes(); ++i) {
+        const Change change = params_.change(i);
+        const bool sets_level = change.what == Change::LEVEL;
+        const bool has_param = change.what == Change::START || change.param < params_.count();
+        if (change.row < row || change.row >= row_count_ || !has_param ||
+            change.what > Change::START || (sets_level && level_count_ == 0) ||
+            (!sets_level && rows()[2 * change.row] > 0)) {
+            params_.forget();
+            return refused(SCHEDULE, 10);
+        }
+        for (int high = 0; sets_level && high < 2; ++high) {
+            const int64_t level = Params::result(change, params_.end(change.param, high != 0));
+            if (level < target::in_low || level > target::in_high) {
+                params_.forget();
+                return refused(SCHEDULE, 6);
+            }
+        }
+        row = change.row;
+        most_times_[i] = uint16_t(rows()[2 * row + 1] >> 16);
+    }
+    return fine;
+}
+
+// Makes the rows what the values of the parameters say.
+void Schedule::apply_params() {
+    uint32_t *row = raw_ + 5 + 3 * raw_[3];
+    for (uint32_t i = 0; i < params_.changes(); ++i) {
+        const Change change = params_.change(i);
+        const bool starts = change.what == Change::START;
+        const int64_t result = starts ? is_first_ * most_times_[i] : params_.result(change);
+        if (change.what == Change::LEVEL) {
+            put16(levels_raw_ + 4 + 2 * change.row, uint16_t(int16_t(result)));
+        } else {
+            const int64_t some = result < 0 ? 0 : result;
+            const uint32_t times = some > most_times_[i] ? most_times_[i] : uint32_t(some);
+            row[2 * change.row + 1] = (row[2 * change.row + 1] & 0xffff) | times << 16;
+        }
+    }
+}
+
 Verdict Schedule::accept(uint32_t length) {
+    params_.forget();
     Reader reader(bytes(), length);
     uint32_t slots, grace_ns, most_late, runs, rows;
     if (!reader.take_count(slots) || !reader.take_count(grace_ns) ||
@@ -222,16 +271,21 @@ Verdict Schedule::check(uint32_t held) {
     };
     const uint32_t *row = rows();
     int16_t in = as_it_is;
+    uint32_t change = 0;
     for (uint32_t i = 0; i < row_count_ && now <= longest; ++i, row += 2) {
         const uint32_t k = row[1] & 0xffff;
         const Time each = busy(k);
+        bool is_changed = false;        // by a parameter, which takes the time to settle
+        for (; change < params_.changes() && params_.change(change).row == i; ++change) {
+            is_changed = is_changed || params_.change(change).what == Change::LEVEL;
+        }
         for (uint32_t left = row[1] >> 16; left > 0 && now <= longest; --left) {
             if (row[0] > 0) {
                 wait_for(row[0]);
             }
-            if (level(i) != as_it_is && level(i) != in) {
+            if (is_changed || (level(i) != as_it_is && level(i) != in)) {
                 now += settling;
-                in = level(i);
+                in = is_changed ? as_it_is : level(i);
             }
             now += each;
             see(kernels_.kernel[k].written);
@@ -250,9 +304,10 @@ Verdict Schedule::check(uint32_t held) {
 
 void Schedule::begin_frame() {
     forget_frame();
+    apply_params();
     slots_.begin(runs());
     row_ = rows();
-    rows_left_ = row_count_ + 1;        // the last one is what follows the rows: slots, no words
+    end_ = row_ + 2 * row_count_;
     times_ = 0;
     waiting_ = false;
     level_ = in_ = as_it_is;
@@ -261,26 +316,28 @@ void Schedule::begin_frame() {
     due_ = (Time(began_) << 32) + setup_ + tick / 2;
 }
 
+// The next row that is executed at all; what follows the rows is one, with slots and no words.
 bool Schedule::next_row() {
-    if (rows_left_ == 0) {
-        return false;
-    }
-    if (--rows_left_ == 0) {
-        advance_ = rest_;
-        times_ = 1;
-        words_ = nullptr;
-        return true;
-    }
-    const uint32_t k = row_[1] & 0xffff;
-    advance_ = row_[0];
-    times_ = row_[1] >> 16;
+    const uint32_t *row;
+    do {
+        row = row_;
+        row_ = row + 2;
+        if (row >= end_) {
+            advance_ = rest_;
+            times_ = 1;
+            words_ = nullptr;
+            return row == end_;
+        }
+        times_ = row[1] >> 16;
+    } while (times_ == 0);
+    const uint32_t k = row[1] & 0xffff;
+    advance_ = row[0];
     if (level_count_ > 0) {
-        const int16_t wanted = level(row_count_ - rows_left_);
+        const int16_t wanted = level(uint32_t(row - rows()) / 2);
         level_ = wanted == as_it_is ? level_ : wanted;
     }
     words_ = kernels_.words + kernels_.kernel[k].first;
     kernel_words_ = kernels_.length(k);
-    row_ += 2;
     return true;
 }
 
@@ -294,6 +351,7 @@ Schedule::Now Schedule::go_on() {
         if (!waiting_) {
             if (times_ == 0 && !next_row()) {
                 lasted_ = board_.ticks() - began_;
+                is_first_ = false;
                 return Now::ENDED;
             }
             if (advance_ > 0) {

@@ -4,6 +4,7 @@
 
 #include "board.hpp"
 #include "limits.hpp"
+#include "params.hpp"
 #include "target.hpp"
 #include "verdict.hpp"
 
@@ -74,7 +75,11 @@ public:
 
     Schedule(Board &board, const Kernels &kernels) : board_(board), kernels_(kernels) {}
 
-    void forget() { level_count_ = 0; }
+    void forget() {
+        is_first_ = true;
+        level_count_ = 0;
+        params_.forget();
+    }
     // Where the bytes of the objects go.
     uint8_t *bytes() { return reinterpret_cast<uint8_t *>(raw_); }
     uint8_t *levels() { return levels_raw_; }
@@ -82,6 +87,9 @@ public:
     Verdict accept_levels(uint32_t length);
     // Checks an object that is whole; from then on its times are whole numbers.
     Verdict accept(uint32_t length);
+    // Checks the parameters of the schedule that is here.
+    Verdict accept_params(uint32_t length);
+    Params &params() { return params_; }
     // Whether every frame ends in time, leaves the main loop room, and lets none of the registers
     // in the bit mask `held` fade.
     Verdict check(uint32_t held);
@@ -108,7 +116,8 @@ private:
     Time busy(uint32_t kernel) const;
     Time setup() const;
     int16_t level(uint32_t row) const;
-    bool next_row();
+    void apply_params();
+    [[gnu::always_inline]] inline bool next_row();
 
     Board &board_;
     const Kernels &kernels_;
@@ -117,16 +126,19 @@ private:
     // The frame that is being exposed.
     Slots slots_;
     Time due_;
-    const uint32_t *row_;
-    uint32_t rows_left_, times_, advance_, kernel_words_;
+    const uint32_t *row_, *end_;
+    uint32_t times_, advance_, kernel_words_;
     uint32_t began_, lasted_ = 0, late_ = 0, latest_ = 0;
     const uint32_t (*words_)[5];
     int16_t level_, in_;
     bool waiting_;
+    bool is_first_ = true;              // no frame of the program has ended yet
     // Slots, grace in ns, most late launches, runs; then for each run: slots, microseconds of each
     // (a double, then a Time); rows; then for each: advance, kernel and times.
     uint32_t raw_[most_bytes / 4];
     uint8_t levels_raw_[levels_bytes];
+    Params params_;
+    uint16_t most_times_[Params::most_changes];     // what the row of a change says
 };
 
 }  // namespace nscc

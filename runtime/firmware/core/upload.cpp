@@ -28,6 +28,7 @@ Verdict Loader::begin(const Packet &packet) {
     announced_ = true;
     refusal_ = fine;
     forget_frame();
+    forget_loading();
     declared_ = object_ = 0;
     position_ = part_ = failures_ = 0;
     digest_.reset();
@@ -182,6 +183,48 @@ Verdict Loader::commit(bool &again) {
     const Verdict whole = program_.complete();
     state_ = State::COMPLETE;
     return whole.good() ? fine : refuse(whole);
+}
+
+// Another plane for a register that the program has one for. Its bytes come into the memory of
+// frames, and the first of them begin it anew.
+Verdict Loader::load(const Packet &packet) {
+    constexpr size_t head = 8;
+    if (packet.size <= head || packet.size - head > most_data) {
+        return refused(MALFORMED);
+    }
+    if (!announced_ || !refusal_.good() || state_ != State::READY) {
+        return refused(NO_PROGRAM);
+    }
+    if (exposing()) {
+        return refused(BUSY_NOW);
+    }
+    const uint8_t reg = packet.body[0];
+    const uint32_t position = get32(packet.body + 4);
+    if (position == 0) {
+        forget_frame();
+        loading_ = reg;
+        loaded_ = 0;
+    }
+    if (reg == loading_ && position == loaded_) {
+        const uint32_t size = uint32_t(packet.size - head);
+        if (size > Program::plane_bytes - loaded_) {
+            return refused(PLANE, reg);
+        }
+        copy(shared_ + loaded_, packet.body + head, size);
+        loaded_ += size;
+        if (loaded_ == Program::plane_bytes) {
+            const Verdict verdict = program_.load(reg);
+            if (!verdict.good()) {
+                forget_loading();
+                return verdict;
+            }
+            refresh();
+        }
+    }
+    uint8_t body[4];
+    put32(body, reg == loading_ ? loaded_ : 0);
+    reply(packet, body, sizeof body);
+    return fine;
 }
 
 Verdict Loader::finish(const Packet &packet) {

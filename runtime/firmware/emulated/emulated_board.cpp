@@ -63,11 +63,12 @@ void EmulatedBoard::set_in(int16_t steps) { put_event(in_is_set, uint32_t(int32_
 void EmulatedBoard::read_out(const Contents &contents) {
     recording_ = false;
     state_ = Exposing::BUSY;
-    begin_record(JOB, 16 + 12 * size_t(contents.readout_count) + contents.state_count);
+    begin_record(JOB, 20 + 12 * size_t(contents.readout_count) + contents.state_count);
     put_number(++job_);
     put_number(contents.channels);
     put_number(contents.readout_count);
     put_number(contents.state_count);
+    put_number(contents.kept);
     for (uint32_t i = 0; i < contents.readout_count; ++i) {
         uint8_t gain[8];
         put64(gain, contents.readouts[i].gain);

@@ -17,7 +17,7 @@ enum Record : uint8_t {
     SLOTS = 'S',        // the runs of its schedule
     BEGUN = 'N',        // a frame begins
     EVENT = 'E',        // light_falls, slots; in_is_set, steps; or a kernel's place in WORDS, its words
-    JOB = 'J',          // the frame is to be exposed: number, channels, readouts, states
+    JOB = 'J',          // the frame is to be exposed: number, channels, readouts, states, kept
     WANTED = 'C',       // u32 job, u32 offset, u32 count: bytes of its frame
     // From the emulator.
     RESULT = 'R',       // u32 job, u8 whether there is a frame, and its bytes where they fit

@@ -138,13 +138,13 @@ private:
         }
     }
 
+    // Whether a register is read out, or kept from frame to frame.
     bool is_read(uint32_t reg) const {
+        bool read = (contents_.kept >> reg & 1) != 0;
         for (uint32_t i = 0; i < contents_.readout_count; ++i) {
-            if (contents_.readouts[i].reg == reg) {
-                return true;
-            }
+            read = read || contents_.readouts[i].reg == reg;
         }
-        return false;
+        return read;
     }
 
     Contents contents_ = {};

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
 from threading import Thread
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from nscc.words.readout import converter_of_registers
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import packed_plane
-from nscc_runtime.device.recording import BoardProgram
+from nscc_runtime.device.recording import BoardProgram, ExecutedFrame
 
 if TYPE_CHECKING:
     from nscc.chips.target import Target
@@ -23,16 +23,6 @@ if TYPE_CHECKING:
 
 Scene = Callable[[Sequence[float]], "Light"]
 """A function of slot lengths in microseconds that returns the light on the array in these slots."""
-
-
-@dataclass(frozen=True, eq=False)
-class ExecutedFrame:
-    """One frame of the emulator. `frame`: its bytes as a loader sends them. `planes`: the code
-    registers after the frame as bytes of PLANE objects, by register; kept states are stored in code
-    registers."""
-
-    frame: bytes
-    planes: Mapping[str, bytes]
 
 
 @dataclass
@@ -61,11 +51,14 @@ class EmulatedChip:
         registers = [*(name for name, _ in program.readouts), *program.images]
         digital = [*program.states, *program.chip.planes]
         contents, bits = program.chip.run(
-            self._light[1], registers, digital, device_seed=self.device_seed
+            self._light[1], [*registers, *program.kept], digital, device_seed=self.device_seed
         )
+        kept = dict(zip(program.kept, contents[len(registers) :], strict=True))
+        contents = contents[: len(registers)]
         gains = np.array([gain for _, gain in program.readouts] + [1.0] * len(program.images))
         exposure_e = contents * gains[:, None, None] + 0.0  # -0 + 0 is +0
-        sensor, full = self._converting(registers), replace(self.target, readout="full")
+        sensor = self._converting([*registers, *program.kept])
+        full = replace(self.target, readout="full")
         codes = [
             read_out(Exposure(values, np.isfinite(values)), target, of_readouts).frame
             for values, target, of_readouts in (
@@ -79,8 +72,8 @@ class EmulatedChip:
         planes = [packed_plane(plane) for plane in bits]
         if channels & Channel.STATES:
             chunks += planes[: len(program.states)]
-        kept = zip(program.chip.planes, planes[len(program.states) :], strict=True)
-        return ExecutedFrame(b"".join(chunks), dict(kept))
+        loaded = zip(program.chip.planes, planes[len(program.states) :], strict=True)
+        return ExecutedFrame(b"".join(chunks), dict(loaded), kept)
 
     def _converting(self, registers: Sequence[str]) -> Sensor:
         """Return the sensor with the code scale of a program that reads these registers, not spread

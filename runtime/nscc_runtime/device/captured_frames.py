@@ -3,7 +3,7 @@ settings."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from datetime import UTC, datetime
 from itertools import count, islice
 from pathlib import Path
@@ -22,6 +22,7 @@ from nscc_runtime.device.device_chip import DeviceChip
 from nscc_runtime.device.device_errors import wrong_target
 from nscc_runtime.device.objects import target_digest
 from nscc_runtime.frame_file import Frame, FrameFile, Provenance, joined, meta
+from nscc_runtime.host_setting import HostSetting
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.response import with_table
@@ -34,16 +35,20 @@ def exposed(
     light: Light | None = None,
     repeat: int | None = None,
     progress: Progress = unseen,
+    setting: HostSetting | None = None,
 ) -> tuple[Frame, dict[str, Any]]:
     """Expose one frame, or `repeat` frames, with a program on a device. Return the frame and its
-    meta. `light`: the scene, if known. Raises Rejected (status 3) if the device fails."""
+    meta. `light`: the scene, if known. `setting`: what the host sets before each frame. Raises
+    Rejected (status 3) if the device fails."""
     chip.upload(container)
     most = repeat or 1
-    shots = (chip.capture(container) for _ in range(most))
+    setting = setting or HostSetting.at_start(container)
+    shots = (chip.capture(container, setting) for _ in range(most))
     frames = [shot.frame for shot in progress(shots, "exposing", most)]
     frame = joined(frames, np.stack) if repeat else frames[0]
     sensor = chip.sensor or default_sensor(converter_of(container))
-    return frame, device_meta(chip, frame, sensor, container, light)
+    params = (setting.plain(container),) * most
+    return frame, device_meta(chip, frame, sensor, container, light, params)
 
 
 def device_meta(
@@ -52,14 +57,16 @@ def device_meta(
     sensor: Sensor,
     container: Container | None,
     light: Light | None = None,
+    params: tuple[Mapping[str, float], ...] = (),
 ) -> dict[str, Any]:
     """Return the `meta` of the `frame` that `chip` just exposed with `sensor`.
 
     `container` and `light` are the program and the scene, None if unknown. Seeds, plan and audit
-    are None, because a device has none."""
+    are None, because a device has none. `params`: the parameters of each frame, levels in
+    electrons."""
     info = chip.link.host.info
     assert info is not None  # known since the frame was received
-    origin = Provenance(chip.label.hex(), sensor, seed=None, device_seed=None, fidelity="device")
+    origin = Provenance(chip.label.hex(), sensor, None, None, "device", params=params)
     device = {"target": info.target_name, "loader": info.firmware}
     return {**meta(container, light, frame, origin), "device": device}
 
@@ -95,13 +102,24 @@ def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) 
 
 
 def capture_to(
-    path: Path, chip: DeviceChip, target: Target, sensor: Sensor, container: Container | None
+    path: Path,
+    chip: DeviceChip,
+    target: Target,
+    sensor: Sensor,
+    container: Container | None,
+    setting: HostSetting | None = None,
 ) -> None:
     """Expose a frame of `container`, or of the program on the device if None, and write its file.
-    `meta` additionally contains `time_utc` and `device_time_us`."""
+    `setting`: what the host sets before the frame. `meta` additionally contains `time_utc` and
+    `device_time_us`."""
     stamp = datetime.now(UTC).isoformat(timespec="microseconds")
-    shot = chip.capture(container) if container else chip.capture_held(target)
-    meta = device_meta(chip, shot.frame, sensor, container)
+    params: tuple[Mapping[str, float], ...] = ()
+    if container is None:
+        shot = chip.capture_held(target)
+    else:
+        setting = setting or HostSetting.at_start(container)
+        shot, params = chip.capture(container, setting), (setting.plain(container),)
+    meta = device_meta(chip, shot.frame, sensor, container, params=params)
     meta |= {"time_utc": stamp, "device_time_us": shot.captured.started_us}
     file = FrameFile(shot.frame, meta, {}, {})
     write_whole(path, (with_table(file, container) if container else file).write)

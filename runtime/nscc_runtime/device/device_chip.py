@@ -31,12 +31,14 @@ from nscc_runtime.device.messages import (
 from nscc_runtime.device.objects import (
     Upload,
     device_reports,
+    packed_plane,
     split_reports,
     unpacked_plane,
     upload_of,
 )
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
+from nscc_runtime.host_setting import HostSetting
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.run_kinds import KINDS, Sent
 from nscc_runtime.sensor import Sensor, default_sensor
@@ -73,6 +75,7 @@ class DeviceChip:
         self._number = SystemRandom().randrange(1 << 63)
         self._made: tuple[Container, Upload] | None = None
         self._reaches: dict[str, Reach] = {}
+        self._loaded: dict[int, bytes] = {}
         self.label = bytes(32)
         """SHA-256 of the container whose frames the device exposes."""
 
@@ -104,8 +107,9 @@ class DeviceChip:
         info = self.info()
         program = self._program(container)
         check_fits(self.link.path, program, container.target, info, channels_of(info, program))
-        self._upload(program, anew=container.keeps_states)
-        self._reaches = {}
+        # Another host may have loaded other planes.
+        self._upload(program, anew=container.keeps_states or program.host_values)
+        self._reaches, self._loaded = {}, {}
         return program
 
     def _program(self, container: Container) -> Upload:
@@ -141,14 +145,16 @@ class DeviceChip:
         for _ in self.progress(steps, "uploading", len(program.stream) // _STEP):
             pass
 
-    def capture(self, container: Container) -> Shot:
+    def capture(self, container: Container, setting: HostSetting | None = None) -> Shot:
         """Capture one frame of the uploaded program; the program is sent again if the device lost
         it.
 
+        `setting`: what the host sets before the frame, by default the starts of the program.
         Raises NS0774 if a lost program keeps states from frame to frame, because these cannot be
         restored."""
         program = self._program(container)
-        return self._shot(container.target, container, program)
+        setting = setting or HostSetting.at_start(container)
+        return self._shot(container.target, container, program, setting)
 
     def capture_held(self, target: Target) -> Shot:
         """Capture one frame of the program that the device holds, decoded for `target`. Sets
@@ -159,15 +165,28 @@ class DeviceChip:
             raise no_program(self.link.path)
         return self._shot(target, None, None)
 
-    def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
+    def _shot(
+        self,
+        target: Target,
+        container: Container | None,
+        program: Upload | None,
+        setting: HostSetting | None = None,
+    ) -> Shot:
         """Expose a frame and fetch it. Without `program`, the device runs the program it has.
 
         Raises Rejected if the device has lost the program, and with it the kept states."""
         host = self.link.host
         self._number += 1
-        if container is not None and container.pictures.states:
-            self._reaches = beyond_reaches(container, self._reaches)
         request = FrameRequest(self._number, 0, program, target.rows * target.cols)
+        planes: dict[int, bytes] = {}
+        if container is not None and setting is not None:
+            pictures, params = container.pictures, setting.params
+            for name, bits in setting.inputs.items():
+                number = target.digital_registers.index(pictures.registers[name])
+                planes[number] = packed_plane(bits)
+            request.values = tuple(params[param.name] for param in pictures.params)
+            if pictures.stepping or pictures.params:
+                self._reaches = beyond_reaches(container, self._reaches, params)
         program_lost = False
 
         def work() -> Task[tasks.FetchedFrame]:
@@ -178,6 +197,11 @@ class DeviceChip:
             if program is not None:
                 already_held = yield from tasks.upload(host, program)
                 program_lost = program_lost or not already_held
+                self._loaded = self._loaded if already_held else {}
+            for register, plane in planes.items():
+                if self._loaded.get(register) != plane:
+                    yield from tasks.load(host, register, plane)
+                    self._loaded[register] = plane
             return (yield from tasks.capture(host, request))
 
         fetched = self.link.run(work)

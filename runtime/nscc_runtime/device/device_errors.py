@@ -11,7 +11,7 @@ from nscc.diagnostics import rejection
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device.host import Contested, Implausible, RequestRefused, Silent, Stalled
 from nscc_runtime.device.messages import Capability, Info, LoaderFault, frame_bytes
-from nscc_runtime.device.objects import Upload, target_digest
+from nscc_runtime.device.objects import MOST_CHANGES, MOST_PARAMS, Upload, target_digest
 from nscc_runtime.device.packets import VERSION, PacketKind
 from nscc_runtime.device.port import PortTrouble
 
@@ -228,6 +228,8 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
         ("runs of equal slots", upload.runs, info.most_runs),
         ("bytes of a frame", length, info.most_frame),
         ("milliseconds of exposure", upload.frame_ms, info.longest_ms),
+        ("parameters", upload.params, MOST_PARAMS),
+        ("changes of its schedule by parameters", upload.changes, MOST_CHANGES),
     ):
         if required > available:
             raise rejected(
@@ -247,6 +249,11 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
     for needed, capability, subject in (
         (upload.pictures, Capability.PICTURES, "the program computes images or planes"),
         (looks, Capability.LOOKS, "the program's pixels look at the light"),
+        (
+            upload.host_values,
+            Capability.HOST_VALUES,
+            "the program has values that the host sets, or keeps images",
+        ),
     ):
         if needed and not info.capabilities & capability:
             raise rejected(

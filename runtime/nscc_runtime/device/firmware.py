@@ -24,12 +24,12 @@ from nscc.cache.folder import cache_folder, is_own
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import store_files
 from nscc_runtime.device.board import in_background
-from nscc_runtime.device.recording import BoardJob, Recording
+from nscc_runtime.device.recording import BoardJob, ExecutedFrame, Recording
 from nscc_runtime.device.target_header import target_header
 
 if TYPE_CHECKING:
     from nscc.chips.target import Target
-    from nscc_runtime.device.board import EmulatedChip, ExecutedFrame
+    from nscc_runtime.device.board import EmulatedChip
 
 _PACKAGE = Path(__file__).resolve().parents[1]
 _INSTALLED = _PACKAGE / "firmware_files"
@@ -240,7 +240,7 @@ class Firmware:
             self.chip.report(error)
             self.write_record(b"R", _RESULT.pack(job.number, 0))
         else:
-            self._recording.keep(job, executed.planes)
+            self._recording.keep(job, executed)
             self.write_record(b"R", _RESULT.pack(job.number, 1) + self.sent(job, executed.frame))
 
     def sent(self, job: BoardJob, frame: bytes) -> bytes:

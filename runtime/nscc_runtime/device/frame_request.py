@@ -17,13 +17,15 @@ _BESIDE_S = 10.0
 @dataclass(eq=False)
 class FrameRequest:
     """A frame to be exposed, with a unique number. `received`: its bytes so far. `program` is None
-    if only the device knows it; `pixels` is then the number of pixels of the frame."""
+    if only the device knows it; `pixels` is then the number of pixels of the frame. `values`: those
+    of the program's parameters."""
 
     number: int
     channels: int
     program: Upload | None = None
     pixels: int = 0
     received: FrameBytes | None = None
+    values: tuple[int, ...] = ()
 
     def bytes(self, readouts: int) -> int:
         """Return the expected number of bytes of the frame; 0 for a wrong number of readouts."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.source import Source, Span
-from nscc.words.container import Container, with_picture_words
+from nscc.words.container import Container, steered_launches, with_picture_words
 
 
 class Loader(NamedTuple):
@@ -42,7 +42,8 @@ def loader_notes(container: Container, source: Source, frame: Span) -> list[Diag
     if needed["rows of its schedule"] > min(loader.rows for loader in LOADERS):
         from nscc_runtime.device.objects import schedule_rows  # a row can repeat a launch
 
-        needed["rows of its schedule"] = sum(1 for _ in schedule_rows(sent))
+        steered = steered_launches(container)
+        needed["rows of its schedule"] = sum(1 for _ in schedule_rows(sent, steered))
     notes = []
     for loader in LOADERS:
         room = zip(needed.items(), (loader.kernels, loader.rows, loader.runs), strict=True)

@@ -43,6 +43,7 @@ class LoaderFault(IntEnum):
     UNKNOWN = 15
     BUSY = 16
     LATE = 17
+    PARAM = 18
 
 
 class Capability(IntFlag):
@@ -58,6 +59,9 @@ class Capability(IntFlag):
     """Runs words that reach neighbours, and converts signed values."""
     REPORTS = 16
     """Sends where the bits of a plane are 1 instead of the plane."""
+    HOST_VALUES = 32
+    """Sets levels of IN and numbers of launches to parameters, loads planes between frames, and
+    keeps analog registers from frame to frame."""
 
 
 class Channel(IntFlag):
@@ -228,7 +232,9 @@ class UploadProgress(_Body):
 
 @dataclass(frozen=True)
 class CaptureRequest(_Body):
-    """A request to expose a frame, unless the frame `number` exists or is being exposed."""
+    """A request to expose a frame, unless the frame `number` exists or is being exposed.
+
+    In CAPTURE_WITH the values of all parameters follow, as i32."""
 
     number: int
     channels: int
@@ -302,8 +308,20 @@ class LoaderFailure(_Body):
     layout = Struct("<BBxxI")
 
 
+LOAD = Struct("<B3xI")
+"""Head of LOAD: the register of a plane, and the position of the bytes that follow."""
 DATA = Struct("<I")
-"""Body of DATA: the position of the bytes that follow."""
+"""Body of DATA: the position of the bytes that follow. Body of the reply to LOAD: how many bytes of
+the plane the loader has."""
+
+
+def loaded_bytes(body: bytes) -> int:
+    """Return how many bytes of a plane the loader has, from its reply to LOAD. Raises ValueError
+    for a body of another length."""
+    (position,) = _fields(DATA, body)
+    return int(position)
+
+
 FRAME = Struct("<QI")
 """Body of the reply to READ: number of the capture and offset of the bytes that follow."""
 

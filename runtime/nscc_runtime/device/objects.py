@@ -1,6 +1,7 @@
 """A compiled program as the objects that a loader receives.
 
-    READOUTS   u32 count; each: u8 analog register, u8 whether it is an image, 6 free, f64 gain
+    READOUTS   u32 count; each: u8 analog register, u8 role, 6 free, f64 gain; the role is 0 for a
+               bucket, 1 for an image, 2 for what is only kept, and 3 for a kept image
     KERNELS    u32 count, u32 words of each kernel, then the words, five u32 each
     SCHEDULE   u32 slots; u32 grace in nanoseconds; u32 most late launches;
                u32 runs, each: u32 slots, f64 microseconds of each of them;
@@ -10,23 +11,29 @@
     STATES     u32 count; each: u8 digital register that comes with the frame
     REPORTS    u32 count; each: u8 digital register, 3 free, u32 most coordinates, u16 columns on
                the left and right and rows at the top and bottom that are left out
+    PARAMS     u32 count; each: i32 low, i32 high, i32 start;
+               u32 changes, each: u32 row, u8 parameter, u8 change, i16 factor, i32 offset
 
 Registers are numbered as in the target table. A row of the schedule is executed `times` times: the
 light of `advance` slots is collected, IN is set to the row's level (unless it is AS_IT_IS), and the
 kernel runs. Remaining slots follow the last row. A launch later than `grace` after its boundary is
-late. Only programs that look have LEVELS and STATES."""
+late. Only programs that look have LEVELS and STATES. A change 0 sets the level of a row to `factor`
+times the parameter. A change 1 sets its number of launches to `offset` plus `factor` times the
+parameter, at least 0 and at most `times`. A change 2 leaves a row out of all frames but the
+first."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 from functools import cached_property
 from hashlib import sha256
 from itertools import groupby
 from math import ceil
 from struct import Struct
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,8 +41,16 @@ from numpy.typing import NDArray
 from nscc.chips.load import target_dict
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
-from nscc.words.container import Container, state_registers, with_picture_words
+from nscc.record import Record
+from nscc.words.container import (
+    Container,
+    kept_starts,
+    state_registers,
+    steered_launches,
+    with_picture_words,
+)
 from nscc.words.legality import loader_fault, refuse_planes
+from nscc.words.pictures import Pictures, SteeredLaunch
 from nscc.words.reach import Reach, film_reaches
 from nscc_runtime.caches import OfContainer
 from nscc_runtime.device.messages import Begin, ObjectEntry, plane_bytes
@@ -52,6 +67,12 @@ ROW = Struct("<IHH")
 COUNT = Struct("<I")
 _REGISTER = Struct("<B")
 _REPORT = Struct("<B3xI4H")
+PARAM = Struct("<3i")
+CHANGE = Struct("<IBBhi")
+SETS_LEVEL, SETS_TIMES, IS_START = 0, 1, 2
+IS_IMAGE, IS_KEPT = 1, 2
+"""The role of a register in READOUTS, a bit each; what is only kept is not read out."""
+MOST_PARAMS, MOST_CHANGES = 16, 64
 WORD = Struct("<5I")
 LEVEL = Struct("<h")
 AS_IT_IS = -32768
@@ -68,6 +89,7 @@ class ObjectKind(IntEnum):
     LEVELS = 5
     STATES = 6
     REPORTS = 7
+    PARAMS = 8
 
 
 @dataclass(frozen=True)
@@ -90,8 +112,9 @@ class Upload:
 
     `words`, `kernels`, `rows`, `runs`: its demands on a loader's memory. `frame_ms`, `readout_ms`:
     its times. `readouts`, `states`: numbers of registers sent with a frame of `pixels`;
-    `report_bytes`: bytes of its reports. `gains`: whether readouts are scaled. `levels`: whether IN
-    is set; `pictures`: images and planes are computed."""
+    `report_bytes`: bytes of its reports. `params`, `changes`: numbers of parameters, and of changes
+    of rows. `gains`: whether readouts are scaled. `levels`: whether IN is set; `pictures`: images
+    and planes are computed; `host_values`: the host sets or loads values, or images are kept."""
 
     target: bytes
     label: bytes
@@ -109,6 +132,9 @@ class Upload:
     levels: bool
     pictures: bool
     pixels: int
+    host_values: bool = False
+    params: int = 0
+    changes: int = 0
 
     @cached_property
     def digest(self) -> bytes:
@@ -158,26 +184,33 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
             helps=("run it on the emulator: leave --on out",),
         )
     reported = device_reports(container) if reports else {}
+    starts, steered = kept_starts(container), steered_launches(container)
     pictures, container = container.pictures, with_picture_words(container)
     target, readouts = container.target, _readouts(container)
-    rows = list(schedule_rows(container))
+    rows = list(schedule_rows(container, steered))
+    changes = _changes(rows, pictures)
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
-    levels = [(AS_IT_IS if level is None else level,) for *_, level in rows]
-    sets_in = any(level != (AS_IT_IS,) for level in levels)
+    levels = [(AS_IT_IS if row.level is None else row.level,) for row in rows]
+    sets_in = any(level != (AS_IT_IS,) for level in levels) or bool(pictures.levels_of)
     # The time of the loop, whose clock may have a resolution of one microsecond.
     grace_ns = min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
     schedule = SCHEDULE_HEAD.pack(container.slots, grace_ns, 0)
-    schedule += _counted(RUN, runs) + _counted(ROW, [row[:3] for row in rows])
+    schedule += _counted(RUN, runs)
+    schedule += _counted(ROW, [(row.advance, row.kernel, row.times) for row in rows])
     number_of = target.digital_registers.index
     sent = (name for name in state_registers(container) if name not in reported)
     states = [(number_of(name),) for name in sent]
-    objects = [Object(ObjectKind.READOUTS, 0, _counted(READOUT, readouts))]
+    kept = [target.analog_registers.index(name) for same in starts.values() for name in same]
+    roles = [(r, role | IS_KEPT * (r in kept), gain) for r, role, gain in readouts]
+    roles += [(r, IS_KEPT, 1.0) for r in kept if r not in {row[0] for row in readouts}]
+    objects = [Object(ObjectKind.READOUTS, 0, _counted(READOUT, roles))]
     if states:
         objects.append(Object(ObjectKind.STATES, 0, _counted(_REGISTER, states)))
     if reported:
         report_rows = [(number_of(name), most, *reach) for name, (most, reach) in reported.items()]
         objects.append(Object(ObjectKind.REPORTS, 0, _counted(_REPORT, report_rows)))
     lengths = [len(kernel.words) for kernel in container.kernels]
+    lengths += [0] * any(row.kernel == len(lengths) for row in rows)
     words = [word for kernel in container.kernels for word in kernel.words]
     kernels = COUNT.pack(len(lengths)) + np.array(lengths, "<u4").tobytes()
     kernels += np.array(words, "<u4").reshape(-1, 5).tobytes()
@@ -185,17 +218,17 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
     if sets_in:
         objects.append(Object(ObjectKind.LEVELS, 0, _counted(LEVEL, levels)))
     objects.append(Object(ObjectKind.SCHEDULE, 0, schedule))
-    planes = container.planes()
-    # Writes to the masked register use the mask, so its plane is sent before the mask's plane.
-    for register in sorted(planes, key=lambda name: name != target.masked_register):
-        plane = packed_plane(planes[register])
-        objects.append(Object(ObjectKind.PLANE, number_of(register), plane))
+    if pictures.params or kept:
+        ranges = [(param.low, param.high, param.start) for param in pictures.params]
+        data = _counted(PARAM, ranges) + _counted(CHANGE, changes)
+        objects.append(Object(ObjectKind.PARAMS, 0, data))
+    objects += _plane_objects(container)
     return Upload(
         target_digest(target),
         label,
         tuple(objects),
         words=len(words),
-        kernels=len(container.kernels),
+        kernels=len(lengths),
         rows=len(rows),
         runs=len(runs),
         frame_ms=ceil(sum(container.slot_us) / 1000),
@@ -203,11 +236,23 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
         readouts=len(readouts),
         states=len(states),
         report_bytes=sum(report_bytes(most) for most, _ in reported.values()),
+        params=len(pictures.params),
+        changes=len(changes),
         gains=any(gain != 1 for *_, gain in readouts),
         levels=sets_in,
         pictures=bool(pictures.kernels),
+        host_values=pictures.has_host_values or bool(kept),
         pixels=target.rows * target.cols,
     )
+
+
+def _plane_objects(container: Container) -> Iterator[Object]:
+    """Yield the planes that a device loads before the first frame."""
+    planes, target = container.planes(), container.target
+    # Writes to the masked register use the mask, so its plane is sent before the mask's plane.
+    for register in sorted(planes, key=lambda name: name != target.masked_register):
+        number = target.digital_registers.index(register)
+        yield Object(ObjectKind.PLANE, number, packed_plane(planes[register]))
 
 
 def packed_plane(plane: NDArray[np.bool_]) -> bytes:
@@ -222,13 +267,12 @@ def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
     return flat.view(np.bool_).reshape(shape)
 
 
-def _readouts(container: Container) -> list[tuple[int, bool, float]]:
-    """Return for each register that a device converts its number, whether it holds an image, and
-    its gain."""
-    registers, buckets = container.target.analog_registers, container.buckets
+def _readouts(container: Container) -> list[tuple[int, int, float]]:
+    """Return the number, the role and the gain of each register that a device converts."""
+    registers, buckets = container.target.analog_registers, len(container.buckets_read)
     return [
-        (registers.index(each.register), each.bucket not in buckets, each.gain)
-        for each in container.readouts
+        (registers.index(each.register), IS_IMAGE * (place >= buckets), each.gain)
+        for place, each in enumerate(container.readouts)
     ]
 
 
@@ -237,18 +281,58 @@ def _counted(layout: Struct, rows: Sequence[tuple[float, ...]]) -> bytes:
     return COUNT.pack(len(rows)) + b"".join(layout.pack(*row) for row in rows)
 
 
-def schedule_rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
-    """Yield the rows of a schedule: slots to advance, kernel, number of equal launches, and
-    value of IN or None."""
-    at = 0
-    steps = []
-    for launch in container.launches:
-        steps.append((launch.instant - at, launch.kernel, launch.level))
-        at = launch.instant
-    for (advance, kernel, level), same in groupby(steps):
-        times = len(list(same))
-        for launched in range(0, times, MOST_TIMES):
-            yield advance, kernel, min(times - launched, MOST_TIMES), level
+class ScheduleRow(Record):
+    """A row of a schedule. `level`: steps of IN, or None. `steered`: its first launch, if values of
+    parameters change the row."""
+
+    advance: int
+    kernel: int
+    times: int
+    level: int | None
+    steered: SteeredLaunch | None
+
+
+def schedule_rows(
+    container: Container, steered: Sequence[SteeredLaunch] = ()
+) -> Iterator[ScheduleRow]:
+    """Yield the rows of a schedule, each for equal launches of `container`.
+
+    `steered`: its last launches, as parameters change them. The steps of a loop with one launch are
+    one row. The light never falls before a launch that may be left out, but before a kernel without
+    words, whose number is the next after those of the container."""
+    at, first = 0, len(container.launches) - len(steered)
+    steps: list[tuple[tuple[Any, ...], SteeredLaunch | None]] = []
+    for number, launch in enumerate(container.launches):
+        of = steered[number - first] if number >= first else None
+        if of is not None and (of.times is not None or of.is_start) and launch.instant > at:
+            steps.append(((launch.instant - at, len(container.kernels), None), None))
+            at = launch.instant
+        advance, at = launch.instant - at, launch.instant
+        shared = of.shared(number) if of else ()
+        steps.append(((advance, launch.kernel, launch.level, *shared), of))
+    for (advance, kernel, level, *_), same in groupby(steps, lambda step: step[0]):
+        (_, of), *others = same
+        for done in range(0, 1 + len(others), MOST_TIMES):
+            times = min(1 + len(others) - done, MOST_TIMES)
+            later = replace(of, step=of.step + done) if of and of.is_changed else None
+            yield ScheduleRow(advance, kernel, times, level, later)
+
+
+def _changes(rows: Sequence[ScheduleRow], pictures: Pictures) -> list[tuple[int, ...]]:
+    """Return how parameters change rows of a schedule, as the object PARAMS contains it."""
+    number = [param.name for param in pictures.params].index
+    changes: list[tuple[int, ...]] = []
+    for place, of in enumerate(row.steered for row in rows):
+        if of is None:
+            continue
+        if of.is_start:
+            changes.append((place, 0, IS_START, 0, 0))
+        if of.level_of is not None:
+            changes.append((place, number(of.level_of.param), SETS_LEVEL, of.level_of.factor, 0))
+        if of.times is not None:
+            offset = of.times.offset - of.step
+            changes.append((place, number(of.times.param), SETS_TIMES, of.times.factor, offset))
+    return changes
 
 
 _COORDINATES = 4
@@ -267,16 +351,18 @@ def device_reports(container: Container) -> dict[str, tuple[int, Reach]]:
     """Return the reports that need fewer bytes than their planes, by register: the most
     coordinates, and the margin of the plane.
 
-    Planes that are read are sent anyway, and a margin that changes from frame to frame is known to
-    the host only."""
+    Planes that are read are sent anyway, and a margin that changes from frame to frame, or with a
+    parameter, is known to the host only."""
     pictures, target = container.pictures, container.target
-    if not pictures.reports:
+    if not pictures.reports or any(loop.times.param for loop in pictures.loops):
         return {}
     film = film_reaches(container)
     if film is None or len(film) > 1:
         return {}
     reported: dict[str, tuple[int, Reach]] = {}
     for report in pictures.reports:
+        if report.kind == "sum":
+            continue
         register = pictures.registers[report.plane]
         most = max(report.most, reported.get(register, (0,))[0])
         reported[register] = most, film[0][report.plane]

@@ -34,6 +34,8 @@ class PacketKind(IntEnum):
     CAPTURE = 0x07
     READ = 0x08
     CANCEL = 0x09
+    CAPTURE_WITH = 0x0A
+    LOAD = 0x0B
     BOOTED = 0xF0
     ERROR = 0xFF
 

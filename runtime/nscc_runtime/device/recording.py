@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from struct import Struct
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nscc.operations import Word
 from nscc.words.container import Launch
@@ -15,7 +16,7 @@ from nscc_runtime.emulator.chip_program import ChipProgram
 if TYPE_CHECKING:
     from nscc.chips.target import Target
 
-_JOB = Struct("<IIII")
+_JOB = Struct("<5I")
 _READOUT = Struct("<Id")
 _EVENT = Struct("<Ii")
 _LIGHT_FALLS = 0xFFFF_FFFF
@@ -29,13 +30,25 @@ class BoardProgram(NamedTuple):
 
     `readouts`: names and gains of the registers of buckets. `images`: names of those of images.
     `states`: names of the digital registers that are sent with the frame. `slot_us`: lengths of the
-    slots."""
+    slots. `kept`: names of the analog registers that are kept from frame to frame."""
 
     chip: ChipProgram
     slot_us: tuple[float, ...]
     readouts: tuple[tuple[str, float], ...]
     images: tuple[str, ...]
     states: tuple[str, ...]
+    kept: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class ExecutedFrame:
+    """One frame of the emulator. `frame`: its bytes as a loader sends them. `planes`: the code
+    registers after the frame as bytes of PLANE objects, by register; kept states are stored in code
+    registers. `kept`: electrons (rows, cols) of the analog registers that are kept, by register."""
+
+    frame: bytes
+    planes: Mapping[str, bytes]
+    kept: Mapping[str, Any]
 
 
 class BoardJob(NamedTuple):
@@ -57,6 +70,7 @@ class Recording:
     def _forget(self) -> None:
         """Forget all recorded commands: planes, words, jobs and events."""
         self._planes: dict[int, bytes] = {}
+        self._analog: Mapping[str, Any] = {}
         self._latest: BoardJob | None = None
         self._words = self._runs = b""
         self._events: list[tuple[int, int]] = []
@@ -78,29 +92,35 @@ class Recording:
             case b"E":
                 self._events.append(_EVENT.unpack(data))
             case b"J":
-                number, channels, readouts, states = _JOB.unpack_from(data)
+                number, channels, readouts, states, kept = _JOB.unpack_from(data)
                 split = _JOB.size + readouts * _READOUT.size
                 read = list(_READOUT.iter_unpack(data[_JOB.size : split]))
-                program = self._program(read, list(data[split : split + states]))
+                registers = enumerate(self.target.analog_registers)
+                names = tuple(name for place, name in registers if kept >> place & 1)
+                program = self._program(read, list(data[split : split + states]), names)
                 self._latest = BoardJob(number, channels, program)
                 return self._latest
             case _:
                 raise ValueError(f"a record of kind {kind!r}")
         return None
 
-    def keep(self, job: BoardJob, planes: Mapping[str, bytes]) -> None:
-        """Store the code registers after a frame, with which the program's next frame starts."""
+    def keep(self, job: BoardJob, executed: ExecutedFrame) -> None:
+        """Store the registers after a frame with which the program's next frame starts."""
         if job is self._latest:
             names = self.target.digital_registers
-            self._planes = {names.index(name): plane for name, plane in planes.items()}
+            self._planes = {names.index(name): plane for name, plane in executed.planes.items()}
+            self._analog = executed.kept
 
     def _program(
-        self, readouts: Sequence[tuple[int, float]], states: Sequence[int]
+        self,
+        readouts: Sequence[tuple[int, float]],
+        states: Sequence[int],
+        kept: Sequence[str],
     ) -> BoardProgram:
         """Return the commands since the frame began as a program of the board.
 
         Events become launches of kernels at boundaries, with the value of IN set before them.
-        `readouts` are registers with their gains."""
+        `readouts` are registers with their gains, `kept` those that go on to the next frame."""
         numbers: dict[tuple[int, int], int] = {}
         launches: list[Launch] = []
         boundary, level = 0, None
@@ -124,6 +144,8 @@ class Recording:
             runs=list(RUN.iter_unpack(self._runs)),
             states=states,
             planes=self._planes,
+            kept=kept,
+            analog=self._analog,
         )
 
 
@@ -136,20 +158,24 @@ def program_of(
     runs: Sequence[tuple[int, float]],
     states: Sequence[int],
     planes: Mapping[int, bytes],
+    kept: Sequence[str],
+    analog: Mapping[str, Any],
 ) -> BoardProgram:
     """Return the commands to a chip as a program for the emulator.
 
     Registers are numbers; IMAGE is added to the number of an image's register. `runs`: numbers of
-    equal slots, with their lengths in microseconds."""
-    analog, digital = target.analog_registers, target.digital_registers
+    equal slots, with their lengths in microseconds. `kept`: names of the registers that go on from
+    frame to frame; `analog` are the electrons (rows, cols) that the previous frame left in them."""
+    registers, digital = target.analog_registers, target.digital_registers
     slot_us = tuple(us for count, us in runs for _ in range(count))
     shape = target.rows, target.cols
     loaded = {digital[number]: unpacked_plane(data, shape) for number, data in planes.items()}
     ops = [[decode(word) for word in words] for words in kernels]
     return BoardProgram(
-        ChipProgram(target, len(slot_us), ops, launches, loaded),
+        ChipProgram(target, len(slot_us), ops, launches, loaded, analog),
         slot_us,
-        tuple((analog[number], gain) for number, gain in readouts if number < IMAGE),
-        tuple(analog[number - IMAGE] for number, _ in readouts if number >= IMAGE),
+        tuple((registers[number], gain) for number, gain in readouts if number < IMAGE),
+        tuple(registers[number - IMAGE] for number, _ in readouts if number >= IMAGE),
         tuple(digital[number] for number in states),
+        tuple(kept),
     )

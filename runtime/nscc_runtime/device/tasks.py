@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from zlib import adler32, crc32
 
+import numpy as np
+
 from nscc_runtime.device import messages
 from nscc_runtime.device.frame_request import CHUNK, FrameBytes, FrameRequest
 from nscc_runtime.device.host import (
@@ -28,7 +30,7 @@ from nscc_runtime.device.messages import (
     UploadProgress,
 )
 from nscc_runtime.device.objects import Upload
-from nscc_runtime.device.packets import OVERHEAD, REPLY, PacketKind
+from nscc_runtime.device.packets import OVERHEAD, REPLY, Packet, PacketKind
 
 _SMALLEST_WINDOW = 2 * (CHUNK + 64)
 _MOST_DIGEST_FAILURES = 8
@@ -79,20 +81,37 @@ def forget(host: Host, program: Upload) -> Task[None]:
     yield from _begun(host, messages.Begin(program.target, zeros, zeros, 0, 0))
 
 
+def load(host: Host, register: int, plane: bytes) -> Task[None]:
+    """Load the bits of a plane into a register of the program that the loader has."""
+    assert host.info is not None
+    at, most = 0, host.info.most_data
+    while at < len(plane):
+        body = messages.LOAD.pack(register, at) + plane[at : at + most]
+        reply = yield from _idle(host, PacketKind.LOAD, body)
+        position = checked(messages.loaded_bytes, reply)
+        if position > at:
+            host.moved()
+        host.check_patience()
+        at = position
+
+
 def _begun(host: Host, begin: messages.Begin) -> Task[UploadProgress]:
-    """Announce a program and return how much of it the loader has; an exposure that runs is
-    stopped first."""
+    """Announce a program and return how much of it the loader has."""
+    reply = yield from _idle(host, PacketKind.BEGIN, begin.pack())
+    host.moved()
+    return checked(UploadProgress.unpack, reply)
+
+
+def _idle(host: Host, kind: PacketKind, body: bytes) -> Task[Packet]:
+    """Send a request and return its reply; an exposure that runs is stopped first."""
     while True:
         try:
-            reply = yield from host.ask(PacketKind.BEGIN, begin.pack())
+            return (yield from host.ask(kind, body))
         except RequestRefused as refused:
             if refused.fault != LoaderFault.BUSY:
                 raise
             yield from host.cancel()
             yield from pause(host, _BUSY_WAIT_S)
-            continue
-        host.moved()
-        return checked(UploadProgress.unpack, reply)
 
 
 def pause(host: Host, seconds: float) -> Task[None]:
@@ -259,10 +278,12 @@ def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
 
     Raises RequestRefused for errors and for replies that do not fit the request."""
     body = messages.CaptureRequest(request.number, request.channels).pack()
+    body += np.array(request.values, "<i4").tobytes()
+    kind = PacketKind.CAPTURE_WITH if request.values else PacketKind.CAPTURE
     poll, extra, silent = _POLL_S, 0.0, False
     while True:
         try:
-            reply = yield from host.ask(PacketKind.CAPTURE, body, extra_s=extra)
+            reply = yield from host.ask(kind, body, extra_s=extra)
         except RequestRefused as refused:
             if refused.fault != LoaderFault.BUSY:
                 raise
@@ -270,7 +291,7 @@ def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
             continue
         captured = checked(CaptureReply.unpack, reply)
         if captured.number != request.number or captured.channels != request.channels:
-            raise RequestRefused(LoaderFailure(PacketKind.CAPTURE, LoaderFault.MALFORMED, 0))
+            raise RequestRefused(LoaderFailure(kind, LoaderFault.MALFORMED, 0))
         if captured.length != request.bytes(captured.readouts) or not captured.length:
             raise Implausible(captured)
         if captured.ready:

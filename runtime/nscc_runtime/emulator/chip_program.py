@@ -17,6 +17,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 from itertools import groupby
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -45,7 +46,8 @@ class ChipProgram:
     """A program as a chip executes it.
 
     `kernels`: their words. `launches`: of these kernels, in order of the boundaries. `planes`:
-    digital registers (rows, cols) that are loaded before the frame, by name."""
+    digital registers (rows, cols) that are loaded before the frame, by name. `kept`: electrons
+    (rows, cols) of analog registers that the previous frame left, by name."""
 
     def __init__(
         self,
@@ -54,10 +56,10 @@ class ChipProgram:
         kernels: Sequence[Sequence[Op]],
         launches: Sequence[Launch],
         planes: Mapping[str, Bits],
+        kept: Mapping[str, Values] = MappingProxyType({}),
     ) -> None:
-        """Store what a chip holds: kernels, launches, and the bit planes at the start of a
-        frame."""
-        self.target, self.slots, self.planes = target, slots, planes
+        """Store what a chip holds: kernels, launches, and the registers at the start of a frame."""
+        self.target, self.slots, self.planes, self.kept = target, slots, planes, kept
         self._kernels, self._launches = kernels, launches
 
     @cached_property
@@ -119,7 +121,7 @@ class ChipProgram:
         ValueError
             If the light's matrix is inconsistent.
         """
-        from nscc_runtime.emulator.loops import PixelRange, RegisterBits, expose_pixels
+        from nscc_runtime.emulator.loops import KeptValues, PixelRange, RegisterBits, expose_pixels
 
         starts, index = light.row_start, light.frame_index
         if starts[0] != 0 or np.any(np.diff(starts) < 0):
@@ -148,6 +150,10 @@ class ChipProgram:
             "program": words,
             "light": light.matrix,
             "bits": bits,
+            "before": KeptValues(
+                np.array([*self.kept.values()], np.float64).reshape(-1, pixels),
+                np.array([table.analog[name] for name in self.kept], np.int64),
+            ),
             "frame_weight": light.frame_weight,
             "contents": contents,
             "register_numbers": np.array([table.analog[name] for name in analog], np.int64),
@@ -167,6 +173,7 @@ class ChipProgram:
                 loads=len(self.planes),
                 reads=len(digital),
                 registers=len(analog),
+                keeps=len(self.kept),
                 seed=np.uint64(device_seed & 2**64 - 1),
                 pix=table.analog["PIX"],
             )

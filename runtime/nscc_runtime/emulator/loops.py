@@ -131,6 +131,13 @@ class RegisterBits(NamedTuple):
     read_numbers: Annotated[Ints, "reads"]
 
 
+class KeptValues(NamedTuple):
+    """Analog registers that begin with the values that the previous frame left, by number."""
+
+    kept: Annotated[Floats, "keeps pixels"]
+    kept_numbers: Annotated[Ints, "keeps"]
+
+
 @record
 class PixelRange:
     """The pixels `begin` (a multiple of 64) to `end` - 1 of `pixels`, which are exposed in blocks
@@ -147,6 +154,7 @@ class PixelRange:
     loads: int
     reads: int
     registers: int
+    keeps: int
     seed: np.uint64
     pix: int
 
@@ -195,6 +203,7 @@ def _expose_block(
     light: LightMatrix,
     frame_weight: Floats,
     bits: RegisterBits,
+    before: KeptValues,
     planes: Words,
     values: Floats,
     marks: Bytes,
@@ -217,6 +226,10 @@ def _expose_block(
             out = plane_of(shape, bits.loaded_numbers[c], y)
             for g in range(words):
                 planes[out + g] = bits.loaded[source + g]
+        for c in range(chosen.keeps):
+            row = row_of(shape, before.kept_numbers[c], y)
+            for i in range(length):
+                values[row + i] = before.kept[c * chosen.pixels + pixel + i]
     for n in range(chosen.slots + 1):
         for at in range(program.launch_start[n], program.launch_start[n + 1]):
             kernel = program.launch_kernel[at]
@@ -250,6 +263,7 @@ def expose_pixels(
     frame_weight: Annotated[Floats, "frames"],
     register_numbers: Annotated[Ints, "registers"],
     bits: RegisterBits,
+    before: KeptValues,
     planes: Written[Words],
     values: Written[Floats],
     marks: Written[Bytes],
@@ -271,6 +285,7 @@ def expose_pixels(
             light,
             frame_weight,
             bits,
+            before,
             planes,
             values,
             marks,

@@ -10,7 +10,12 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.frame_file import joined
-from nscc_runtime.neighbours.pictured_program import PicturedProgram, image_sensor, told_of_planes
+from nscc_runtime.neighbours.pictured_program import (
+    PicturedProgram,
+    image_sensor,
+    sums_of_images,
+    told_of_planes,
+)
 from nscc_runtime.run_kinds import Exposing, RunKind, Sent
 from nscc_runtime.sensor import Sensor
 
@@ -53,15 +58,21 @@ class ImagesRun(RunKind):
 
     def sent_frame(self, container: Container, frame: Any, sent: Sent) -> Any:
         """Return the frame that a chip sent with its images and planes moved from the readouts
-        to `told`."""
+        to `told`. The host adds up the images whose sum is reported."""
         told: dict[str, NDArray[Any]] = {}
         buckets = len(container.buckets_read)
         converter = image_sensor(sent.sensor, container.target)
-        for number, name in enumerate(container.pictures.images_read, buckets):
+        pictures, values = container.pictures, dict[str, NDArray[Any]]()
+        for number, name in enumerate(container.buckets_read):
+            values[pictures.registers[name]] = frame.exposure_e[number]
+        for number, name in enumerate(pictures.images_sent, buckets):
             codes, image_e = frame.frame[number], frame.exposure_e[number]
             if not sent.exact:
                 image_e = (codes - float(converter.adc_offset_lsb)) * converter.electrons_per_lsb
-            told[f"image_{name}"], told[f"image_codes_{name}"] = image_e, codes
-            told[f"image_saturated_by_{name}"] = frame.saturated_by[number]
+            values[pictures.registers[name]] = image_e
+            if name in pictures.reads:
+                told[f"image_{name}"], told[f"image_codes_{name}"] = image_e, codes
+                told[f"image_saturated_by_{name}"] = frame.saturated_by[number]
+        told |= sums_of_images(container, values, sent.reaches)
         told |= told_of_planes(container, sent.planes, sent.reaches, sent.summaries)
         return replace(joined([frame], lambda arrays: arrays[0][:buckets]), told=told)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from concurrent.futures import Future
 
 from loader_twin.parsing import Held
-from nscc_runtime.device.board import EmulatedChip, ExecutedFrame, in_background
+from nscc_runtime.device.board import EmulatedChip, in_background
+from nscc_runtime.device.recording import ExecutedFrame
 
 
 class BackgroundChip:
@@ -19,9 +20,8 @@ class BackgroundChip:
     def expose(self, held: Held, channels: int) -> None:
         """Begin to expose a program that a loader has checked."""
         chip, self._held = self._chip, held
-        self._exposing = in_background(
-            lambda: chip.execute(held.program(chip.target, channels), held.board_channels(channels))
-        )
+        program, channels = held.program(chip.target, channels), held.board_channels(channels)
+        self._exposing = in_background(lambda: chip.execute(program, channels))
 
     def exposed(self) -> bytes | None:
         """The frame, None before it is there; RuntimeError where there is none."""
@@ -35,5 +35,5 @@ class BackgroundChip:
             self._exposing = None
             self._chip.report(error)
             raise RuntimeError("no frame") from error
-        self._held.take(executed.planes, self._chip.target)
+        self._held.take(executed, self._chip.target)
         return executed.frame

@@ -17,7 +17,16 @@ from loader_twin.timing import ON_TIME
 from nscc.chips.target import Target
 from nscc_runtime.device import messages, packets
 from nscc_runtime.device.frame_request import LONGEST_US
-from nscc_runtime.device.messages import FRAME, Capability, Channel, LoaderFault, LoaderState
+from nscc_runtime.device.messages import (
+    DATA,
+    FRAME,
+    LOAD,
+    Capability,
+    Channel,
+    LoaderFault,
+    LoaderState,
+    plane_bytes,
+)
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Packet, PacketKind
 
 MOST_OUT = 8192
@@ -87,6 +96,7 @@ class Loader:
         """Start, or start again: everything is forgotten, and the host is told so."""
         self.intake.forget()
         self.frame: Frame | None = None
+        self._loading: tuple[int, bytes] = 0, b""
         self.exposing = False
         self.session = self.boot = 0
         self.packets = 0
@@ -131,6 +141,8 @@ class Loader:
             PacketKind.DATA: self._data,
             PacketKind.FINISH: self._finish,
             PacketKind.CAPTURE: self._capture,
+            PacketKind.CAPTURE_WITH: self._capture_with,
+            PacketKind.LOAD: self._load,
             PacketKind.READ: self._read,
             PacketKind.CANCEL: self._cancel,
         }
@@ -181,7 +193,8 @@ class Loader:
             | Capability.GAIN
             | Capability.LOOKS
             | Capability.PICTURES
-            | Capability.REPORTS,
+            | Capability.REPORTS
+            | Capability.HOST_VALUES,
             most_words=self.limits.words,
             most_kernels=self.limits.kernels,
             most_rows=self.limits.rows,
@@ -226,6 +239,7 @@ class Loader:
     def _begin(self, packet: Packet) -> bytes:
         if self.intake.begin(messages.Begin.unpack(packet.body), self.exposing):
             self.frame = None
+            self._loading = 0, b""
             self._reads.clear()
         return self._progress()
 
@@ -242,11 +256,18 @@ class Loader:
         self.intake.finish(packet.body)
         return self._progress()
 
-    def _capture(self, packet: Packet) -> bytes:
+    def _capture_with(self, packet: Packet) -> bytes:
+        size = messages.CaptureRequest.layout.size
+        return self._capture(replace(packet, body=packet.body[:size]), packet.body[size:])
+
+    def _capture(self, packet: Packet, data: bytes | None = None) -> bytes:
         capture = messages.CaptureRequest.unpack(packet.body)
         program = self.intake.announced()
         if self.intake.state != LoaderState.READY:
             raise Refusal(LoaderFault.NO_PROGRAM)
+        held = program.held
+        if data is not None and len(data) != 4 * len(held.params):
+            raise Refusal(LoaderFault.MALFORMED, len(held.params))
         frame = self.frame
         if frame is None or frame.number != capture.number:
             if self.exposing:
@@ -257,16 +278,48 @@ class Loader:
                 raise Refusal(LoaderFault.MALFORMED, channels)
             if length > self.limits.frame_bytes:
                 raise Refusal(LoaderFault.TOO_LARGE, length)
+            if data is not None:
+                held.set_params(data)
+            held.keep_schedule(self.target)
             self._reads.clear()
+            self._loading = 0, b""
             frame = self.frame = Frame(capture.number, channels, self._now_us)
             self.exposing = True
             if program.held.too_late:
                 frame.fault = Refusal(LoaderFault.LATE, program.held.kept.late)
             else:
                 self.board.expose(program.held, channels)
+                program.held.is_first = False
         if frame.fault is not None and not self.exposing:
             raise frame.fault
         return self._captured(frame, program.held)
+
+    def _load(self, packet: Packet) -> bytes:
+        head, data = packet.body[: LOAD.size], packet.body[LOAD.size :]
+        if not data or len(data) > MOST_DATA:
+            raise Refusal(LoaderFault.MALFORMED)
+        if self.intake.refusal or self.intake.state != LoaderState.READY:
+            raise Refusal(LoaderFault.NO_PROGRAM)
+        if self.exposing:
+            raise Refusal(LoaderFault.BUSY)
+        register, position = LOAD.unpack(head)
+        if position == 0:
+            self.frame, self._loading = None, (register, b"")
+            self._reads.clear()
+        loading, loaded = self._loading
+        if (register, position) == (loading, len(loaded)):
+            size = plane_bytes(self.target.rows * self.target.cols)
+            if len(loaded) + len(data) > size:
+                raise Refusal(LoaderFault.PLANE, register)
+            self._loading = register, loaded + data
+            if len(loaded) + len(data) == size:
+                try:
+                    self.intake.announced().held.load(register, loaded + data, self.target)
+                except Refusal:
+                    self._loading = 0, b""
+                    raise
+        loading, loaded = self._loading
+        return DATA.pack(len(loaded) if register == loading else 0)
 
     def _captured(self, frame: Frame, held: Held) -> bytes:
         readouts, length = len(held.readouts or ()), held.frame_bytes(frame.channels, self.target)

@@ -7,10 +7,12 @@ same faults. What a word may be comes from `nscc.words`.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import isfinite
 from struct import Struct
 from typing import Any
+
+import numpy as np
 
 from loader_twin.reports import Report
 from loader_twin.timing import (
@@ -31,17 +33,25 @@ from nscc.words.soundness import MOST_SLOTS
 from nscc_runtime.device.messages import Channel, LoaderFault, frame_bytes, plane_bytes
 from nscc_runtime.device.objects import (
     AS_IT_IS,
+    CHANGE,
     COUNT,
+    IS_IMAGE,
+    IS_KEPT,
+    IS_START,
     LEVEL,
+    MOST_CHANGES,
     MOST_LAUNCHES,
+    MOST_PARAMS,
+    PARAM,
     READOUT,
     ROW,
     RUN,
     SCHEDULE_HEAD,
+    SETS_LEVEL,
     WORD,
     ObjectKind,
 )
-from nscc_runtime.device.recording import IMAGE, BoardProgram, program_of
+from nscc_runtime.device.recording import IMAGE, BoardProgram, ExecutedFrame, program_of
 
 
 @dataclass(eq=False)
@@ -78,6 +88,14 @@ class Held:
     planes: dict[int, bytes] | None = None
     grace: tuple[int, int] = (0, 0)
     """How many microseconds a launch may be late, and how many may be later."""
+    params: tuple[tuple[int, int, int], ...] = ()
+    """Lowest value, highest value and start."""
+    values: tuple[int, ...] = ()
+    changes: tuple[tuple[int, int, int, int, int], ...] = ()
+    is_first: bool = True
+    """Whether no frame of the program has ended yet."""
+    kept_registers: tuple[int, ...] = ()
+    analog: Mapping[str, Any] = field(default_factory=dict)
     kept: Kept = ON_TIME
     frame_us: int = 0
     """From a frame's first word to its last, once the program is whole."""
@@ -86,7 +104,7 @@ class Held:
         """Check an object and keep it; raises Refusal."""
         match kind:
             case ObjectKind.READOUTS:
-                self.readouts = _readouts(data, target)
+                self.readouts, self.kept_registers = _readouts(data, target)
             case ObjectKind.KERNELS:
                 self.kernels = _kernels(data, target, most)
                 # A schedule is one of certain kernels: it has to come again.
@@ -104,6 +122,8 @@ class Held:
             case ObjectKind.REPORTS:
                 self.reports = ()
                 self.reports = _reports(data, target, self.states)
+            case ObjectKind.PARAMS:
+                self._take_params(data, target)
             case _:
                 raise Refusal(LoaderFault.MALFORMED, kind)
 
@@ -118,6 +138,9 @@ class Held:
             ObjectKind.LEVELS: COUNT.size + most.rows * LEVEL.size,
             ObjectKind.STATES: COUNT.size + len(target.digital_registers),
             ObjectKind.REPORTS: COUNT.size + len(target.digital_registers) * REPORT.size,
+            ObjectKind.PARAMS: 2 * COUNT.size
+            + MOST_PARAMS * PARAM.size
+            + MOST_CHANGES * CHANGE.size,
         }
         if kind not in set(ObjectKind):
             raise Refusal(LoaderFault.MALFORMED, kind)
@@ -128,16 +151,76 @@ class Held:
         """Refuse a program of which something is missing, or whose frames take too long."""
         if self.readouts is None or self.kernels is None or self.runs is None:
             raise Refusal(LoaderFault.NO_PROGRAM)
-        held = set(self.planes or ())
-        self.frame_us, fault, self.kept = frame_time(
-            self.kernels, self.runs, self.rows, self.levels, held, target, self.grace
-        )
+        changed = {row for row, _, what, *_ in self.changes if what == SETS_LEVEL}
+        self.frame_us, fault, self.kept = self._frame_time(self.rows, self.levels, target, changed)
         if fault:
             raise Refusal(LoaderFault.SCHEDULE, fault)
+
+    def _frame_time(
+        self, rows: Any, levels: Any, target: Target, changed: set[int]
+    ) -> tuple[int, int, Kept]:
+        held = set(self.planes or ())
+        assert self.kernels is not None
+        assert self.runs is not None
+        return frame_time(self.kernels, self.runs, rows, levels, held, target, self.grace, changed)
+
+    def keep_schedule(self, target: Target) -> None:
+        """How the next frame keeps its schedule, with the values of parameters."""
+        if self.changes:
+            *_, self.kept = self._frame_time(*self.with_values(), target, set())
+
+    def set_params(self, data: bytes) -> None:
+        """Take values for all parameters, or none of them."""
+        values = tuple(np.frombuffer(data, "<i4").tolist())
+        for number, ((low, high, _), value) in enumerate(zip(self.params, values, strict=True)):
+            if not low <= value <= high:
+                raise Refusal(LoaderFault.PARAM, number)
+        self.values = values
+
+    def with_values(self) -> tuple[tuple[tuple[int, int, int], ...], tuple[int, ...]]:
+        """The rows and levels for the values of parameters."""
+        rows, levels = [*self.rows], [*self.levels]
+        for row, param, what, factor, offset in self.changes:
+            starts = what == IS_START
+            result = (
+                self.is_first * rows[row][2] if starts else offset + factor * self.values[param]
+            )
+            if what == SETS_LEVEL:
+                levels[row] = result
+            else:
+                advance, kernel, most = self.rows[row]
+                rows[row] = advance, kernel, min(max(result, 0), most)
+        return tuple(rows), tuple(levels)
+
+    def _take_params(self, data: bytes, target: Target) -> None:
+        self.params, self.values, self.changes = (), (), ()
+        if self.runs is None:
+            raise Refusal(LoaderFault.SCHEDULE, 0)
+        reader = Reader(data, LoaderFault.SCHEDULE)
+        params = [*reader.rows(PARAM, reader.count(MOST_PARAMS))]
+        changes = [*reader.rows(CHANGE, reader.count(MOST_CHANGES))]
+        reader.end()
+        for number, (low, high, start) in enumerate(params):
+            if not low <= start <= high:
+                raise Refusal(LoaderFault.PARAM, number)
+        before = 0
+        for row, param, what, factor, offset in changes:
+            inside = before <= row < len(self.rows) and (what == IS_START or param < len(params))
+            known = what <= IS_START and (self.levels if what == SETS_LEVEL else True)
+            if not inside or not known or (what != SETS_LEVEL and self.rows[row][0]):
+                raise Refusal(LoaderFault.SCHEDULE, 10)
+            of_param = () if what == IS_START else params[param][:2]
+            ends = [offset + factor * value for value in of_param]
+            if what == SETS_LEVEL and not all(target.in_low <= e <= target.in_high for e in ends):
+                raise Refusal(LoaderFault.SCHEDULE, 6)
+            before = row
+        self.params, self.changes = tuple(params), tuple(changes)
+        self.values = tuple(start for *_, start in params)
 
     def _schedule(self, data: bytes, most: Limits) -> None:
         if self.kernels is None:
             raise Refusal(LoaderFault.SCHEDULE, 0)
+        self.params, self.values, self.changes = (), (), ()
         reader = Reader(data, LoaderFault.SCHEDULE)
         slots, grace_ns, most_late = next(reader.rows(SCHEDULE_HEAD, 1))
         if not 1 <= slots <= MOST_SLOTS:
@@ -176,10 +259,23 @@ class Held:
                 raise Refusal(LoaderFault.PLANE, register)
         self.planes = {**planes, register: data}
 
-    def take(self, planes: Mapping[str, bytes], target: Target) -> None:
-        """What a frame left in code registers: the next one begins with it."""
+    def take(self, executed: ExecutedFrame, target: Target) -> None:
+        """What a frame left in registers: the next one begins with it."""
         numbers = {name: number for number, name in enumerate(target.digital_registers)}
-        self.planes = {numbers[name]: plane for name, plane in planes.items()}
+        self.planes = {numbers[name]: plane for name, plane in executed.planes.items()}
+        self.analog = executed.kept
+
+    def load(self, register: int, plane: bytes, target: Target) -> None:
+        """Another plane in place of one that the program has."""
+        planes = dict(self.planes or {})
+        if planes.pop(register, None) is None:
+            raise Refusal(LoaderFault.PLANE, register)
+        self.planes, before = planes, self.planes
+        try:
+            self._plane(register, plane, target)
+        except Refusal:
+            self.planes = before
+            raise
 
     def frame_bytes(self, channels: int, target: Target) -> int:
         """Bytes of a frame in these channels."""
@@ -205,8 +301,10 @@ class Held:
     def launches(self) -> Iterator[Launch]:
         """Every launch, in order."""
         at = 0
-        levels = self.levels or (AS_IT_IS,) * len(self.rows)
-        for (advance, kernel, times), level in zip(self.rows, levels, strict=True):
+        rows, levels = self.with_values()
+        for (advance, kernel, times), level in zip(
+            rows, levels or (AS_IT_IS,) * len(rows), strict=True
+        ):
             for _ in range(times):
                 at += advance
                 yield Launch(at, kernel, None if level == AS_IT_IS else level)
@@ -232,6 +330,8 @@ class Held:
             runs=self.runs,
             states=states,
             planes=self.planes or {},
+            kept=[target.analog_registers[number] for number in self.kept_registers],
+            analog=self.analog,
         )
 
 
@@ -266,17 +366,25 @@ class Reader:
             raise Refusal(self.fault, self.at)
 
 
-def _readouts(data: bytes, target: Target) -> tuple[tuple[int, float], ...]:
+def _readouts(data: bytes, target: Target) -> tuple[tuple[tuple[int, float], ...], tuple[int, ...]]:
+    """The registers that are converted, with their gains, and those that are kept, in order."""
     reader = Reader(data, LoaderFault.READOUT)
     count = reader.count()
     if count > len(target.analog_registers):
         raise Refusal(LoaderFault.READOUT, count)
-    found = tuple(reader.rows(READOUT, count))
+    found: list[tuple[int, int, float]] = []
+    for row in reader.rows(READOUT, count):
+        if row[0] >= len(target.analog_registers) or row[1] > IS_IMAGE | IS_KEPT:
+            raise Refusal(LoaderFault.READOUT, row[0])
+        found.append(row)
     reader.end()
-    for register, _, gain in found:
-        if register >= len(target.analog_registers) or not isfinite(gain):
+    converted = [row for row in found if row[1] != IS_KEPT]
+    for register, _, gain in converted:
+        if not isfinite(gain):
             raise Refusal(LoaderFault.READOUT, register)
-    return tuple((register + IMAGE * bool(image), gain) for register, image, gain in found)
+    kept = sorted({register for register, role, _ in found if role & IS_KEPT})
+    readouts = ((register + IMAGE * (role & IS_IMAGE), gain) for register, role, gain in converted)
+    return tuple(readouts), tuple(kept)
 
 
 def _kernels(data: bytes, target: Target, most: Limits) -> tuple[tuple[Word, ...], ...]:

@@ -40,15 +40,16 @@ def frame_time(
     held: set[int],
     target: Target,
     grace: tuple[int, int],
+    changed: set[int],
 ) -> tuple[int, int, Kept]:
     """From a frame's first word to its last, in whole microseconds; why it does not go in time:
     TOO_LONG, NO_BREATH or FADES, or 0; and how it keeps its schedule.
 
     `held`: the digital registers that hold planes, by their number. `grace`: how many microseconds
-    a launch may be late, and how many may be later.
+    a launch may be late, and how many may be later. `changed`: rows whose level a parameter sets.
     """
     timeline = _Timeline(kernels, runs, rows, levels, target)
-    now, cramped, faded = timeline.walk(held)
+    now, cramped, faded = timeline.walk(held, changed)
     if now > LONGEST:
         return LONGEST_US, TOO_LONG, Kept(0, 0, 0)
     fault = NO_BREATH if cramped else FADES if faded else 0
@@ -117,7 +118,7 @@ class _Timeline:
             elapsed += times * self.busy[number]
         return setup
 
-    def walk(self, held: set[int]) -> tuple[int, bool, bool]:
+    def walk(self, held: set[int], changed: set[int]) -> tuple[int, bool, bool]:
         """When the frame ends, at most a little beyond LONGEST; whether the main loop has to wait
         for too long, and whether a register of `held` fades."""
         now, stretch_from = 0, 0
@@ -141,16 +142,17 @@ class _Timeline:
             cramped = cramped or now > stretch_from + LONGEST_STRETCH
 
         rest, now_in = sum(count for count, _ in self.runs), AS_IT_IS
-        for (advance, kernel, times), level in zip(self.rows, self.levels, strict=True):
+        rows = zip(self.rows, self.levels, strict=True)
+        for number, ((advance, kernel, times), level) in enumerate(rows):
             rest -= advance * times
             for _ in range(times):
                 if now > LONGEST:
                     break
                 if advance:
                     wait(advance)
-                if level not in (AS_IT_IS, now_in):
+                if number in changed or level not in (AS_IT_IS, now_in):
                     now += self.settling
-                    now_in = level
+                    now_in = AS_IT_IS if number in changed else level
                 now += self.busy[kernel]
                 see(self.written[kernel])
         if rest and now <= LONGEST:

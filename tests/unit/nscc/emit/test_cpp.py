@@ -30,7 +30,7 @@ from marks import slow
 from nscc_command import invoke
 
 from nscc.emit.cpp.codes import patterns_of
-from nscc.words.container import Container, StoredKernel, with_picture_words
+from nscc.words.container import Container, Launch, StoredKernel, with_picture_words
 from nscc.words.encoding import decode
 from nscc.words.file import read_container
 from nscc_runtime.emulator import expose
@@ -392,6 +392,46 @@ def test_states_are_loaded_once_and_margins_grow_with_them(tmp_path: Path) -> No
     # The second frame is the first that knows a plane computed beyond the border.
     assert "margin_0[][4] = {{0, 0, 0, 0}, {0, 2, 0, 0}};" in file.read_text()
     check_syntax(file, "-std=c++17")
+
+
+@needs_compiler
+def test_sliders_change_levels_and_numbers_of_launches(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The first frame alone sets the kept image to its start."""
+    text = (
+        "nsl 4\nframe 4 slots of 1ms\nopen when true\noutside 0\n"
+        "param t : 1% .. 20% = 4%\nparam m : -2 .. 5 = 2\nstate s : image kept\n"
+        "plane p = exposure - s > t\nplane q = p repeat m q[1, 0]\nnext s = exposure\nread q\n"
+    )
+    file, container = build(tmp_path, text)
+    assert 'vs_gui_add_slider("m", -2, 5, 2, &param_1);' in file.read_text()
+    pictures, sent = container.pictures, with_picture_words(container)
+    first = len(container.kernels)
+    start = Launch(container.slots, first + len(pictures.kernels), 0)
+    for t, m in ((5, 2), (1, 5), (25, -1)):
+        monkeypatch.setenv("DEVKIT_STUB_SLIDERS", f"{t},{m}")
+        recording = record(file, "-std=c++11", CHIP)
+        tail = [
+            Launch(container.slots, first + launch.kernel, launch.level)
+            for launch in pictures.executed({"t": t, "m": m})
+        ]
+        for frame, starts in zip(recording.frames, ([start], []), strict=True):
+            launches = (*container.launches, *starts, *tail)
+            check_frames(replace(recording, frames=[frame]), replace(sent, launches=launches))
+
+
+def test_programs_that_the_devkit_cannot_run_yet_are_refused(tmp_path: Path) -> None:
+    head = "nsl 4\nframe 4 slots of 1ms\nopen when true\noutside 0\nplane p = exposure > 4%\n"
+    for text, why in (
+        ("input plane q\nplane r = p and q\nread r\n", "input planes"),
+        ("image v = exposure / 2\nread p\nreport sum v\n", "sums of images"),
+        ("param m : 0 .. 4 = 2\nplane r = p[m, 0]\nreport count r\n", "depend on a parameter"),
+    ):
+        (tmp_path / "p.nsl").write_text(head + text)
+        outcome = invoke(["build", "p.nsl", "--emit", "cpp=-"], tmp_path)
+        assert (outcome.status, outcome.codes) == (1, ["NS0520"])
+        assert why in outcome.err
 
 
 def test_reports_whose_margin_grows_for_ever_are_refused(tmp_path: Path) -> None:

@@ -202,18 +202,17 @@ def test_the_proof_notices_wrong_loops() -> None:
 
 
 @pytest.mark.parametrize(
-    "text",
+    ("text", "why"),
     [
-        BRIGHT + "read p",
-        "input plane q plane p = q and exposure > 4% read p",
-        "state s : image kept plane p = exposure - s > 4% next s = exposure read p",
-        "image v = exposure / 2 report sum v",
+        ("state s : image kept = 4% plane p = exposure - s > 4% read p", "1181.1023622047244 e"),
+        ("param m : 0 .. 9999999999 = 2 plane p = exposure > 4% read p", "2147483648"),
     ],
 )
-def test_a_loader_refuses_what_it_does_not_know(text: str) -> None:
+def test_what_no_loader_can_do_is_refused(text: str, why: str) -> None:
     with pytest.raises(Rejected) as caught:
         upload_of(container_of(HEAD + text), bytes(32))
     assert [each.code for each in caught.value.diagnostics] == ["NS0765"]
+    assert why in caught.value.diagnostics[0].message
 
 
 LEVELS = """

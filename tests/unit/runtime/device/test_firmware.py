@@ -59,7 +59,7 @@ def test_the_protocols_numbers_are_the_same_at_both_ends() -> None:
     assert f"most_data = {MOST_DATA};" in text
     listed = re.search(r"enum Kind : uint8_t \{(.*?)BOOTED", text, re.S)
     assert listed is not None
-    names = re.findall(r"[A-Z]+", listed[1])
+    names = re.findall(r"[A-Z_]+", listed[1])
     assert names == [kind.name for kind in sorted(PacketKind) if kind < 0x80]
 
 

@@ -3,7 +3,7 @@ by bit."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -32,15 +32,15 @@ from nscc.words.legality import picture_words
 from nscc.words.reach import Reach, beyond_reaches
 from nscc.words.readout import converter_of
 from nscc_runtime.device import tasks
-from nscc_runtime.device.board import ExecutedFrame
 from nscc_runtime.device.device_chip import channels_of, frame_of
 from nscc_runtime.device.firmware import RunningFirmware
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
-from nscc_runtime.device.objects import upload_of
-from nscc_runtime.device.recording import BoardProgram
+from nscc_runtime.device.objects import packed_plane, upload_of
+from nscc_runtime.device.recording import BoardProgram, ExecutedFrame
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
+from nscc_runtime.host_setting import HostSetting, settings_of
 from nscc_runtime.light import Light
 from nscc_runtime.neighbours.pictured_program import PicturedProgram
 from nscc_runtime.sensor import default_sensor
@@ -104,7 +104,7 @@ ALL_FORMS = {
 
 
 def container_of(body: str, target: Target = SMALL) -> Container:
-    version = 4 if "repeat" in body else 3
+    version = 4 if "repeat" in body or "param" in body else 3
     source = Source("p.nsl", f"nsl {version}\nframe 4 slots of 1ms\n{body}\n")
     made = run_passes(source, Path(), Options(level=1, target=target, cache=False)).container
     assert made is not None
@@ -138,7 +138,12 @@ def core() -> Iterator[Lockstep]:
     assert loader.close() == 0, "a sanitizer complained"
 
 
-def filmed(loader: RunningFirmware, container: Container, count: int) -> list[Frame]:
+def filmed(
+    loader: RunningFirmware,
+    container: Container,
+    count: int,
+    settings: Sequence[HostSetting] = (),
+) -> list[Frame]:
     """Frames of a loader, as the host makes them."""
     host, program = new_host(1), upload_of(container, bytes(32))
     target = container.target
@@ -156,18 +161,29 @@ def filmed(loader: RunningFirmware, container: Container, count: int) -> list[Fr
     reaches: dict[str, Reach] = {}
     for number in range(1, count + 1):
         wanted = FrameRequest(number, channels, program)
+        setting = settings[number - 1] if settings else HostSetting.at_start(container)
+        params, registers = setting.params, container.pictures.registers
+        wanted.values = tuple(params.values())
+        for name, bits in setting.inputs.items():
+            register, plane = target.digital_registers.index(registers[name]), packed_plane(bits)
+            line.run(host.lasting(lambda r=register, p=plane: tasks.load(host, r, p)))
         taken = line.run(host.lasting(lambda one=wanted: tasks.capture(host, one)))
         assert isinstance(taken, tasks.FetchedFrame)
-        reaches = beyond_reaches(container, reaches)
+        reaches = beyond_reaches(container, reaches, params)
         frames.append(frame_of(taken.data, channels, shape, sensor, target, container, reaches))
     return frames
 
 
-def check_film(found: list[Frame], container: Container, film: list[Light]) -> None:
+def check_film(
+    found: list[Frame],
+    container: Container,
+    film: list[Light],
+    settings: Sequence[HostSetting] = (),
+) -> None:
     """Compare frames of a device with the emulator's, bit by bit."""
     sensor = default_sensor(converter_of(container))
     runner = PicturedProgram(container, sensor, selected("none"), threads=1)
-    for frame, wanted in zip(found, runner.film(film, 0, 0), strict=True):
+    for frame, wanted in zip(found, runner.film(film, 0, 0, settings), strict=True):
         assert frame.told.keys() == wanted.told.keys()
         pairs = [(frame.frame, wanted.frame), (frame.exposure_e, wanted.exposure_e)]
         pairs += [(frame.told[key], wanted.told[key]) for key in wanted.told]
@@ -185,6 +201,94 @@ def test_a_film_is_that_of_the_emulator(
     assert (upload_of(container, bytes(32)).report_bytes > 0) == (name in REPORTED)
     loader = fresh_loader(kind, FilmedChip(film), request, SMALL)
     check_film(filmed(loader, container, FRAMES), container, film)
+
+
+LARGE = replace(TARGET, rows=72, cols=80, name="large")
+GALLERY = (
+    "background",
+    "event_camera",
+    "far_shift",
+    "fast_corners",
+    "flood_border",
+    "median_of_9",
+    "stabilise",
+)
+OF_THE_HOST = {
+    "input planes": "open when true\noutside 0\ninput plane q\ninput plane r\n"
+    "pixels r = x > 4\nparam m : 0 .. 5 = 2\nplane p = exposure > 40% and q\n"
+    "plane s = r repeat m s[0, 1]\nread p, s\nreport count r",
+    "kept images and sums": "open when true\nassume exposure <= 40%\n"
+    "state a : image kept = 1181.1023622047244e\nstate b : image kept\n"
+    "state c : image kept = 1181.1023622047244e\n"
+    "param t : -20% .. 20% = 4%\nimage d = (exposure - a) / 2\nplane p = d > t\n"
+    "next a = exposure when p\nnext b = d\nnext c = b / 2\nread a, d\n"
+    "report sum c\nreport sum exposure\nreport sum d\nreport count p",
+    "loops that may be empty": "open when true\noutside 1\ninput plane q\n"
+    "param m : -3 .. 4 = 0\nplane r = q repeat (m + 1) r[1, 0]\n"
+    "plane s = exposure > 30% repeat m s[0, 1] or q\nread r, s\nreport any r",
+}  # fmt: skip
+
+
+def drawn_settings(container: Container, count: int) -> tuple[HostSetting, ...]:
+    """The starts of all parameters, their ends, and values between them; planes of random bits in
+    every second frame."""
+    rng, pictures, target = np.random.default_rng(8), container.pictures, container.target
+    drawn: list[dict[str, int]] = [{}]
+    drawn += [{each.name: each.ends[end] for each in pictures.params} for end in (0, 1)]
+    for _ in range(count - 3):
+        drawn.append({p.name: int(rng.integers(p.low, p.high + 1)) for p in pictures.params})
+    levels = {param.name for param in pictures.params if param.kind == "level"}
+    step_e = target.electrons_per_step
+    names = [plane.name for plane in pictures.inputs if plane.is_open]
+    shape = target.rows, target.cols
+    return settings_of(
+        container,
+        [{n: v * step_e if n in levels else v for n, v in row.items()} for row in drawn],
+        [{n: rng.random(shape) < 0.5 for n in names if frame % 2} for frame in range(count)],
+    )
+
+
+def check_filmed(
+    container: Container, kind: str, request: pytest.FixtureRequest, most_e: float = 30000
+) -> None:
+    """Compare a film of six frames and settings with that of the emulator."""
+    target, count = container.target, 6
+    settings = drawn_settings(container, count)
+    shape = count, container.slots, target.rows, target.cols
+    film = [
+        Light.of_clip((clip / container.slots).astype(np.float32))
+        for clip in np.random.default_rng(7).uniform(0, 1, shape) ** 2 * most_e
+    ]
+    chip = FilmedChip(film, target)
+    loader: RunningFirmware = (
+        Lockstep(sanitized(target=target), chip)
+        if kind == "firmware"
+        else fresh_loader(kind, chip, request, target)
+    )
+    check_film(filmed(loader, container, count, settings), container, film, settings)
+    if isinstance(loader, Lockstep):
+        assert loader.close() == 0, "a sanitizer complained"
+
+
+@pytest.mark.parametrize("kind", ["python", "firmware"])
+@pytest.mark.parametrize("name", GALLERY)
+def test_films_of_the_gallery_are_those_of_the_emulator(
+    name: str, kind: str, root: Path, request: pytest.FixtureRequest
+) -> None:
+    source = Source("p.nsl", (root / f"examples/{name}.nsl").read_text())
+    container = run_passes(source, Path(), Options(level=1, target=LARGE, cache=False)).container
+    assert container is not None
+    check_filmed(container, kind, request)
+
+
+@pytest.mark.parametrize("kind", ["python", "firmware"])
+@pytest.mark.parametrize("name", OF_THE_HOST)
+def test_films_with_values_of_the_host_are_those_of_the_emulator(
+    name: str, kind: str, request: pytest.FixtureRequest
+) -> None:
+    container = container_of(OF_THE_HOST[name])
+    assert upload_of(container, bytes(32)).host_values
+    check_filmed(container, kind, request, most_e=12000)
 
 
 @pytest.mark.parametrize("name", ALL_FORMS)
