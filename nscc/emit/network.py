@@ -12,7 +12,8 @@ longest path) and `registers` (see `registers_needed`). Its nodes are in executi
   in words, `bits` as a hexadecimal number, bit i for shutter i of the decode table
 * gate: `function` WHERE or OR, NOR, MOV (OR of one), NOT, SET (1), CLR (0) of its predecessors; the
   `register` that it writes (FLAG for WHERE), the value's `name`, `words`, `boundary`, and the
-  `kernel` that contains it
+  `kernel` that contains it. A masked gate also has `operands`, the nodes that its function reads,
+  separated by spaces, and the nodes `mask` and `before`: where `mask` is 0, its value is `before`
 * demand: a required value of FLAG: `edge` "open", "rise", "fall" or "reset", `bucket` ("" if PIX is
   reset), `boundary`
 * end: the required final content of a plane: `register`, `boundary`
@@ -35,7 +36,7 @@ from itertools import chain
 
 import networkx as nx
 
-from nscc.logic.problem import Gate, Segment
+from nscc.logic.problem import MASK, Gate, Segment
 from nscc.lower.lowered import Lowered
 from nscc.lower.schedule import words
 from nscc.operations import Op
@@ -104,8 +105,12 @@ class NetworkMaker:
         The gate's register then holds its result."""
         written = words((gate,), self.lowered.schedule.allocation)
         node = self.value("gate", gate.name, gate.destination, written, boundary)
-        for source in gate.sources:
+        for source in gate.reads:
             self.network.add_edge(self.holds[source], node)
+        if gate.masked:
+            operands = " ".join(self.holds[source] for source in gate.sources)
+            mask, before = self.holds[MASK], self.holds[gate.destination]
+            self.network.add_node(node, operands=operands, mask=mask, before=before)
         self.holds[gate.destination] = node
 
     def value(

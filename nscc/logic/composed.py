@@ -3,34 +3,39 @@
 The parts are found in the predicates: a rule `A and B` opens exactly the shutters that are open in
 the projections on the fields of A and of B. A part that only closes, or only opens, is a state that
 collects the shutters that have changed. Any other part is computed from cubes of its own planes.
-Each slot then joins the parts by one or more gates."""
+Each slot then joins the parts by one or more gates.
+
+On a chip with a masked register, that register holds one of the states. A change then takes two
+words: a NOR selects the shutters that change, and a masked gate writes the state in these only. The
+exclusive or of such a state and a part of cubes is also kept in the masked register: from one
+demand to the next, a masked NOT inverts it where the value of the cubes changes."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
-from itertools import permutations
+from itertools import chain, product
+from typing import Literal, get_args
 
 import numpy as np
 
 from nscc.logic.cubes import Budget, Cube, Standing, cover
-from nscc.logic.digits import Planes, binary_planes, gray
-from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.digits import Planes, binary_planes, cycle, gray
+from nscc.logic.problem import MASK, Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.rule_parts import (
-    Composition,
     Operator,
     Rule,
+    RulePart,
     composition,
     only_opens,
 )
 from nscc.logic.script import Script
-from nscc.truth import columns
+from nscc.logic.script_walk import walk
+from nscc.truth import columns, union
 
-Value = tuple[str, bool]
-"""A register, and whether it holds a value itself (true) or its inverse."""
-
-# Limits: cubes of a part at one demand, and low bits of a counted part whose
-# cubes are submasks (more of them need fewer inversions, but a larger store).
+# Limits: cubes of a part at one demand, and low bits of a state whose cubes are submasks (more of
+# them need fewer inversions, but a larger store).
 _MOST_CUBES = 4
 _SUBMASK_BITS = (13, 4)
 
@@ -42,26 +47,27 @@ def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solutio
     rule = composition(problem)
     if rule is None:
         raise GaveUp("the rule is not composed from parts with different fields")
-    from nscc.logic.script_walk import walk  # few rules are composed, so checks need no covers
-
+    solutions: list[Solution] = []
     for submask_bits in _SUBMASK_BITS:
-        writer = _Writer(problem, machine, submask_bits)
-        yield from walk(problem, machine, writer.script(rule), steps)
+        scripts: list[Script] = []
+        for code, kept in product(get_args(_Code), (False, True)):
+            with suppress(GaveUp):
+                scripts.append(_Writer(problem, machine, submask_bits, code, kept).script(rule))
+        if scripts:
+            solutions += walk(problem, machine, min(scripts, key=_words), steps)
+    if not solutions:
+        raise GaveUp("no register is left to compute with")
+    yield from solutions
 
 
-@dataclass
-class _Counted:
-    """A part that only closes or only opens, as a state that collects changed shutters.
+def _words(script: Script) -> int:
+    """Return the words of a script's gates."""
+    segments = chain.from_iterable((*script.before.values(), script.closing))
+    return sum(gate.words for segment in segments for gate in segment)
 
-    `changes` maps the demand of a change to its number. The NOR of the planes at which a number has
-    a 0 selects the number and its submasks, which have changed before. Higher planes are in Gray
-    code and inverted over time."""
 
-    state: str
-    closes: bool
-    changes: dict[int, int]
-    planes: range
-    low_bits: int
+_Code = Literal["values", "gray", "binary"]
+"""The planes of a part of cubes: its values at the demands, or its number."""
 
 
 @dataclass
@@ -73,84 +79,160 @@ class _Covered:
 
 
 @dataclass
+class _State:
+    """A part that only closes or only opens, as a state that collects changed shutters.
+
+    `changes` maps the demand of a change to its number. The NOR of the planes at which a number has
+    a 0 selects the number and its submasks, which have changed before. Higher planes are in Gray
+    code and inverted over time. The register holds the value itself if `positive`, else its
+    inverse. With `second` it holds the exclusive or with that part. `steps` are the disjoint parts
+    in which `second` then differs from its value at the demand before."""
+
+    register: str
+    masked: bool
+    positive: bool
+    closes: bool
+    changes: dict[int, int]
+    planes: range
+    low_bits: int
+    second: _Covered | None = None
+    steps: tuple[_Covered, ...] = ()
+
+
+_Planned = _State | _Covered | tuple[Operator, "_Planned", "_Planned"]
+
+
+@dataclass
 class _Writer:
-    """The planes, states and gates of one frame, under construction."""
+    """The planes, states and gates of one frame, under construction.
+
+    With `kept`, an exclusive or is kept in the masked register."""
 
     problem: Problem
     machine: Machine
     submask_bits: int
+    code: _Code
+    kept: bool
     planes: Planes = field(default_factory=list)
-    states: int = 0
+    states: list[_State] = field(default_factory=list)
 
     def script(self, rule: Rule) -> Script:
         """Return the script that computes a rule at each demand: planes, state updates and the
         gates of the rule.
 
         Raises GaveUp if no register is left for intermediate results."""
-        planned = self._planned(rule)
-        scratch = self.machine.registers - len(self.planes) - self.states
+        planned = self._planned(rule, inverse=False)
+        scratch = self.machine.registers - len(self.planes) - len(self.states)
         if scratch < 1:
             raise GaveUp("the parts leave no register to compute with")
         self.gates = Gates(self.machine)
         self.standing = Standing(self.gates, len(self.planes))
-        opening = tuple((Gate("CLR", f"s{state}", ()),) for state in range(self.states))
+        opening = tuple(
+            (Gate("CLR" if _after(state) else "SET", state.register, ()),) for state in self.states
+        )
         before: dict[int, tuple[Segment, ...]] = {}
         for index in range(len(self.problem.demands)):
-            self.free = [f"t{number}" for number in range(scratch)]
             self.segments: list[Segment] = []
-            for leaf in _leaves(planned):
-                self._advance(leaf, index)
+            self.flag_busy = False
+            for state in self.states:
+                self.free = [f"t{number}" for number in range(scratch)]
+                self._advance(state, index)
+            self.free = [f"t{number}" for number in range(scratch)]
             if not self.problem.answered(index):
-                self._load_flag(planned, index)
+                self._load_flag(self._sources(planned, index, inverse=False))
                 self._end_segment()
             before[index] = tuple(self.segments)
         name = f"parts of the rule, {min(self.submask_bits, len(self.planes))} submask bits"
         closing = self.standing.restore()
-        return Script(name, self.planes, self.states, opening, before, closing)
+        return Script(name, self.planes, len(self.states), opening, before, closing)
 
-    def _planned(self, rule: Rule) -> _Planned:
+    def _planned(self, rule: Rule, inverse: bool) -> _Planned:
         """Choose planes and states for all parts of a rule, add them to the writer, and return the
         rule with its parts replaced.
 
         A part that only opens or only closes becomes a state that counts to its time of change; any
-        other part is covered by cubes."""
-        if isinstance(rule, Composition):
-            return rule.operator, self._planned(rule.first), self._planned(rule.second)
-        is_open, base = rule.open, len(self.planes)
-        text = " and ".join(rule.fields)
-        for closes in (True, False):
-            if only_opens(~is_open if closes else is_open):
-                changed_at, numbers = np.unique(
-                    (is_open if closes else ~is_open).sum(axis=1), return_inverse=True
-                )
-                width = int(len(changed_at) - 1).bit_length()
-                low = min(self.submask_bits, width)
-                coded = gray(numbers >> low) << low | numbers & (1 << low) - 1
-                self.planes += binary_planes(f"{text}, change, bit", coded, width)
-                self.states += 1
-                changes = {int(demand): number for number, demand in enumerate(changed_at)}
-                planes = range(base, base + width)
-                return _Counted(f"s{self.states - 1}", closes, changes, planes, low)
-        order = np.lexsort([*rule.fields.values()][::-1])
-        _, first, kinds = np.unique(is_open[order], axis=0, return_index=True, return_inverse=True)
+        other part is covered by cubes. With `inverse`, the gates will read the rule's inverse."""
+        if isinstance(rule, RulePart):
+            for closes in (True, False):
+                if only_opens(~rule.open if closes else rule.open):
+                    return self._state(rule, closes, inverse)
+            return self._covered(columns(rule.open), self._part_planes(rule))
+        if rule.operator != "xor":
+            inverse = rule.operator == "and"
+        first, second = self._planned(rule.first, inverse), self._planned(rule.second, inverse)
+        if not (self.kept and rule.operator == "xor" and isinstance(first, _State)):
+            return rule.operator, first, second
+        alone = first.masked and first.second is None
+        if alone and isinstance(second, _Covered) and isinstance(rule.second, RulePart):
+            values = columns(rule.second.open)
+            steps = [now ^ was for was, now in zip([0, *values], values, strict=False)]
+            planes = {plane for cubes in second.cubes for cube in cubes for plane, _ in cube}
+            first.steps, first.second = self._disjoint(steps, sorted(planes)), second
+            return first
+        return rule.operator, first, second
+
+    def _state(self, part: RulePart, closes: bool, inverse: bool) -> _State:
+        """Return a new state for a part, with planes that hold the number of a shutter's change.
+
+        The first state goes into the masked register, where both polarities take one word."""
+        base = len(self.planes)
+        changed_at, numbers = np.unique(
+            (part.open if closes else ~part.open).sum(axis=1), return_inverse=True
+        )
+        width = int(len(changed_at) - 1).bit_length()
+        low = min(self.submask_bits, width)
+        coded = gray(numbers >> low) << low | numbers & (1 << low) - 1
+        self.planes += binary_planes(f"{' and '.join(part.fields)}, change, bit", coded, width)
+        masked = self.machine.masked and not self.states
+        positive = not inverse if masked else not closes
+        changes = {int(demand): number for number, demand in enumerate(changed_at)}
+        planes = range(base, base + width)
+        state = _State(f"s{len(self.states)}", masked, positive, closes, changes, planes, low)
+        self.states.append(state)
+        return state
+
+    def _part_planes(self, part: RulePart) -> range:
+        """Add the planes of a part that cubes cover, and return their numbers."""
+        base, name = len(self.planes), " and ".join(part.fields)
+        order = np.lexsort([*part.fields.values()][::-1])
+        _, first, kinds = np.unique(
+            part.open[order], axis=0, return_index=True, return_inverse=True
+        )
         numbers = np.empty(len(order), dtype=np.int64)
         numbers[order] = np.argsort(np.argsort(first))[kinds.reshape(-1)]
-        self.planes += binary_planes(
-            f"{text}, Gray bit", gray(numbers), int(numbers.max()).bit_length()
+        everything = self.problem.everything
+        values = dict.fromkeys(
+            min(value, value ^ everything, key=lambda v: (v.bit_count(), v))
+            for value in columns(part.open)
         )
-        return self._covered(columns(is_open), base)
+        stored = [value for value in values if value]
+        if (
+            sum(value.bit_count() for value in stored) == self.problem.shutters
+            and union(stored) == everything
+        ):
+            stored.pop()  # it is the NOR of the others
+        count = int(numbers.max()) + 1
+        width = (count - 1).bit_length()
+        if self.code == "values" or len(stored) <= width:
+            self.planes += [(value, f"{name}, value {i}") for i, value in enumerate(stored)]
+        elif self.code == "gray":
+            codes = np.array(cycle(count, width))
+            self.planes += binary_planes(f"{name}, Gray bit", codes[numbers], width)
+        else:
+            self.planes += binary_planes(f"{name}, bit", numbers, width)
+        return range(base, len(self.planes))
 
-    def _covered(self, predicates: Sequence[int], base: int) -> _Covered:
-        """Return for each predicate the cheaper cover by cubes: of itself, or of its complement.
+    def _covered(self, predicates: Sequence[int], planes: Sequence[int]) -> _Covered:
+        """Return for each predicate the cheaper cover by cubes of some planes: of itself, or of its
+        complement.
 
-        Cubes read the planes from number `base` on. Raises GaveUp if a predicate needs more than
-        `_MOST_CUBES`."""
-        vectors, everything = [p for p, _ in self.planes[base:]], self.problem.everything
+        Raises GaveUp if a predicate needs more than `_MOST_CUBES`."""
+        vectors, everything = [self.planes[p][0] for p in planes], self.problem.everything
         budget = Budget(20_000 * len(predicates))
         known: dict[int, tuple[list[Cube], bool]] = {}
         for predicate in dict.fromkeys(predicates):
             covers = [
-                [tuple((base + plane, value) for plane, value in cube) for cube in found]
+                [tuple((planes[plane], value) for plane, value in cube) for cube in found]
                 for found in (
                     cover(predicate, vectors, everything, budget),
                     cover(everything & ~predicate, vectors, everything, budget),
@@ -163,198 +245,197 @@ class _Writer:
         chosen = [known[predicate] for predicate in predicates]
         return _Covered([cubes for cubes, _ in chosen], [inverted for _, inverted in chosen])
 
+    def _disjoint(self, predicates: list[int], planes: Sequence[int]) -> tuple[_Covered, ...]:
+        """Return parts of one cube at each demand, or its inverse, whose exclusive or is open in
+        `predicates`."""
+        parts: list[_Covered] = []
+        while any(predicates):
+            part = self._covered(predicates, planes)
+            rest = [0] * len(predicates)
+            for index, cubes in enumerate(part.cubes):
+                if len(cubes) > 1:
+                    first = [] if part.inverted[index] else cubes[:1]
+                    part.cubes[index] = first
+                    rest[index] = predicates[index] ^ self._vector(first[0] if first else ())
+            predicates = rest
+            parts.append(part)
+        return tuple(parts)
+
+    def _vector(self, cube: Cube) -> int:
+        """Return the truth vector of a cube."""
+        zeros = union(self.planes[p][0] ^ (self.problem.everything * value) for p, value in cube)
+        return self.problem.everything ^ zeros
+
+    def _advance(self, state: _State, index: int) -> None:
+        """Append the gates that update a state before demand `index`."""
+        for step in state.steps:
+            if step.cubes[index] or step.inverted[index]:
+                inverse = self._direct(step, index)
+                (self.gates.nor if inverse else self.gates.or_)(
+                    MASK, self._cubes(step, index, inverse)
+                )
+                self.gates.nor(state.register, [state.register], masked=True)
+                self._end_segment()
+        if index not in state.changes:
+            return
+        number = state.changes[index]
+        if number and not number & (1 << state.low_bits) - 1:
+            high = number >> state.low_bits
+            flipped = (high & -high).bit_length() - 1 + state.low_bits
+            self.segments.append(self.standing.flip(state.planes[flipped]))
+        changed = [
+            f"p{plane}"
+            for bit, plane in enumerate(state.planes)
+            if bit >= state.low_bits or not number >> bit & 1
+        ]
+        if state.masked:
+            self._write_changed(state, index, changed)
+        else:
+            self.gates.nor(MASK, changed)
+            self.gates.or_(state.register, [state.register, MASK])
+        self._end_segment()
+
+    def _write_changed(self, state: _State, index: int, changed: Sequence[str]) -> None:
+        """Append masked gates that write a state in the changed shutters, those in which all
+        planes `changed` are 0."""
+        cubes, content = list[Cube](), _after(state)
+        if state.second is not None:
+            cubes, content = state.second.cubes[index], content ^ state.second.inverted[index]
+        if len(cubes) == 1:
+            names = self._literals(cubes[0])
+            self.gates.nor(MASK, changed)
+            inverse = self._is_low(cubes) != content
+            (self.gates.nor if inverse else self.gates.or_)(state.register, names, masked=True)
+            return
+        self.gates.nor(MASK, changed)
+        self.gates.add(Gate("SET" if content else "CLR", state.register, (), masked=True))
+        for cube in cubes:
+            self._turn(cube)
+            self.gates.nor(MASK, [*changed, *(f"p{plane}" for plane, _ in cube)])
+            self.gates.add(Gate("CLR" if content else "SET", state.register, (), masked=True))
+
     def _end_segment(self) -> None:
         """Add the gates so far as a segment, if there are any."""
         if pending := self.gates.take():
             self.segments.append(pending)
 
-    def _scratch(self) -> str:
-        """Return a free scratch register, which is then in use; raise GaveUp if there is none."""
-        if not self.free:
+    def _load_flag(self, sources: Sequence[str]) -> None:
+        """Add the gates that set FLAG to the OR of registers."""
+        limit = self.machine.where_sources
+        if "FLAG" in sources:
+            sources = [self._joined("OR", sources)]
+        spare = next((name for name in (*sources, *self.free) if name[0] == "t"), None)
+        if spare is None and limit is not None and len(sources) > limit:
             raise GaveUp("no register is left to compute with")
-        return self.free.pop(0)
+        self.gates.load_flag(sources, spare)
 
-    def _advance(self, leaf: _Counted | _Covered, index: int) -> None:
-        """Append the gates that a part needs before demand `index`: invert the planes that it
-        reads, and update its state."""
-        if isinstance(leaf, _Covered):
-            for cube in leaf.cubes[index][:1]:
-                self.segments += self.standing.turn(cube if len(cube) > 1 else ())
-        elif index in leaf.changes:
-            number = leaf.changes[index]
-            if number and not number & (1 << leaf.low_bits) - 1:
-                high = number >> leaf.low_bits
-                flipped = (high & -high).bit_length() - 1 + leaf.low_bits
-                self.segments.append(self.standing.flip(leaf.planes[flipped]))
-            sources = [
-                f"p{plane}"
-                for bit, plane in enumerate(leaf.planes)
-                if bit >= leaf.low_bits or not number >> bit & 1
-            ]
-            self.gates.nor(self.free[0], sources)
-            self.gates.or_(leaf.state, [leaf.state, self.free[0]])
-            self._end_segment()
-
-    def _load_flag(self, planned: _Planned, index: int) -> None:
-        """Add the gates that set FLAG to the value of a rule.
-
-        With one scratch register, FLAG holds the first part of an `or` meanwhile."""
-        operator, *parts = planned if isinstance(planned, tuple) else ("", planned)
-        alone = len(self.free) == 1
-        if alone and operator == "xor" and (pair := _state_and_cover(parts)):
-            self._load_difference(*pair, index)
-            return
-        if alone and operator == "or" and not isinstance(parts[1], tuple):
-            terms = self._terms(parts[0], index)
-            if terms == ["t0"]:
-                self.gates.load_flag(terms, None)
-                self.free = ["t0"]
-                terms = [self._joined("OR", ["FLAG", *self._terms(parts[1], index)])]
-            else:
-                terms += self._terms(parts[1], index)
-        else:
-            terms = self._terms(planned, index)
-        self.gates.load_flag(terms, next((t for t in terms if t[0] == "t"), None))
-
-    def _load_difference(self, counted: _Counted, covered: _Covered, index: int) -> None:
-        """Add the gates that set FLAG to the exclusive or of two parts with one scratch register.
-
-        The state holds the second term of the exclusive or while FLAG is set, then the state is
-        computed again from the two terms: for the state s and the second part c, the terms are
-        t = not s and c, and s and not c; s = not (t or not (c or (s and not c)))."""
-        if len(covered.cubes[index]) > 1:
-            raise GaveUp("one register is too few for a part of several cubes")
-        state, scratch = counted.state, self.free[0]
-        second, inverted = self._planes_of(covered, index)
-        equal = counted.closes ^ inverted
-        self.gates.nor(scratch, [state, *second])
-        self.gates.load_flag([scratch], None)
-        self.gates.nor(scratch, [state, "FLAG"])
-        self.gates.nor(state, [*second, "FLAG"])
-        if equal:
-            self.gates.nor(scratch, [scratch, state])
-        self.gates.load_flag([scratch] if equal else [scratch, state], None)
-        if equal:
-            self.gates.nor(scratch, [scratch, state])
-        self.gates.nor(state, [state, *second])
-        self.gates.nor(state, [state, scratch])
-
-    def _planes_of(self, covered: _Covered, index: int) -> tuple[list[str], bool]:
-        """Return planes whose OR is a part of at most one cube, or its inverse (true).
-
-        `_advance` has given the planes of a cube the polarity of a NOR."""
-        planes = [literal for cube in covered.cubes[index] for literal in cube]
-        # Of several planes, the OR is the inverse of the cube.
-        low = len(planes) > 1 or any(self.standing.inverted[p] == value for p, value in planes)
-        return [f"p{plane}" for plane, _ in planes], low ^ covered.inverted[index]
-
-    def _terms(self, planned: _Planned, index: int) -> list[str]:
-        """Append gates for a rule at demand `index`; return registers whose OR is its value."""
-        if isinstance(planned, tuple) and planned[0] == "or":
-            return [*self._terms(planned[1], index), *self._terms(planned[2], index)]
-        if isinstance(planned, tuple) and planned[0] == "xor":
-            # A covered part comes last, because either polarity takes the same words.
-            first, second = sorted(planned[1:], key=lambda part: isinstance(part, _Covered))
-            value = self._value(first, index)
-            only_one, equal = self._difference([value, self._value(second, index, value[1])])
-            return only_one if equal else [self._joined("NOR", only_one)]
-        register, positive = self._value(planned, index)
-        return [register] if positive else [self._joined("NOR", [register])]
-
-    def _inverse(self, planned: _Planned, index: int) -> list[str]:
-        """Add gates for a rule at a demand; return the register that holds its inverse."""
-        register, positive = self._value(planned, index)
-        return [self._joined("NOR", [register]) if positive else register]
-
-    def _joined(self, name: str, sources: Sequence[str]) -> str:
+    def _joined(self, name: str, sources: Sequence[str], kept: Sequence[str] = ()) -> str:
         """Add the gate `name` (OR or NOR) of the registers `sources`, and return its register: free
-        scratch, or a scratch source in place.
+        scratch, or a scratch source that is not in `kept`.
 
-        Scratch registers among the sources become free. Raises GaveUp if no register is left."""
-        spent = [source for source in dict.fromkeys(sources) if source[0] == "t"]
-        target = self.free.pop(0) if self.free else next(iter(spent), None)
+        The other scratch registers among the sources become free, except those in `kept`. Raises
+        GaveUp if no register is left."""
+        spent = [s for s in dict.fromkeys(sources) if s[0] == "t" and s not in kept]
+        target = next(iter([*self.free, *spent]), None)
         if target is None:
             raise GaveUp("no register is left to compute with")
         (self.gates.nor if name == "NOR" else self.gates.or_)(target, sources)
-        self.free += [source for source in spent if source != target]
+        self.flag_busy &= "FLAG" not in sources or "FLAG" in kept
+        self.free = [t for t in [*self.free, *spent] if t != target]
         return target
 
-    def _value(self, planned: _Planned, index: int, wanted: bool | None = None) -> Value:
-        """Add gates for a rule at a demand, and return its value.
-
-        The register holds the value itself (`wanted` is true) or its inverse if that takes no more
-        words."""
-        if isinstance(planned, _Counted):
-            return planned.state, not planned.closes
+    def _sources(self, planned: _Planned, index: int, inverse: bool) -> list[str]:
+        """Add gates for a rule at demand `index`; return registers whose OR is the value of the
+        rule, or its inverse."""
         if isinstance(planned, _Covered):
-            return self._cubes(planned.cubes[index], not planned.inverted[index], wanted)
+            return self._cubes(planned, index, inverse)
+        if isinstance(planned, _State):
+            name = planned.register
+            return [name] if planned.positive != inverse else [self._joined("NOR", [name])]
         operator, first, second = planned
-        if operator == "or":
-            return self._joined("OR", self._terms(planned, index)), True
-        if operator == "and":
-            pair = _state_and_cover((first, second))
-            if pair and not pair[0].closes and len(pair[1].cubes[index]) == 1:
-                planes, inverted = self._planes_of(pair[1], index)
-                if inverted:  # s and not c = not (not (s or c) or c)
-                    neither = self._joined("NOR", [pair[0].state, *planes])
-                    return self._joined("NOR", [neither, *planes]), True
-            return self._joined(
-                "NOR", [*self._inverse(first, index), *self._inverse(second, index)]
-            ), True
-        values = [self._value(first, index), self._value(second, index)]
-        only_one, equal = self._difference(values)
-        return self._joined("NOR", only_one), not equal
+        if operator == "xor":
+            directs = self._direct(first, index), self._direct(second, index)
+            a, b = (
+                self._sources(part, index, direct)
+                for part, direct in zip((first, second), directs, strict=True)
+            )
+            neither = [self._joined("NOR", [*a, *b], kept=[*a, *b])]
+            if not self.free and not any(name[0] == "t" for name in b):
+                neither = self._in_flag(neither)
+            only_a = self._joined("NOR", [*neither, *b], kept=neither)
+            only_b = self._joined("NOR", [*neither, *a])
+            joined, direct = [only_a, only_b], directs[0] ^ directs[1]
+        else:
+            # A NOR joins the inverses of the parts of an `and`.
+            joined, direct = [], operator == "and"
+            for part in (first, second):
+                if not self.free and self._needs_scratch(part, index, direct):
+                    joined = self._in_flag(joined)
+                joined += self._sources(part, index, direct)
+        return joined if direct == inverse else [self._joined("NOR", joined)]
 
-    def _difference(self, values: Sequence[Value]) -> tuple[list[str], bool]:
-        """Add gates whose OR is the exclusive or of two registers.
+    def _in_flag(self, names: list[str]) -> list[str]:
+        """Move the OR of the scratch registers among `names` to FLAG, and return the names with
+        FLAG instead of them. Raises GaveUp if no scratch or FLAG is free."""
+        scratch = [name for name in names if name[0] == "t"]
+        if not scratch or self.flag_busy:
+            raise GaveUp("no register is left to compute with")
+        self.gates.load_flag(scratch, scratch[0])
+        self.free += scratch
+        self.flag_busy = True
+        return ["FLAG", *(name for name in names if name not in scratch)]
 
-        The second result says whether that is the exclusive or of the values, not its inverse."""
-        (a, a_positive), (b, b_positive) = values
-        neither = self._scratch()
-        self.gates.nor(neither, [a, b])
-        only_a = b if b[0] == "t" and not self.free else self._scratch()
-        self.gates.nor(only_a, [neither, b])
-        only_b = self._joined("NOR", [neither, a])
-        return [only_a, only_b], a_positive == b_positive
+    def _needs_scratch(self, planned: _Planned, index: int, inverse: bool) -> bool:
+        """Return whether `_sources` adds a gate."""
+        if self._direct(planned, index) != inverse:
+            return True
+        if isinstance(planned, tuple):
+            parts = planned[1:]
+            return planned[0] == "xor" or any(self._needs_scratch(p, index, inverse) for p in parts)
+        return isinstance(planned, _Covered) and len(planned.cubes[index]) > 1
 
-    def _cubes(self, cubes: Sequence[Cube], positive: bool, wanted: bool | None) -> Value:
-        """Add gates for an OR of cubes, and return its value, or its inverse if not `positive`.
+    def _direct(self, planned: _Planned, index: int) -> bool:
+        """Return whether the inverse of a rule takes fewer gates at a demand than its value."""
+        if isinstance(planned, _State):
+            return not planned.positive
+        if isinstance(planned, _Covered):
+            return self._is_low(planned.cubes[index]) ^ planned.inverted[index]
+        return planned[0] == "and"
 
-        A single cube is a NOR, and its inverse an OR; `wanted` is as in `_value`."""
-        if len(cubes) == 1 and len(cubes[0]) == 1:
-            ((plane, value),) = cubes[0]
-            return f"p{plane}", (value != self.standing.inverted[plane]) == positive
-        terms = [] if cubes else [self._joined("OR", [])]
-        for cube in cubes:
+    def _is_low(self, cubes: Sequence[Cube]) -> bool:
+        """Return whether cubes are the inverse of an OR of planes: a single cube is, unless it is a
+        plane itself."""
+        if len(cubes) != 1 or len(cubes[0]) > 1:
+            return len(cubes) == 1
+        ((plane, value),) = cubes[0]
+        return bool(self.standing.inverted[plane] == value)
+
+    def _cubes(self, covered: _Covered, index: int, inverse: bool) -> list[str]:
+        """Add gates for a part of cubes at a demand, as in `_sources`."""
+        cubes, low = covered.cubes[index], self._is_low(covered.cubes[index])
+        inverse ^= covered.inverted[index]
+        names = self._literals(cubes[0]) if len(cubes) == 1 else []
+        for cube in cubes if len(cubes) > 1 else ():
+            self._turn(cube)
+            if names and not self.free:
+                names = self._in_flag(names)
+            names.append(self._joined("NOR", [f"p{plane}" for plane, _ in cube]))
+            names = [self._joined("OR", names)] if len(names) > 1 else names
+        return names if low == inverse else [self._joined("NOR", names)]
+
+    def _literals(self, cube: Cube) -> list[str]:
+        """Return the planes of a cube. Planes of several are first inverted for a NOR."""
+        if len(cube) > 1:
+            self._turn(cube)
+        return [f"p{plane}" for plane, _ in cube]
+
+    def _turn(self, cube: Cube) -> None:
+        """Invert planes so that a cube is their NOR."""
+        if any(self.standing.inverted[plane] != value for plane, value in cube):
             self._end_segment()
             self.segments += self.standing.turn(cube)
-            target = self._scratch()
-            as_or = len(cubes) == 1 and wanted == (not positive)
-            gate = self.gates.or_ if as_or else self.gates.nor
-            gate(target, [f"p{plane}" for plane, _ in cube])
-            positive ^= as_or
-            terms.append(target)
-            if len(terms) > 1:
-                terms = [self._joined("OR", terms)]
-        return terms[0], positive
 
 
-def _state_and_cover(parts: Sequence[_Planned]) -> tuple[_Counted, _Covered] | None:
-    """Return the counted and the covered one of `parts`; None if there is not one of each."""
-    for first, second in permutations(parts):
-        if isinstance(first, _Counted) and isinstance(second, _Covered):
-            return first, second
-    return None
-
-
-_Planned = _Counted | _Covered | tuple[Operator, "_Planned", "_Planned"]
-
-
-def _leaves(planned: _Planned) -> Iterator[_Counted | _Covered]:
-    """Yield the parts of the composed rule `planned` from left to right: counted ones and covered
-    ones."""
-    if isinstance(planned, tuple):
-        yield from _leaves(planned[1])
-        yield from _leaves(planned[2])
-    else:
-        yield planned
+def _after(state: _State) -> bool:
+    """Return the content of a state's register after the change."""
+    return state.closes != state.positive

@@ -14,7 +14,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,10 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 from nscc.codec import HEX
 from nscc.record import Record
+from nscc.truth import union
+
+MASK = "t0"
+"""The scratch register that is the mask of the masked register."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,15 +33,32 @@ class Gate:
     """A digital operation on virtual registers.
 
     `name` is WHERE (destination FLAG), SET, CLR, MOV, NOT, OR or NOR. A gate whose destination is
-    among its sources is an in-place pair of words."""
+    among its sources is an in-place pair of words. A `masked` gate writes a state only where t0,
+    the mask, is 1."""
 
     name: str
     destination: str
     sources: tuple[str, ...]
+    masked: bool = False
 
     def __str__(self) -> str:
         """Return the gate as text, such as `t0 = NOR(p1, p2)`."""
-        return f"{self.destination} = {self.name}({', '.join(self.sources)})"
+        where = f" where {MASK}" if self.masked else ""
+        return f"{self.destination} = {self.name}({', '.join(self.sources)}){where}"
+
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """The registers on which the result depends."""
+        return (*self.sources, MASK, self.destination) if self.masked else self.sources
+
+    def result(self, contents: Mapping[str, int], everything: int) -> int:
+        """Return the truth vector of the destination after the gate, from those of `reads`."""
+        value = union(contents[name] for name in self.sources)
+        if self.name in ("NOR", "NOT", "SET"):
+            value ^= everything
+        if self.masked:
+            value = value & contents[MASK] | contents[self.destination] & ~contents[MASK]
+        return value
 
     @property
     def words(self) -> int:
@@ -67,19 +88,31 @@ class Demand(Record):
     scratch_kept: bool = True
 
 
+class Codes(Record):
+    """All codes of a program whose codes outnumber its shutters.
+
+    `values` gives, for each field, the value in every code (codes,). `shutters` is the number of
+    each code's shutter (codes,). `rows` is the number of one code of each shutter (shutters,)."""
+
+    values: Mapping[str, NDArray[np.int64]]
+    shutters: NDArray[np.integer[Any]]
+    rows: NDArray[np.intp]
+
+
 class Problem(Record):
     """Demands in time order over `shutters` distinct shutters.
 
     `opens[bucket][slot]` are the truth vectors of the open shutters. `flag_lasts` means that FLAG
     and scratch registers do not decay within the frame. `values` gives, for each field of the code,
     the value of every shutter (shutters,), taken from one of its codes; predicates are often simple
-    in these values."""
+    in these values. `codes` is None if every shutter has one code."""
 
     demands: tuple[Demand, ...]
     shutters: int
     opens: tuple[tuple[int, ...], ...]
     flag_lasts: bool
     values: Mapping[str, NDArray[np.int64]]
+    codes: Codes | None = None
 
     @property
     def everything(self) -> int:
@@ -142,6 +175,20 @@ class Solution(Record):
         times = Counter(gate.destination for segment in self.segments() for gate in segment)
         return [times[f"p{i}"] for i in range(len(self.planes))]
 
+    def masked_state(self) -> str | None:
+        """Return the state that masked gates write, which must be in the masked register; None if
+        there is none."""
+        gates = chain.from_iterable(self.segments())
+        return next((gate.destination for gate in gates if gate.masked), None)
+
+    def in_masked_register(self, registers: int) -> str | None:
+        """Return the virtual register that the masked register holds on a chip of so many
+        registers: the masked state, or the plane with the fewest writes if all registers are used.
+        """
+        used = len(self.planes) + self.states + self.scratch
+        full = used >= registers and self.planes
+        return self.masked_state() or (f"p{quietest(self.writes())}" if full else None)
+
 
 def quietest(writes: Sequence[int]) -> int:
     """Return the index of the plane to put in the masked register if all registers are needed.
@@ -182,14 +229,14 @@ class Gates:
         """Add a gate that does not exceed the machine's fan-in."""
         self._gates.append(gate)
 
-    def nor(self, destination: str, sources: Sequence[str]) -> None:
+    def nor(self, destination: str, sources: Sequence[str], masked: bool = False) -> None:
         """Add destination := NOR(sources), or 1 without sources; the destination may be a
         source."""
-        self._gather("NOR", destination, sources)
+        self._gather("NOR", destination, sources, masked)
 
-    def or_(self, destination: str, sources: Sequence[str]) -> None:
+    def or_(self, destination: str, sources: Sequence[str], masked: bool = False) -> None:
         """Add destination := OR(sources), or 0 without sources; the destination may be a source."""
-        self._gather("OR", destination, sources)
+        self._gather("OR", destination, sources, masked)
 
     def invert(self, register: str) -> None:
         """Add register := NOT register."""
@@ -209,14 +256,14 @@ class Gates:
             sources = [scratch, *other_sources[spill:]]
         self._gates.append(Gate("WHERE", "FLAG", tuple(sources)))
 
-    def _gather(self, name: str, destination: str, sources: Sequence[str]) -> None:
+    def _gather(self, name: str, destination: str, sources: Sequence[str], masked: bool) -> None:
         """Append the OR or NOR (`name`) of any number of sources, as several gates if the machine
         limits them.
 
         Excess sources are gathered by OR in the destination first, so only the last gate inverts.
         """
         if not sources:
-            self.add(Gate("SET" if name == "NOR" else "CLR", destination, ()))
+            self.add(Gate("SET" if name == "NOR" else "CLR", destination, (), masked))
             return
         limit = self._machine.or_sources
         other_sources = [source for source in sources if source != destination]
@@ -227,12 +274,12 @@ class Gates:
             room = limit - 1 if in_place else limit
             while len(other_sources) > room:
                 head, other_sources = other_sources[:room], other_sources[room:]
-                self._append("OR", destination, [destination] * in_place + head)
+                self._append("OR", destination, [destination] * in_place + head, masked)
                 in_place, room = True, limit - 1
-        self._append(name, destination, [destination] * in_place + other_sources)
+        self._append(name, destination, [destination] * in_place + other_sources, masked)
 
-    def _append(self, name: str, destination: str, sources: Sequence[str]) -> None:
+    def _append(self, name: str, destination: str, sources: Sequence[str], masked: bool) -> None:
         """Append a gate; one with a single source becomes NOT or MOV."""
         if len(sources) == 1:
             name = {"NOR": "NOT", "OR": "MOV"}[name]
-        self._gates.append(Gate(name, destination, tuple(sources)))
+        self._gates.append(Gate(name, destination, tuple(sources), masked))

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution, quietest
+from nscc.logic.problem import MASK, Gate, Machine, Problem, Segment, Solution
 
 _SOURCES = {
     "WHERE": (1, None),
@@ -20,8 +20,6 @@ _SOURCES = {
 }
 """Fewest and most sources of each gate; None is the machine's limit."""
 
-_INVERTED = ("NOR", "NOT", "SET")
-
 
 class _Wrong(Exception):
     """Raised for an invalid solution; the text is the reason."""
@@ -31,8 +29,9 @@ def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
     """Return why `solution` does not solve `problem` on `machine`, in words; None if it does."""
     try:
         planes, states, scratch = len(solution.planes), solution.states, solution.scratch
-        # Only a plane may be in the masked register.
-        room = machine.registers - (machine.masked and not planes)
+        # Only a plane or a masked state may be in the masked register.
+        empty = machine.masked and not planes and not solution.masked_state()
+        room = machine.registers - empty
         if min(states, scratch) < 0 or planes + states + scratch > room:
             raise _Wrong(f"{planes} planes, {states} states, {scratch} scratch in {room} registers")
         if len(solution.holders) != planes:
@@ -45,6 +44,8 @@ def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
         for gate in dict.fromkeys(gate for segment in solution.segments() for gate in segment):
             if not _possible(gate, registers, machine):
                 raise _Wrong(f"the machine has no gate {gate}")
+            if gate.masked and not (machine.masked and gate.destination == solution.masked_state()):
+                raise _Wrong(f"{gate} does not write the masked register")
         _Frame(problem, machine, solution).replay()
     except _Wrong as wrong:
         return str(wrong)
@@ -85,11 +86,9 @@ class _Frame:
         self.scratch = _names("t", solution.scratch)
         self.contents: dict[str, int | None] = dict.fromkeys(_names("s", solution.states))
         self.contents |= dict(zip(_names("p", len(solution.planes)), solution.planes, strict=True))
-        # If all registers are in use, `nscc.lower.schedule` puts the plane with the fewest writes
-        # in the masked register. Each of these writes sets the mask, which overwrites t0.
-        used = len(solution.planes) + solution.states + solution.scratch
-        full = machine.masked and used >= machine.registers
-        self.masked = f"p{quietest(solution.writes())}" if full else None
+        # Each write of the masked register but a masked one sets the mask, which overwrites t0.
+        registers = machine.registers
+        self.masked = solution.in_masked_register(registers) if machine.masked else None
         self._forget(self.scratch)
         self.contents["FLAG"] = None
 
@@ -137,12 +136,9 @@ class _Frame:
         contents, everything, masked = self.contents, self.problem.everything, self.masked
         for segment in segments:
             for gate in segment:
-                disjunction = 0
-                for name in gate.sources:
-                    disjunction |= self._known(name, gate)
-                inverted = gate.name in _INVERTED
-                contents[gate.destination] = disjunction ^ everything if inverted else disjunction
-                if gate.destination == masked:
+                known = {name: self._known(name, gate) for name in gate.reads}
+                contents[gate.destination] = gate.result(known, everything)
+                if gate.destination == masked and not gate.masked:
                     if not self.scratch:
                         raise _Wrong(f"{gate} writes the register that needs a free mask")
-                    contents["t0"] = None
+                    contents[MASK] = None

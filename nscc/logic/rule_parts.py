@@ -53,8 +53,21 @@ def composition(problem: Problem) -> Composition | None:
     if not (levels_only and problem.demands and 2 <= len(problem.values) <= _MOST_FIELDS):
         return None
     is_open = rows([demand.predicate for demand in problem.demands], problem.shutters)
-    rule = decomposed(is_open, dict(problem.values))
+    codes = problem.codes
+    if codes is None:
+        rule = decomposed(is_open, dict(problem.values))
+    else:  # with all codes, every value of a part occurs beside every value of the others
+        rule = decomposed(is_open[codes.shutters], dict(codes.values))
+        rule = _restricted(rule, codes.rows)
     return rule if isinstance(rule, Composition) else None
+
+
+def _restricted(rule: Rule, codes: NDArray[np.intp]) -> Rule:
+    """Return a rule for some of the codes."""
+    if isinstance(rule, Composition):
+        parts = _restricted(rule.first, codes), _restricted(rule.second, codes)
+        return Composition(rule.operator, *parts)
+    return RulePart(rule.open[codes], {name: of[codes] for name, of in rule.fields.items()})
 
 
 def decomposed(is_open: Open, fields: Fields) -> Rule:
@@ -93,11 +106,13 @@ def _splits(
             a = _filled(a, ~_any_of(b, first))
             b = _filled(b, ~_any_of(a, second))
             yield ("and", a, b) if operator == "and" else ("or", ~a, ~b)
-    # With a shutter for each pair of values, the first values determine an exclusive or, up to a
-    # constant at each demand.
-    if len(is_open) == (first.max() + 1) * (second.max() + 1):
-        a = is_open[second == 0][np.argsort(first[second == 0])][first]
-        b = is_open[first == 0][np.argsort(second[first == 0])][second] ^ a[first == 0][:1]
+    # With all pairs of values, the first values determine an exclusive or, up to a constant at each
+    # demand.
+    shape = first.max() + 1, second.max() + 1
+    _, at = np.unique(first * shape[1] + second, return_index=True)
+    if len(at) == shape[0] * shape[1]:
+        pairs = is_open[at].reshape(*shape, -1)
+        a, b = pairs[:, 0][first], (pairs[0] ^ pairs[0, :1])[second]
         if np.array_equal(a ^ b, is_open):
             constants = [a[first == number][:1] for number in (first.max(), 0)]
             nested = [c for c in constants if only_opens(a ^ c) or only_opens(~(a ^ c))]

@@ -16,7 +16,17 @@ from itertools import chain
 from nscc.logic.cover import Cover, Covers, life
 from nscc.logic.cubes import Budget
 from nscc.logic.digits import unzipped
-from nscc.logic.problem import Gate, Gates, GaveUp, Machine, Problem, Segment, Solution, quietest
+from nscc.logic.problem import (
+    MASK,
+    Gate,
+    Gates,
+    GaveUp,
+    Machine,
+    Problem,
+    Segment,
+    Solution,
+    quietest,
+)
 from nscc.logic.script import Script
 from nscc.record import Record
 from nscc.truth import union
@@ -69,9 +79,9 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
             if len(gate.sources) <= limit or gate.name == "WHERE":
                 gates.add(gate)
             elif gate.name == "NOR":
-                gates.nor(gate.destination, gate.sources)
+                gates.nor(gate.destination, gate.sources, gate.masked)
             else:
-                gates.or_(gate.destination, gate.sources)
+                gates.or_(gate.destination, gate.sources, gate.masked)
         return gates.take()
 
     def all_of(run: tuple[Segment, ...]) -> tuple[Segment, ...]:
@@ -111,7 +121,10 @@ class _Walker:
         script, problem = self.script, self.problem
         self.gates = Gates(self.machine)
         writes = Counter(gate.destination for gate in _all_gates(script))
-        if self.machine.masked and script.planes:
+        masked = next((gate.destination for gate in _all_gates(script) if gate.masked), None)
+        if masked is not None:
+            self.quiet = masked
+        elif self.machine.masked and script.planes:
             self.quiet = f"p{quietest([writes[f'p{i}'] for i in range(len(script.planes))])}"
         planes, holders = unzipped(script.planes)
         self.values = {f"p{i}": vector for i, vector in enumerate(planes)}
@@ -151,14 +164,13 @@ class _Walker:
 
         Raises GaveUp if a gate reads an unknown value or needs another scratch register."""
         for gate in chain.from_iterable(segments):
-            for name in gate.sources:
+            for name in gate.reads:
                 if name not in self.values:
                     raise GaveUp(f"the script reads {name}, which holds nothing known")
-            inverted = gate.name in ("NOT", "NOR", "SET")
-            self.values[gate.destination] = self._or(gate.sources, inverted)
-            if gate.destination == self.quiet:
-                # Its mask, the first scratch register, is set for the write.
-                self.values.pop("t0", None)
+            self.values[gate.destination] = gate.result(self.values, self.problem.everything)
+            if gate.destination == self.quiet and not gate.masked:
+                # Its mask is set for the write.
+                self.values.pop(MASK, None)
             if gate.destination.startswith("t"):
                 self._use(gate.destination)
                 if self.used > self.scratch:

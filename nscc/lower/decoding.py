@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.logic.problem import Demand, Problem, Solution
+from nscc.logic.problem import Codes, Demand, Problem, Solution
 from nscc.lower.exposure_plan import ExposurePlan, Opens, Timeline
 from nscc.operations import WordEffect
 from nscc.program.program import Program, whole_name
@@ -53,24 +53,28 @@ def problem_of(
             )
     lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
     # Free bits are separate fields.
-    codes = _code_of_shutter(program.table)
-    values: dict[str, NDArray[np.int64]] = {}
-    for index, field in enumerate(program.fields):
+    table = program.table
+    columns: dict[str, NDArray[np.int64]] = {}
+    for column, field in zip(table.codes.T, program.fields, strict=False):
         if field.bits is None:
-            values[field.name] = codes[:, index]
+            columns[field.name] = column
         else:
             name, first = whole_name(field.name), field.first_bit
             for k in range(field.bits):
-                values[f"{name}[{first + k}]"] = codes[:, index] >> k & 1
-    return Problem(tuple(demands), plan.shutters, opens, lasts, values), tuple(actions)
+                columns[f"{name}[{first + k}]"] = column >> k & 1
+    chosen = _code_of_shutter(table)
+    values = {name: column[chosen] for name, column in columns.items()}
+    several = len(table.codes) > len(table.shutters)
+    codes = Codes(columns, table.shutter_of_code, chosen) if several else None
+    return Problem(tuple(demands), plan.shutters, opens, lasts, values, codes), tuple(actions)
 
 
-def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
-    """Return a row of `table.codes` for each shutter.
+def _code_of_shutter(table: DecodeTable) -> NDArray[np.intp]:
+    """Return the number of a row of `table.codes` for each shutter.
 
     Of several codes, one whose values other shutters also need is chosen."""
     if len(table.codes) == len(table.shutters):
-        return table.codes[np.argsort(table.shutter_of_code)]
+        return np.argsort(table.shutter_of_code)
     meant = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
     only = table.codes[meant[table.shutter_of_code] == 1]
     needed = np.ones(len(table.codes), dtype=np.bool_)
@@ -78,7 +82,7 @@ def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
         needed &= np.isin(column, used)
     order = np.argsort(~needed, kind="stable")
     _, first = np.unique(table.shutter_of_code[order], return_index=True)
-    return table.codes[order[first]]
+    return order[first]
 
 
 def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:

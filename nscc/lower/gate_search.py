@@ -84,13 +84,16 @@ class GateSearch:
         return ranked
 
     def improved_best(self, candidates: list[Lowered], level: int) -> Lowered:
-        """Improve all candidates a little, and the best of them more; return the best result."""
+        """Improve all candidates a little, and the best of them more; return the best result.
+
+        Solutions with masked gates stay as they are."""
         from nscc.logic.improve.search import balance, improve, words_at  # `check` does not need it
 
         if len(self.problem.demands) > self.program.target.store_words:
             # Kernels must repeat to fit the store, and improvement makes equal segments different.
             return candidates[0]
-        current, known = candidates, [*candidates]
+        current = [each for each in candidates if each.solution.masked_state() is None]
+        known = [*candidates]
         for count, steps in ROUNDS[level]:
             # A further search repeats the random numbers of the one before, on its result.
             current = [
@@ -99,6 +102,8 @@ class GateSearch:
             ]
             known = [*current, *known]
         best = min(known, key=_PRICE)
+        if best.solution.masked_state() is not None:
+            return best
         # The words of the largest boundary are reduced last.
         gates = words_at(best.solution, self.problem, self.machine, self.plan.slots)
         analog = [a - b for a, b in zip(best.words_per_boundary, gates, strict=True)]

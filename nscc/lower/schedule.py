@@ -16,7 +16,7 @@ from itertools import chain, groupby
 from typing import Literal, get_args
 
 from nscc.chips.target import Target
-from nscc.logic.problem import Gate, Segment, Solution, quietest
+from nscc.logic.problem import MASK, Gate, Segment, Solution
 from nscc.lower.decoding import Decoding
 from nscc.lower.exposure_plan import Timeline, fades
 from nscc.operations import Op, WordEffect, op, pair
@@ -75,25 +75,21 @@ def allocate(solution: Solution, target: Target, spared: Collection[str] = ()) -
 
 def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
     """Return which virtual register is in the masked register, and which in its mask, as virtual to
-    chip register.
-
-    The mask holds the first scratch register. The masked register holds the plane with the fewest
-    writes if all registers are used."""
+    chip register."""
     masked, mask = target.masked_register, target.mask_register
     if masked is None or mask is None:
         return {}
-    places = {"t0": mask} if solution.scratch else {}
-    used = len(solution.planes) + solution.states + solution.scratch
-    if used == len(target.digital_registers):
-        places[f"p{quietest(solution.writes())}"] = masked
-    return places
+    places = {MASK: mask} if solution.scratch else {}
+    name = solution.in_masked_register(len(target.digital_registers))
+    return places if name is None else {**places, name: masked}
 
 
 def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
     """Return the words of a segment of gates, on the registers of `allocation`."""
     out: list[Op] = []
     for gate in segment:
-        if allocation.mask and allocation.places.get(gate.destination) == allocation.masked:
+        in_masked = allocation.places.get(gate.destination) == allocation.masked
+        if allocation.mask and in_masked and not gate.masked:
             out.append(op("SET", (allocation.mask,)))
         out.extend(_gate_words(gate, allocation.places))
     return tuple(out)

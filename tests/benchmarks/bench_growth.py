@@ -28,6 +28,7 @@ STEP, DOUBLING = 1.3, 3.0
 ALLOWED = {
     ("d", 64, 128): "128 slots have 8,256 bumps, more than 12 planes distinguish",
     ("states", 32, 33): "33 values need a sixth bit, which counts by a ripple of carries",
+    ("and", 256, 257): "257 stops need a ninth plane, which leaves two planes for 4 values of k",
     ("codebook of 16 slots", 32, 33): "33 rows need a sixth plane, and both polarities do not fit",
 }
 """Exceptions: (family, size, next size), with the reason."""

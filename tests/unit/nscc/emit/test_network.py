@@ -33,6 +33,8 @@ TEXTS = {
     "bucket early open when n < split\nbucket late open when n >= split",
     "book": f"frame 10 slots of 1ms\nshutters book [{', '.join(BOOK)}]\n"
     "code id : row of book\nopen when book[id]",
+    "composed": "frame 24 slots of 1ms\ncode stop : 1..24\ncode k : 0..3\n"
+    "open when n < stop xor n % 4 == k",
     "long": "frame 12 slots of 0.5s\ncode stop : 1..12\nopen when n < stop",
 }
 CASES = [(name, lowering, 1) for name in TEXTS for lowering in ("accumulate", "edges")]
@@ -49,7 +51,8 @@ def values_of(network, shutters):
     everything, values = set(range(shutters)), {}
     for node in nx.topological_sort(network):
         facts = network.nodes[node]
-        sources = [values[value] for value, _ in network.in_edges(node)]
+        named = facts["operands"].split() if "mask" in facts else network.predecessors(node)
+        sources = [values[value] for value in named]
         if facts["kind"] == "plane":
             values[node] = {i for i in everything if int(facts["bits"], 16) >> i & 1}
             continue
@@ -60,6 +63,9 @@ def values_of(network, shutters):
             case "OR" | "MOV" | "WHERE" | "CLR" | None:
                 values[node] = some
                 assert facts["kind"] == "gate" or len(sources) == 1
+        if "mask" in facts:
+            mask, before = values[facts["mask"]], values[facts["before"]]
+            values[node] = values[node] & mask | before - mask
     return values
 
 

@@ -89,6 +89,9 @@ class Pixels:
                     assert len(gate.sources) == (gate.name in ("NOT", "MOV"))
                 inverted = gate.name in ("NOR", "NOT", "SET")
                 value = some ^ (self.all if inverted else 0)
+                if gate.masked:
+                    mask, before = self.held["t0"], self.held[gate.destination]
+                    value = value & mask | before & ~mask
                 self.held[gate.destination] = value
 
 
