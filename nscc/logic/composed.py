@@ -31,7 +31,6 @@ from nscc.logic.rule_parts import (
     only_opens,
 )
 from nscc.logic.script import Script
-from nscc.logic.script_walk import walk
 from nscc.truth import columns, union
 
 # Limits: cubes of a part at one demand, and low bits of a state whose cubes are submasks (more of
@@ -47,6 +46,8 @@ def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solutio
     rule = composition(problem)
     if rule is None:
         raise GaveUp("the rule is not composed from parts with different fields")
+    from nscc.logic.script_walk import walk  # few rules are composed, so checks need no covers
+
     solutions: list[Solution] = []
     for submask_bits in _SUBMASK_BITS:
         scripts: list[Script] = []
@@ -165,7 +166,7 @@ class _Writer:
         alone = first.masked and first.second is None
         if alone and isinstance(second, _Covered) and isinstance(rule.second, RulePart):
             values = columns(rule.second.open)
-            steps = [now ^ was for was, now in zip([0, *values], values, strict=False)]
+            steps = [now ^ was for was, now in zip([0, *values[:-1]], values, strict=True)]
             planes = {plane for cubes in second.cubes for cube in cubes for plane, _ in cube}
             first.steps, first.second = self._disjoint(steps, sorted(planes)), second
             return first

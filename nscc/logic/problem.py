@@ -88,7 +88,7 @@ class Demand(Record):
     scratch_kept: bool = True
 
 
-class Codes(Record):
+class AllCodes(Record):
     """All codes of a program whose codes outnumber its shutters.
 
     `values` gives, for each field, the value in every code (codes,). `shutters` is the number of
@@ -112,7 +112,7 @@ class Problem(Record):
     opens: tuple[tuple[int, ...], ...]
     flag_lasts: bool
     values: Mapping[str, NDArray[np.int64]]
-    codes: Codes | None = None
+    codes: AllCodes | None = None
 
     @property
     def everything(self) -> int:

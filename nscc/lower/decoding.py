@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.target import Target
-from nscc.logic.problem import Codes, Demand, Problem, Solution
+from nscc.logic.problem import AllCodes, Demand, Problem, Solution
 from nscc.lower.exposure_plan import ExposurePlan, Opens, Timeline
 from nscc.operations import WordEffect
 from nscc.program.program import Program, whole_name
@@ -55,7 +55,7 @@ def problem_of(
     # Free bits are separate fields.
     table = program.table
     columns: dict[str, NDArray[np.int64]] = {}
-    for column, field in zip(table.codes.T, program.fields, strict=False):
+    for field, column in zip(program.fields, table.codes.T[: len(program.fields)], strict=True):
         if field.bits is None:
             columns[field.name] = column
         else:
@@ -65,7 +65,7 @@ def problem_of(
     chosen = _code_of_shutter(table)
     values = {name: column[chosen] for name, column in columns.items()}
     several = len(table.codes) > len(table.shutters)
-    codes = Codes(columns, table.shutter_of_code, chosen) if several else None
+    codes = AllCodes(columns, table.shutter_of_code, chosen) if several else None
     return Problem(tuple(demands), plan.shutters, opens, lasts, values, codes), tuple(actions)
 
 
