@@ -30,6 +30,7 @@ from nscc_runtime.loop import (
     Floats,
     Ints,
     Ints32,
+    Words,
     Written,
     compiled,
     inlined,
@@ -52,6 +53,7 @@ class BlockSizes:
     charged: int
     pixels: int
     segments: int
+    words: int
     numbered: int
     """Difference between the draw numbers of consecutive words."""
     frame: int
@@ -70,12 +72,14 @@ class BlockScratch(NamedTuple):
 
     `head`: the first pixel that waits before each segment, -1 if none. `behind`: the next waiting
     pixel after each pixel. `reached`: the stretch that each pixel has reached. `fallen_fraction`:
-    the fraction of this stretch that is collected."""
+    the fraction of this stretch that is collected. `keys`: the random keys of each word: of its
+    read or reset, then of its comparison or destinations."""
 
     head: Written[Annotated[Ints, "segments"]]
     behind: Written[Ints]
     reached: Written[Ints]
     fallen_fraction: Written[Floats]
+    keys: Written[Words]
 
 
 @inlined
@@ -90,34 +94,45 @@ def _drawn(
 
 
 @compiled
+def _set_keys(sizes: BlockSizes, keys: WordKeys, program: LoopProgram, block: BlockScratch) -> None:
+    """Set the random keys of the words in this frame."""
+    for w in range(sizes.words):
+        word, at = program.words[w], w * (1 + sizes.numbered)
+        stream = keys.resets if word.resets else keys.reads
+        block.keys[at] = bits(stream, sizes.frame, np.uint64(w))
+        if word.compares:
+            block.keys[at + 1] = bits(keys.compares, sizes.frame, np.uint64(w))
+        for d in range(word.destinations):
+            number = np.uint64(w * sizes.numbered + d)
+            block.keys[at + 1 + d] = bits(keys.words, sizes.frame, number)
+
+
+@compiled
 def _draw(
     switches: Switches,
     sizes: BlockSizes,
     numbers: Numbers,
-    keys: WordKeys,
     word: LoopWord,
     w: int,
     places: Ints,
     first: int,
     count: int,
     state: PixelState,
+    block: BlockScratch,
 ) -> None:
     """Draw normal numbers for word number `w`, for its read or reset, its comparison and each of
     its destinations, into `state.normals`.
 
-    The numbers of the pixels first + state.running[:count] depend on `keys`, the frame and `places`
+    The numbers of the pixels first + state.running[:count] depend on `block.keys` and `places`
     only."""
-    running, normals, frame = state.running, state.normals, sizes.frame
-    if word.resets and switches.reset_errors:
-        _drawn(bits(keys.resets, frame, np.uint64(w)), places, first, running, count, normals, 0)
-    if word.reads_pix and switches.read_errors:
-        _drawn(bits(keys.reads, frame, np.uint64(w)), places, first, running, count, normals, 0)
+    running, normals, at = state.running, state.normals, w * (1 + sizes.numbered)
+    if (word.resets and switches.reset_errors) or (word.reads_pix and switches.read_errors):
+        _drawn(block.keys[at], places, first, running, count, normals, 0)
     if word.compares and switches.compares_noisy:
-        key = bits(keys.compares, frame, np.uint64(w))
-        _drawn(key, places, first, running, count, normals, BLOCK)
+        _drawn(block.keys[at + 1], places, first, running, count, normals, BLOCK)
     is_noisy = switches.word_errors and (word.adds or numbers.move_error)
     for d in range(word.destinations if is_noisy else 0):
-        key = bits(keys.words, frame, np.uint64(w * sizes.numbered + d))
+        key = block.keys[at + 1 + d]
         _drawn(key, places, first, running, count, normals, (1 + d) * BLOCK)
 
 
@@ -171,7 +186,6 @@ def _along(
     switches: Switches,
     sizes: BlockSizes,
     numbers: Numbers,
-    keys: WordKeys,
     segment: int,
     first: int,
     places: Ints,
@@ -198,7 +212,7 @@ def _along(
         if word.resets or word.reads_pix:
             stretch = segments.stretch[e]
             _fall(switches, sizes, numbers, word, stretch, first, count, charge, state, block)
-        _draw(switches, sizes, numbers, keys, word, w, places, first, count, state)
+        _draw(switches, sizes, numbers, word, w, places, first, count, state, block)
         if word.resets:
             reset(switches, numbers, word, count, state)
             continue
@@ -242,6 +256,7 @@ def run_blocks(
     `begins`: the first segment of each pixel, or -1 - e for ending e. `places`: its place on the
     chip, which names its random numbers. Pixels with the same first segments run together if they
     are neighbours in these arrays. `block` and `state` are working memory."""
+    _set_keys(sizes, keys, program, block)
     for first in range(sizes.first, sizes.end, BLOCK):
         count = min(BLOCK, sizes.end - first)
         for i in range(count):
@@ -262,7 +277,6 @@ def run_blocks(
                     switches,
                     sizes,
                     numbers,
-                    keys,
                     segment,
                     first,
                     places,

@@ -121,9 +121,11 @@ def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgr
     assert container.pixel_codes is not None
     lanes, slots = len(container.encoding), container.slots
     acts = np.array([word.lanes for word in words], np.bool_).reshape(-1, lanes)
-    lane, word = np.nonzero(acts.T)
     table = program_of(container, words)
-    turns = table.words["resets"].astype(np.bool_) | table.words["reads_pix"].astype(np.bool_)
+    resets, reads = (table.words[name].astype(np.bool_) for name in ("resets", "reads_pix"))
+    lane, word = np.nonzero(acts.T)
+    lane, word = _in_use(lane, word, resets, reads)
+    turns = resets | reads
     boundary = np.array([each.boundary for each in words], np.int64)[word]
     # A boundary of a lane as one number: ascending by lane, then by slot.
     numbers = lane * (slots + 1) + boundary
@@ -137,7 +139,9 @@ def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgr
         stretch=stretch.astype(np.int32),
         following=np.full((lanes, 2), -1, np.int64),
     )
-    stretches = Stretches(lane_start, (known % (slots + 1)).astype(np.int32), _start_s(container))
+    stretches = Stretches.of(
+        lane_start, (known % (slots + 1)).astype(np.int32), _start_s(container)
+    )
     pixel_lane = container.table.shutter_of_code[container.pixel_codes]
     return BlockProgram(
         table,
@@ -148,6 +152,21 @@ def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgr
         np.require(pixel_lane, np.int64, ["C"]),
         most_destinations(container.target),
     )
+
+
+def _in_use(
+    lane: NDArray[np.int64],
+    word: NDArray[np.int64],
+    resets: NDArray[np.bool_],
+    reads: NDArray[np.bool_],
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return the lanes and words (entries,) without resets of PIX that no read follows before the
+    lane's next reset: nothing depends on them. `resets`, `reads`: which words do so."""
+    on_pix = np.flatnonzero(resets[word] | reads[word])
+    is_read = np.zeros(len(on_pix), np.bool_)
+    is_read[:-1] = reads[word[on_pix[1:]]] & (lane[on_pix[1:]] == lane[on_pix[:-1]])
+    unused = on_pix[resets[word[on_pix]] & ~is_read]
+    return np.delete(lane, unused), np.delete(word, unused)
 
 
 def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProgram:
@@ -167,7 +186,7 @@ def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProg
         stretch=of_word[paths.acting].astype(np.int32),
         following=paths.following,
     )
-    stretches = Stretches(
+    stretches = Stretches.of(
         np.array([0, len(boundaries)], np.int64), boundaries.astype(np.int32), _start_s(container)
     )
     loaded = {name: plane.astype(np.bool_) for name, plane in container.planes().items()}

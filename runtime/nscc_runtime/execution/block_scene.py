@@ -114,6 +114,10 @@ class ChargeScene:
         return len(self.number)
 
 
+LightMeans = dict[tuple[BlockProgram, frozenset[str]], StretchMeans]
+"""Means of light alone, by program and by the names of the effects that change them."""
+
+
 @dataclass(frozen=True, eq=False)
 class BlockScene:
     """Pixels of a scene under some effects, ready to expose any frame."""
@@ -129,6 +133,8 @@ class BlockScene:
     numbers: Numbers
     parts: list[NDArray[np.int64]]
     """Indices of the pixels whose charge is computed together."""
+    light_means: LightMeans | None = None
+    """Means of light that several scenes share, see `lay_out`."""
     kept: tuple[ChargeScene, ...] = ()
     """The charge of all parts; empty if it takes too much memory."""
 
@@ -141,6 +147,7 @@ def lay_out(
     places: Places,
     device_seed: int,
     threads: int = 1,
+    light_means: LightMeans | None = None,
 ) -> BlockScene:
     """Prepare pixels of a scene to run through their words.
 
@@ -159,6 +166,9 @@ def lay_out(
         Seed of the fixed patterns.
     threads : int
         Number of threads.
+    light_means : dict, optional
+        Means of the light of these places, to which new ones are added: adding up the light takes
+        most of the time, and few effects change it.
 
     Returns
     -------
@@ -192,6 +202,7 @@ def lay_out(
         switches_of(container, effects),
         numbers_of(container, sensor, effects),
         parts,
+        light_means if 8 * bytes_ <= _MOST_BYTES else None,
     )
     if len(parts) > 1:
         return scene
@@ -255,7 +266,15 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
         """Compute the expected charge of the pixels from `begin` up to `end`, in place."""
         charge_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
 
-    in_parts(add_light, count, threads, _FEWEST)
+    known = {} if scene.light_means is None else scene.light_means
+    key = program, effects.names(Moving, Echo, Response, Exchange, CountedLight, SlowWords)
+    if key in known:
+        for name in ("lit", "charge", "pace"):
+            np.copyto(getattr(means, name), getattr(known[key], name))
+    else:
+        in_parts(add_light, count, threads, _FEWEST)
+        if scene.light_means is not None:
+            known[key] = StretchMeans(*(values.copy() for values in means))
     if dark:
         in_parts(add_dark, count, threads, _FEWEST)
     in_parts(complete, pixels, threads, _FEWEST)
@@ -355,7 +374,7 @@ def _charge_of_frame(
     if not charge.counted:
         return charge.means.charge
     away = draw_deviations(charge.counted, charge.sites.place, seed, frame, threads)
-    charge_e = np.zeros(charge.means.charge.shape)
+    charge_e = np.empty(charge.means.charge.shape)
     exchange = scene.effects.having(Exchange)
     missing = base(seed, exchange[0][0].stream) if exchange else np.uint64(0)
 
@@ -366,6 +385,7 @@ def _charge_of_frame(
             exchanging=Exchanging(
                 begin=begin,
                 end=end,
+                rows=len(charge_e),
                 sites=away.shape[1],
                 pixels=charge.pixels,
                 frame=frame,
@@ -377,6 +397,7 @@ def _charge_of_frame(
             mean_e=charge.means.charge,
             missing_e2=charge.means.missing_e2,
             away=away,
+            drawn=np.empty(BLOCK),
             charge=charge_e,
         )
 
@@ -409,7 +430,7 @@ def _run_words(
         "charge": Charge(charge_e, charge.means.pace), "out": result.exposure_e,
         "marked": result.saturated_by, "ends": result.endings,
     }  # fmt: skip
-    segments = len(program.segments.following)
+    segments, words = len(program.segments.following), len(program.words.words)
 
     def run(begin: int, end: int) -> None:
         """Run the words in pixels `begin` to `end`, block by block, and write their exposures."""
@@ -420,6 +441,7 @@ def _run_words(
                 pixels=len(scene.places),
                 charged=pixels,
                 segments=segments,
+                words=words,
                 numbered=program.numbered,
                 frame=frame,
             ),
@@ -428,6 +450,7 @@ def _run_words(
                 behind=np.empty(BLOCK, np.int64),
                 reached=np.empty(BLOCK, np.int64),
                 fallen_fraction=np.empty(BLOCK),
+                keys=np.empty(words * (1 + program.numbered), np.uint64),
             ),
             state=PixelState.of(len(container.target.analog_registers), 1 + program.numbered),
             **shared,

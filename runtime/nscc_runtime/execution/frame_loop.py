@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from nscc_runtime.execution.block_draws import BLOCK, drawn_normals
+from nscc_runtime.execution.moment_loop import on_side
 from nscc_runtime.loop import (
     Floats,
     Floats32,
@@ -18,9 +19,6 @@ from nscc_runtime.loop import (
     loop,
     record,
 )
-
-UP, DOWN, LEFT, RIGHT = range(4)
-"""Neighbours, in the order of `nscc_runtime.execution.overlap`."""
 
 
 @record
@@ -61,22 +59,13 @@ def _beside(
 
     `away`: deviation of the count of number `draw` from its mean, by pixel. The weights say how
     much of it this bucket of the pixel, or of the neighbour, collects."""
-    rows, cols, pixels = adding.rows, adding.cols, adding.pixels
-    row, begin, end = first // cols, first, stop
-    step = -cols
-    if direction == UP:
-        end = stop if row > 0 else first
-    elif direction == DOWN:
-        step, end = cols, stop if row + 1 < rows else first
-    elif direction == LEFT:
-        step, begin = -1, first if first % cols else first + 1
-    else:
-        step, end = 1, stop if stop % cols else stop - 1
+    cols, pixels = adding.cols, adding.pixels
+    step, begin, end = on_side(first // cols, adding.rows, cols, direction)
     draw_start = draw * adding.pixels
     own_start = (draw * adding.buckets + bucket) * pixels
     neighbour_start = ((draw * 4 + direction) * adding.buckets + bucket) * pixels
     at = bucket * BLOCK - first
-    for p in range(begin, end):
+    for p in range(max(begin, first), min(end, stop)):
         given_e = own_weights[own_start + p] * away[draw_start + p]
         received_e = neighbour_weights[neighbour_start + p] * away[draw_start + p + step]
         total[at + p] += adding.fraction * (received_e - given_e)

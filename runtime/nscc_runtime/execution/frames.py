@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,6 +61,7 @@ class FrameSource:
             yield self.convert(self.expose(seed, number), seed, number)
 
 
+@lru_cache(64)
 def slow_effects(effects: Selection) -> tuple[str, ...]:
     """Return the names of effects that only the reference simulates for fixed shutters."""
     # Programs with fixed shutters compare nothing, so effects of comparators do not act.

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,11 +27,13 @@ from nscc_runtime.effects.parts import (
 )
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
+from nscc_runtime.execution.moment_loop import Completing, complete_moments
 from nscc_runtime.execution.overlap import NEIGHBOURS, weights_beside
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.sum_loop import light_sums
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP
+from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.weights import WeightModel
 
 Values = NDArray[np.float64]
@@ -109,33 +112,72 @@ def scene_moments(
     Moments
     """
     chip, exchanged = _on_chip(program, effects, device_seed), exchanged_fraction(effects, program)
-    lit, products = effects.find_part(CountedLight) is not None, 0
+    buckets, pixels = chip.fixed_e.shape
+    lit, light_pairs = effects.find_part(CountedLight) is not None, 0
     weights = program.slot_weights(program.model(effects), chip.leak_rates, lit)
     if lit:
-        products = len(weights.slots) - len(chip.fixed_e) * len(chip.leak_rates)
+        light_pairs = len(weights.slots) - buckets * len(chip.leak_rates)
     source = (effects.find_part(Moving) and light.motion) or light
     sums = light_sums(
         source,
         program.lanes,
         (chip.factor, chip.factor_32),
         weights,
-        products if exchanged else len(weights.slots),
+        light_pairs if exchanged else len(weights.slots),
         exchanged,
         threads,
     )
-    mean_e = _at_each_leakage(sums[products:], chip.rate_weights) + chip.fixed_e
-    covariance_e2 = chip.dark_e2
-    if lit:
-        covariance_e2 = sums[:products] + (chip.dark_e2 if len(chip.dark_e2) else 0.0)
+    charge_e = chip.dark_e
     if lit and exchanged:
-        light_e = np.minimum(chip.factor * source.sum_e.reshape(-1), RATE_CAP)
-        unknown_e2 = _from_neighbours(chip.unknown, light_e, program.lane.shape)
-        covariance_e2[_diagonal(len(mean_e))] += exchanged**2 * unknown_e2
-    covariance_e2 = np.minimum(covariance_e2, RATE_CAP)
-    counts, own_weights = _independent_counts(covariance_e2, chip.electron_weights)
-    if chip.own_weights is not None:
-        own_weights = chip.own_weights
-    return Moments(mean_e, counts, own_weights, chip.neighbour_weights, exchanged, chip.error_e)
+        charge_e = charge_e + np.minimum(chip.factor * source.sum_e.reshape(-1), RATE_CAP)
+    draws = buckets if light_pairs or len(chip.dark_e2) else 0
+    own_weights = chip.own_weights
+    if own_weights is None:
+        own_weights = np.empty((draws, buckets, pixels), np.float32)
+    moments = Moments(
+        np.empty((buckets, pixels)),
+        np.empty((draws, pixels)),
+        own_weights,
+        chip.neighbour_weights,
+        exchanged,
+        chip.error_e,
+    )
+    rows, cols = program.lane.shape
+    shared: dict[str, Any] = {
+        "sums": sums,
+        "rate_weights": chip.rate_weights,
+        "fixed_e": chip.fixed_e,
+        "dark_e2": chip.dark_e2,
+        "charge_e": charge_e,
+        "unknown": chip.unknown,
+        "electron_weights": chip.electron_weights,
+        "mean_e": moments.mean_e,
+        "counts": moments.counts,
+        "own_weights": moments.own_weights,
+    }
+    sizes = {
+        "rows": rows,
+        "cols": cols,
+        "pixels": pixels,
+        "buckets": buckets,
+        "rates": len(chip.leak_rates),
+        "light_pairs": light_pairs,
+        "dark_pairs": len(chip.dark_e2),
+        "exchanged": exchanged,
+        "overlaps": chip.own_weights is None,
+        "cap_e2": RATE_CAP,
+    }
+
+    def run(begin: int, end: int) -> None:
+        """Complete the moments of the rows from `begin` up to `end`, in place."""
+        complete_moments(
+            sizes=Completing(begin=begin, end=end, **sizes),
+            covariance_e2=np.empty(buckets * (buckets + 1) // 2 * cols),
+            **shared,
+        )
+
+    in_parts(run, rows, threads)
+    return moments
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,11 +187,12 @@ class _ChipMoments:
     `leak_rates`: the leakage rates of sums. `rate_weights` (rates, pixels): weights that
     interpolate sums at each pixel's rate. `factor` (pixels,), `factor_32`: factor on the light.
     `fixed_e` (buckets, pixels): dark charge and fixed errors of words in exposures. `dark_e2`
-    (pairs, pixels): covariances of dark counts, with those of neighbours; no pairs without.
-    `electron_weights` (buckets, pixels), `own_weights`: see `_independent_counts`; `own_weights` is
-    None if it depends on the light. `unknown` (4, buckets, pixels): parts of neighbours' light in
-    a frame whose counts do not follow from their draws. `neighbour_weights`, `error_e`: see
-    `Moments`."""
+    (pairs, pixels): covariances of a pixel's dark counts; no pairs without. `dark_e` (pixels,):
+    dark charge of a frame. `electron_weights` (buckets, pixels): a count of draw b weighs as much
+    as an electron in bucket b, averaged over its open time, so exposures of dim light are multiples
+    of it. `own_weights`: see `Moments`; None if it depends on the light. `unknown` (4, buckets,
+    pixels): parts of neighbours' charge in a frame whose counts do not follow from their draws.
+    `neighbour_weights`, `error_e`: see `Moments`."""
 
     leak_rates: tuple[float, ...]
     rate_weights: Values
@@ -157,6 +200,7 @@ class _ChipMoments:
     factor_32: NDArray[np.float32]
     fixed_e: Values
     dark_e2: Values
+    dark_e: Values
     electron_weights: Values
     own_weights: NDArray[np.float32] | None
     unknown: Values
@@ -174,17 +218,11 @@ def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> 
         rates = leak_rates(effects, program.sensor)
         rate_weights = _rate_weights(effects, device, rates)
         factor, lanes = light_factor(effects, device), program.lanes
-        exchanged = exchanged_fraction(effects, program)
-        dark_e2 = _dark_covariances(program, effects, device)
-        beside, unknown = np.zeros(1, np.float32), np.zeros((4, 0, 0))
-        if exchanged and effects.names(Counted):
-            beside, unknown = _neighbour_weights(program, model)
-            dark_e = dark_e_per_s(effects, device) * program.slot_s.sum()
-            unknown_e2 = _from_neighbours(unknown, dark_e, program.lane.shape)
-            if len(dark_e2):
-                dark_e2[_diagonal(len(unknown_e2))] += exchanged**2 * unknown_e2
-        electron_weights = _electron_weights(program, model)[:, lanes]
+        electron_weights = _electron_weights(program, model).take(lanes, axis=1)
         buckets = len(electron_weights)
+        beside, unknown = np.zeros(1, np.float32), np.zeros((4, buckets, lanes.size))
+        if exchanged_fraction(effects, program) and effects.names(Counted):
+            beside, unknown = _neighbour_weights(program, model)
         own_weights = None
         if not effects.names(Counted):
             own_weights = np.zeros((0, buckets, lanes.size), np.float32)
@@ -198,7 +236,8 @@ def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> 
             factor,
             factor.astype(np.float32),
             fixed_e,
-            dark_e2,
+            _dark_covariances(program, effects, device),
+            dark_e_per_s(effects, device) * program.slot_s.sum(),
             electron_weights,
             own_weights,
             unknown,
@@ -255,7 +294,7 @@ def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) 
     each pixel's own rate."""
     leak = effects.find_part(Leak)
     if leak is None or len(rates) == 1:
-        return np.ones((1, 1))
+        return np.ones((1, len(device.places)))
     upper = (device.fixed(leak.per_s) - rates[0]) / (rates[1] - rates[0])
     return np.stack([1.0 - upper, upper])
 
@@ -263,8 +302,6 @@ def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) 
 def _at_each_leakage(sums: Values, rate_weights: Values) -> Values:
     """Return sums (buckets, pixels) at each pixel's leakage, from sums at each rate (buckets *
     rates, pixels)."""
-    if len(rate_weights) == 1:
-        return np.array(sums)
     by_rate = sums.reshape(-1, len(rate_weights), sums.shape[1])
     return np.asarray(np.einsum("brp,rp->bp", by_rate, rate_weights))
 
@@ -310,12 +347,7 @@ def _dark_covariances(program: AnalysedProgram, effects: Selection, device: Devi
             for a in range(b + 1)
         ]
     )
-    return np.asarray(square_s[:, program.lanes] * dark_e_per_s(effects, device))
-
-
-def _diagonal(buckets: int) -> list[int]:
-    """Return the indices of the variances among the pairs of buckets."""
-    return [b * (b + 3) // 2 for b in range(buckets)]
+    return square_s.take(program.lanes, axis=1) * dark_e_per_s(effects, device)
 
 
 def _at_neighbours(weights: Values, values: Values, shape: tuple[int, int]) -> Values:
@@ -326,35 +358,6 @@ def _at_neighbours(weights: Values, values: Values, shape: tuple[int, int]) -> V
         at = (slice(None), *to)
         product[at] = of_side.reshape(product.shape)[at] * values.reshape(shape)[source]
     return products.reshape(weights.shape)
-
-
-def _from_neighbours(weights: Values, values: Values, shape: tuple[int, int]) -> Values:
-    """Return the sum (buckets, pixels) of the `values` (pixels,) of neighbours times `weights` (4,
-    buckets, pixels)."""
-    total, by_row = np.zeros((weights.shape[1], *shape)), values.reshape(shape)
-    for of_side, (to, source) in zip(weights, NEIGHBOURS, strict=True):
-        at = (slice(None), *to)
-        total[at] += of_side.reshape(total.shape)[at] * by_row[source]
-    return total.reshape(len(total), -1)
-
-
-def _independent_counts(
-    covariance_e2: Values, electron_weights: Values
-) -> tuple[Values, NDArray[np.float32]]:
-    """Return the means of independent counts (draws, pixels), and their weights in the exposures
-    (draws, buckets, pixels), which have these covariances (pairs, pixels).
-
-    `electron_weights` (buckets, pixels): a count of draw b weighs as much as an electron weighs in
-    bucket b, averaged over its open time, so exposures of dim light are multiples of it."""
-    buckets, pixels = electron_weights.shape
-    if not len(covariance_e2):
-        return np.zeros((0, pixels)), np.zeros((0, buckets, pixels), np.float32)
-    if buckets == 1:
-        return covariance_e2 / electron_weights**2, electron_weights[None].astype(np.float32)
-    lower, variance_e2 = lower_triangular(symmetric(covariance_e2, buckets))
-    own_weights = lower.swapaxes(0, 1) * electron_weights[:, None]
-    counts = np.ascontiguousarray(variance_e2 / electron_weights**2)
-    return counts, np.ascontiguousarray(own_weights, np.float32)
 
 
 def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Values:
@@ -423,16 +426,6 @@ def _word_errors(program: AnalysedProgram, effects: Selection) -> Values:
         return np.ascontiguousarray(draws[draws.any(axis=(1, 2))])
 
     return program.recent.of((_word_errors, effects.on), make)
-
-
-def symmetric(pairs: Values, size: int) -> Values:
-    """Return symmetric matrices (size, size, ..) from their entries for a <= b, ordered by b."""
-    full = np.empty((size, size, *pairs.shape[1:]))
-    entry = iter(pairs)
-    for b in range(size):
-        for a in range(b + 1):
-            full[a, b] = full[b, a] = next(entry)
-    return full
 
 
 def lower_triangular(covariance: Values) -> tuple[Values, Values]:

@@ -12,25 +12,32 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from nscc_runtime.execution.block_draws import drawn_normals
+from nscc_runtime.execution.layout import BLOCK
 from nscc_runtime.light import LightMatrix
 from nscc_runtime.loop import Floats, Ints, Ints32, Written, compiled, inlined, loop, record
-from nscc_runtime.noise.gaussian import normal_fast
-from nscc_runtime.noise.keys import bits, unit
+from nscc_runtime.noise.keys import bits
 
 NEIGHBOURS = 4
 TOGETHER = 128
 """Number of sites whose light is added up together."""
-_FIRST_LANE = np.uint64(0)
 
 
 class Stretches(NamedTuple):
     """The stretches of each lane: lane l has the boundaries boundary[start[l] : start[l + 1]], from
-    slot 0 to the number of slots. `start_s`: the time at which each slot begins, and the end of the
-    frame."""
+    slot 0 to the number of slots. `per_s`: 1 divided by the seconds from each boundary to the next.
+    `start_s`: the time at which each slot begins, and the end of the frame."""
 
     start: Annotated[Ints, "lanes+1"]
     boundary: Annotated[Ints32, "boundaries"]
+    per_s: Annotated[Floats, "boundaries"]
     start_s: Annotated[Floats, "slots+1"]
+
+    @classmethod
+    def of(cls, start: Ints, boundary: Ints32, start_s: Floats) -> Stretches:
+        """Return the stretches with these boundaries."""
+        seconds = np.diff(start_s[boundary], append=np.inf)
+        return cls(start, boundary, 1.0 / seconds, start_s)
 
 
 class Sites(NamedTuple):
@@ -242,10 +249,11 @@ def charge_means(sizes: Laying, stretches: Stretches, sites: Sites, means: Stret
 
 @record
 class Exchanging:
-    """Sizes for `exchange_counts`: pixels `begin` to `end` - 1."""
+    """Sizes for `exchange_counts`: pixels `begin` to `end` - 1, in `rows` stretches at most."""
 
     begin: int
     end: int
+    rows: int
     sites: int
     pixels: int
     frame: int
@@ -264,23 +272,24 @@ def _receive(
     other: int,
     charge: Floats,
 ) -> None:
-    """Exchange counts between pixel i and a neighbour, whose counts are spread evenly over the time
-    of its own stretches."""
+    """Add to the charge of pixel i what it receives from a neighbour, whose counts are spread
+    evenly over the time of its own stretches."""
     boundary, times, at_s, c = stretches.boundary, stretches.start_s, 0.0, exchanging.exchanged
-    first, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
-    e, end, first_of_other = first, stretches.start[sites.lane[i] + 1] - 1, k
-    for own in range(end - first):
-        charge[own * exchanging.pixels + i] -= c * away[own * exchanging.sites + i]
-    per_s = c * away[other] / (times[boundary[k + 1]] - times[boundary[k]])
+    e, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
+    end, own, theirs = stretches.start[sites.lane[i] + 1] - 1, i, other
+    per_s = c * away[theirs] * stretches.per_s[k]
     while e < end:
-        high = min(boundary[e + 1], boundary[k + 1])
-        charge[(e - first) * exchanging.pixels + i] += per_s * (times[high] - at_s)
-        at_s = times[high]
-        e += boundary[e + 1] == high
-        if boundary[k + 1] == high and e < end:
+        own_end, their_end = boundary[e + 1], boundary[k + 1]
+        high_s = times[min(own_end, their_end)]
+        charge[own] += per_s * (high_s - at_s)
+        at_s = high_s
+        if own_end <= their_end:
+            e += 1
+            own += exchanging.pixels
+        if their_end <= own_end and e < end:
             k += 1
-            received = away[(k - first_of_other) * exchanging.sites + other]
-            per_s = c * received / (times[boundary[k + 1]] - times[boundary[k]])
+            theirs += exchanging.sites
+            per_s = c * away[theirs] * stretches.per_s[k]
 
 
 @loop
@@ -291,21 +300,31 @@ def exchange_counts(
     mean_e: Floats,
     missing_e2: Floats,
     away: Floats,
+    drawn: Written[Floats],
     charge: Written[Floats],
 ) -> None:
     """Set the charge of the stretches of pixels from the deviations `away` of the counts of sites
-    from their means."""
+    from their means. `drawn` is working memory for `BLOCK` pixels."""
     pixels, c = exchanging.pixels, exchanging.exchanged
-    for i in range(exchanging.begin, exchanging.end):
-        first = stretches.start[sites.lane[i]]
-        for e in range(stretches.start[sites.lane[i] + 1] - first - 1):
-            flow = 0.0
-            if c > 0.0 and missing_e2[e * pixels + i] > 0.0:
-                key = bits(exchanging.missing, exchanging.frame, np.uint64(e))
-                z = float(normal_fast(unit(bits(key, sites.place[i], _FIRST_LANE))))
-                flow = c * math.sqrt(missing_e2[e * pixels + i]) * z
-            charge[e * pixels + i] = mean_e[e * pixels + i] + away[e * exchanging.sites + i] + flow
-        for side in range(NEIGHBOURS if c > 0.0 else 0):
-            other = sites.beside[NEIGHBOURS * i + side]
-            if other >= 0:
-                _receive(exchanging, stretches, sites, away, i, other, charge)
+    for first in range(exchanging.begin, exchanging.end, BLOCK):
+        count = min(BLOCK, exchanging.end - first)
+        for e in range(exchanging.rows):
+            own, theirs = e * pixels + first, e * exchanging.sites + first
+            for i in range(count):
+                charge[own + i] = mean_e[own + i] + away[theirs + i]
+            if c == 0.0:
+                continue
+            key = bits(exchanging.missing, exchanging.frame, np.uint64(e))
+            drawn_normals(key, sites.place, first, count, drawn)
+            for i in range(count):
+                charge[own + i] += c * math.sqrt(missing_e2[own + i]) * drawn[i]
+        for i in range(first, first + count if c > 0.0 else first):
+            neighbours = 0
+            for side in range(NEIGHBOURS):
+                other = sites.beside[NEIGHBOURS * i + side]
+                if other >= 0:
+                    neighbours += 1
+                    _receive(exchanging, stretches, sites, away, i, other, charge)
+            lane = sites.lane[i]
+            for e in range(stretches.start[lane + 1] - stretches.start[lane] - 1):
+                charge[e * pixels + i] -= c * neighbours * away[e * exchanging.sites + i]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -59,7 +60,7 @@ class PlannedScene:
     device_seed: int = 0
     threads: int | None = None
 
-    @property
+    @cached_property
     def looks(self) -> bool:
         """Whether pixels look at their light."""
         return not KINDS.of(self.container).open_times_known
@@ -226,7 +227,14 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
     container, sensor, threads = scene.container, scene.sensor, threads_of(scene.threads)
     if not scene.needs_reference(everything()):
         laid = lay_out(
-            container, sensor, scene.light, effects, sample.places, scene.device_seed, threads
+            container,
+            sensor,
+            scene.light,
+            effects,
+            sample.places,
+            scene.device_seed,
+            threads,
+            sample.light_means,
         )
         if not scene.looks:
             return lambda number, _: expose_pixels(laid, SEED, number, threads)
@@ -330,6 +338,7 @@ def unseen_square_e2(trial: Trial, effects: Selection) -> float:
         places=sample.places[sample.near],
         weight=sample.weight[sample.near],
         near=sample.near[sample.near],
+        light_means={},
     )
     kept, complete = (
         _sampled(trial.scene, near, selection.without(*saturating))(0, None).exposure_e

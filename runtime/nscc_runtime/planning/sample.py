@@ -6,12 +6,13 @@ these (`drawing_chances`). Pixels near saturation are a stratum of their own, or
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.execution.block_scene import LightMeans
 from nscc_runtime.execution.near_saturation import NearSaturation
 from nscc_runtime.light import Light
 
@@ -50,12 +51,15 @@ class Sample:
         Which pixels are near saturation.
     scene_pixels : int
         Number of pixels of the scene.
+    light_means : dict
+        Means of the light of the sampled pixels (`nscc_runtime.execution.block_scene.lay_out`).
     """
 
     places: Places
     weight: Values
     near: NDArray[np.bool_]
     scene_pixels: int
+    light_means: LightMeans = field(default_factory=dict)
 
     @property
     def unseen_share(self) -> float:

@@ -1,0 +1,163 @@
+"""The loop that completes the moments of a scene's pixels, once for all its frames."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from nscc_runtime.loop import (
+    Floats,
+    Floats32,
+    Written,
+    compiled,
+    inlined,
+    loop,
+    record,
+)
+
+UP, DOWN, LEFT, RIGHT = range(4)
+"""Neighbours, in the order of `nscc_runtime.execution.overlap`."""
+
+
+@inlined
+def on_side(row: int, rows: int, cols: int, side: int) -> tuple[int, int, int]:
+    """Return the step to the neighbour on one side, and the first pixel and the end of the pixels
+    of a row that have one."""
+    begin, end = row * cols, (row + 1) * cols
+    if side == UP:
+        return -cols, begin, end if row > 0 else begin
+    if side == DOWN:
+        return cols, begin, end if row + 1 < rows else begin
+    if side == LEFT:
+        return -1, begin + 1, end
+    return 1, begin, end - 1
+
+
+@record
+class Completing:
+    """Sizes for `complete_moments`, for the rows `begin` to `end` - 1.
+
+    `light_pairs`, `dark_pairs`: numbers of covariances of light and of dark charge, 0 without
+    them. `exchanged`: fraction of its charge that a pixel gives to each neighbour. `overlaps`:
+    whether a slot may count in several buckets. `cap_e2`: larger covariances count as this."""
+
+    begin: int
+    end: int
+    rows: int
+    cols: int
+    pixels: int
+    buckets: int
+    rates: int
+    light_pairs: int
+    dark_pairs: int
+    exchanged: float
+    overlaps: int
+    cap_e2: float
+
+
+@compiled
+def _covariances(
+    sizes: Completing,
+    row: int,
+    sums: Floats,
+    dark_e2: Floats,
+    charge_e: Floats,
+    unknown: Floats,
+    covariance_e2: Floats,
+) -> None:
+    """Set the covariances of the exposures of a row of pixels due to counts, by pair of buckets."""
+    cols, first, pair = sizes.cols, row * sizes.cols, 0
+    for bucket in range(sizes.buckets):
+        for other in range(bucket + 1):
+            at, here = pair * sizes.pixels, pair * cols - first
+            for p in range(first, first + cols):
+                light_e2 = sums[at + p] if sizes.light_pairs else 0.0
+                covariance_e2[here + p] = light_e2 + (dark_e2[at + p] if sizes.dark_pairs else 0.0)
+            for side in range(4 if bucket == other and sizes.exchanged > 0.0 else 0):
+                step, begin, end = on_side(row, sizes.rows, cols, side)
+                part = (side * sizes.buckets + bucket) * sizes.pixels
+                for p in range(begin, end):
+                    variance_e2 = unknown[part + p] * charge_e[p + step]
+                    covariance_e2[here + p] += sizes.exchanged * sizes.exchanged * variance_e2
+            for p in range(first, first + cols):
+                value = covariance_e2[here + p]
+                covariance_e2[here + p] = sizes.cap_e2 if value > sizes.cap_e2 else value
+            pair += 1
+
+
+@compiled
+def _separate(
+    sizes: Completing,
+    first: int,
+    covariance_e2: Floats,
+    electron_weights: Floats,
+    counts: Floats,
+    own_weights: Floats32,
+) -> None:
+    """Set the means of the independent counts of a row of pixels, and their weights if buckets
+    overlap: covariance = L D L^T, where L has a unit diagonal; both replace the covariance. Buckets
+    that depend on earlier ones have no count of their own."""
+    pixels, cols, buckets = sizes.pixels, sizes.cols, sizes.buckets
+    for a in range(buckets):
+        at, own = a * pixels + first, a * (a + 3) // 2 * cols
+        for i in range(cols):
+            counts[at + i] = 1e-9 * abs(covariance_e2[own + i])
+    for a in range(buckets):
+        at, own = a * pixels + first, a * (a + 3) // 2 * cols
+        for i in range(cols):
+            variance_e2, weight = covariance_e2[own + i], electron_weights[at + i]
+            variance_e2 = variance_e2 if not variance_e2 <= counts[at + i] else 0.0
+            covariance_e2[own + i] = variance_e2
+            counts[at + i] = variance_e2 / (weight * weight)
+        for b in range(buckets if sizes.overlaps else 0):
+            out, pair = (a * buckets + b) * pixels + first, (b * (b + 1) // 2 + a) * cols
+            for i in range(cols):
+                own_weights[out + i] = electron_weights[at + i] if b == a else 0.0
+            for i in range(cols if b > a else 0):
+                variance_e2 = covariance_e2[own + i]
+                part = covariance_e2[pair + i] / variance_e2 if variance_e2 > 0.0 else 0.0
+                covariance_e2[pair + i] = part
+                own_weights[out + i] = part * electron_weights[at + i]
+            for c in range(a + 1, b + 1):
+                other, both = (c * (c + 1) // 2 + a) * cols, (b * (b + 1) // 2 + c) * cols
+                for i in range(cols):
+                    known = covariance_e2[pair + i] * covariance_e2[other + i]
+                    covariance_e2[both + i] -= known * covariance_e2[own + i]
+
+
+@loop
+def complete_moments(
+    sizes: Completing,
+    sums: Annotated[Floats, "sums pixels"],
+    rate_weights: Annotated[Floats, "rates pixels"],
+    fixed_e: Annotated[Floats, "buckets pixels"],
+    dark_e2: Annotated[Floats, "dark_pairs pixels"],
+    charge_e: Annotated[Floats, "pixels"],
+    unknown: Annotated[Floats, "4 buckets pixels"],
+    electron_weights: Annotated[Floats, "buckets pixels"],
+    covariance_e2: Written[Floats],
+    mean_e: Written[Annotated[Floats, "buckets pixels"]],
+    counts: Written[Annotated[Floats, "draws pixels"]],
+    own_weights: Written[Floats32],
+) -> None:
+    """Compute the moments of pixels from sums of their light: means, and independent counts.
+
+    `sums`: covariances that counts of light cause in pairs of buckets, then exposures for each
+    bucket and rate of leakage, which `rate_weights` interpolate. `fixed_e`, `dark_e2`: what does
+    not depend on the light. `charge_e`: the charge of each pixel in the frame; the parts `unknown`
+    of it that go to neighbours do not follow from its counts. `own_weights` is set only if buckets
+    overlap. `covariance_e2` is working memory for the pairs of a row."""
+    pixels, cols = sizes.pixels, sizes.cols
+    for row in range(sizes.begin, sizes.end):
+        first, stop = row * cols, (row + 1) * cols
+        for bucket in range(sizes.buckets):
+            at = bucket * pixels
+            for p in range(first, stop):
+                mean_e[at + p] = fixed_e[at + p]
+            for rate in range(sizes.rates):
+                of_rate = (sizes.light_pairs + bucket * sizes.rates + rate) * pixels
+                for p in range(first, stop):
+                    mean_e[at + p] += rate_weights[rate * pixels + p] * sums[of_rate + p]
+        if not (sizes.light_pairs or sizes.dark_pairs):
+            continue
+        _covariances(sizes, row, sums, dark_e2, charge_e, unknown, covariance_e2)
+        _separate(sizes, first, covariance_e2, electron_weights, counts, own_weights)
