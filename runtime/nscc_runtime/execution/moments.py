@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -112,11 +111,10 @@ def scene_moments(
     Moments
     """
     chip, exchanged = _on_chip(program, effects, device_seed), exchanged_fraction(effects, program)
-    buckets, pixels = chip.fixed_e.shape
     lit, light_pairs = effects.find_part(CountedLight) is not None, 0
     weights = program.slot_weights(program.model(effects), chip.leak_rates, lit)
     if lit:
-        light_pairs = len(weights.slots) - buckets * len(chip.leak_rates)
+        light_pairs = len(weights.slots) - len(chip.fixed_e) * len(chip.leak_rates)
     source = (effects.find_part(Moving) and light.motion) or light
     sums = light_sums(
         source,
@@ -130,54 +128,7 @@ def scene_moments(
     charge_e = chip.dark_e
     if lit and exchanged:
         charge_e = charge_e + np.minimum(chip.factor * source.sum_e.reshape(-1), RATE_CAP)
-    draws = buckets if light_pairs or len(chip.dark_e2) else 0
-    own_weights = chip.own_weights
-    if own_weights is None:
-        own_weights = np.empty((draws, buckets, pixels), np.float32)
-    moments = Moments(
-        np.empty((buckets, pixels)),
-        np.empty((draws, pixels)),
-        own_weights,
-        chip.neighbour_weights,
-        exchanged,
-        chip.error_e,
-    )
-    rows, cols = program.lane.shape
-    shared: dict[str, Any] = {
-        "sums": sums,
-        "rate_weights": chip.rate_weights,
-        "fixed_e": chip.fixed_e,
-        "dark_e2": chip.dark_e2,
-        "charge_e": charge_e,
-        "unknown": chip.unknown,
-        "electron_weights": chip.electron_weights,
-        "mean_e": moments.mean_e,
-        "counts": moments.counts,
-        "own_weights": moments.own_weights,
-    }
-    sizes = {
-        "rows": rows,
-        "cols": cols,
-        "pixels": pixels,
-        "buckets": buckets,
-        "rates": len(chip.leak_rates),
-        "light_pairs": light_pairs,
-        "dark_pairs": len(chip.dark_e2),
-        "exchanged": exchanged,
-        "overlaps": chip.own_weights is None,
-        "cap_e2": RATE_CAP,
-    }
-
-    def run(begin: int, end: int) -> None:
-        """Complete the moments of the rows from `begin` up to `end`, in place."""
-        complete_moments(
-            sizes=Completing(begin=begin, end=end, **sizes),
-            covariance_e2=np.empty(buckets * (buckets + 1) // 2 * cols),
-            **shared,
-        )
-
-    in_parts(run, rows, threads)
-    return moments
+    return _completed(chip, sums, charge_e, light_pairs, exchanged, light.shape, threads)
 
 
 @dataclass(frozen=True, eq=False)
@@ -247,6 +198,57 @@ def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> 
 
     chip: _ChipMoments = program.recent.of((_ChipMoments, effects.on, device_seed), make)
     return chip
+
+
+def _completed(
+    chip: _ChipMoments,
+    sums: Values,
+    charge_e: Values,
+    light_pairs: int,
+    exchanged: float,
+    shape: tuple[int, int],
+    threads: int,
+) -> Moments:
+    """Return the moments of a scene (see `complete_moments`) on an array of this shape."""
+    buckets, pixels = chip.fixed_e.shape
+    draws = buckets if light_pairs or len(chip.dark_e2) else 0
+    mean_e, counts = np.empty((buckets, pixels)), np.empty((draws, pixels))
+    own_weights = chip.own_weights
+    if own_weights is None:
+        own_weights = np.empty((draws, buckets, pixels), np.float32)
+
+    def run(begin: int, end: int) -> None:
+        """Complete the moments of the rows from `begin` up to `end`, in place."""
+        complete_moments(
+            sizes=Completing(
+                begin=begin,
+                end=end,
+                rows=shape[0],
+                cols=shape[1],
+                pixels=pixels,
+                buckets=buckets,
+                rates=len(chip.leak_rates),
+                light_pairs=light_pairs,
+                dark_pairs=len(chip.dark_e2),
+                exchanged=exchanged,
+                overlaps=chip.own_weights is None,
+                cap_e2=RATE_CAP,
+            ),
+            sums=sums,
+            rate_weights=chip.rate_weights,
+            fixed_e=chip.fixed_e,
+            dark_e2=chip.dark_e2,
+            charge_e=charge_e,
+            unknown=chip.unknown,
+            electron_weights=chip.electron_weights,
+            covariance_e2=np.empty(buckets * (buckets + 1) // 2 * shape[1]),
+            mean_e=mean_e,
+            counts=counts,
+            own_weights=own_weights,
+        )
+
+    in_parts(run, shape[0], threads)
+    return Moments(mean_e, counts, own_weights, chip.neighbour_weights, exchanged, chip.error_e)
 
 
 def exchanged_fraction(effects: Selection, program: AnalysedProgram) -> float:

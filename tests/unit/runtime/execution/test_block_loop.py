@@ -12,6 +12,7 @@ from reference_programs import sensor_of
 from nscc.words.container import Container
 from nscc_runtime.effects import optional, selected
 from nscc_runtime.execution import block_scene
+from nscc_runtime.execution.block_program import _in_use
 from nscc_runtime.execution.block_scene import expose_pixels, lay_out
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose
@@ -215,6 +216,37 @@ def test_effects_that_are_left_out_change_no_other_draw(left: str) -> None:
         np.sqrt(((found.exposure_e - every.exposure_e) ** 2).mean()) for found in (some, other)
     )
     assert 0.0 < away < 0.5 * uncoupled
+
+
+def test_scenes_that_share_sums_of_light_are_as_if_each_had_its_own() -> None:
+    """Every trial of a plan has other effects on the light of the same pixels."""
+    container = case("c edges", rows=12, cols=16)
+    light, places, sensor = (
+        moving_light((8, 12, 16), 900.0),
+        np.arange(40, 150),
+        sensor_of(container),
+    )
+    shared: block_scene.LightMeans = {}
+    for left in ("adc", *optional(), "dark,-shot", "crosstalk,-prnu", "adc"):
+        chosen = selected("all").without(*left.split(",-"))
+        scenes = [
+            lay_out(container, sensor, light, chosen, places, 5, 1, known)
+            for known in (None, shared)
+        ]
+        alone, together = (expose_pixels(scene, 3, 0).exposure_e for scene in scenes)
+        assert alone.tobytes() == together.tobytes(), left
+    assert 2 < len(shared) < len(optional())
+
+
+def test_resets_that_no_read_follows_are_left_out() -> None:
+    #                 reset  read  reset  reset  other  read | reset  read  reset | reset
+    lane = np.array([0, 0, 0, 0, 0, 0, 1, 1, 1, 2])
+    word = np.array([0, 1, 2, 3, 4, 5, 0, 1, 2, 3])
+    resets = np.array([True, False, True, True, False, False])
+    reads = np.array([False, True, False, False, False, True])
+    left_lane, left_word = _in_use(lane, word, resets, reads)
+    assert left_word.tolist() == [0, 1, 3, 4, 5, 0, 1]
+    assert left_lane.tolist() == [0, 0, 0, 0, 0, 1, 1]
 
 
 def test_light_that_is_not_a_number_is_marked() -> None:

@@ -10,6 +10,7 @@ from reference_programs import sensor_of
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.leakage import leak_per_s
 from nscc_runtime.execution import sum_loop as sums
+from nscc_runtime.execution.moment_loop import Completing, complete_moments
 from nscc_runtime.execution.moments import _rate_weights, leak_rates
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.light import Light
@@ -127,3 +128,58 @@ def test_between_two_rates_leakage_is_that_of_every_pixel(spread: float) -> None
         near = np.exp(-rates * age_s) @ (rate_weights * np.ones((len(rates), 2000)))
         away = np.abs(near - np.exp(-of_pixels * age_s))
         assert np.sqrt((away**2).mean()) <= (4 * spread * age_s) ** 2 + 1e-12
+
+
+@pytest.mark.parametrize("buckets", [1, 2, 3, 4])
+def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> None:
+    """Also where a bucket is a multiple of another one, and with what neighbours add."""
+    rng, (rows, cols) = np.random.default_rng(buckets), (4, 7)
+    pixels, pairs = rows * cols, buckets * (buckets + 1) // 2
+    factors = rng.normal(size=(pixels, buckets, buckets))
+    factors[::3, -1] = 2.0 * factors[::3, 0]
+    wanted = np.einsum("pak,pbk->abp", factors, factors)
+    below = [(a, b) for b in range(buckets) for a in range(b + 1)]
+    dark_e2 = np.array([0.25 * wanted[a, b] for a, b in below])
+    light_e2 = np.array([0.75 * wanted[a, b] for a, b in below])
+    charge_e, unknown = 10.0 * rng.random(pixels), rng.random((4, buckets, pixels))
+    unknown[:, :, ::3] = 0.0
+    padded = np.pad(charge_e.reshape(rows, cols), 1)
+    sides = padded[:-2, 1:-1], padded[2:, 1:-1], padded[1:-1, :-2], padded[1:-1, 2:]
+    received = sum(part * side.reshape(-1) for part, side in zip(unknown, sides, strict=True))
+    for b in range(buckets):
+        wanted[b, b] += 0.1**2 * np.asarray(received)[b]
+    weights, rate_weights = rng.uniform(0.5, 2.0, (buckets, pixels)), rng.random((2, pixels))
+    by_rate, fixed_e = rng.random((buckets, 2, pixels)), rng.random((buckets, pixels))
+    mean_e, counts = np.empty((buckets, pixels)), np.empty((buckets, pixels))
+    own_weights = np.empty((buckets, buckets, pixels), np.float32)
+    complete_moments(
+        sizes=Completing(
+            begin=0,
+            end=rows,
+            rows=rows,
+            cols=cols,
+            pixels=pixels,
+            buckets=buckets,
+            rates=2,
+            light_pairs=pairs,
+            dark_pairs=pairs,
+            exchanged=0.1,
+            overlaps=1,
+            cap_e2=1e12,
+        ),
+        sums=np.concatenate([light_e2, by_rate.reshape(-1, pixels)]),
+        rate_weights=rate_weights,
+        fixed_e=fixed_e,
+        dark_e2=dark_e2,
+        charge_e=charge_e,
+        unknown=unknown,
+        electron_weights=weights,
+        covariance_e2=np.empty(pairs * cols),
+        mean_e=mean_e,
+        counts=counts,
+        own_weights=own_weights,
+    )
+    np.testing.assert_allclose(mean_e, fixed_e + (by_rate * rate_weights).sum(axis=1))
+    found = np.einsum("kap,kbp,kp->abp", own_weights, own_weights, counts)
+    np.testing.assert_allclose(found, wanted, rtol=1e-5, atol=1e-5)
+    assert (counts >= 0).all()
