@@ -34,7 +34,7 @@ RECORDED_RESULTS = (
     "tests/unit/runtime/pictures/test_sheets.py",
     "tests/unit/training/test_charts.py",
     "tests/e2e/test_cases.py",
-    "tests/e2e/test_examples.py::test_builds_and_proves",
+    "tests/e2e/test_examples.py::test_examples_have_the_recorded_proved_words",
 )
 """Tests that compare results with recorded ones; they run much, so they come last."""
 SECONDS = 600
