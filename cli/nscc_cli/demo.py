@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import shlex
-from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import click
 
 from nscc.requirements import line_for
-from nscc_cli.completion import RUN
-from nscc_cli.options import OUT, SCENE, declared, section, tone_option
+from nscc_cli.options import OUT, SCENE, declared, section, settings_of, tone_option
 from nscc_cli.support import common_command, progress, say, say_done
 from nscc_runtime.request import Request
 from nscc_runtime.scene_settings import Scene
 from nscc_runtime.simulate import Listener
+from nscc_training.command_settings import DemoSettings
 
 
 @common_command("demo")
@@ -26,75 +26,43 @@ from nscc_runtime.simulate import Listener
     metavar="DIR",
     help="The folder for the pictures (default: NAME_demo, or demo).",
 )
-@section(SCENE, declared(Scene, fit="scale"), declared(Scene, "color"))
-@click.option(
-    "--exposure",
-    metavar="E[@P]",
-    help="Electrons over the frame at percentile P (default: as the run was trained).",
-)
-@click.option(
-    "--fps", type=float, help="Frame rate of the clip (default: each slot shows the next frame)."
-)
+@section(SCENE, declared(Scene, fit="scale"), declared(Scene, "color", "exposure", "fps"))
 @tone_option
-@click.option("--merge", is_flag=True, help="Reconstruct without the decoder, which needs torch.")
-@click.option(
-    "--readouts",
-    type=click.IntRange(1, 4),
-    metavar="K",
-    help="Readouts of one exposure of a clip, 1 to 4 (default: 4).",
-)
-@click.option(
-    "--run",
-    type=RUN,
-    metavar="RUN",
-    help="A run of nscc train, whose shutters and decoder are shown.",
-)
+@declared(DemoSettings)
 @declared(Request, "seed", show=True)
-def command(
-    scene: str | None,
-    out: Path | None,
-    fit: str,
-    color: bool | None,
-    exposure: str | None,
-    fps: float | None,
-    tone: str | None,
-    merge: bool,
-    readouts: int | None,
-    run: Path | None,
-    seed: int,
-) -> None:
+def command(scene: str | None, out: Path | None, **options: Any) -> None:
     """Expose a photo or a clip with shutters that come with nscc, and reconstruct it.
 
     Writes a sheet with the ground truth, an ordinary exposure, the readout, the reconstruction and
     its error, and the reconstruction as a separate file. For a photo, the sheet also shows pixels
     that look at their light, which need no decoder, and an ordinary bracket of three readouts. For
     a clip with several readouts, it also shows a burst of the same number of ordinary frames.
-    Without PHOTO, a built-in scene is exposed."""
+    Without PHOTO, a built-in scene is exposed. Without --exposure, the light is scaled as in the
+    training of the decoder."""
     if scene is not None and Path(scene).suffix.lower() in (".nsl", ".icw"):
         raise click.UsageError(
             f"'{scene}' is a program, and the demo exposes a photo or a clip with shutters of its "
             f"own: `nscc run {shlex.quote(scene)} --scene PHOTO` exposes with your program"
         )
-    from nscc_training.demo import BUILTIN, Settings, demo, readouts_text
+    from nscc_training.demo import BUILTIN, demo, readouts_text
 
-    if run is not None and (merge or readouts):
+    named = {name: options[name] for name in ("fit", "exposure", "tone", "seed")}
+    settings = settings_of(DemoSettings, options, color=bool(options["color"]), **named)
+    if settings.run is not None and (settings.merge or settings.readouts):
         raise click.UsageError(
             "--run has its own decoder and readout: leave out --merge and --readouts"
         )
-    settings = Settings(fit, bool(color), exposure, tone, seed, readouts=readouts, run=run)  # type: ignore[arg-type]  # Choice
-    if (merge or not settings.learned) and (readouts or 1) > 1:
+    if not settings.learned and (settings.readouts or 1) > 1:
         raise click.UsageError(
             "several readouts are joined by a decoder: leave out --merge, or install torch"
         )
-    if merge:
-        settings = replace(settings, learned=False)
-    elif not settings.learned:
+    if not (settings.merge or settings.learned):
         say_done(f"without torch the frame is merged; {line_for('torch')} installs the decoder")
     folder = out or Path(f"{Path(scene).stem}_demo" if scene and ":" not in scene else "demo")
     listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     # Only clips have several readouts.
-    for name in (scene,) if scene else BUILTIN[1:] if readouts else BUILTIN:
-        result = demo(Scene(name, fps=fps), folder, settings, listener)
+    for name in (scene,) if scene else BUILTIN[1:] if settings.readouts else BUILTIN:
+        result = demo(Scene(name, fps=options["fps"]), folder, settings, listener)
         say_done("\n".join(f"wrote {path.as_posix()}" for path in result.files))
         if result.looked_db is None:
             beside = f" from {readouts_text(result.readouts)}"

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,14 +15,8 @@ from nscc_cli import options as shared
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT
 from nscc_cli.runtime_options import fit_option, placing_options
-from nscc_cli.support import (
-    NumberRange,
-    common_command,
-    progress,
-    refuse_ignored,
-    say,
-    say_done,
-)
+from nscc_cli.support import common_command, progress, refuse_ignored, say, say_done
+from nscc_training.command_settings import DesignSettings
 
 if TYPE_CHECKING:
     import numpy as np
@@ -29,7 +25,6 @@ if TYPE_CHECKING:
     from nscc.chips.target import Target
     from nscc_runtime.scenes.load import PlacedLight
     from nscc_training.design import Design
-    from nscc_training.search.choose import Kind
 
 _SVE_RISK = "sve-risk"
 _CLIP_SLOTS, _STILL_SLOTS = 16, 256
@@ -41,49 +36,7 @@ _CLIP_PARTS = 16
 @shared.scenes_option(
     "A scene as in nscc run; for several scenes the errors are averaged in decibels."
 )
-@click.option(
-    "--looks",
-    type=click.IntRange(2, 32),
-    metavar="K",
-    help="Design pixels that look: K exposures; the last is the whole frame.",
-)
-@click.option(
-    "--criterion",
-    type=click.Choice(["mu", "linear", "log", _SVE_RISK]),
-    help="The error to minimise: of the light on a mu-law curve (default), "
-    "linear, or of its logarithm; sve-risk designs a fixed 2 x 2 tile "
-    "of stops instead.",
-)
-@click.option(
-    "--search",
-    is_flag=True,
-    help="Search all simple patterns of stops for stills, or "
-    "codes for clips, judged by a decoder under every effect.",
-)
-@click.option(
-    "--motion",
-    type=click.Choice(["slow", "fast", "scene"]),
-    help="Choose a code for clips by their motion: slow, fast, or as in the scenes.",
-)
-@click.option(
-    "--max-words",
-    type=NumberRange(0.1, 1000),
-    default=4.0,
-    show_default=True,
-    help="With --motion: the largest mean number of words per slot.",
-)
-@click.option(
-    "--slots",
-    type=click.IntRange(2, 4096),
-    help=f"Slots of the frame (default: {_STILL_SLOTS}, for clips {_CLIP_SLOTS}).",
-)
-@click.option(
-    "--slot-us",
-    type=NumberRange(0.01, 1e6),
-    default=125.0,
-    show_default=True,
-    help="The length of each slot in microseconds.",
-)
+@shared.declared(DesignSettings, show=True)
 @shared.chip_option
 @shared.declared(Options, "level", show=True)
 @placing_options
@@ -98,16 +51,7 @@ _CLIP_PARTS = 16
         help="The program (default: looks-K.nsl, sve-risk.nsl, searched.nsl or motion-KIND.nsl).",
     ),
 )
-def command(
-    scenes: tuple[str, ...],
-    looks: int | None,
-    criterion: str | None,
-    search: bool,
-    motion: Kind | None,
-    level: int,
-    out: Path | None,
-    **options: Any,
-) -> None:
+def command(scenes: tuple[str, ...], out: Path | None, **options: Any) -> None:
     """Compute a program for scenes, write it, and print its expected error.
 
     --looks: each pixel closes at the first look that finds its light above a level. The times and
@@ -121,60 +65,84 @@ def command(
     from nscc.chips.load import load_target
     from nscc.files import refuse_inputs, write_together
     from nscc.pipeline import KINDS
-    from nscc_training.design import Frame, design_looks, design_pattern, design_tile
 
-    tile = criterion == _SVE_RISK
-    if tile + (looks is not None) + (motion is not None) + search != 1:
-        raise click.UsageError(
-            "name the design: --looks K for pixels that look, --criterion sve-risk for a "
-            "fixed 2 x 2 tile, --search for the best of many codes, or --motion slow, fast or "
-            "scene for clips"
-        )
-    if motion and criterion:
-        raise click.UsageError("--criterion applies to stills: leave it out, or leave out --motion")
-    if search and criterion:
-        raise click.UsageError("--search counts PSNR: leave --criterion out")
-    if not motion:
-        refuse_ignored("it limits the codes of --motion", "max_words")
+    wanted = shared.settings_of(DesignSettings, options)
+    name = _file_name(wanted)
     target = load_target(options["target"], Path())
-    of_clips = search and _are_clips(scenes, target, options)
-    options["slots"] = options["slots"] or (_CLIP_SLOTS if motion or of_clips else _STILL_SLOTS)
-    slots, slot_us, name = options["slots"], options["slot_us"], options["target"]
-    if looks is not None and looks > slots:
-        raise click.UsageError(f"{looks} exposures need {looks} boundaries; there are {slots}")
-    default = f"motion-{motion}.nsl" if motion else f"looks-{looks}.nsl"
-    path = out or Path("sve-risk.nsl" if tile else "searched.nsl" if search else default)
-    sensor = sensor_of(target, options)
-    frame = Frame(slots, slot_us, name, sensor, level)
+    of_clips = wanted.motion is not None or (wanted.search and _are_clips(scenes, target, options))
+    slots = options["slots"] = wanted.slots or (_CLIP_SLOTS if of_clips else _STILL_SLOTS)
+    if wanted.looks is not None and wanted.looks > slots:
+        message = f"{wanted.looks} exposures need {wanted.looks} boundaries; there are {slots}"
+        raise click.UsageError(message)
+    path = out or Path(name)
     refuse_inputs(path)
-    if motion:
-        from nscc_training.search.choose import design_motion
-
-        # `slow` and `fast` need no scene; if one is given, its light and texture are used.
-        moving = (
-            _moving(scenes, target, options, _CLIP_PARTS) if scenes or motion == "scene" else []
-        )
-        design: Design = design_motion(motion, moving, frame, options["max_words"])
-    elif of_clips:
-        from nscc_training.search.clip_codes import design_clip
-
-        moving = _moving(scenes, target, options, slots)
-        design = design_clip(moving, frame, lambda todo: progress(todo, "searching"))
-    elif search:
-        scene_lights = _scene_lights(scenes, target, options)
-        design = design_pattern(scene_lights, frame, lambda todo: progress(todo, "searching"))
-    elif looks is None:
-        design = design_tile(_scene_lights(scenes, target, options), frame)
-    else:
-        curve = criterion or "mu"
-        scene_lights = _scene_lights(scenes, target, options)
-        design = design_looks(scene_lights, looks, frame, curve)  # type: ignore[arg-type]  # Choice
+    design = _designed(replace(wanted, slots=slots), of_clips, scenes, target, options)
     say(design.compiled.diagnostics)
     write_together({path: design.text.encode()})
     click.echo(f"wrote {path.as_posix()}")
     for label, text in design.lines:
         click.echo(f"  {label:<9} {text}")
     say_done(KINDS.of(design.compiled.program).cost_text(design.compiled))
+
+
+def _file_name(wanted: DesignSettings) -> str:
+    """Return the name of the program; raise UsageError unless exactly one design is chosen, with
+    options that apply to it."""
+    tile = wanted.criterion == _SVE_RISK
+    names = {
+        f"looks-{wanted.looks}.nsl": wanted.looks is not None,
+        "sve-risk.nsl": tile,
+        "searched.nsl": wanted.search,
+        f"motion-{wanted.motion}.nsl": wanted.motion is not None,
+    }
+    chosen = [name for name, is_chosen in names.items() if is_chosen]
+    if len(chosen) != 1:
+        raise click.UsageError(
+            "name the design: --looks K for pixels that look, --criterion sve-risk for a "
+            "fixed 2 x 2 tile, --search for the best of many codes, or --motion slow, fast or "
+            "scene for clips"
+        )
+    if wanted.criterion and wanted.motion:
+        raise click.UsageError("--criterion applies to stills: leave it out, or leave out --motion")
+    if wanted.criterion and wanted.search:
+        raise click.UsageError("--search counts PSNR: leave --criterion out")
+    if wanted.motion is None:
+        refuse_ignored("it limits the codes of --motion", "max_words")
+    return chosen[0]
+
+
+def _designed(
+    wanted: DesignSettings,
+    of_clips: bool,
+    scenes: tuple[str, ...],
+    target: Target,
+    options: dict[str, Any],
+) -> Design:
+    """Return the design, for a frame of `wanted.slots`; `of_clips` searches a code for clips."""
+    from nscc_training.design import Frame, design_looks, design_pattern, design_tile
+
+    assert wanted.slots is not None
+    sensor = sensor_of(target, options)
+    frame = Frame(wanted.slots, wanted.slot_us, options["target"], sensor, options["level"])
+    searching = partial(progress, label="searching")
+    if wanted.motion:
+        from nscc_training.search.choose import design_motion
+
+        # `slow` and `fast` need no scene; if one is given, its light and texture are used.
+        uses_scene = scenes or wanted.motion == "scene"
+        moving = _moving(scenes, target, options, _CLIP_PARTS) if uses_scene else []
+        return design_motion(wanted.motion, moving, frame, wanted.max_words)
+    if of_clips:
+        from nscc_training.search.clip_codes import design_clip
+
+        return design_clip(_moving(scenes, target, options, wanted.slots), frame, searching)
+    scene_lights = _scene_lights(scenes, target, options)
+    if wanted.search:
+        return design_pattern(scene_lights, frame, searching)
+    if wanted.looks is None:
+        return design_tile(scene_lights, frame)
+    curve = wanted.criterion or "mu"
+    return design_looks(scene_lights, wanted.looks, frame, curve)  # type: ignore[arg-type]  # no sve-risk
 
 
 def _scene_lights(

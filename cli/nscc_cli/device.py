@@ -11,11 +11,16 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_cli import options as shared
 from nscc_cli import support
-from nscc_cli.completion import SCENE, TARGET
+from nscc_cli.completion import TARGET
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH, target_option, values_given
 from nscc_cli.programs import load_program
-from nscc_cli.runtime_options import host_value_options, link_options, placing_options
+from nscc_cli.runtime_options import (
+    host_value_options,
+    link_options,
+    placing_options,
+    scene_option,
+)
 from nscc_cli.support import (
     NumberRange,
     Subcommands,
@@ -38,12 +43,7 @@ def command() -> None:
 
 
 @command.command("serve")
-@shared.section(
-    shared.SCENE,
-    click.option(
-        "--scene", type=SCENE, help="The scene of the stand-in: a file, a folder or builtin:NAME."
-    ),
-)
+@scene_option
 @target_option("The chip to simulate.")
 @click.option(
     "--fault",

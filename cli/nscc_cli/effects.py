@@ -11,9 +11,9 @@ import click
 
 from nscc.chips.load import load_target
 from nscc.columns import columns
-from nscc_cli.completion import EFFECT, SETTING
+from nscc_cli.completion import EFFECT
 from nscc_cli.frames import sensor_of
-from nscc_cli.options import PATH, target_option
+from nscc_cli.options import PATH, sensor_set_option, target_option
 from nscc_cli.support import common_command
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ _WIDTH = 98
 )
 @target_option("The chip whose values are the defaults.")
 @click.option("--sensor", type=PATH, help="Show the values in this file, not the defaults.")
-@click.option("--sensor-set", type=SETTING, multiple=True, metavar="K=V", help="Change one value.")
+@sensor_set_option
 def command(
     name: str | None,
     as_json: bool,

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.files import Product, write_together, write_whole
-from nscc_cli.completion import EFFECTS, PROTOCOL, RUN_OR_ANY
-from nscc_cli.options import OUT, PATH, declared, together, trust_code_option
+from nscc_cli.completion import RUN_OR_ANY
+from nscc_cli.options import OUT, PATH, declared, settings_of, together
 from nscc_cli.support import (
     CommonCommand,
     NumberRange,
@@ -25,6 +25,7 @@ from nscc_cli.support import (
 )
 from nscc_cli.tradeoff_files import kept_rows
 from nscc_training.baselines.tv_settings import TvSettings
+from nscc_training.command_settings import EvaluationSettings, FigureSettings
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -50,13 +51,6 @@ def command() -> None:
 _outputs = together(
     click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
     click.option("-o", "out", type=OUT, help="Write it to a file."),
-)
-_seed_option = click.option(
-    "--seed",
-    type=click.IntRange(0, 2**31),
-    default=0,
-    show_default=True,
-    help="Seed of random codes and noise.",
 )
 _save_option = click.option(
     "--save", type=OUT, metavar="DIR", help="Write reconstructions and truth into this folder."
@@ -102,15 +96,7 @@ def sci8(
 
 @command.command("of", cls=CommonCommand)
 @click.argument("subject", type=RUN_OR_ANY, metavar="RUN|BASELINE")
-@click.option(
-    "--data", type=PATH, metavar="DIR", help="The folder of scenes; for class-v1 also `procedural`."
-)
-@click.option(
-    "--protocol",
-    type=PROTOCOL,
-    metavar="P",
-    help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1, staggered-v1, codes-v1, class-v1.",
-)
+@declared(EvaluationSettings, "data", "protocol")
 @click.option(
     "--split",
     type=click.Choice(["val"]),
@@ -118,40 +104,16 @@ def sci8(
     help="Instead of --data and --protocol: the run's validation scenes, evaluated as "
     "in its metrics.csv.",
 )
-@_seed_option
-@click.option(
-    "--skip-seen", is_flag=True, help="Leave out files that the run was trained or validated on."
-)
-@click.option(
-    "--shutter",
-    default="",
-    metavar="CLASS[:START]",
-    help="The codes of a baseline: c, c:quad, d:random, ... for clips, "
-    "b:quad, b:random for stills, or those of a run; a class alone "
-    "uses random codes.",
-)
-@click.option(
-    "--effects",
-    type=EFFECTS,
-    default="",
-    metavar="E",
-    help="Expose with an emulated chip instead of the protocol's sensor: auto, all, "
-    "or names, as in nscc run. For runs and pixels that look.",
-)
-@trust_code_option
+@declared(EvaluationSettings, "seed", "skip_seen", "shutter", "effects", "trust_code", show=True)
 @_save_option
 @_outputs
 def of(
     subject: str,
-    data: Path | None,
-    protocol: str | None,
     split: str | None,
-    seed: int,
-    skip_seen: bool,
-    shutter: str,
-    effects: str,
-    trust_code: bool,
-    **outputs: Any,
+    save: Path | None,
+    as_json: bool,
+    out: Path | None,
+    **options: Any,
 ) -> int:
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
@@ -172,38 +134,22 @@ def of(
     Baselines of deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of
     staggered-v1: aligned, staggered, staggered-alone. Of codes-v1: any. class-v1 scores runs that
     predict classes."""
+    data, protocol = options["data"], options["protocol"]
     if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
         raise click.UsageError("name --data and --protocol, or else --split val")
-    known = {
-        "subject": subject,
-        "data": data,
-        "protocol": protocol,
-        "split": split,
-        "seed": seed,
-        "skip_seen": skip_seen,
-        "shutter": shutter,
-        "effects": effects,
-    }
-    if data is None or protocol is None:
+    wanted = settings_of(EvaluationSettings, options, subject=subject)
+    if split is not None:
         from nscc_training.evaluation.runs import evaluate_validation
         from nscc_training.run_folder import load_run
 
-        folder = load_run(Path(subject), trust_code=trust_code)
-        return _of_scenes(partial(evaluate_validation, folder), known, **outputs)
-    from nscc_training.evaluation.runs import evaluate
+        folder = load_run(Path(subject), trust_code=wanted.trust_code)
+        evaluate = partial(evaluate_validation, folder)
+    else:
+        from nscc_training.evaluation.runs import evaluate as evaluate_subject
 
-    named = partial(
-        evaluate,
-        subject,
-        data,
-        protocol,
-        seed,
-        codes=shutter,
-        effects=effects,
-        skip_seen=skip_seen,
-        trust_code=trust_code,
-    )
-    return _of_scenes(named, known, **outputs)
+        evaluate = partial(evaluate_subject, wanted)
+    known = {**options, "subject": subject, "split": split}
+    return _of_scenes(evaluate, known, save, as_json=as_json, out=out)
 
 
 @command.command("tables", cls=CommonCommand)
@@ -225,25 +171,11 @@ def tables(results: Path | None, **outputs: Any) -> None:
 
 
 @command.command("figures", cls=CommonCommand)
-@click.option(
-    "--data",
-    type=PATH,
-    metavar="DIR",
-    help="Panoramas and clips, or folders hdr and video of them (default: built-in scenes).",
-)
-@click.option(
-    "--effects",
-    type=EFFECTS,
-    default="auto",
-    show_default=True,
-    metavar="E",
-    help="Effects of the emulated chip: auto, all, or names, as in nscc run.",
-)
-@_seed_option
+@declared(FigureSettings, show=True)
 @click.option(
     "-o", "out", type=OUT, required=True, metavar="DIR", help="The folder for the pictures."
 )
-def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
+def figures(out: Path, **options: Any) -> None:
     """Draw Figures 5, 6 and 7 of the paper, from the runs that come with nscc.
 
     The figures show coded frames and their reconstructions, several frames decoded from one,
@@ -251,7 +183,7 @@ def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
     shown beside the ground truth and an exposure with pixels that are always open."""
     from nscc_training.evaluation.figures import figures as drawn
 
-    drawings = drawn(data, effects, seed)
+    drawings = drawn(settings_of(FigureSettings, options))
     out.mkdir(parents=True, exist_ok=True)
     files = {out / name: png for name, png in drawings.items()}
     write_together(files)

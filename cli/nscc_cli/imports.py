@@ -4,7 +4,7 @@ trained with torch, and frame files of what a chip's own host saved."""
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
@@ -15,15 +15,13 @@ from nscc_cli.options import (
     PATH,
     build_options,
     chip_option,
+    declared,
     pixels_option,
     sensor_options,
-    slots_axis_option,
 )
 from nscc_cli.programs import load_program
-from nscc_cli.support import NumberRange, common_command, say, say_done
-
-if TYPE_CHECKING:
-    from nscc_training.array_files import Axis
+from nscc_cli.support import common_command, say, say_done
+from nscc_training.command_settings import Axis, ImportSettings
 
 _PROGRAM = click.option("-o", "out", required=True, metavar="P.nsl", type=OUT, help="The program.")
 
@@ -41,14 +39,7 @@ def _beside_program(out: Path, arrays: str) -> Path:
 @common_command("import-mask")
 @click.argument("mask", metavar="MASK.npy|npz|mat", type=PATH)
 @_PROGRAM
-@click.option(
-    "--slot-us",
-    type=NumberRange(1e-3, 1e9),
-    default=125.0,
-    show_default=True,
-    help="Length of a slot in microseconds.",
-)
-@slots_axis_option
+@declared(ImportSettings, "slot_us", "slots_axis", show=True)
 @chip_option
 def import_mask(
     mask: Path, out: Path, slot_us: float, slots_axis: Axis | None, target: str
@@ -85,13 +76,7 @@ def import_mask(
 @common_command("import-network")
 @click.argument("model", metavar="MODEL.pt|onnx", type=PATH)
 @_PROGRAM
-@click.option(
-    "--frame-us",
-    type=NumberRange(1e-3, 1e9),
-    default=33_000.0,
-    show_default=True,
-    help="Exposure time of a frame in microseconds.",
-)
+@declared(ImportSettings, "frame_us", show=True)
 @chip_option
 def import_network(model: Path, out: Path, frame_us: float, target: str) -> None:
     """Write the program of a recurrent cell of bits, and its kernels beside it.

@@ -2,32 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import MISSING
 from math import isinf
 from pathlib import Path
 from typing import Any, TypeVar
 
 import click
-from click import Choice, Context, IntRange, Parameter, argument, option
+from click import Choice, Context, Parameter, argument, option
 
 from nscc.options import Options
-from nscc.toml.kinds import LEAST, FilePath, Flag, Kind, Number, TextKind
+from nscc.toml.kinds import LEAST, Distinct, FilePath, Flag, Kind, Number, Several, TextKind
 from nscc.toml.schema import Key
 from nscc.toml.schema import declared as keys_by_name
 from nscc_cli.completion import EFFECTS as EFFECT_NAMES
+from nscc_cli.completion import PROTOCOL, RUN, SETTING, TARGET
 from nscc_cli.completion import SCENE as SCENE_NAME
-from nscc_cli.completion import SETTING, TARGET
 from nscc_cli.support import NumberRange, OutPath, WholeNumber
 
 Command = TypeVar("Command", bound=Callable[..., Any])
+Settings = TypeVar("Settings")
 
 PATH = click.Path(path_type=Path)
 OUT = OutPath()
-LEVEL = IntRange(0, 3)
-
-COUNT = IntRange(1, 1000)
-"""A number of scenes or of repeated measurements."""
 
 
 def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
@@ -63,39 +60,6 @@ SCENE, EFFECTS, COMPILE, DEVICE, OUTPUT = "Scene", "Sensor effects", "Compile", 
 """Titles of the option sections, in the order in which commands list them."""
 
 
-def chosen_names(
-    names: Sequence[str],
-) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
-    """Return a callback of a click option that parses a list of some of `names`, separated by
-    commas."""
-
-    def chosen(context: click.Context, option: click.Parameter, value: str) -> tuple[str, ...]:
-        """Return the names in the text of the option, in the order of `names`. Raise BadParameter
-        for unknown ones."""
-        chosen_set = {item.strip() for item in value.split(",")}
-        for name in sorted(chosen_set.difference(names)):
-            raise click.BadParameter(f"{name!r} is not one of {', '.join(names)}", context, option)
-        return tuple(name for name in names if name in chosen_set)
-
-    return chosen
-
-
-def some_option(
-    name: str, names: Sequence[str], metavar: str, text: str, default: str | None = None
-) -> Callable[..., Any]:
-    """Return the option `name`, whose value is a list of some of `names`, separated by commas.
-
-    `default` is its default; None takes all names. `text` is its help."""
-    return option(
-        name,
-        callback=chosen_names(names),
-        metavar=metavar,
-        default=default or ",".join(names),
-        show_default=True,
-        help=text,
-    )
-
-
 program_argument = argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)
 pixels_option = section(
     COMPILE,
@@ -116,7 +80,7 @@ def declared(
     chosen = [keys[name] for name in (*names, *defaults) or keys]
     if show:
         defaults = {key.attribute: key.default for key in chosen} | defaults
-    return together(*(_option(key, defaults) for key in chosen))
+    return together(*(_option(key, defaults.get(key.attribute)) for key in chosen))
 
 
 def values_given(settings: type, options: Mapping[str, Any]) -> dict[str, Any]:
@@ -126,22 +90,67 @@ def values_given(settings: type, options: Mapping[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in named if value is not None}
 
 
-_COMPLETED = {"target": TARGET, "effects": EFFECT_NAMES, "name": SCENE_NAME}
+def settings_of(
+    settings: Callable[..., Settings], options: Mapping[str, Any], /, **values: Any
+) -> Settings:
+    """Return the dataclass `settings` with the options of a command, and further `values`.
+
+    Raises BadParameter for an option that contradicts the others."""
+    declaring: type = settings  # type: ignore[assignment]  # a dataclass
+    made = settings(**values_given(declaring, options), **values)
+    for key in keys_by_name(declaring).values():
+        for reason in filter(None, (check(made) for check in key.checks)):
+            raise click.BadParameter(f"{key.option}: {reason}")
+    return made
+
+
+_COMPLETED: Mapping[str, click.ParamType[Any]] = {
+    "target": TARGET,
+    "effects": EFFECT_NAMES,
+    "name": SCENE_NAME,
+    "protocol": PROTOCOL,
+    "run": RUN,
+}
 """The click types of options with names that a shell completes."""
 
 
-def _option(key: Key, defaults: Mapping[str, Any]) -> Callable[..., Any]:
-    """Return the click option that the declared field `key` describes. `defaults` are the options'
-    own defaults, by the name of the field."""
-    kind, name = key.kind, key.attribute
-    help_text = key.meaning
+class CommaList(click.ParamType[tuple[Any, ...]]):
+    """Values of a list, separated by commas; "none" is an empty list if that is allowed."""
+
+    name = "list"
+
+    def __init__(self, kind: Distinct | Several) -> None:
+        """Take the values of lists of this kind."""
+        self.kind = kind
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> tuple[Any, ...]:
+        """Return the values in a text; raise BadParameter for one that is not allowed."""
+        element, values = self.kind.element, []
+        empty = getattr(self.kind, "may_be_empty", False) and value.strip() == "none"
+        for item in () if empty else map(str.strip, value.split(",")):
+            try:
+                values.append(element.read(int(item) if isinstance(element, Number) else item))
+            except ValueError:
+                self.fail(f"{item[:40]!r} is not {element.in_python}", param, ctx)
+        read: tuple[Any, ...] = self.kind.read(values)
+        return read
+
+
+def _option(key: Key, default: Any) -> Callable[..., Any]:
+    """Return the click option that a declared key describes, with a `default` that its help
+    shows; None for the default of the declaration."""
+    kind, help_text = key.kind, key.meaning
     if isinstance(kind, Flag):
         default = key.default if "/" in key.option else None
         about: dict[str, Any] = {"is_flag": True, "default": default}
     else:
-        about = {"type": _COMPLETED.get(name) or _click_type(kind), "metavar": key.notation or None}
-        if name in defaults:
-            about |= {"default": defaults[name], "show_default": True}
+        completed = _COMPLETED.get(key.attribute)
+        about = {"type": completed or _click_type(kind), "metavar": key.notation or None}
+        if default is not None:
+            text = ",".join(map(str, default)) if isinstance(default, tuple) else default
+            about |= {"default": text, "show_default": text != ""}
         elif default_text := _default_text(key):
             help_text += f" (default: {default_text})"
     return option(key.option, key.name, help=f"{help_text}.", **about)
@@ -166,6 +175,8 @@ def _click_type(kind: Kind) -> click.ParamType[Any] | None:
         return NumberRange(0 if low == LEAST else low, high, min_open=low == LEAST)
     if isinstance(kind, FilePath):
         return PATH
+    if isinstance(kind, Distinct | Several):
+        return CommaList(kind)
     return Choice(kind.choices) if isinstance(kind, TextKind) and kind.choices else None
 
 
@@ -194,16 +205,17 @@ tone_option = section(
 )
 
 
+sensor_set_option = option(
+    "--sensor-set",
+    type=SETTING,
+    multiple=True,
+    metavar="K=V",
+    help="Change one of the sensor parameters.",
+)
 sensor_options = section(
     EFFECTS,
     option("--sensor", type=PATH, help="The sensor parameters (nscc effects --toml)."),
-    option(
-        "--sensor-set",
-        type=SETTING,
-        multiple=True,
-        metavar="K=V",
-        help="Change one of the sensor parameters.",
-    ),
+    sensor_set_option,
 )
 
 csv_options = section(
@@ -217,18 +229,6 @@ tradeoff_options = section(
     csv_options,
 )
 """Options for the output files of a tradeoff."""
-
-
-def repeats_option(default: int) -> Callable[..., Any]:
-    """Return the option `--repeats`: how often each measurement is repeated. `default` is its
-    default."""
-    return option(
-        "--repeats",
-        type=COUNT,
-        default=default,
-        show_default=True,
-        help="How often each setting is timed; the median is used.",
-    )
 
 
 def scenes_option(text: str) -> Callable[..., Any]:
@@ -254,30 +254,3 @@ def target_option(text: str) -> Callable[..., Any]:
 
 
 chip_option = target_option("The chip.")
-
-slots_axis_option = option(
-    "--slots-axis",
-    type=click.Choice(("first", "last")),
-    help="The axis of a mask that counts slots, for a mask whose sizes do not tell it.",
-)
-
-trust_code_option = option(
-    "--trust-code",
-    is_flag=True,
-    help="Allow the run to execute its custom Python code (module:name).",
-)
-"""The option of commands that load a run folder."""
-
-made_scenes_option = option(
-    "--data",
-    type=PATH,
-    metavar="DIR",
-    help="A folder of clips, panoramas or both, instead of synthetic scenes.",
-)
-made_seed_option = option(
-    "--seed",
-    type=IntRange(0, 2**31 - 1),
-    default=0,
-    show_default=True,
-    help="Seed of synthetic scenes, random codes and noise.",
-)

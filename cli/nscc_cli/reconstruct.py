@@ -4,27 +4,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from nscc.files import refuse_same, write_together
 from nscc.requirements import line_for
 from nscc_cli.completion import RUN, RUN_OR_ANY
-from nscc_cli.options import OUT, PATH, slots_axis_option, tone_option, trust_code_option
+from nscc_cli.options import OUT, PATH, declared, settings_of, tone_option
 from nscc_cli.support import common_command, progress, say, say_done
+from nscc_training.command_settings import Method, ReconstructSettings
 
 if TYPE_CHECKING:
-    from nscc_training.array_files import Axis
-    from nscc_training.reconstruct_any import Method, Reconstruction
-
-_dark_option = click.option(
-    "--dark",
-    type=PATH,
-    metavar="DARK.npz",
-    help="A frame file of the same program without light, with many "
-    "repeats: it is subtracted from FRAME.",
-)
+    from nscc_training.reconstruct_any import Reconstruction
 
 
 @common_command("reconstruct")
@@ -40,61 +32,9 @@ _dark_option = click.option(
 )
 @click.option("--png", type=OUT, help="Also write a picture of the result for the screen.")
 @tone_option
-@_dark_option
-@click.option(
-    "--as",
-    "kind",
-    type=click.Choice(("image", "video")),
-    help="With any: reconstruct a picture or a clip. Default: a picture if all "
-    "shutters open at the start of the frame (class b), else a clip.",
-)
-@click.option(
-    "--method",
-    type=click.Choice(("network", "merge", "gap-tv")),
-    help="With any: the network (default), or without torch: merge neighbours of a "
-    "picture, total variation (GAP-TV) of a clip.",
-)
-@click.option(
-    "--program",
-    type=PATH,
-    metavar="FILE",
-    help="With any: the program that exposed FRAME, for older files without shutters.",
-)
-@click.option(
-    "--mask",
-    type=PATH,
-    metavar="MASK",
-    help="With any and an own measurement: the file of its mask, if FRAME does not contain `mask`.",
-)
-@slots_axis_option
-@click.option(
-    "--noise",
-    metavar="SD[,GAIN]",
-    help="With any and an own measurement: the standard deviation of its "
-    "readout, and the amount that one photon adds, in the unit of "
-    "`meas` (default: none).",
-)
-@click.option(
-    "--force",
-    is_flag=True,
-    help="With RUN: only warn if the frame belongs to another program or sensor.",
-)
-@trust_code_option
+@declared(ReconstructSettings)
 def command(
-    run: str,
-    frame: Path | None,
-    out: Path,
-    png: Path | None,
-    tone: str | None,
-    dark: Path | None,
-    kind: Literal["image", "video"] | None,
-    method: Method | None,
-    program: Path | None,
-    mask: Path | None,
-    slots_axis: Axis | None,
-    noise: str | None,
-    force: bool,
-    trust_code: bool,
+    run: str, frame: Path | None, out: Path, png: Path | None, tone: str | None, **options: Any
 ) -> None:
     """Reconstruct a picture or a clip from FRAME, a file that `nscc run` wrote.
 
@@ -109,6 +49,7 @@ def command(
 
     An .npz output contains `image` (rows, cols) in electrons over the frame, or `video` (T, rows,
     cols) in electrons per slot. These are the units of `truth_e` in frame files."""
+    how = settings_of(ReconstructSettings, options)
     if frame is None and run == "any":
         raise click.UsageError("`nscc reconstruct any` needs FRAME.npz, which `nscc run` writes")
     if frame is None:
@@ -118,17 +59,17 @@ def command(
         from nscc_training.reconstruct_any import is_measurement
 
         # A measurement of another camera belongs to no run: only `any` decodes it.
-        if is_measurement(Path(run), mask):
+        if is_measurement(Path(run), how.mask):
             run, frame = "any", Path(run)
-    if run != "any" and (kind or program or method):
+    if run != "any" and (how.kind or how.program or how.method):
         raise click.UsageError(
             "--as, --method and --program are for `nscc reconstruct any`: a run contains them"
         )
-    if (method, kind) in (("merge", "video"), ("gap-tv", "image")):
+    if (how.method, how.kind) in (("merge", "video"), ("gap-tv", "image")):
         raise click.UsageError("--method merge makes pictures, gap-tv clips: leave --as out")
-    if run != "any" and (mask or noise or slots_axis):
+    if run != "any" and (how.mask or how.noise or how.slots_axis):
         raise click.UsageError("--mask, --slots-axis and --noise are for `nscc reconstruct any`")
-    if run == "any" and frame is not None and force:
+    if run == "any" and frame is not None and how.force:
         raise click.UsageError("--force applies to runs: `any` accepts every frame")
     from nscc_runtime.formats import FORMATS, Content, check_ending, endings, file_of
 
@@ -152,17 +93,17 @@ def command(
     elif run == "any":
         from nscc_training.reconstruct_any import reconstruct_any
 
-        reconstruction = _of_measurement(
-            frame, mask, slots_axis, noise, method, kind, program, dark
-        ) or reconstruct_any(frame, program, kind, dark, method, progress)
+        reconstruction = _of_measurement(frame, how) or reconstruct_any(
+            frame, how.program, how.kind, how.dark, how.method, progress
+        )
         say(reconstruction.messages)
-        _say_method(reconstruction, method)
+        _say_method(reconstruction, how.method)
         content = reconstruction.content
     else:
         from nscc_training.reconstruct import reconstruct
 
         reconstruction = reconstruct(
-            Path(run), frame, force=force, dark=dark, trust_code=trust_code
+            Path(run), frame, force=how.force, dark=how.dark, trust_code=how.trust_code
         )
         say(reconstruction.messages)
         content = reconstruction.content
@@ -194,20 +135,11 @@ def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
         )
 
 
-def _of_measurement(
-    path: Path,
-    mask: Path | None,
-    slots_axis: Axis | None,
-    noise: str | None,
-    method: Method | None,
-    *of_frames: object,
-) -> Reconstruction | None:
-    """Return the clip that is reconstructed from a measurement file of another camera. Return None
-    if `path` is a frame file.
+def _of_measurement(path: Path, how: ReconstructSettings) -> Reconstruction | None:
+    """Return the clip that is reconstructed from a measurement file of another camera; None if
+    `path` is a frame file.
 
-    `mask`, `slots_axis`, `noise` and `method` are values of options. `of_frames` are the values of
-    options that only apply to frame files. Raises UsageError for options that do not apply to the
-    file, and Rejected for an invalid measurement."""
+    Raises UsageError for options that do not apply to such a file."""
     from nscc_training.reconstruct_any import (
         NoiseModel,
         is_measurement,
@@ -215,35 +147,29 @@ def _of_measurement(
         reconstruct_measurement,
     )
 
-    if not is_measurement(path, mask):
-        if noise is not None or slots_axis is not None:
+    if not is_measurement(path, how.mask):
+        if how.noise is not None or how.slots_axis is not None:
             raise click.UsageError(
                 "--noise and --slots-axis apply to own measurements: a frame file contains its "
                 "noise model and its shutters"
             )
         return None
-    if any(of_frames):
+    if how.kind or how.program or how.dark:
         raise click.UsageError("--as, --program and --dark apply to frames of `nscc run`")
-    if method == "merge":
+    if how.method == "merge":
         raise click.UsageError("--method merge makes pictures, but own measurements are clips")
-    model = NoiseModel.parse(noise or "0")
-    measurement = read_measurement(path, mask, slots_axis)
+    model = NoiseModel.parse(how.noise or "0")
+    measurement = read_measurement(path, how.mask, how.slots_axis)
     say_done(f"measurement: {measurement.axes}\nnoise model: {model}")
-    return reconstruct_measurement(measurement, model, method, progress)
+    return reconstruct_measurement(measurement, model, how.method, progress)
 
 
 @common_command("classify")
 @click.argument("run", type=RUN, metavar="RUN")
 @click.argument("frame", metavar="FRAME.npz", type=PATH)
 @click.option("--json", "as_json", is_flag=True, help="Print the likelihoods as JSON.")
-@_dark_option
-@click.option(
-    "--force", is_flag=True, help="Only warn if the frame belongs to another program or sensor."
-)
-@trust_code_option
-def classify(
-    run: Path, frame: Path, as_json: bool, dark: Path | None, force: bool, trust_code: bool
-) -> None:
+@declared(ReconstructSettings, "dark", "force", "trust_code")
+def classify(run: Path, frame: Path, as_json: bool, **options: Any) -> None:
     """Name the class of FRAME, which `nscc run` wrote, with the likelihood of each class.
 
     RUN is the folder of a run that was trained with classes ([data] protocol = "class-v1")."""
@@ -251,7 +177,10 @@ def classify(
     from nscc_training.reconstruct import classify as classified
 
     refuse_missing(frame)
-    classes, messages = classified(run, frame, force=force, dark=dark, trust_code=trust_code)
+    how = settings_of(ReconstructSettings, options)
+    classes, messages = classified(
+        run, frame, force=how.force, dark=how.dark, trust_code=how.trust_code
+    )
     say(messages)
     if as_json:
         import json

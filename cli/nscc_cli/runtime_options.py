@@ -18,6 +18,8 @@ from nscc_runtime.device.link_settings import LinkSettings
 from nscc_runtime.request import Request
 from nscc_runtime.scene_settings import Scene
 
+scene_option = section(SCENE, declared(Scene, "name"))
+
 placing_options = section(
     SCENE,
     declared(

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import click
 
-from nscc_cli.options import OUT, PATH
+from nscc_cli.options import OUT, PATH, declared, settings_of
 from nscc_cli.support import CommonCommand, progress, say_done
+from nscc_training.command_settings import SweepSettings
 
 _KINDS = ("compile", "limits", "emulate", "train", "evaluate", "design")
 
@@ -33,24 +35,7 @@ def _print_part(context: click.Context, _option: click.Parameter, kind: str | No
     help="Compute only the points of this part of the grid, and the runs that they "
     "need; may be repeated.",
 )
-@click.option(
-    "--workers",
-    type=click.IntRange(0, 1024),
-    metavar="N",
-    help="Processes on this machine (default: one per processor; 0: only this one).",
-)
-@click.option(
-    "--threads",
-    type=click.IntRange(1, 1024),
-    default=1,
-    show_default=True,
-    metavar="T",
-    help="Threads of each process: results of training depend on it.",
-)
-@click.option(
-    "--scheduler", metavar="tcp://HOST:PORT", help="The workers of a Dask scheduler instead."
-)
-@click.option("--again", is_flag=True, help="Compute failed points again.")
+@declared(SweepSettings, show=True)
 @click.option("--dry-run", is_flag=True, help="Print the number of points and stop.")
 @click.option("--parquet", is_flag=True, help="Write the table as Parquet, too.")
 @click.option(
@@ -66,12 +51,9 @@ def command(
     grid: Path,
     out: Path,
     grid_parts: tuple[str, ...],
-    workers: int | None,
-    threads: int,
-    scheduler: str | None,
-    again: bool,
     dry_run: bool,
     parquet: bool,
+    **options: Any,
 ) -> int:
     """Compute every point of a grid: compile programs, expose scenes, train and score runs.
 
@@ -84,10 +66,8 @@ def command(
     nscc sweep --schema compile > grid.toml
     nscc sweep grid.toml --out results
     nscc sweep grid.toml --out results --scheduler tcp://10.0.0.1:8786"""
-    from nscc_runtime.pool import processors
     from nscc_training.sweep.grid import of_parts, read_grid
     from nscc_training.sweep.run_sweep import (
-        How,
         failures,
         known,
         summary_lines,
@@ -95,12 +75,12 @@ def command(
         work_text,
     )
 
-    if scheduler is not None and workers is not None:
+    how = settings_of(SweepSettings, options)
+    if how.scheduler is not None and how.workers is not None:
         raise click.UsageError(
             "--workers starts processes on this machine, but --scheduler has its own workers"
         )
     whole_grid = read_grid(grid)
-    how = How(processors() if workers is None else workers, threads, scheduler, again)
     if dry_run:
         count, known_count = known(of_parts(whole_grid, grid_parts), out, how)
         click.echo(work_text(count, count - known_count))

@@ -12,9 +12,10 @@ import click
 from nscc.chips.load import DEFAULT_NAME, load_target, target_names, target_toml
 from nscc.chips.target import Target, schema_of
 from nscc.columns import columns
+from nscc.options import Options
 from nscc.toml.schema import Key
 from nscc_cli.completion import TARGET
-from nscc_cli.options import LEVEL
+from nscc_cli.options import declared
 from nscc_cli.support import common_command, progress
 
 DEFAULT_SLOTS = ("1ms", "10us")
@@ -62,14 +63,7 @@ def _checked_times(
     callback=_checked_times,
     help="Length of the slots that limits are found for; may be repeated (default: 1ms and 10us).",
 )
-@click.option(
-    "-O",
-    "level",
-    type=LEVEL,
-    default=1,
-    show_default=True,
-    help="Optimisation level with which --limits compiles.",
-)
+@declared(Options, level=1)
 def command(
     name: str | None,
     toml: bool,
@@ -110,7 +104,6 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
     """Return the limits of `target` for each length of a slot in `slots`, as text or JSON. Programs
     are compiled at this `level` to find them."""
     from nscc.limits.survey import Limit, limits_json, limits_text, survey
-    from nscc.options import Options
 
     limits: list[Limit] = []
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,25 +9,29 @@ import click
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
-from nscc.lower.exposure_plan import LOWERINGS, Lowering
 from nscc.options import Options
-from nscc.pipeline import LEVELS
 from nscc_cli import options as shared
-from nscc_cli.completion import EFFECTS, SCENE
 from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of, sensor_of
-from nscc_cli.options import COUNT, OUT, PATH, declared, some_option, tradeoff_options
+from nscc_cli.options import OUT, PATH, declared, settings_of, tradeoff_options
 from nscc_cli.programs import compile_options, load_program
-from nscc_cli.runtime_options import measured_options
-from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_compiling
+from nscc_cli.runtime_options import measured_options, scene_option
+from nscc_cli.support import CommonCommand, Subcommands, progress, say, say_compiling
 from nscc_cli.tradeoff_files import output_files, run_study
 from nscc_runtime.run_kinds import KINDS
-from nscc_training.tradeoff import STAGES
+from nscc_training.command_settings import (
+    DecoderSettings,
+    EmulatorSettings,
+    JointRequest,
+    SensorSettings,
+    SynthesisSettings,
+)
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
     from nscc_training.tradeoff.emulator import NamedLight
 
-_LEVELS = [str(level) for level in LEVELS]
+_SHUTTERS = ("classes", "slots", "stop_slots", "looks", "readouts", "codes", "lowerings")
+"""Fields of SensorSettings that name shutters and programs, in the order of the help."""
 
 
 class _Tradeoffs(Subcommands):
@@ -59,20 +62,10 @@ def command() -> None:
 
 @command.command("of", cls=CommonCommand)
 @click.argument("program", metavar="FILE.nsl|FILE.icw|RUN", type=PATH)
-@shared.section(shared.SCENE, click.option("--scene", type=SCENE, help="As in nscc run."))
-@click.option(
-    "--target-error",
-    metavar="1%|5e|0.1lsb|1noise",
-    default="1%",
-    show_default=True,
-    help="The largest error that you accept: in percent of the scene's mean signal, in "
-    "electrons, in converter codes, or relative to the frame's own noise.",
-)
-@some_option("--stages", STAGES, "NAME,..", "Stages to measure.")
-@some_option("--levels", _LEVELS, "0,1,..", "Levels of -O to compare.", default="0,1,2")
-@shared.repeats_option(3)
+@scene_option
+@declared(JointRequest, "target_error", "stages", "levels", "repeats", show=True)
 @measured_options
-@shared.trust_code_option
+@declared(JointRequest, "trust_code")
 @shared.tradeoff_options
 def joint(program: Path, **options: Any) -> int:
     """Find the fastest settings for a given error, for one program on one scene.
@@ -85,24 +78,21 @@ def joint(program: Path, **options: Any) -> int:
     finished measurements are kept, and the same command continues after an interruption. Exits
     with status 1 if nothing could be measured."""
     from nscc_training.tradeoff.joint import joint_study
-    from nscc_training.tradeoff.joint_bench import JointRequest
 
     files = output_files(options)
     refuse_swapped(program, options["scene"])
     run = None if program.suffix.lower() in (".nsl", ".icw") else program
     captured = run_capture_of(run, options) if options["scene"] else None
     scene = scene_of(options)
-    named = ("pixels", "sensor", "seed", "device_seed", "repeats", "trust_code")
-    request = JointRequest(
-        program if captured is None else captured.program,
-        scene,
-        options["target_error"],
-        options["stages"],
-        compile_options(options),
-        tuple(map(int, options["levels"])),
+    request = settings_of(
+        JointRequest,
+        options,
+        program=program if captured is None else captured.program,
+        scene=scene,
+        options=compile_options(options),
         changes=options["sensor_set"],
         run=run,
-        **{name: options[name] for name in named},
+        **{name: options[name] for name in ("pixels", "sensor", "seed", "device_seed")},
     )
     study = joint_study(request, lambda message: say([message]))
     known = {**options, "program": request.program, "run": run}
@@ -112,29 +102,7 @@ def joint(program: Path, **options: Any) -> int:
 @command.command("emulator", cls=CommonCommand)
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
 @shared.scenes_option("A scene as in nscc run; may be repeated (default: three built-in scenes).")
-@click.option(
-    "--tolerances",
-    metavar="T,..",
-    default="0.5e,1e,2e,5e,10e,20e,50e",
-    show_default=True,
-    help="Tolerances to plan for: electrons (5e), codes (0.1lsb), or a part of each "
-    "scene's mean signal (1%).",
-)
-@click.option(
-    "--budget",
-    metavar="T",
-    default="5e",
-    show_default=True,
-    help="The tolerance whose plans are shown effect by effect.",
-)
-@click.option(
-    "--frames",
-    type=click.IntRange(2, 1000),
-    default=2,
-    show_default=True,
-    help="Number of frames for measuring errors; more if they have few pixels.",
-)
-@shared.repeats_option(5)
+@declared(EmulatorSettings, show=True)
 @measured_options
 @shared.section(
     shared.OUTPUT,
@@ -156,21 +124,13 @@ def emulator(program: Path | None, **options: Any) -> int:
     and which effects are left out. Exits with status 1 if a plan exceeded its tolerance."""
     from nscc.words.readout import converter_of
     from nscc_runtime.execution.program import analysed
-    from nscc_training.tradeoff.emulator import StudySettings
     from nscc_training.tradeoff.emulator_study import EmulatorBenches
 
     files = output_files(options, "calibration", "budget")
     container, messages = _container(program, options)
     sensor = sensor_of(converter_of(container), options)
-    repeats = options["repeats"]
-    settings = StudySettings(
-        tuple(options["tolerances"].split(",")),
-        options["budget"],
-        options["frames"],
-        repeats,
-        options["seed"],
-        options["device_seed"],
-    )
+    seeds = {name: options[name] for name in ("seed", "device_seed")}
+    settings = settings_of(EmulatorSettings, options, **seeds)
     scenes = _scenes(container, options, messages)
     _refuse(container)
     benches = EmulatorBenches.of(analysed(container, sensor), scenes, settings)
@@ -239,113 +199,11 @@ def _scenes(
     return scenes
 
 
-def _numbers(
-    quantity: str, least: int, most: int, none: bool = True
-) -> Callable[..., tuple[int, ...]]:
-    """Return a callback of a click option that parses different whole numbers from `least` to
-    `most`, separated by commas.
-
-    With `none`, the word `none` means no number. `quantity` says in messages what is counted."""
-
-    def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-        """Return the numbers in the text `value`, sorted and without duplicates. Raise BadParameter
-        for other text or numbers outside the limits."""
-        if none and value.strip() == "none":
-            return ()
-        items = [item.strip() for item in value.split(",")]
-        for item in items:
-            if not (item.isdecimal() and least <= int(item) <= most):
-                message = (
-                    f"invalid number of {quantity} {item[:40]!r}: {least} to {most} are allowed"
-                )
-                raise click.BadParameter(message, context, option)
-        return tuple(sorted({int(item) for item in items}))
-
-    return numbers
-
-
-_counts = _numbers("slots", 2, 4096, none=False)
-
-
-def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
-    """Return numbers of slots, sorted. Raise BadParameter if one of them does not divide the
-    largest, which is the number of frames of all clips."""
-    counts = _counts(context, option, value)
-    for count in counts:
-        if counts[-1] % count:
-            message = (
-                f"{count} does not divide {counts[-1]}: all numbers of slots use the same clips"
-            )
-            raise click.BadParameter(message, context, option)
-    return counts
-
-
 @command.command("sensor", cls=CommonCommand)
-@some_option(
-    "--classes", ("b", "c", "d", "e", "codebook"), "CLASS,..", "Classes of shutters for clips."
-)
-@click.option(
-    "--slots",
-    callback=_divisors,
-    metavar="N,..",
-    default="8,16",
-    show_default=True,
-    help="Slots of a frame, for clips.",
-)
-@click.option(
-    "--stop-slots",
-    callback=_counts,
-    metavar="N,..",
-    default="16,64",
-    show_default=True,
-    help="Slots of a frame for stills, which class b exposes.",
-)
-@click.option(
-    "--looks",
-    callback=_numbers("exposures", 2, 32),
-    metavar="K,..",
-    default="2,5,9",
-    show_default=True,
-    help="Exposures of pixels that look, for stills, or none.",
-)
-@click.option(
-    "--readouts",
-    callback=_numbers("readouts", 1, 4),
-    metavar="K,..",
-    default="1,2,3,4",
-    show_default=True,
-    help="Readouts of one exposure, for clips, or none.",
-)
-@some_option(
-    "--codes", ("fixed", "open"), "MODE,..", "Compile for the codes in use, for every legal one."
-)
-@some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
+@declared(SensorSettings, *_SHUTTERS, show=True)
 @shared.chip_option
 @declared(Options, level=1)
-@click.option(
-    "--slot-us",
-    type=NumberRange(0.01, 1e6),
-    metavar="T",
-    help="Capture with slots of this length instead of each configuration's shortest.",
-)
-@click.option(
-    "--effects",
-    type=EFFECTS,
-    default="auto",
-    show_default=True,
-    metavar="E",
-    help="The sensor's effects, as nscc run takes them.",
-)
-@shared.made_scenes_option
-@click.option(
-    "--scenes",
-    "count",
-    type=COUNT,
-    default=1,
-    show_default=True,
-    help="Number of scenes of each kind.",
-)
-@shared.made_seed_option
+@declared(SensorSettings, "slot_us", "effects", "data", "count", "seed", show=True)
 @shared.tradeoff_options
 def sensor(**options: Any) -> int:
     """Measure PSNR against the shortest possible slot of each shutter class, on one chip.
@@ -362,7 +220,8 @@ def sensor(**options: Any) -> int:
     from nscc_training.tradeoff.sensor import sensor_study
 
     files = output_files(options)
-    study = sensor_study(options)
+    chip = {name: options[name] for name in ("target", "level")}
+    study = sensor_study(settings_of(SensorSettings, options, **chip))
     say_compiling(denoise, "the loop of total variation")
     measured = run_study(study, files, options)
     return 0 if any(point.case != "readouts" for point in measured.points) else 1
@@ -377,28 +236,8 @@ def sensor(**options: Any) -> int:
     metavar="RUN",
     help="A run folder of nscc train; may be repeated.",
 )
-@shared.made_scenes_option
-@click.option(
-    "--scenes", type=COUNT, default=2, show_default=True, help="Number of scenes of each kind."
-)
-@click.option(
-    "--size",
-    type=click.IntRange(32, 512),
-    default=128,
-    show_default=True,
-    help="Rows and columns of a scene.",
-)
-@shared.repeats_option(3)
-@click.option(
-    "--budget",
-    type=NumberRange(0, 1e6),
-    default=40.0,
-    show_default=True,
-    metavar="S",
-    help="Seconds after which no repeat starts; everything is measured at least once.",
-)
-@shared.made_seed_option
-@shared.trust_code_option
+@declared(DecoderSettings, show=True)
+@declared(JointRequest, "trust_code")
 @shared.tradeoff_options
 def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     """Measure PSNR and SSIM against decoding time per scene, in milliseconds.
@@ -410,12 +249,11 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     stops for stills."""
     from nscc_training.baselines.tv_loop import denoise
     from nscc_training.run_folder import load_run
-    from nscc_training.tradeoff.decoder import DecoderStudySettings, decoder_study
+    from nscc_training.tradeoff.decoder import decoder_study
 
     files = output_files(options)
-    scenes = DecoderStudySettings(*(options[n] for n in ("data", "scenes", "size", "seed")))
     folders = [load_run(path, trust_code=trust_code) for path in dict.fromkeys(runs)]
-    study = decoder_study(folders, scenes, options["repeats"], options["budget"])
+    study = decoder_study(folders, settings_of(DecoderSettings, options))
     say_compiling(denoise, "the loop of total variation")
     run_study(study, files, {**options, "runs": runs})
     return 0
@@ -424,30 +262,8 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
 @command.command("synthesis", cls=CommonCommand)
 @click.argument("files", nargs=-1, metavar="[FILE.nsl]...", type=PATH)
 @tradeoff_options
-@some_option("--levels", _LEVELS, "0,1,..", "Levels of -O.")
-@some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
-@click.option(
-    "--repeats",
-    type=COUNT,
-    default=3,
-    show_default=True,
-    help="How often each setting is compiled; the median is used.",
-)
-@click.option(
-    "--count",
-    type=click.Choice(["all", "logic"]),
-    default="all",
-    show_default=True,
-    help="All words of a frame, or only those that decode codes.",
-)
-def synthesis(
-    files: tuple[Path, ...],
-    levels: tuple[str, ...],
-    lowerings: tuple[Lowering, ...],
-    repeats: int,
-    count: Any,
-    **places: Any,
-) -> int:
+@declared(SynthesisSettings, show=True)
+def synthesis(files: tuple[Path, ...], **options: Any) -> int:
     """Measure the words per frame against compile time, at each level and lowering.
 
     Compiles FILEs, or else programs of all classes, from text to proof and without the cache. A
@@ -455,24 +271,18 @@ def synthesis(
     Exits with status 1 if no program fits."""
     from nscc_training.tradeoff.synthesis import builtin_programs, programs_of, synthesis_study
 
-    outputs = output_files(places)
+    outputs = output_files(options)
     programs = programs_of(files) or builtin_programs()
-    study = synthesis_study(programs, lowerings, map(int, levels), count, repeats)
-    return 0 if run_study(study, outputs, {"files": files, "count": count}).points else 1
+    study = synthesis_study(programs, settings_of(SynthesisSettings, options))
+    known = {"files": files, "count": options["count"]}
+    return 0 if run_study(study, outputs, known).points else 1
 
 
 @command.command("images", cls=CommonCommand)
 @click.argument("file", metavar="FILE.nsl", type=PATH)
-@click.option(
-    "-O",
-    "level",
-    type=click.Choice(_LEVELS),
-    default="2",
-    show_default=True,
-    help="Level of optimisation of the search.",
-)
+@declared(Options, "level", show=True)
 @tradeoff_options
-def images(file: Path, level: str, **places: Any) -> int:
+def images(file: Path, level: int, **places: Any) -> int:
     """Compare programs of words for the kernels of a program's images: noise against time.
 
     Noise is the standard deviation of the error that a kernel's words add, relative to one word.
@@ -481,7 +291,7 @@ def images(file: Path, level: str, **places: Any) -> int:
     from nscc_training.tradeoff.images import images_study
 
     outputs = output_files(places)
-    study = images_study(file, int(level))
+    study = images_study(file, level)
     if not study.points:
         click.echo(f"no image of '{file.name}' has a kernel", err=True)
         return 1

@@ -56,12 +56,16 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
 
 
 def _scene_meant(context: click.Context | None, message: str) -> tuple[str, ...]:
-    """Return a help that suggests `--scene` if the extra argument in click's `message` looks like a
-    scene. For other text, return a help about quotation marks, and nothing for other messages."""
+    """Return a help that suggests `--scene` if the extra argument looks like a scene, or `-o` for
+    a program where none is read."""
     extra = re.fullmatch(r"got unexpected extra argument \((.*)\)", message)
-    if extra is None or "--scene" not in _options(context):
+    if context is None or extra is None or "--scene" not in _options(context):
         return ()
-    if extra[1].startswith("builtin:") or Path(extra[1]).suffix:
+    suffix = Path(extra[1]).suffix.lower()
+    if suffix in (".nsl", ".icw"):
+        reads_none = not any(isinstance(p, click.Argument) for p in context.command.params)
+        return (f"no program is read: -o {extra[1]} names the one to write",) * reads_none
+    if suffix or extra[1].startswith("builtin:"):
         return (did_you_mean(f"--scene {extra[1]}"),)
     return ("put a value with blanks in quotation marks",)
 

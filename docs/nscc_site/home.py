@@ -14,7 +14,8 @@ from PIL import Image
 from nscc_runtime.scene_settings import Scene
 from nscc_runtime.simulate import Listener
 from nscc_site.tool import block, run_nscc
-from nscc_training.demo.expose import Settings, exposed
+from nscc_training.command_settings import DemoSettings
+from nscc_training.demo.expose import exposed
 from nscc_training.demo.sheet import Shown
 from nscc_training.demo.subject import subject
 from nscc_training.run_files import run_capture
@@ -32,7 +33,7 @@ def home_pages() -> dict[str, str | bytes]:
     """Return the pictures of the home page, and the text below them, by path in `docs/generated`.
 
     The frames of both cameras have all effects of the sensor that change them."""
-    scene, settings = Scene("builtin:hdr", fit="scale"), Settings(learned=False)
+    scene, settings = Scene("builtin:hdr", fit="scale"), DemoSettings(merge=True)
     run = run_capture(Path("hdr"))
     subject_ = subject(scene, run.slots, run.slots * run.slot_us * 1e-6)
     captured = exposed(subject_, settings, Listener())

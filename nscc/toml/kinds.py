@@ -239,6 +239,33 @@ class Several(Kind, Record):
         return [self.element.plain(item) for item in value]
 
 
+class Distinct(Kind, Record):
+    """Distinct values of one kind: in the order of its choices, or in ascending order.
+
+    On the command line they are one text, separated by commas; the text "none" is no value, if
+    that is allowed."""
+
+    element: Kind
+    may_be_empty: bool = False
+
+    @property
+    def allowed(self) -> str:
+        """The allowed values, for messages."""
+        return f"a list, each {self.element.allowed}"
+
+    def read(self, value: Any) -> tuple[Any, ...]:
+        """Return the values of a list in their order, each once; raise ValueError for others."""
+        if not isinstance(value, list | tuple) or not (value or self.may_be_empty):
+            raise ValueError
+        values = {self.element.read(item) for item in value}
+        choices: tuple[Any, ...] = getattr(self.element, "choices", ())
+        return tuple(sorted(values, key=choices.index if choices else None))
+
+    def plain(self, value: Any) -> Any:
+        """Return the values for a file."""
+        return [self.element.plain(item) for item in value]
+
+
 class Axis(Kind, Record):
     """One value of the kind `element`, or a list of distinct ones; in Python always a tuple.
 

@@ -68,7 +68,10 @@ class Scene:
         default_text="from EXIF data",
     )
     fps: float | None = key(
-        ANY_NUMBER, "The frame rate of the clip, in the time of the slots", None
+        ANY_NUMBER,
+        "The frame rate of the clip, in the time of the slots",
+        None,
+        default_text="each slot shows the next frame",
     )
     crop: str | tuple[int, int] | None = key(
         TextOrNumbers(2), "Top left corner of the array in the scene", None, notation="R,C"

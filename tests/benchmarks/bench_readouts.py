@@ -10,14 +10,14 @@ from __future__ import annotations
 
 import argparse
 import os
-from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
 
 from nscc_runtime.scenes import Scene
-from nscc_training.demo import Settings, demo
+from nscc_training.command_settings import DemoSettings
+from nscc_training.demo import demo
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILTIN = ("builtin:motion:0", "builtin:motion:0.15", "builtin:motion")
@@ -41,7 +41,7 @@ def main() -> None:
         found = []
         with TemporaryDirectory() as out:
             for count in counts:
-                made = demo(Scene(name), Path(out), replace(Settings(), readouts=count))
+                made = demo(Scene(name), Path(out), DemoSettings(readouts=count))
                 found.append(made.psnr_db)
         row = [made.open_db, made.open_db if made.fair_db is None else made.fair_db, *found]
         short = name if name.startswith("builtin:") else Path(name).name

@@ -21,8 +21,9 @@ from pathlib import Path
 from typing import Any
 
 from nscc_runtime.pool import processors
+from nscc_training.command_settings import SweepSettings
 from nscc_training.sweep.grid import Grid, read_grid
-from nscc_training.sweep.run_sweep import TIMES, How, sweep
+from nscc_training.sweep.run_sweep import TIMES, sweep
 
 ROOM = {2: 1.05, 3: 1.0}
 SET_R0 = 2
@@ -109,7 +110,7 @@ def cells(row: dict[str, Any], seconds: str) -> tuple[str, ...]:
 
 def lines(grid: Grid, out: Path, workers: int) -> Iterator[tuple[str, ...]]:
     """The cells of every point."""
-    table = sweep(grid, out, How(workers)).table
+    table = sweep(grid, out, SweepSettings(workers)).table
     with open(out / TIMES, newline="") as file:
         seconds = {row["key"]: f"{float(row['seconds']):.2f}" for row in csv.DictReader(file)}
     for values in table.rows():

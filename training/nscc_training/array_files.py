@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -255,10 +255,6 @@ def read_mask(path: Path) -> Floats:
     if high == 0:
         raise refused(path, "`mask` is 0 everywhere: no pixel ever opens")
     return mask
-
-
-Axis = Literal["first", "last"]
-"""The axis of a mask that counts slots."""
 
 
 def ambiguous_axes(path: Path, shape: tuple[int, ...]) -> Rejected:

@@ -15,15 +15,10 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.program.problems import counted
 from nscc.words.container import Container
-from nscc_training.array_files import (
-    Axis,
-    Floats,
-    ambiguous_axes,
-    is_square_tile,
-    read_mask,
-)
+from nscc_training.array_files import Floats, ambiguous_axes, is_square_tile, read_mask
 from nscc_training.code_choices import ShutterSpec, over_array
 from nscc_training.codes_files import codes_bytes
+from nscc_training.command_settings import Axis
 from nscc_training.programs import CODES_FILE, MOST_LISTED, Chip, compiled, program, words_per_slot
 
 Bits = NDArray[np.bool_]

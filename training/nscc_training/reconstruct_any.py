@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +23,6 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_training.any_code.frames import CodedFrame, read_coded_frames
 from nscc_training.array_files import (
     MOST,
-    Axis,
     Floats,
     ambiguous_axes,
     array_names,
@@ -33,6 +32,7 @@ from nscc_training.array_files import (
     refused,
 )
 from nscc_training.baselines.hdr import merge_neighbours
+from nscc_training.command_settings import Axis, Method, ResultKind
 from nscc_training.left_out import best_weight, prediction_errors, with_weight
 from nscc_training.measured import Measured
 from nscc_training.problems import listed
@@ -94,9 +94,6 @@ def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]
         )
 
 
-Method = Literal["network", "merge", "gap-tv"]
-"""How frames of any code are reconstructed: by the network, by merging neighbours (stills), or by
-GAP-TV (clips)."""
 _ITERATIONS = 40
 """Iterations of GAP-TV."""
 _WHITE = 0.995
@@ -176,14 +173,14 @@ def merged_still(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
     return merge_neighbours(mean, total, least).astype(np.float32)
 
 
-_KINDS: dict[str, Literal["image", "video"]] = {"merge": "image", "gap-tv": "video"}
+_KINDS: dict[str, ResultKind] = {"merge": "image", "gap-tv": "video"}
 """The kind of result of each method that does not use the network."""
 
 
 def reconstruct_any(
     frame: Path,
     program: Path | None = None,
-    kind: Literal["image", "video"] | None = None,
+    kind: ResultKind | None = None,
     dark: Path | None = None,
     method: Method | None = None,
     progress: Progress = unseen,

@@ -102,12 +102,15 @@ def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
     if not ending:
         return allowed[0]
     known = ", ".join(allowed)
+    # The name of a file that exists may be that of the input.
+    named = [path.with_name((path.stem or "name") + ending) for ending in allowed]
+    free = next((name for name in named if not name.exists()), named[0])
     raise rejected(
         "NS0786",
         f"{product} cannot be written as '{path.name}': the ending '{path.suffix[:20]}' is "
         "not supported here",
         notes=(f"it can end in {known}" if len(allowed) > 1 else f"it ends in {known}",),
-        helps=(f"name it {path.stem or 'name'}{allowed[0]}",),
+        helps=(f"name it {free.name}",),
         data={"endings": list(allowed)},
     )
 

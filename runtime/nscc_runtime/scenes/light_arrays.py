@@ -261,14 +261,17 @@ def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
     shown = ", ".join(repr(name[:40]) for name in sorted(have)[:12]) or "nothing"
     further = f" and {len(have) - 12} more" if len(have) > 12 else ""
     names = " or ".join(f"'{key}'" for key in keys)
+    help_text = (
+        "save the scene's light under that name: np.savez(file, light=a), electrons per slot "
+        "(T, rows, cols) or electrons per second (rows, cols)"
+    )
+    if {"frame", "meta"} <= set(have):
+        help_text = f"it is a frame file: `nscc reconstruct any {path} -o OUT.png` decodes it"
     return rejected(
         "NS0733",
         f"'{path}' has no array {names}",
         notes=(f"it holds {shown}{further}",),
-        helps=(
-            "save the scene's light under that name: np.savez(file, light=a), electrons per "
-            "slot (T, rows, cols) or electrons per second (rows, cols)",
-        ),
+        helps=(help_text,),
     )
 
 

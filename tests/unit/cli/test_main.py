@@ -126,6 +126,7 @@ def test_commands_have_the_documented_status_and_message(
         (["demo", "ok.nsl"], "NS0780", "`nscc run ok.nsl --scene PHOTO`"),
         (["build", "ok.nsl", "-o", "x.foo"], "NS0786", "name it x.icw"),
         (["build", "ok.nsl", "-o", "x.cpp"], "NS0786", "`--emit cpp -o x.icw`"),
+        (["design", "x.nsl"], "NS0780", "-o x.nsl names the one to write"),
         (["reconstruct", "missing.npz", "-o", "o.npz"], "NS0819", "the file does not exist"),
         (["reconstruct", "ok.nsl", "-o", "o.npz"], "NS0819", "`nscc run PROGRAM.nsl --scene SCENE"),
         (["reconstruct", "any", "-o", "o.npz"], "NS0780", "needs FRAME.npz"),
@@ -141,6 +142,15 @@ def test_wrong_commands_say_what_to_write(
     assert helps in ended.err
     assert "Error:" not in ended.err
     assert not list(folder.glob("x*"))
+
+
+def test_frame_files_are_no_scenes_and_keep_their_names(folder: Path) -> None:
+    assert invoke(["run", "ok.nsl", "--scene", "builtin:dark", "-o", "f.npz"], folder).status == 0
+    as_scene = invoke(["run", "ok.nsl", "--scene", "f.npz"], folder)
+    assert "`nscc reconstruct any f.npz -o OUT.png` decodes it" in as_scene.err
+    wrong = invoke(["reconstruct", "any", "f.npz", "-o", "f.txt"], folder)
+    assert "[NS0786]" in wrong.err
+    assert "name it f.npy" in wrong.err  # f.npz is the input
 
 
 def test_prove_compiles_programs(folder: Path) -> None:

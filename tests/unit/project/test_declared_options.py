@@ -21,12 +21,45 @@ from nscc.program.program import Codes
 from nscc.toml.arguments import checked
 from nscc.toml.kinds import Flag, Kind, Number, TextKind
 from nscc.toml.schema import declared
+from nscc_cli import evaluate, reconstruct, tradeoff
 from nscc_cli.build import command as build
+from nscc_cli.demo import command as demo
+from nscc_cli.design import command as design
+from nscc_cli.group import group
 from nscc_cli.run import command as run
+from nscc_cli.sweep import command as sweep
 from nscc_runtime.planning.tolerance import DEFAULT
 from nscc_runtime.request import Request
 from nscc_runtime.scenes import Scene
+from nscc_training.command_settings import (
+    DecoderSettings,
+    DemoSettings,
+    DesignSettings,
+    EmulatorSettings,
+    EvaluationSettings,
+    FigureSettings,
+    ImportSettings,
+    JointRequest,
+    ReconstructSettings,
+    SensorSettings,
+    SweepSettings,
+    SynthesisSettings,
+)
 
+COMMAND_SETTINGS = [
+    DecoderSettings,
+    DemoSettings,
+    DesignSettings,
+    EmulatorSettings,
+    EvaluationSettings,
+    FigureSettings,
+    ImportSettings,
+    JointRequest,
+    ReconstructSettings,
+    SensorSettings,
+    SweepSettings,
+    SynthesisSettings,
+]
 CALLS: list[tuple[Callable[..., Any], type, set[str]]] = [
     (nscc.compile, Options, {"source", "folder"}),
     (nscc_runtime.scene, Scene, set()),
@@ -82,7 +115,19 @@ def test_a_signature_has_the_declared_options(
         (run, Options, set()),
         (run, Scene, set()),
         (run, Request, {"threads"}),
+        (demo, DemoSettings, set()),
+        (design, DesignSettings, set()),
+        (sweep, SweepSettings, set()),
+        (reconstruct.command, ReconstructSettings, set()),
+        (evaluate.of, EvaluationSettings, set()),
+        (evaluate.figures, FigureSettings, set()),
+        (tradeoff.sensor, SensorSettings, set()),
+        (tradeoff.decoder, DecoderSettings, set()),
+        (tradeoff.emulator, EmulatorSettings, set()),
+        (tradeoff.synthesis, SynthesisSettings, set()),
+        (tradeoff.joint, JointRequest, set()),
     ],
+    ids=lambda value: getattr(value, "__name__", getattr(value, "name", "")),
 )
 def test_commands_have_the_declared_options(
     command: click.Command, settings: type, left_out: set[str]
@@ -101,12 +146,42 @@ def test_what_declarations_write_again_is_the_same() -> None:
     assert Request.tolerance == DEFAULT
 
 
-@pytest.mark.parametrize("settings", [Options, Scene, Request])
+@pytest.mark.parametrize("settings", [Options, Scene, Request, *COMMAND_SETTINGS])
 def test_defaults_are_values_of_their_kinds(settings: type) -> None:
     for name in declared(settings):
         default = getattr(settings, name, None)
-        if default is not None:
+        if default not in (None, ""):
             assert checked("call", settings, {name: default}) == {name: default}
+
+
+OF_EACH_COMMAND = {
+    "--budget", "--codes", "--count", "--crop", "--dark", "--data", "--effects", "--json",
+    "--looks", "--method", "--on", "--out", "--plan", "--png", "--program", "--readouts", "--run",
+    "--scene", "--schema", "--seed", "--sensor", "--slot-us", "--slots", "--target", "--toml", "-o",
+}  # fmt: skip
+"""Options that mean something else in some commands: files, lists of settings, and seeds."""
+
+
+def texts_by_option(command: click.Command) -> dict[str, set[str]]:
+    """The help of each option of a command and of its subcommands, without the default."""
+    texts: dict[str, set[str]] = {}
+    for parameter in command.params:
+        if isinstance(parameter, click.Option):
+            text = str(parameter.help).partition(" (default")[0].rstrip(".")
+            texts.setdefault(parameter.opts[-1], set()).add(text)
+    if isinstance(command, click.Group):
+        context = click.Context(command)
+        for name in {*command.commands, *command.list_commands(context)}:
+            subcommand = command.get_command(context, name)
+            assert subcommand is not None
+            for option, found in texts_by_option(subcommand).items():
+                texts.setdefault(option, set()).update(found)
+    return texts
+
+
+def test_an_option_of_several_commands_is_described_once() -> None:
+    several = {option for option, texts in texts_by_option(group).items() if len(texts) > 1}
+    assert several == OF_EACH_COMMAND
 
 
 @pytest.mark.parametrize(

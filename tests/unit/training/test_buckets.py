@@ -14,6 +14,7 @@ from nscc.diagnostics.arguments import WrongArgument
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime import capture
 from nscc_training import load_run
+from nscc_training.command_settings import DecoderSettings
 from nscc_training.config import settings_of
 from nscc_training.decoders.declared import DECODERS, DecoderTask
 from nscc_training.decoders.decoder_building import make_decoder
@@ -21,7 +22,7 @@ from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.loop.setup import make_setup
 from nscc_training.programs import Chip, compiled, program_of
 from nscc_training.sensor_model import SensorModel, differentiable_capture
-from nscc_training.tradeoff.decoder import DecoderStudySettings, decoder_points
+from nscc_training.tradeoff.decoder import decoder_points
 
 CHIP = Chip("dual-tap", 1000.0)
 TWO = {"class": "e", "slots": 4, "tile": [2, 2], "buckets": 2, "init": "random"}
@@ -130,6 +131,6 @@ def test_a_run_learns_exposes_and_decodes(tmp_path: Path) -> None:
     # The truth has no pattern, and neither bucket's code is seen in it.
     assert np.allclose(made.mean(axis=(1, 2)), 900, rtol=0.2)
     with pytest.raises(Rejected, match="two buckets"):
-        decoder_points([run.folder], DecoderStudySettings(path, 1, 32, 0))
+        decoder_points([run.folder], DecoderSettings(path, count=1, size=32))
     with pytest.raises(WrongArgument, match=r"its codes \(2, 176, 280\)"):
         run.reconstruct(taken.frame[0])

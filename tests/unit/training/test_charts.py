@@ -17,12 +17,12 @@ from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.precision import Point
 from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
 from nscc_runtime.scenes import Scene
+from nscc_training.command_settings import JointRequest
 from nscc_training.experiments.study import StudyResult
 from nscc_training.tradeoff import STAGES
 from nscc_training.tradeoff.decoder import decoder_diagram
 from nscc_training.tradeoff.images import images_diagram
 from nscc_training.tradeoff.joint import Joint, joint_diagram
-from nscc_training.tradeoff.joint_bench import JointRequest
 from nscc_training.tradeoff.sensor import sensor_diagram
 from nscc_training.tradeoff.synthesis import synthesis_diagram
 from nscc_training.views import result_sheet, run_sheet, sensor_sheet

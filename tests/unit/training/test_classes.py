@@ -20,6 +20,7 @@ from nscc.diagnostics.arguments import WrongArgument  # noqa: E402
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_runtime.light import Light  # noqa: E402
 from nscc_training import load_run  # noqa: E402
+from nscc_training.command_settings import EvaluationSettings  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import ExposureSet, cut_batch, load_scenes  # noqa: E402
 from nscc_training.evaluation.results import result_text  # noqa: E402
@@ -132,17 +133,19 @@ def test_a_run_is_evaluated_on_procedural_scenes_and_on_folders(
 ) -> None:
     chosen = make_setup(settings_of(CLASSES)).protocol.changed(procedural=16)
     monkeypatch.setattr("nscc_training.evaluation.runs.load_protocol", lambda _name: chosen)
-    first, arrays = evaluate(str(run), Path("procedural"), "class-v1", 1)
-    again, _ = evaluate(str(run), Path("procedural"), "class-v1", 1)
-    _, others = evaluate(str(run), Path("procedural"), "class-v1", 2)
+    first, arrays = evaluate(EvaluationSettings(str(run), Path("procedural"), "class-v1", 1))
+    again, _ = evaluate(EvaluationSettings(str(run), Path("procedural"), "class-v1", 1))
+    _, others = evaluate(EvaluationSettings(str(run), Path("procedural"), "class-v1", 2))
     assert first["items"] == again["items"]
     assert [item["class"] for item in first["items"]] == [*DIRECTIONS, *DIRECTIONS]
     assert not np.array_equal(arrays["right-0_0_class"], others["right-0_0_class"])
     assert first["mean"] == np.mean([i["class"] == i["decoded"] for i in first["items"]])
     assert arrays["right-0_0_class"].shape == arrays["right-0_0_truth"].shape == (8,)
-    result, _ = evaluate(str(run), class_folders(tmp_path / "clips"), "class-v1", 0)
+    result, _ = evaluate(
+        EvaluationSettings(str(run), class_folders(tmp_path / "clips"), "class-v1")
+    )
     assert [item["class"] for item in result["items"]] == ["left", "left", "right", "right"]
-    chip, _ = evaluate(str(run), tmp_path / "clips", "class-v1", 0, effects="all")
+    chip, _ = evaluate(EvaluationSettings(str(run), tmp_path / "clips", "class-v1", effects="all"))
     assert len(chip["items"]) == 4
 
 

@@ -28,6 +28,7 @@ from nscc_runtime.request import Request  # noqa: E402
 from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256  # noqa: E402
 from nscc_runtime.simulate import simulate  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
+from nscc_training.command_settings import EvaluationSettings  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, emulated_sensor  # noqa: E402
 from nscc_training.evaluation.results import result_text  # noqa: E402
@@ -241,8 +242,8 @@ def test_a_run_is_scored_and_doubted_on_a_chip_it_was_not_trained_for(tmp_path: 
     """As protocol and `nscc run` expose it: the chip costs decibels, and the run is told so."""
     clip(tmp_path / "c.mat", 16, 256)
     run = RUNS / "clips/class-d/learned-from-2x2/unet2d/noise-alone/seed0"
-    plain, _ = evaluate(str(run), tmp_path, "video-v1", 0)
-    chip, _ = evaluate(str(run), tmp_path, "video-v1", 0, effects="all")
+    plain, _ = evaluate(EvaluationSettings(str(run), tmp_path, "video-v1"))
+    chip, _ = evaluate(EvaluationSettings(str(run), tmp_path, "video-v1", effects="all"))
     assert chip["settings"]["effects"] == "all"
     assert chip["mean"] < plain["mean"] - 0.1
     assert "on a chip with effects all; trained with noise" in result_text(chip)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
-from importlib.util import find_spec
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -26,9 +25,10 @@ from nscc_runtime.machine_code import working_s
 from nscc_runtime.pieces import Taken, simulate_scene
 from nscc_runtime.request import Request
 from nscc_runtime.response import with_table
-from nscc_runtime.scenes import Fit, PlacedLight, Scene, laid_lights
+from nscc_runtime.scenes import PlacedLight, Scene, laid_lights
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener
+from nscc_training.command_settings import DemoSettings
 from nscc_training.demo.subject import Subject
 from nscc_training.design.bracket import bracket_slots, camera
 from nscc_training.design.chip import Curve, DesignChip
@@ -48,31 +48,6 @@ DARK_FRAMES, DARK_SEED = 16, 1 << 20
 scene's."""
 _BRIGHTER = ("@99", "@100")
 """Percentiles tried for the exposure if the scene is dark at the run's percentile."""
-
-
-@dataclass(frozen=True)
-class Settings:
-    """The settings of a demo.
-
-    `fit`, `color` and `exposure` are written as for the options of `nscc run`; an exposure of None
-    uses the run's. `tone` names a tone curve; None uses sRGB for display scenes and a logarithm for
-    linear light. `learned` uses the run's network, which needs torch; otherwise neighbours are
-    merged. `readouts` is the number of readouts of a clip, None for the best number. `run` exposes
-    and decodes in place of the run that comes with nscc."""
-
-    fit: Fit = "scale"
-    color: bool = False
-    exposure: str | None = None
-    tone: str | None = None
-    seed: int = 0
-    learned: bool = field(default_factory=lambda: find_spec("torch") is not None)
-    readouts: int | None = None
-    run: Path | None = None
-
-    @property
-    def program(self) -> Path:
-        """The path of the program that exposes clips, with one readout if nothing is learned."""
-        return examples()[CLIPS[(self.readouts or BEST_READOUTS) if self.learned else 1]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,7 +127,7 @@ class Exposed:
         return _frame_file(self.coded_capture, keep), _frame_file(self.dark)
 
 
-def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed:
+def exposed(subject: Subject, settings: DemoSettings, listener: Listener) -> Exposed:
     """Expose a still with its run's program, or a clip with the program for its number of readouts.
     Also expose it with the ordinary cameras that the demo compares.
 
@@ -175,7 +150,7 @@ def exposed(subject: Subject, settings: Settings, listener: Listener) -> Exposed
             f"'{subject.scene.name}' is a still, and a still is read out once",
             helps=("name a clip, or leave --readouts out",),
         )
-    program = settings.program if run is None else like.program
+    program = _program_of(settings) if run is None else like.program
     target = None if like.target is None else str(like.target)
     compiled = compile_file(program, Options(target=target)).container
     assert compiled is not None  # programs that come with nscc, or a run, compile
@@ -257,7 +232,11 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
 
 
 def _laid(
-    subject: Subject, like: RunCapture, container: Container, settings: Settings, listener: Listener
+    subject: Subject,
+    like: RunCapture,
+    container: Container,
+    settings: DemoSettings,
+    listener: Listener,
 ) -> tuple[tuple[PlacedLight, ...], Scene]:
     """Return the light of the scene on the array, for each colour, and the scene with the exposure
     that was used.
@@ -285,7 +264,14 @@ def _laid(
     raise AssertionError("there is an exposure to ask for")
 
 
-def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Listener) -> Taken:
+def _program_of(settings: DemoSettings) -> Path:
+    """Return the path of the program for clips; only the network joins several readouts."""
+    return examples()[CLIPS[(settings.readouts or BEST_READOUTS) if settings.learned else 1]]
+
+
+def _dark(
+    container: Container, sensor: Sensor, settings: DemoSettings, listener: Listener
+) -> Taken:
     """Return `DARK_FRAMES` frames of a dark scene from the program `container`, with noise that is
     independent of the scene's."""
     night = laid_lights(Scene("builtin:dark"), container.slot_us, container.target)

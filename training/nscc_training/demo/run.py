@@ -15,16 +15,16 @@ from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.progress import Progress
 from nscc_runtime.scenes import Scene
 from nscc_runtime.simulate import Listener
+from nscc_training.command_settings import DemoSettings, Method
 from nscc_training.demo.expose import (
     DARK_FRAMES,
     DARK_SEED,
     Exposed,
-    Settings,
     exposed,
 )
 from nscc_training.demo.sheet import Shown, demo_sheet, readouts_text
 from nscc_training.demo.subject import subject
-from nscc_training.reconstruct_any import Method, reconstruct_any
+from nscc_training.reconstruct_any import reconstruct_any
 from nscc_training.run_files import run_capture
 
 BUILTIN = ("builtin:hdr", "builtin:motion:0.15")
@@ -52,15 +52,14 @@ class Demo:
 
 
 def demo(
-    scene: Scene, out: Path, settings: Settings | None = None, listener: Listener | None = None
+    scene: Scene, out: Path, settings: DemoSettings | None = None, listener: Listener | None = None
 ) -> Demo:
     """Expose a scene with a shipped run, reconstruct it, and write both into the folder `out`.
 
     For a still, writes `picture_sheet.png`, `picture.hdr` and `picture.png`; for a clip,
     `clip_sheet.png`, `clip.mp4`, `clip.gif` and its program `clip.nsl`. Both have frame files
-    `.._frame.npz` and `.._dark.npz`. Existing files are replaced. `settings` and `listener` may be
-    None, for defaults and silence. Raises Rejected for scenes that cannot be read or are dark."""
-    settings, listener = settings or Settings(), listener or Listener()
+    `.._frame.npz` and `.._dark.npz`. Raises Rejected for scenes that cannot be read or are dark."""
+    settings, listener = settings or DemoSettings(), listener or Listener()
     clips = run_capture(settings.run or Path("clip"))
     scene_subject = subject(scene, clips.slots, clips.slots * clips.slot_us * 1e-6)
     if scene_subject.chosen and listener.say is not None:
@@ -107,7 +106,7 @@ def demo(
 
 
 def _reconstructed(
-    exposed_scene: Exposed, frames: tuple[Path, Path], settings: Settings, progress: Progress
+    exposed_scene: Exposed, frames: tuple[Path, Path], settings: DemoSettings, progress: Progress
 ) -> tuple[NDArray[np.float32], float, str]:
     """Return the reconstructed light in the shape of the truth, the seconds it took, and the name
     of the method.
@@ -131,7 +130,7 @@ def _reconstructed(
     return reconstruction.light, reconstruction.decode_s, how
 
 
-def _method(exposed_scene: Exposed, settings: Settings) -> Method:
+def _method(exposed_scene: Exposed, settings: DemoSettings) -> Method:
     """Return the method with which `nscc reconstruct any` reconstructs the scene: the network, or
     if the settings use none, merging for a still and GAP-TV for a clip."""
     if settings.learned:
@@ -140,7 +139,7 @@ def _method(exposed_scene: Exposed, settings: Settings) -> Method:
 
 
 def _commands(
-    exposed_scene: Exposed, settings: Settings, files: tuple[Path, ...]
+    exposed_scene: Exposed, settings: DemoSettings, files: tuple[Path, ...]
 ) -> tuple[str, ...]:
     """Return the commands that do the same as the demo, step by step: expose the scene, expose dark
     frames, reconstruct. `files` are the files that the demo wrote, in its order."""

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_training.code_choices import STARTS
+from nscc_training.command_settings import EvaluationSettings
 from nscc_training.evaluation import methods
 from nscc_training.evaluation.methods import CapturedScene, Light, Method, captured
 from nscc_training.evaluation.results import (
@@ -143,24 +144,19 @@ BASELINES: dict[str, dict[str, Baseline]] = {
 
 
 def evaluate_baseline(
-    protocol: Protocol,
-    name: str,
-    folder: Path,
-    seed: int = 0,
-    codes: str = "",
-    scorer: Scorer | None = None,
+    protocol: Protocol, wanted: EvaluationSettings, scorer: Scorer | None = None
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of the baseline `name` on a folder of scenes, and its arrays by name, both
     as `result_of` does.
 
-    `codes` names other shutters, CLASS:START or a run (`named_codes`). The noise of a scene depends
-    only on the scene's index and `seed`. `scorer` decodes and scores; None keeps nothing."""
+    `wanted.shutter` names other shutters, CLASS:START or a run (`named_codes`). The noise of a
+    scene depends only on the scene's index and `wanted.seed`."""
     from nscc_training.sensor_model import SensorModel
 
-    scorer = scorer or Scorer()
+    name, seed, codes, scorer = wanted.subject, wanted.seed, wanted.shutter, scorer or Scorer()
     baseline, model = BASELINES[protocol.name][name], SensorModel.of_protocol(protocol)
     choices = _choices(baseline, protocol, name, seed, codes)
-    files = files_of(protocol, folder)
+    files = files_of(protocol, wanted.data)
     scenes, left_out = usable_scenes(scenes_in(files, protocol), protocol)
 
     def decoded(tile: Tensor, shown: Sequence[ProtocolScene | None]) -> list[Scored]:

@@ -23,6 +23,7 @@ from nscc_runtime.request import Request
 from nscc_runtime.scenes import Scene as Shown
 from nscc_runtime.scenes import laid_lights
 from nscc_runtime.simulate import simulate
+from nscc_training.command_settings import FigureSettings
 from nscc_training.demo import BUILTIN
 from nscc_training.demo.expose import RUNS
 from nscc_training.design.bracket import camera
@@ -93,14 +94,15 @@ class _Shot:
         return f"PSNR {mean:.1f} dB over all frames"
 
 
-def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> dict[str, bytes]:
+def figures(settings: FigureSettings) -> dict[str, bytes]:
     """Return PNG files by the names in `figures.toml`.
 
     `data` contains panoramas and clips, or folders `hdr` and `video` with them. The figures show
     the first crop with the largest ratio of brightest light to median, and the first window with
     the most motion. Files that the run was trained on are not used. Without `data`, or without a
-    suitable file, built-in scenes are shown. `effects` are as for `nscc run`. Raises Rejected:
-    NS0756 for unknown effects, NS0811 for a folder without scenes."""
+    suitable file, built-in scenes are shown. Raises Rejected: NS0756 for unknown effects, NS0811
+    for a folder without scenes."""
+    data = settings.data
     runs = {still: load_run(path) for still, path in RUNS.items()}
     scenes = {
         kind: None if data is None else _scene_of(folder, data, kind)
@@ -117,7 +119,7 @@ def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> d
             helps=("name a folder of panoramas and clips, or with folders hdr and video of them",),
         )
     shots = {
-        "still" if kind else "clip": _shot_of(folder, kind, scenes[kind], effects, seed)
+        "still" if kind else "clip": _shot_of(folder, kind, scenes[kind], settings)
         for kind, folder in runs.items()
     }
     layout = files("nscc_training.evaluation") / "figures.toml"
@@ -128,7 +130,7 @@ def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> d
             rows = [[scene.image(shown) for shown in row.split()] for row in figure["rows"]]
             title = f"{scene.name}: {figure['title']}"
         else:
-            rows, title = _mosaics(runs, seed), figure["title"]
+            rows, title = _mosaics(runs, settings.seed), figure["title"]
         pngs[f"{name}.png"] = png_of(image_sheet, rows, title)
     return pngs
 
@@ -137,13 +139,10 @@ def _shot_of(
     folder: RunFolder,
     still: bool,
     found_scene: tuple[str, ProtocolScene] | None,
-    effects: str,
-    seed: int,
+    settings: FigureSettings,
 ) -> _Shot:
-    """Expose a scene on the emulated chip, reconstruct it with a run, and return the images.
-
-    `found_scene` is its name and the scene; None takes the built-in scene. `still` says whether it
-    is a still or a clip, `effects` and `seed` are those of the emulated chip."""
+    """Expose a scene, or the built-in scene, and reconstruct it with a run; return the images.
+    `still` decides whether it is a still or a clip."""
     setup = folder.setup
     if found_scene is None:
         like = run_capture(folder.path)
@@ -154,7 +153,8 @@ def _shot_of(
         name, scene = found_scene
         light = light_on_array(scene.light_e, setup.slots, setup.target)
     truth = np.asarray(light.total_e() if still else light.dense(), np.float64)
-    request = Request.of(effects=effects, seed=seed, device_seed=seed)
+    seed = settings.seed
+    request = Request.of(effects=settings.effects, seed=seed, device_seed=seed)
     coded, usual = (
         simulate(container, light, setup.sensor, request).frame
         for container in (container_of(setup), camera(setup.slots, setup.chip.slot_us))

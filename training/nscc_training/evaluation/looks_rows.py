@@ -27,6 +27,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
 from nscc_runtime.response import response_of
 from nscc_runtime.sensor import Sensor, load_sensor
+from nscc_training.command_settings import EvaluationSettings
 from nscc_training.design.bracket import bracket_slots, camera, merged_bracket
 from nscc_training.design.chip import DesignChip
 from nscc_training.design.looking import LookModel, LookSchedule
@@ -70,21 +71,16 @@ def row_of(name: str, target: Target) -> LookSchedule:
 
 
 def evaluate_looks(
-    name: str,
-    folder: Path,
-    seed: int = 0,
-    effects: str = "",
-    changes: Sequence[str] = (),
-    scorer: Scorer | None = None,
+    wanted: EvaluationSettings, scorer: Scorer | None = None
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a method of UNDECODED on a folder of panoramas, and its arrays by name,
     both as `result_of` does.
 
-    `seed` is that of the noise. `effects` replace the protocol's noise and comparator noise, and
-    then the readout has the noise of the chip; `changes` are sensor values, as for `nscc run`.
-    Programs are designed for the sensor without these changes. `scorer` None keeps nothing."""
+    `wanted.effects` replace the protocol's noise and comparator noise, and then the readout has the
+    noise of the chip. Programs are designed for the sensor without `wanted.changes`."""
     protocol, scorer = load_protocol("hdr-v1"), scorer or Scorer()
-    files = files_of(protocol, folder)
+    name, effects, changes = wanted.subject, wanted.effects, wanted.changes
+    files = files_of(protocol, wanted.data)
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
     size, well = int(protocol["crop_size"]), float(protocol["full_well_e"])
     target = replace(
@@ -112,7 +108,7 @@ def evaluate_looks(
         def decode(crop: ProtocolScene, index: int) -> tuple[NDArray[np.float64], float]:
             """Return the light that the pixels measure of a scene; nothing is decoded, so the
             time is 0."""
-            seeds = 1000 * seed + index, 0
+            seeds = 1000 * wanted.seed + index, 0
             measure = bracket_light if name == BRACKET else looked_light
             return measure(program(crop), crop.light_e, sensor, chosen, seeds), 0.0
 
@@ -126,7 +122,7 @@ def evaluate_looks(
     else:
         looks, percent = ROWS[name]
         method = {"looks": list(looks), "level": f"{percent:g}%"}
-    settings = {"effects": effects or _EFFECTS, "sensor_changes": [*changes], "seed": seed}
+    settings = {"effects": effects or _EFFECTS, "sensor_changes": [*changes], "seed": wanted.seed}
     return result_of(
         protocol,
         name,

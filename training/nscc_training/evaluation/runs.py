@@ -18,6 +18,7 @@ from nscc.files import file_sha256
 from nscc.program.problems import counted
 from nscc_runtime.sensor import load_sensor
 from nscc_training.code_choices import LOOKS
+from nscc_training.command_settings import EvaluationSettings
 from nscc_training.data import load_scenes
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.decoder_building import flops, parameter_count
@@ -48,45 +49,41 @@ _SIZE = (256, 256)
 
 def evaluate_run(
     folder: RunFolder,
-    data: Path,
     protocol: Protocol,
-    seed: int,
-    *,
-    skip_seen: bool = False,
-    effects: str = "",
-    changes: Sequence[str] = (),
+    wanted: EvaluationSettings,
     scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a run with its hard shutters on the scenes in the folder `data`, and its
     arrays by name, both as `result_of` does.
 
-    `seed` is that of the noise. With `skip_seen`, files that the run was trained or validated on
-    are left out, and the result says so. `effects` (as for `nscc run --effects`) exposes the scenes
-    on the emulated chip, with a different chip for each `seed`, instead of the protocol's sensor;
-    `changes` are values of the chip's sensor, as for `nscc run --sensor-set`. `scorer` None keeps
-    nothing.
+    The result lists the files that `wanted.skip_seen` leaves out. Effects are those of a different
+    chip for each seed.
 
     Raises Rejected: NS0756 for unknown effects; NS0841 for effects under sci8, whose measurements
-    come from files; NS0820 if the run has seen a file of `data`, or with `skip_seen` all files;
+    come from files; NS0820 if the run has seen a file of the data, or with `skip_seen` all files;
     NS0821 if the run was trained for another task than the protocol's; NS0811 for a folder without
     data."""
     _check_kind(folder, protocol)
-    files = files_of(protocol, data)
+    files = files_of(protocol, wanted.data)
     seen_files = seen_of(folder, files)
-    if not (skip_seen and len(seen_files) < len(files)):
+    if not (wanted.skip_seen and len(seen_files) < len(files)):
         check_unseen(folder, files)
     files = [path for path in files if path not in seen_files]
-    if effects and protocol.name == "sci8":
+    if wanted.changes and not wanted.effects:
+        raise rejected(
+            "NS0841",
+            f"'{folder.path}' is exposed with the sensor of its training, which no value changes",
+            helps=('name the effects of the emulated chip, such as effects = "all"',),
+        )
+    if wanted.effects and protocol.name == "sci8":
         raise rejected(
             "NS0841",
             "sci8 contains measurements that were not made by the emulated chip",
             helps=("leave --effects out, or use video-v1",),
         )
-    decode = (
-        _by_mask(folder) if protocol.name == "sci8" else _by_run(folder, seed, effects, changes)
-    )
+    decode = _by_mask(folder) if protocol.name == "sci8" else _by_run(folder, wanted)
     candidates = (
-        class_windows(files, folder.setup.classes, protocol, seed)
+        class_windows(files, folder.setup.classes, protocol, wanted.seed)
         if protocol.classifies
         else scenes_in(files, protocol)
     )
@@ -97,9 +94,9 @@ def evaluate_run(
     scorer = scorer or Scorer()
     scored_scenes = scorer.scored(scenes, decode)
     extra_keys = also_saturated(files, protocol, lambda shown: scorer.scored(shown, decode))
-    if changes:
-        extra_keys["sensor_changes"] = [*changes]
-    return _run_result(folder, protocol, files, scored_scenes, left_out, seed, effects, extra_keys)
+    if wanted.changes:
+        extra_keys["sensor_changes"] = [*wanted.changes]
+    return _run_result(folder, protocol, wanted, files, scored_scenes, left_out, extra_keys)
 
 
 def evaluate_validation(
@@ -124,25 +121,23 @@ def evaluate_validation(
             helps=("set [data] val to the original files",),
         )
     shown = validation_scenes(folder.setup, scenes)
-    effects = settings.sensor.effects
-    scored_scenes = (scorer or Scorer()).scored(shown, _by_run(folder, 0, effects, ()))
+    wanted = EvaluationSettings("", effects=settings.sensor.effects)
+    scored_scenes = (scorer or Scorer()).scored(shown, _by_run(folder, wanted))
     split = {"split": "val"}
-    return _run_result(folder, shown[0].protocol, [], scored_scenes, [], 0, effects, split)
+    return _run_result(folder, shown[0].protocol, wanted, [], scored_scenes, [], split)
 
 
-def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) -> DecodeScene:
+def _by_run(folder: RunFolder, wanted: EvaluationSettings) -> DecodeScene:
     """Return a function that captures and decodes a scene: with the sensor model of the training,
-    or with `effects` on the emulated chip.
-
-    `changes` are texts KEY=VALUE that change the chip's sensor. `seed` is that of noise and chip.
-    """
-    file = folder.path / SENSOR_FILE
-    sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
-    sensor = load_sensor(folder.setup.target, sensor_file, changes) if changes else None
-    if effects:
-        decode = by_chip(folder.setup, effects, sensor, seed)
+    or with effects on the emulated chip."""
+    if wanted.effects:
+        file = folder.path / SENSOR_FILE
+        sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
+        changed = wanted.changes or None
+        sensor = changed and load_sensor(folder.setup.target, sensor_file, changed)
+        decode = by_chip(folder.setup, wanted.effects, sensor, wanted.seed)
     else:
-        decode = by_model(folder.setup, seed=seed)
+        decode = by_model(folder.setup, seed=wanted.seed)
     return lambda scene, index: decode(scene.light_e, index)
 
 
@@ -173,11 +168,10 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
 def _run_result(
     folder: RunFolder,
     protocol: Protocol,
+    wanted: EvaluationSettings,
     files: list[Path],
     scored_scenes: Sequence[Scored],
     left_out: list[dict[str, Any]],
-    seed: int,
-    effects: str,
     extra_keys: dict[str, Any],
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of scored scenes, with the settings of the run, and its arrays by name,
@@ -201,9 +195,9 @@ def _run_result(
             "words_per_slot": folder.result.get("words_per_slot"),
             "program_sha256": sha256(folder.program.encode()).hexdigest(),
             "config_sha256": folder.result.get("config_sha256"),
-            "effects": effects,
+            "effects": wanted.effects,
             "trained_effects": settings.sensor.effects,
-            "seed": seed,
+            "seed": wanted.seed,
         },
         files,
         scored_scenes,
@@ -285,55 +279,32 @@ def check_unseen(folder: RunFolder, files: list[Path]) -> None:
 
 
 def evaluate(
-    subject: str,
-    data: Path,
-    protocol: str,
-    seed: int,
-    *,
-    trust_code: bool = False,
-    skip_seen: bool = False,
-    codes: str = "",
-    effects: str = "",
-    changes: Sequence[str] = (),
-    scorer: Scorer | None = None,
+    wanted: EvaluationSettings, scorer: Scorer | None = None
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a baseline or of a run, and its arrays by name.
-
-    `subject` is a baseline, a run folder, or a run that comes with nscc. `trust_code` is as in
-    `load_run`, `skip_seen` as in `evaluate_run`. `effects` and `changes` apply to runs and to
-    methods without a decoder. `codes` names other shutters for a baseline (`named_codes`).
 
     Raises Rejected: NS0806 for the protocol, NS0810 for an unknown subject, NS0840 for codes and
     NS0841 for effects that the subject does not support, NS0811 for a folder without suitable data,
     and the errors of `load_run` and `evaluate_run`."""
-    chosen = load_protocol(protocol)
+    chosen, subject = load_protocol(wanted.protocol), wanted.subject
     known = (*BASELINES.get(chosen.name, ()), *(UNDECODED if chosen.still else ()))
     if subject in UNDECODED and chosen.still:
-        _refuse_codes(codes, subject)
-        return evaluate_looks(subject, data, seed, effects, changes, scorer)
+        _refuse_codes(wanted.shutter, subject)
+        return evaluate_looks(wanted, scorer)
     if subject in known:
-        if effects or changes:
+        if wanted.effects or wanted.changes:
             raise rejected(
                 "NS0841",
                 f"the baseline {subject} has no program, so effects of a chip cannot be applied",
                 notes=("its codes are exposed with the fixed sensor of the protocol",),
                 helps=("name a run folder of nscc train, or leave --effects out",),
             )
-        return evaluate_baseline(chosen, subject, data, seed, codes, scorer)
+        return evaluate_baseline(chosen, wanted, scorer)
     run = run_path(Path(subject))
     if run.is_dir():
-        _refuse_codes(codes, f"the run '{subject[:60]}'")
-        folder = load_run(run, trust_code=trust_code)
-        return evaluate_run(
-            folder,
-            data,
-            chosen,
-            seed,
-            skip_seen=skip_seen,
-            effects=effects,
-            changes=changes,
-            scorer=scorer,
-        )
+        _refuse_codes(wanted.shutter, f"the run '{subject[:60]}'")
+        folder = load_run(run, trust_code=wanted.trust_code)
+        return evaluate_run(folder, chosen, wanted, scorer)
     raise rejected(
         "NS0810",
         f"'{subject[:60]}' cannot be evaluated under protocol {chosen.name}: unknown "

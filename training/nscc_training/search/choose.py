@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +16,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.source import Source
 from nscc.syntax.format import format_source
 from nscc_training.codes_files import load_codes
+from nscc_training.command_settings import MotionKind
 from nscc_training.design.chip import DesignChip
 from nscc_training.design.make import Design, Frame
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
@@ -24,7 +24,6 @@ from nscc_training.programs import Chip, program_of, words_per_slot
 from nscc_training.run_files import searched_codes
 from nscc_training.search.expected import Motion, speeds_of, texture_of, told_db
 
-Kind = Literal["slow", "fast", "scene"]
 SPEEDS: dict[str, tuple[float, ...]] = {"slow": (1.0, 4.0, 8.0), "fast": (16.0, 32.0, 64.0)}
 """Speeds in pixels per frame time, by name."""
 
@@ -52,7 +51,7 @@ class MotionDesign(Design):
 
 
 def design_motion(
-    kind: Kind,
+    kind: MotionKind,
     scenes: Sequence[NDArray[np.floating]] = (),
     frame: Frame | None = None,
     most_words: float = 4.0,
@@ -127,7 +126,7 @@ def design_motion(
     )
 
 
-def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: DesignChip) -> Motion:
+def _motion(kind: MotionKind, scene: NDArray[np.floating] | None, chip: DesignChip) -> Motion:
     """Return the model of moving light with the chip's noise. `kind` gives its speeds: "slow",
     "fast", or "scene" for those of `scene`.
 

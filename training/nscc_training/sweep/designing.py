@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import MISSING
 from pathlib import Path
 
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.files import write_whole
 from nscc.options import Options
-from nscc.toml.kinds import Integer, Number, TextKind
+from nscc.toml.kinds import TextKind
 from nscc.toml.schema import Key
+from nscc_training.command_settings import DesignSettings
 from nscc_training.experiments.engine import Figures
 from nscc_training.sweep.point import PointFault, PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import (
@@ -24,23 +26,13 @@ from nscc_training.sweep.point_programs import (
 )
 
 _TILE = "sve-risk"
-_CRITERIA = ("mu", "linear", "log", _TILE)
 
 
 def _keys() -> tuple[Key, ...]:
     """Return the keys that points of kind design may have in a grid."""
     return (
         *scene_keys(),
-        axis("looks", Integer(2, 32), "exposures of pixels that look, the last the whole frame"),
-        axis(
-            "criterion",
-            TextKind(_CRITERIA),
-            "the curve on which the error is minimised; "
-            "sve-risk: a fixed 2 x 2 tile instead of looks",
-            "mu",
-        ),
-        axis("slots", Integer(2, 4096), "slots of a frame", 256),
-        axis("slot_us", Number(0.01, 1e6), "length of a slot in microseconds", 125.0),
+        *declared_axes(DesignSettings, "slot_us", looks=MISSING, criterion="mu", slots=256),
         axis("target", TextKind(), "the chip, by name or file", DEFAULT_NAME),
         *declared_axes(Options, "level"),
         *sensor_keys(),

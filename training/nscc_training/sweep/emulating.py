@@ -8,13 +8,16 @@ from pathlib import Path
 
 import numpy as np
 
-from nscc.toml.kinds import Flag, Integer, Number, TextKind
+from nscc.toml.kinds import Integer, Number, TextKind
 from nscc.toml.schema import Key
+from nscc_runtime.request import Request
+from nscc_training.command_settings import SensorSettings
 from nscc_training.experiments.engine import Figures
 from nscc_training.sweep.point import PointFault, PointKind, Values
 from nscc_training.sweep.point_programs import (
     axis,
     compiled_of,
+    declared_axes,
     light_files,
     program_fault,
     program_files,
@@ -67,11 +70,9 @@ def _keys() -> tuple[Key, ...]:
             "slot length of the bench; auto: the shortest",
             None,
         ),
-        axis("effects", TextKind(), "sensor effects, as in --effects", "auto"),
-        axis("tolerance", TextKind(), "the tolerance of the plan, as in --tolerance", "5e"),
-        axis("fidelity", TextKind(("planned", "reference")), "how words are executed", "planned"),
-        axis("audit", Flag(), "measure how far the plan is from the reference", False),
-        axis("device_seed", Integer(0, 2**31 - 1), "seed of fixed patterns", 0),
+        *declared_axes(SensorSettings, "effects"),
+        *declared_axes(Request, tolerance="5e"),
+        *declared_axes(Request, "fidelity", "audit", "device_seed"),
         *sensor_keys(),
     )
 

@@ -8,9 +8,10 @@ from typing import Any
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import write_whole
-from nscc.toml.kinds import Flag, Integer, TextKind
+from nscc.toml.kinds import TextKind
 from nscc.toml.schema import Key
 from nscc_training.baselines.tv_settings import TvSettings
+from nscc_training.command_settings import EvaluationSettings
 from nscc_training.experiments.engine import Figures
 from nscc_training.protocols import NAMES, PROCEDURAL, load_protocol
 from nscc_training.scene_files import folders_of
@@ -30,16 +31,8 @@ def _keys() -> tuple[Key, ...]:
         ),
         axis("protocol", TextKind(NAMES), "the evaluation protocol", "hdr-v1"),
         axis("data", TextKind(), "the folder of scenes"),
-        axis("seed", Integer(0, 2**31 - 1), "seed of random codes and noise", 0),
-        axis(
-            "shutter",
-            TextKind(),
-            "other codes for a baseline that accepts any code, as in --shutter",
-            "",
-        ),
-        axis("effects", TextKind(), "effects of the emulated chip that exposes the scenes", ""),
+        *declared_axes(EvaluationSettings, "seed", "shutter", "effects", "skip_seen"),
         *(key for key in sensor_keys() if key.name != "sensor.file"),
-        axis("skip_seen", Flag(), "leave out files that the run was trained on", False),
         *declared_axes(TvSettings, "iterations", "weight"),
     )
 
@@ -118,15 +111,16 @@ def _result(values: Values) -> dict[str, Any]:
     if values["protocol"] == "sci8" and subject in CLIPS:
         count, weight = values["iterations"], values["weight"]
         return evaluate_sci8(files_of(load_protocol("sci8"), data), subject, count, weight)[0]
-    # Runs of this grid may execute the code that their configuration names.
-    chosen = {
-        "trust_code": RUN in values,
-        "skip_seen": values["skip_seen"],
-        "codes": values["shutter"],
-        "effects": values["effects"],
-        "changes": sensor_changes(values),
-    }
-    return evaluate(subject, data, values["protocol"], values["seed"], **chosen)[0]
+    named = ("protocol", "seed", "skip_seen", "shutter", "effects")
+    wanted = EvaluationSettings(
+        subject,
+        data,
+        # Runs of this grid may execute the code that their configuration names.
+        trust_code=RUN in values,
+        changes=sensor_changes(values),
+        **{name: values[name] for name in named},
+    )
+    return evaluate(wanted)[0]
 
 
 EVALUATE = PointKind(

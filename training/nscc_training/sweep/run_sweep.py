@@ -14,7 +14,9 @@ from nscc.diagnostics.rejection import rejected
 from nscc.experiment_store import STORE, ExperimentStore
 from nscc.files import Product, write_together
 from nscc.program.problems import counted
+from nscc_runtime.pool import processors
 from nscc_runtime.progress import Progress, unseen
+from nscc_training.command_settings import SweepSettings
 from nscc_training.experiments.engine import Done, Executor, PointRow, keep, results, rows_in
 from nscc_training.experiments.study_table import csv_of
 from nscc_training.sweep.grid import Grid, of_parts
@@ -35,17 +37,6 @@ _MOST_REASONS = 5
 
 
 @dataclass(frozen=True)
-class How:
-    """How points are computed: by `workers` processes of `threads` threads on this machine (0: in
-    this process), or by the workers of a `scheduler`. `again` repeats points that failed."""
-
-    workers: int = 0
-    threads: int = 1
-    scheduler: str | None = None
-    again: bool = False
-
-
-@dataclass(frozen=True)
 class Swept:
     """The outcome of a sweep.
 
@@ -58,7 +49,7 @@ class Swept:
     files: tuple[Path, ...]
 
 
-def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
+def known(grid: Grid, out: Path, how: SweepSettings) -> tuple[int, int]:
     """Return the number of points of a grid, and how many have stored results in the folder `out`.
     Nothing is computed."""
     keys = _keys(grid, how.threads)
@@ -80,7 +71,7 @@ def work_text(count: int, todo: int) -> str:
 def sweep(
     grid: Grid,
     out: Path,
-    how: How,
+    how: SweepSettings,
     *,
     grid_parts: Sequence[str] = (),
     parquet: bool = False,
@@ -172,7 +163,7 @@ def _keys(grid: Grid, threads: int) -> dict[GridPoint, str]:
         return {point: key_of(point, threads) for point in grid.points}
 
 
-def _is_known(row: PointRow | None, how: How, output_path: Path | None) -> bool:
+def _is_known(row: PointRow | None, how: SweepSettings, output_path: Path | None) -> bool:
     """Return whether a point has a stored result that need not be computed again.
 
     `row` is its stored row, None without one. `output_path` is where its output should be, None if
@@ -183,7 +174,7 @@ def _is_known(row: PointRow | None, how: How, output_path: Path | None) -> bool:
 
 
 def _task(
-    point: GridPoint, keys: Mapping[GridPoint, str], grid: Grid, out: Path, how: How
+    point: GridPoint, keys: Mapping[GridPoint, str], grid: Grid, out: Path, how: SweepSettings
 ) -> PointTask:
     """Return the task of a point: its values, the place of its output, and the outputs of the runs
     that it names.
@@ -207,7 +198,7 @@ def _compute(
     tasks: Sequence[PointTask],
     keys: Mapping[GridPoint, str],
     store: ExperimentStore,
-    how: How,
+    how: SweepSettings,
     track: Progress,
 ) -> None:
     """Compute the tasks and store their results. Runs are computed before the points that name
@@ -283,17 +274,18 @@ def _without_run(
     return None
 
 
-def _executor(how: How, count: int) -> AbstractContextManager[Executor[PointTask]]:
+def _executor(how: SweepSettings, count: int) -> AbstractContextManager[Executor[PointTask]]:
     """Return the context in which points are computed: by workers of a scheduler, by processes on
     this machine (at most `count`), or in this process."""
     if how.scheduler is not None:
         from nscc_training.sweep.cluster import scheduler_workers
 
         return scheduler_workers(how.scheduler)
-    if how.workers:
+    workers = processors() if how.workers is None else how.workers
+    if workers:
         from nscc_training.sweep.cluster import local_workers
 
-        return local_workers(min(how.workers, count), how.threads)
+        return local_workers(min(workers, count), how.threads)
     return nullcontext(serially)
 
 

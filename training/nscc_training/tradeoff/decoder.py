@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from copy import copy
-from dataclasses import dataclass
 from functools import partial
 from itertools import groupby
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +13,7 @@ import torch
 
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.pictures.precision import Panel, PointReading, precision_diagram
+from nscc_training.command_settings import DecoderSettings
 from nscc_training.decoders.blocks import BlockNet
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.encoders import ShutterSpec, make_encoder
@@ -53,29 +52,13 @@ _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
 """Directions in which FC-net's blocks overlap, by the number of blocks that contain a pixel."""
 
 
-@dataclass(frozen=True)
-class DecoderStudySettings:
-    """The scenes for decoders: at most `count` of each kind, from the folder `data` or synthetic
-    ones (None), with `size` rows and columns. `seed` is that of scenes, codes and noise."""
-
-    data: Path | None
-    count: int
-    size: int
-    seed: int
-
-
 Decoder = tuple[str, str, Callable[[CapturedScene], Light], str]
 """A method, its setting, its function, and the device if it is not the processor."""
 
 
-def decoder_study(
-    runs: Sequence[RunFolder], settings: DecoderStudySettings, repeats: int, budget_s: float
-) -> Study:
-    """Return the study of decoders: those of `runs` and those without training, on the same
-    captures.
-
-    Each point is timed `repeats` times, but no repeat starts if it would end after `budget_s`
-    seconds. Raises Rejected as `decoder_points` does."""
+def decoder_study(runs: Sequence[RunFolder], settings: DecoderSettings) -> Study:
+    """Return the study of the decoders of `runs` and of those without training; raises Rejected as
+    `decoder_points` does."""
 
     def text(measured: StudyResult) -> str:
         """Return a table for each unit of error, and a line on networks without a run."""
@@ -88,10 +71,10 @@ def decoder_study(
         return "\n".join(["\n\n".join(tables), *not_measured(runs)])
 
     points = decoder_points(runs, settings)
-    return Study(points, text, {"png": decoder_diagram}, repeats, budget_s)
+    return Study(points, text, {"png": decoder_diagram}, settings.repeats, settings.budget_s)
 
 
-def decoder_points(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[StudyPoint]:
+def decoder_points(runs: Sequence[RunFolder], settings: DecoderSettings) -> list[StudyPoint]:
     """Return a point for each decoder of each code. Runs with the same code are compared together.
 
     Without runs, the codes are random bits for clips and the 2 x 2 pattern for stills. Raises
@@ -210,7 +193,7 @@ def _network(
     return run
 
 
-def _fixed(kind: Kind, settings: DecoderStudySettings) -> list[StudyPoint]:
+def _fixed(kind: Kind, settings: DecoderSettings) -> list[StudyPoint]:
     """Return the points of decoders without training for clips or stills with a fixed code: random
     bits for clips, the 2 x 2 pattern of stops for stills."""
     protocol = protocol_of(kind, settings.size, _FRAMES)
@@ -223,9 +206,7 @@ def _fixed(kind: Kind, settings: DecoderStudySettings) -> list[StudyPoint]:
     return _points(name, frames, untrained(kind))
 
 
-def _learned(
-    runs: Sequence[RunFolder], name: str, settings: DecoderStudySettings
-) -> list[StudyPoint]:
+def _learned(runs: Sequence[RunFolder], name: str, settings: DecoderSettings) -> list[StudyPoint]:
     """Return the points of decoders without training, and of `runs`, all on the code that the runs
     learned. `name` is that of the code.
 
@@ -247,7 +228,7 @@ def _learned(
 
 
 def _captures(
-    protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: DecoderStudySettings
+    protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: DecoderSettings
 ) -> tuple[CapturedScene, ...]:
     """Capture the scenes of a protocol with a `tile` of shutters (N, r, c) and the noise of
     `model`. The noise of each scene has its own seed."""

@@ -27,6 +27,7 @@ from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.tolerance import Tolerance, tolerance_of
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_training.command_settings import EmulatorSettings
 from nscc_training.experiments.engine import Figures
 from nscc_training.experiments.stopwatch import timed_ms
 from nscc_training.experiments.study import NotMeasured, StudyPoint, StudyResult
@@ -152,24 +153,6 @@ class NamedLight:
 
 
 @dataclass(frozen=True)
-class StudySettings:
-    """Settings of a study.
-
-    `tolerances` are the tolerances to plan for; percentages refer to the mean signal of each scene.
-    `budget` is the tolerance whose plan is shown effect by effect. `frames` is the number of frames
-    that errors are averaged over, at least 2; more for small scenes, up to 65536 pixels or 64
-    frames. `repeats` is the number of times of which the median is taken. `seed` is that of the
-    noise, `device_seed` that of fixed patterns."""
-
-    tolerances: tuple[str | float, ...] = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
-    budget: str | float = 5.0
-    frames: int = 2
-    repeats: int = 5
-    seed: int = 0
-    device_seed: int = 0
-
-
-@dataclass(frozen=True)
 class MeasuredPlan:
     """A plan for the tolerance that is called `setting`, and its measured RMS error in electrons in
     the worst bucket."""
@@ -216,7 +199,7 @@ class EmulatorBench:
 
     program: AnalysedProgram
     scene: NamedLight
-    settings: StudySettings
+    settings: EmulatorSettings
 
     def points(self) -> list[StudyPoint]:
         """Return the points of all methods: the reference, the simple exposures, and for each

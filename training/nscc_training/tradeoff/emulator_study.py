@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.pictures.precision import Point
+from nscc_training.command_settings import EmulatorSettings
 from nscc_training.experiments.study import Study, StudyResult
 from nscc_training.tradeoff.emulator import (
     EmulatorBench,
     EmulatorStudy,
     NamedLight,
-    StudySettings,
     copy_gb_per_s,
 )
 from nscc_training.tradeoff.emulator_diagrams import budget_diagram, promise_diagram, study_diagram
@@ -32,7 +32,7 @@ class EmulatorBenches:
 
     @classmethod
     def of(
-        cls, program: AnalysedProgram, scenes: Sequence[NamedLight], settings: StudySettings
+        cls, program: AnalysedProgram, scenes: Sequence[NamedLight], settings: EmulatorSettings
     ) -> EmulatorBenches:
         """Prepare the study of a program on scenes, whose names must differ, and measure the speed
         of memory.

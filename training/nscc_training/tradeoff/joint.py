@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING
 from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime.pictures.precision import Guide, Panel, Point, PointReading, precision_diagram
+from nscc_training.command_settings import JointRequest
 from nscc_training.experiments.study import NotMeasured, Study, StudyPoint, StudyResult
 from nscc_training.experiments.study_table import refusals_text, table_text
 from nscc_training.tradeoff.decoder_stage import decoding
-from nscc_training.tradeoff.joint_bench import Bench, JointRequest
+from nscc_training.tradeoff.joint_bench import Bench
 from nscc_training.tradeoff.joint_stages import compiling, effects, lowering, refused, slots
 
 if TYPE_CHECKING:

@@ -8,7 +8,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from hashlib import sha256
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,6 @@ from numpy.typing import NDArray
 from nscc.containers import is_compiled, load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.options import Options
 from nscc.pipeline import Compiled, run_passes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
@@ -31,10 +29,10 @@ from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, mean_signal_e, t
 from nscc_runtime.request import Request
 from nscc_runtime.response import response_of
 from nscc_runtime.run_kinds import KINDS
-from nscc_runtime.scenes import Scene, scene_light
+from nscc_runtime.scenes import scene_light
 from nscc_runtime.sensor import load_sensor
 from nscc_runtime.simulate import Simulated, simulate
-from nscc_training.tradeoff import STAGES
+from nscc_training.command_settings import JointRequest
 
 Values = NDArray[np.float64]
 
@@ -42,32 +40,6 @@ _CAPTURED_TO = 0.5
 """Tolerance of simulated frames, as a fraction of the target error."""
 _NAMED = 3
 """Number of the largest effects that are named."""
-
-
-@dataclass(frozen=True)
-class JointRequest:
-    """A program, a scene and the largest allowed error, as given on a command line.
-
-    `target_error` is written as for `--tolerance`. `stages` names the stages to measure. `levels`
-    of -O are compared; other stages use the words compiled with `options`. `pixels` is a file of
-    codes, `sensor` a sensor file and `changes` values of it. Times are medians of `repeats`. `run`
-    is the run folder that the program belongs to, None for other programs; `trust_code` allows it
-    to execute its Python code."""
-
-    program: Path
-    scene: Scene
-    target_error: str
-    stages: tuple[str, ...] = STAGES
-    options: Options = field(default_factory=Options)
-    levels: tuple[int, ...] = (0, 1, 2)
-    pixels: Path | None = None
-    sensor: Path | None = None
-    changes: tuple[str, ...] = ()
-    seed: int = 0
-    device_seed: int = 0
-    repeats: int = 3
-    run: Path | None = None
-    trust_code: bool = False
 
 
 @dataclass(frozen=True, eq=False)

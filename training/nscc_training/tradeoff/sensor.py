@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from itertools import groupby, product
 from pathlib import Path
@@ -20,6 +20,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.pictures.precision import Panel, Point, PointReading, precision_diagram
 from nscc_training.any_code.decode import decoded_clip
 from nscc_training.any_code.frames import exposed_frame
+from nscc_training.command_settings import SensorSettings
 from nscc_training.demo.expose import CLIPS
 from nscc_training.design.bracket import camera
 from nscc_training.experiments.engine import Figures
@@ -45,15 +46,14 @@ SLOTS, SLOT_US = 16, 125.0
 """Number and length in microseconds of the slots of the shipped programs."""
 
 
-def sensor_study(options: Mapping[str, Any]) -> Study:
+def sensor_study(settings: SensorSettings) -> Study:
     """Return the study of what shutters and readouts reach on a chip: PSNR against the shortest
     slot, and against readout time.
 
-    `options` are those of `nscc tradeoff sensor` by name. Raises Rejected for an unknown target,
-    and NS0811 for a folder without scenes."""
-    points, target = sensor_points(options), load_target(options["target"], Path()).name
+    Raises Rejected for an unknown target, and NS0811 for a folder without scenes."""
+    points, target = sensor_points(settings), load_target(settings.target, Path()).name
     if any(point.case == "clips" for point in points):
-        points += readout_points(options)
+        points += readout_points(settings)
 
     def text(measured: StudyResult) -> str:
         """Return the tables of shutters and of readouts, and a line for each program that does not
@@ -68,7 +68,7 @@ def sensor_study(options: Mapping[str, Any]) -> Study:
 
     def diagram(measured: StudyResult, _device: str) -> Figure:
         """Draw PSNR against the shortest slot."""
-        return sensor_diagram(shutters_of(measured.points), target, options["slot_us"])
+        return sensor_diagram(shutters_of(measured.points), target, settings.slot_us)
 
     return Study(
         points, text, {"png": diagram}, device=target, lists_refused=True, csv_of=shutters_of
@@ -80,22 +80,20 @@ def shutters_of(points: Sequence[Point]) -> list[Point]:
     return [point for point in points if point.case != "readouts"]
 
 
-def sensor_points(options: Mapping[str, Any]) -> list[StudyPoint]:
+def sensor_points(settings: SensorSettings) -> list[StudyPoint]:
     """Return a point for each combination of class, number of slots, kind of codes and lowering,
     and for each number of looks.
 
-    `options` are those of `nscc tradeoff sensor`, by name. Clips have as many frames as the largest
-    number of slots. Stills are exposed by class b on a tile of 2 x 2 stops, and by pixels that
-    look. Raises Rejected (NS0811) for a folder without scenes."""
-    kinds = KINDS if options["data"] is None else kinds_in(options["data"])
-    shapes = [("clips", *shape) for shape in product(options["classes"], options["slots"])]
-    shapes += [("stills", "b", slots) for slots in options["stop_slots"]]
+    Clips have as many frames as the largest number of slots. Stills are exposed by class b on a
+    tile of 2 x 2 stops, and by pixels that look. Raises Rejected (NS0811) for a folder without
+    scenes."""
+    kinds = KINDS if settings.data is None else kinds_in(settings.data)
+    shapes = [("clips", *shape) for shape in product(settings.classes, settings.slots)]
+    shapes += [("stills", "b", slots) for slots in settings.stop_slots]
     points = []
-    for (kind, name, slots), codes, lowering in product(
-        shapes, options["codes"], options["lowerings"]
-    ):
+    for (kind, name, slots), codes, lowering in product(shapes, settings.codes, settings.lowerings):
         values = {
-            **bench_values(options, kind),
+            **bench_values(settings, kind),
             "class": name,
             "slots": slots,
             "codes": codes,
@@ -103,10 +101,10 @@ def sensor_points(options: Mapping[str, Any]) -> list[StudyPoint]:
         }
         method = f"{name}, {codes} codes, {lowering}"
         points.append(_point(kind, method, slots, partial(bench_figures, values)))
-    rows = [("looks", count) for count in options["looks"] if is_looks_row(count)]
-    for name, count in rows + [("designed", count) for count in options["looks"]]:
+    rows = [("looks", count) for count in settings.looks if is_looks_row(count)]
+    for name, count in rows + [("designed", count) for count in settings.looks]:
         values = {
-            **bench_values(options, "stills"),
+            **bench_values(settings, "stills"),
             "exposures": count,
             "designed": name == "designed",
         }
@@ -114,20 +112,21 @@ def sensor_points(options: Mapping[str, Any]) -> list[StudyPoint]:
     return [point for point in points if point.case in kinds]
 
 
-def bench_values(options: Mapping[str, Any], kind: str) -> Values:
-    """Return the values of a sweep's point of kind `emulate` for scenes of one `kind`, "clips" or
-    "stills". `options` are those of the command."""
+def bench_values(settings: SensorSettings, kind: str) -> Values:
+    """Return the values of a sweep's point of kind `emulate` for scenes of one kind."""
     tile = {"tile": (2, 2), "init": "quad"} if kind == "stills" else {}
-    named = ("target", "level", "effects", "seed")
     return {
         **EMULATE.defaults(),
         **tile,
-        **{name: options[name] for name in named},
+        "target": settings.target,
+        "level": settings.level,
+        "effects": settings.effects,
+        "seed": settings.seed,
         "bench": kind,
-        "at_us": options["slot_us"],
-        "data": str(options["data"] or ""),
-        "scenes": options["count"],
-        "frames": max(options["slots"]),
+        "at_us": settings.slot_us,
+        "data": str(settings.data or ""),
+        "scenes": settings.count,
+        "frames": max(settings.slots),
     }
 
 
@@ -149,16 +148,15 @@ def _point(kind: str, method: str, slots: int, measure: Callable[[], Figures]) -
     return StudyPoint(kind, method, setting, figures)
 
 
-def readout_points(options: Mapping[str, Any]) -> list[StudyPoint]:
-    """Return points for clips in several readouts of one exposure, and in bursts of as many
-    ordinary frames.
+def readout_points(settings: SensorSettings) -> list[StudyPoint]:
+    """Return points of clips in several readouts of one exposure, and in bursts of frames.
 
     Coded readouts are decoded by the decoder for any code; every frame of a burst is shown for as
-    long as it was open. `options` are those of the command."""
-    values = {**bench_values(options, "clips"), "frames": SLOTS}
+    long as it was open."""
+    values = {**bench_values(settings, "clips"), "frames": SLOTS}
     return [
         StudyPoint("readouts", method, str(count), partial(_readouts, method, count, values))
-        for count in options["readouts"]
+        for count in settings.readouts
         for method in ("burst", "coded")
     ]
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby, product
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,15 +19,13 @@ from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
 from nscc_runtime.pictures.precision import Panel, PointReading, precision_diagram
+from nscc_training.command_settings import Count, SynthesisSettings
 from nscc_training.experiments.engine import Figures
 from nscc_training.experiments.study import Study, StudyPoint, StudyResult
 from nscc_training.experiments.study_table import refusals_text, table_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-Count = Literal["all", "logic"]
-"""Which words to count: all words of a frame, or only those that decode codes."""
 
 UNITS: dict[Count, str] = {"all": "words_per_frame", "logic": "logic_words_per_frame"}
 _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a frame"}
@@ -82,17 +80,10 @@ def programs_of(files: Sequence[Path]) -> tuple[StudiedProgram, ...]:
     )
 
 
-def synthesis_study(
-    programs: Iterable[StudiedProgram],
-    lowerings: Iterable[Lowering],
-    levels: Iterable[int],
-    count: Count,
-    repeats: int,
-) -> Study:
-    """Return the study of all combinations of program, lowering and level: words against compile
-    time.
-
-    `count` says which words are counted, and each combination is compiled `repeats` times."""
+def synthesis_study(programs: Sequence[StudiedProgram], settings: SynthesisSettings) -> Study:
+    """Return the study of each combination of program, lowering and level, with the words that
+    `settings.count` names as its error."""
+    count = settings.count
     words = _WORDS[count]
     points = [
         StudyPoint(
@@ -103,7 +94,7 @@ def synthesis_study(
             partial(word_figures, count),
             partial(program.compiled, lowering, min(LEVELS)),
         )
-        for program, lowering, level in product(programs, lowerings, levels)
+        for program, lowering, level in product(programs, settings.lowerings, settings.levels)
     ]
 
     def text(measured: StudyResult) -> str:
@@ -111,7 +102,7 @@ def synthesis_study(
         table = table_text(measured.points, ("lowering", "level", words))
         return "\n".join([table, *refusals_text(measured.refused)])
 
-    return Study(points, text, {"png": partial(synthesis_diagram, words)}, repeats)
+    return Study(points, text, {"png": partial(synthesis_diagram, words)}, settings.repeats)
 
 
 def word_figures(count: Count, compiled: Compiled) -> Figures:

@@ -19,7 +19,8 @@ from nscc.pipeline import Options  # noqa: E402
 from nscc_runtime.scenes import Scene  # noqa: E402
 from nscc_training import made_scenes  # noqa: E402
 from nscc_training.any_code.decode import always_open, joined  # noqa: E402
-from nscc_training.demo import Settings, demo  # noqa: E402
+from nscc_training.command_settings import DemoSettings  # noqa: E402
+from nscc_training.demo import demo  # noqa: E402
 from nscc_training.demo.expose import CLIPS  # noqa: E402
 from nscc_training.design.bracket import camera  # noqa: E402
 from nscc_training.measured import Measured  # noqa: E402
@@ -185,7 +186,7 @@ def test_the_demo_takes_the_requested_readouts(tmp_path: Path) -> None:
     ]
     frames[0].save(tmp_path / "a.gif", save_all=True, append_images=frames[1:])
     for count in (1, 2):
-        made = demo(Scene(str(tmp_path / "a.gif")), tmp_path / "o", Settings(readouts=count))
+        made = demo(Scene(str(tmp_path / "a.gif")), tmp_path / "o", DemoSettings(readouts=count))
         assert made.readouts == count
         assert (made.fair_db is None) == (count == 1)
         assert (tmp_path / "o/clip.nsl").read_bytes() == examples()[CLIPS[count]].read_bytes()

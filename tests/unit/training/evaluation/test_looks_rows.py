@@ -14,6 +14,7 @@ from nscc.chips.load import builtin_target
 from nscc.words.container import Container
 from nscc_runtime.effects import selected
 from nscc_runtime.sensor import Sensor, default_sensor
+from nscc_training.command_settings import EvaluationSettings
 from nscc_training.design.bracket import camera
 from nscc_training.evaluation import looks_rows
 from nscc_training.evaluation.looks_rows import DESIGNED, bracket_light, evaluate_looks
@@ -41,7 +42,7 @@ def folder(tmp_path: Path) -> Path:
 
 def mu_db(name: str, folder: Path, effects: str = "", changes: Changes = ()) -> float:
     """PSNR-mu of a row, under effects and with a sensor of other numbers."""
-    found, _ = evaluate_looks(name, folder, 0, effects, changes)
+    found, _ = evaluate_looks(EvaluationSettings(name, folder, effects=effects, changes=changes))
     return finite_mean(number(item["mu_psnr_db"]) for item in found["items"])
 
 
@@ -54,7 +55,8 @@ def test_designs_are_no_worse_than_rows(folder: Path) -> None:
             assert scores[0] > scores[1] - 0.1
         # A design gives up light without noise for light with the noise that it was told of.
         shares = [
-            evaluate_looks(name, folder, 0, "all")[0]["also_saturated"] for name in (made, row)
+            evaluate_looks(EvaluationSettings(name, folder, effects="all"))[0]["also_saturated"]
+            for name in (made, row)
         ]
         for mine, other in zip(*shares, strict=True):
             assert mine["mean_mu_psnr_db"] > other["mean_mu_psnr_db"] - 0.1
@@ -102,7 +104,7 @@ def test_effects_bring_the_noise_of_the_readout(
         return light_e
 
     monkeypatch.setattr(looks_rows, "looked_light", looked)
-    evaluate_looks("looks-2", folder, 0, effects)
+    evaluate_looks(EvaluationSettings("looks-2", folder, effects=effects))
     chip = default_sensor(builtin_target("scamp5"))
     assert chip.spread_noise_lsb > 1
     assert {s.spread_noise_lsb for s in sensors} == {share * chip.spread_noise_lsb}

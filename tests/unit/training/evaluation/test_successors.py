@@ -12,6 +12,7 @@ from nscc_command import invoke
 from numpy.typing import NDArray
 
 from nscc_training.code_choices import SCATTERED
+from nscc_training.command_settings import EvaluationSettings
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.encoder_classes import scattered
 from nscc_training.evaluation.baselines import BASELINES, evaluate_baseline
@@ -148,7 +149,9 @@ def test_two_buckets_tell_more_than_one(tmp_path: Path) -> None:
 
     clip(tmp_path / "c.mat", 16, 256)
     scores = [
-        evaluate_baseline(load_protocol("two-bucket-v1"), name, tmp_path)[0]["mean"]
+        evaluate_baseline(load_protocol("two-bucket-v1"), EvaluationSettings(name, tmp_path))[0][
+            "mean"
+        ]
         for name in ("flutter", "pixel-wise", "two-bucket")
     ]
     assert scores == sorted(scores)

@@ -19,6 +19,7 @@ from scipy.io import savemat
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
+from nscc_training.command_settings import DecoderSettings  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
 from nscc_training.decoders.declared import DECODERS, DecoderTask  # noqa: E402
@@ -30,12 +31,11 @@ from nscc_training.protocol_scenes.file_scenes import protocol_of, some_scenes  
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.tradeoff import decoder  # noqa: E402
 from nscc_training.tradeoff.decoder import (  # noqa: E402
-    DecoderStudySettings,
     decoder_points,
     decoder_study,
 )
 
-TINY = DecoderStudySettings(None, 2, 32, 0)
+TINY = DecoderSettings(count=2, size=32, repeats=1, budget_s=1e6)
 
 
 def trained(out: Path, name: str, protocol: str, slots: int) -> Path:
@@ -84,7 +84,7 @@ def test_every_method_of_clips_that_sees_the_capture_is_there() -> None:
 
 
 def test_points_are_scores_of_the_captures(quick: None) -> None:
-    study = decoder_study([], TINY, 2, 1e6)
+    study = decoder_study([], replace(TINY, repeats=2))
     [asked] = [each for each in study.points if each.method == "adjoint"]
     points = measure(replace(study, points=[asked])).points
     values = []
@@ -106,7 +106,7 @@ def test_points_are_scores_of_the_captures(quick: None) -> None:
 
 
 def test_the_budget_ends_repeats_but_nothing_is_left_out(quick: None) -> None:
-    tight = decoder_study([], TINY, 50, 0.0)
+    tight = decoder_study([], replace(TINY, repeats=50, budget_s=0.0))
     found = measure(tight)
     assert found.repeats == 1
     assert len(found.points) == 2 * len(tight.points)
@@ -116,7 +116,7 @@ def test_scores_do_not_depend_on_the_day(quick: None) -> None:
     first, second, other = (
         [
             (p.case, p.method, p.setting, p.error)
-            for p in measure(decoder_study([], replace(TINY, seed=seed), 1, 1e6)).points
+            for p in measure(decoder_study([], replace(TINY, seed=seed))).points
         ]
         for seed in (0, 0, 1)
     )
@@ -143,7 +143,7 @@ def test_runs_decode_their_own_code(quick: None, clip_run: Path, tmp_path: Path)
         trained(tmp_path / "s", "unet2d", "hdr-v1", 16),
     ]
     runs = [load_run(path) for path in made]
-    study = decoder_study(runs, replace(TINY, count=1), 1, 1e6)
+    study = decoder_study(runs, replace(TINY, count=1))
     names = [each.case for each in study.points]
     assert [*dict.fromkeys(names)] == ["clips, code of f", "stills, code of s"]
     methods = {(each.method, each.setting) for each in study.points if each.case == names[0]}

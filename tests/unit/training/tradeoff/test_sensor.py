@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -16,22 +17,29 @@ from PIL import Image
 torch = pytest.importorskip("torch")
 
 
+from nscc_training.command_settings import SensorSettings  # noqa: E402
 from nscc_training.experiments.study import StudyResult  # noqa: E402
 from nscc_training.experiments.study import measure as measure_study  # noqa: E402
 from nscc_training.tradeoff.sensor import sensor_points, sensor_study  # noqa: E402
 
-SMALL: dict[str, Any] = {
-    "classes": ("c",), "slots": (4, 8), "stop_slots": (8,), "looks": (), "codes": ("fixed",),
-    "lowerings": ("edges",), "target": "scamp5", "level": 0, "effects": "none", "slot_us": None,
-    "data": None, "count": 1, "seed": 0, "readouts": (),
-}  # fmt: skip
+SMALL = SensorSettings(
+    classes=("c",),
+    slots=(4, 8),
+    stop_slots=(8,),
+    looks=(),
+    codes=("fixed",),
+    lowerings=("edges",),
+    level=0,
+    effects="none",
+    readouts=(),
+)
 
 
-def settings(**changes: Any) -> dict[str, Any]:
-    return {**SMALL, **changes}
+def settings(**changes: Any) -> SensorSettings:
+    return replace(SMALL, **changes)
 
 
-def measure(options: dict[str, Any]) -> StudyResult:
+def measure(options: SensorSettings) -> StudyResult:
     return measure_study(sensor_study(options))
 
 
@@ -180,9 +188,9 @@ def test_tradeoff_sensor_refuses_wrong_usage(
     assert not list(tmp_path.iterdir())
 
 
-def measured_readouts(options: dict[str, Any]) -> tuple[list[Any], list[Any]]:
+def measured_readouts(options: SensorSettings) -> tuple[list[Any], list[Any]]:
     """Only the points and refused settings of readouts."""
-    found = measure({**options, "stop_slots": ()})
+    found = measure(replace(options, stop_slots=()))
     return tuple(
         [p for p in each if p.case == "readouts"] for each in (found.points, found.refused)
     )
@@ -200,7 +208,7 @@ def test_more_readouts_take_longer(tmp_path: Path) -> None:
     lines = [changes.get(line.split(" =")[0], line) for line in text.splitlines()]
     (tmp_path / "mine.toml").write_text("\n".join(lines))
     asked = settings(target=str(tmp_path / "mine.toml"))
-    points, refused = measured_readouts({**asked, "readouts": (1, 3)})
+    points, refused = measured_readouts(replace(asked, readouts=(1, 3)))
     assert [(p.method, round(p.time_ms, 3)) for p in points] == [
         ("burst", 16.7),
         ("burst", 50.1),
