@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from nscc.toml.kinds import Integer, Number, TextKind
+from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_runtime.request import Request
 from nscc_training.command_settings import SensorSettings
@@ -71,8 +71,10 @@ def _keys() -> tuple[Key, ...]:
             None,
         ),
         *declared_axes(SensorSettings, "effects"),
-        *declared_axes(Request, tolerance="5e"),
-        *declared_axes(Request, "fidelity", "audit", "device_seed"),
+        axis("tolerance", TextKind(), "the tolerance of the plan, as in --tolerance", "5e"),
+        *declared_axes(Request, "fidelity"),
+        axis("audit", Flag(), "measure how far the plan is from the reference", False),
+        *declared_axes(Request, "device_seed"),
         *sensor_keys(),
     )
 

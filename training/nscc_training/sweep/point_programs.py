@@ -55,10 +55,15 @@ def declared_axes(settings: type, *names: str, **defaults: object) -> tuple[Key,
 
     `names` are the fields. `defaults` are further fields, with another default than they declare.
     """
-    keys = declared(settings)
+    keys = [declared(settings)[name] for name in (*names, *defaults)]
     return tuple(
-        axis(name, keys[name].kind, keys[name].meaning, defaults.get(name, keys[name].default))
-        for name in (*names, *defaults)
+        axis(
+            key.attribute,
+            key.kind,
+            key.meaning[:1].lower() + key.meaning[1:],
+            defaults.get(key.attribute, key.default),
+        )
+        for key in keys
     )
 
 

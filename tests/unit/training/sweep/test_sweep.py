@@ -22,6 +22,7 @@ from nscc.emit.report import report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc_training.experiments.engine import PointRow, rows_in
+from nscc_training.experiments.study_table import csv_of
 from nscc_training.scene_files import files_in
 from nscc_training.sweep import compiling, run_sweep
 from nscc_training.sweep.grid import read_grid
@@ -29,6 +30,7 @@ from nscc_training.sweep.kinds import key_of
 from nscc_training.sweep.point import GridPoint
 from nscc_training.sweep.run_sweep import store_in
 
+ROWS = Path(__file__).parents[3] / "data" / "rows"
 STOPS = """
 [stops]
 rule = "code stop : 1..N\\nopen when n < stop"
@@ -83,6 +85,20 @@ def test_every_combination_has_the_figures_of_its_report(tmp_path: Path) -> None
         told = report(made.layout, made.proof)
         assert row["words_total"] == str(told["words_total"])
         assert float(row["shortest_slot_us"]) == told["shortest_slot_us"]
+
+
+def test_rows_without_noise_are_those_of_the_engine_before(
+    tmp_path: Path, update_cases: bool
+) -> None:
+    """Commit fb2d3e8a wrote `programs.csv`, before studies and sweeps shared one engine."""
+    written(tmp_path, (ROWS / "programs.toml").read_text())
+    rows = [{**row} for row in swept(tmp_path)]
+    for row in rows:
+        del row["key"]
+    if update_cases:
+        text = csv_of(rows[0], (row.values() for row in rows))
+        (ROWS / "programs.csv").write_text(text)
+    assert rows == list(csv.DictReader(io.StringIO((ROWS / "programs.csv").read_text())))
 
 
 def test_what_does_not_fit_is_a_row(tmp_path: Path) -> None:
