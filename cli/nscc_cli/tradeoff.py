@@ -19,11 +19,11 @@ from nscc_cli.support import CommonCommand, Subcommands, progress, say, say_comp
 from nscc_cli.tradeoff_files import output_files, run_study
 from nscc_runtime.run_kinds import KINDS
 from nscc_training.command_settings import (
-    DecoderSettings,
-    EmulatorSettings,
+    DecoderStudySettings,
+    EmulatorStudySettings,
     JointRequest,
-    SensorSettings,
-    SynthesisSettings,
+    SensorStudySettings,
+    SynthesisStudySettings,
 )
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from nscc_training.tradeoff.emulator import NamedLight
 
 _SHUTTERS = ("classes", "slots", "stop_slots", "looks", "readouts", "codes", "lowerings")
-"""Fields of SensorSettings that name shutters and programs, in the order of the help."""
+"""Fields of SensorStudySettings that name shutters and programs, in the order of the help."""
 
 
 class _Tradeoffs(Subcommands):
@@ -102,7 +102,7 @@ def joint(program: Path, **options: Any) -> int:
 @command.command("emulator", cls=CommonCommand)
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
 @shared.scenes_option("A scene as in nscc run; may be repeated (default: three built-in scenes).")
-@declared(EmulatorSettings, show=True)
+@declared(EmulatorStudySettings, show=True)
 @measured_options
 @shared.section(
     shared.OUTPUT,
@@ -130,7 +130,7 @@ def emulator(program: Path | None, **options: Any) -> int:
     container, messages = _container(program, options)
     sensor = sensor_of(converter_of(container), options)
     seeds = {name: options[name] for name in ("seed", "device_seed")}
-    settings = settings_of(EmulatorSettings, options, **seeds)
+    settings = settings_of(EmulatorStudySettings, options, **seeds)
     scenes = _scenes(container, options, messages)
     _refuse(container)
     benches = EmulatorBenches.of(analysed(container, sensor), scenes, settings)
@@ -200,10 +200,10 @@ def _scenes(
 
 
 @command.command("sensor", cls=CommonCommand)
-@declared(SensorSettings, *_SHUTTERS, show=True)
+@declared(SensorStudySettings, *_SHUTTERS, show=True)
 @shared.chip_option
 @declared(Options, level=1)
-@declared(SensorSettings, "slot_us", "effects", "data", "count", "seed", show=True)
+@declared(SensorStudySettings, "slot_us", "effects", "data", "count", "seed", show=True)
 @shared.tradeoff_options
 def sensor(**options: Any) -> int:
     """Measure PSNR against the shortest possible slot of each shutter class, on one chip.
@@ -221,7 +221,7 @@ def sensor(**options: Any) -> int:
 
     files = output_files(options)
     chip = {name: options[name] for name in ("target", "level")}
-    study = sensor_study(settings_of(SensorSettings, options, **chip))
+    study = sensor_study(settings_of(SensorStudySettings, options, **chip))
     say_compiling(denoise, "the loop of total variation")
     measured = run_study(study, files, options)
     return 0 if any(point.case != "readouts" for point in measured.points) else 1
@@ -236,7 +236,7 @@ def sensor(**options: Any) -> int:
     metavar="RUN",
     help="A run folder of nscc train; may be repeated.",
 )
-@declared(DecoderSettings, show=True)
+@declared(DecoderStudySettings, show=True)
 @declared(JointRequest, "trust_code")
 @shared.tradeoff_options
 def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
@@ -253,7 +253,7 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
 
     files = output_files(options)
     folders = [load_run(path, trust_code=trust_code) for path in dict.fromkeys(runs)]
-    study = decoder_study(folders, settings_of(DecoderSettings, options))
+    study = decoder_study(folders, settings_of(DecoderStudySettings, options))
     say_compiling(denoise, "the loop of total variation")
     run_study(study, files, {**options, "runs": runs})
     return 0
@@ -262,7 +262,7 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
 @command.command("synthesis", cls=CommonCommand)
 @click.argument("files", nargs=-1, metavar="[FILE.nsl]...", type=PATH)
 @tradeoff_options
-@declared(SynthesisSettings, show=True)
+@declared(SynthesisStudySettings, show=True)
 def synthesis(files: tuple[Path, ...], **options: Any) -> int:
     """Measure the words per frame against compile time, at each level and lowering.
 
@@ -273,7 +273,7 @@ def synthesis(files: tuple[Path, ...], **options: Any) -> int:
 
     outputs = output_files(options)
     programs = programs_of(files) or builtin_programs()
-    study = synthesis_study(programs, settings_of(SynthesisSettings, options))
+    study = synthesis_study(programs, settings_of(SynthesisStudySettings, options))
     known = {"files": files, "count": options["count"]}
     return 0 if run_study(study, outputs, known).points else 1
 

@@ -269,7 +269,7 @@ class MadeScenes:
     seed: int = key(_SEED, "Seed of synthetic scenes, random codes and noise", 0)
 
 
-def _undivided(settings: SensorSettings) -> str:
+def _undivided(settings: SensorStudySettings) -> str:
     """Return which number of slots does not divide the largest, "" if all do."""
     most = max(settings.slots, default=1)
     odd = next((count for count in settings.slots if most % count), None)
@@ -277,7 +277,7 @@ def _undivided(settings: SensorSettings) -> str:
 
 
 @dataclass(frozen=True)
-class SensorSettings(MadeScenes):
+class SensorStudySettings(MadeScenes):
     """The grid of `nscc tradeoff sensor`."""
 
     classes: tuple[str, ...] = key(
@@ -331,7 +331,7 @@ class SensorSettings(MadeScenes):
 
 
 @dataclass(frozen=True)
-class DecoderSettings(MadeScenes):
+class DecoderStudySettings(MadeScenes):
     """The scenes of `nscc tradeoff decoder`, at most `count` of each kind, and its repeats."""
 
     count: int = _scenes(2)
@@ -347,7 +347,7 @@ class DecoderSettings(MadeScenes):
 
 
 @dataclass(frozen=True)
-class EmulatorSettings:
+class EmulatorStudySettings:
     """The settings of `nscc tradeoff emulator`.
 
     Percentages of tolerances refer to the mean signal of each scene. Errors are averaged over
@@ -375,7 +375,7 @@ class EmulatorSettings:
 
 
 @dataclass(frozen=True)
-class SynthesisSettings:
+class SynthesisStudySettings:
     """The grid of `nscc tradeoff synthesis`, and what it counts."""
 
     levels: tuple[int, ...] = _levels((0, 1, 2, 3))

@@ -14,7 +14,7 @@ from nscc.diagnostics.arguments import WrongArgument
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime import capture
 from nscc_training import load_run
-from nscc_training.command_settings import DecoderSettings
+from nscc_training.command_settings import DecoderStudySettings
 from nscc_training.config import settings_of
 from nscc_training.decoders.declared import DECODERS, DecoderTask
 from nscc_training.decoders.decoder_building import make_decoder
@@ -131,6 +131,6 @@ def test_a_run_learns_exposes_and_decodes(tmp_path: Path) -> None:
     # The truth has no pattern, and neither bucket's code is seen in it.
     assert np.allclose(made.mean(axis=(1, 2)), 900, rtol=0.2)
     with pytest.raises(Rejected, match="two buckets"):
-        decoder_points([run.folder], DecoderSettings(path, count=1, size=32))
+        decoder_points([run.folder], DecoderStudySettings(path, count=1, size=32))
     with pytest.raises(WrongArgument, match=r"its codes \(2, 176, 280\)"):
         run.reconstruct(taken.frame[0])

@@ -11,7 +11,7 @@ import numpy as np
 from nscc.toml.kinds import Flag, Integer, Number, TextKind
 from nscc.toml.schema import Key
 from nscc_runtime.request import Request
-from nscc_training.command_settings import SensorSettings
+from nscc_training.command_settings import SensorStudySettings
 from nscc_training.experiments.engine import Figures
 from nscc_training.sweep.point import PointFault, PointKind, Values
 from nscc_training.sweep.point_programs import (
@@ -70,7 +70,7 @@ def _keys() -> tuple[Key, ...]:
             "slot length of the bench; auto: the shortest",
             None,
         ),
-        *declared_axes(SensorSettings, "effects"),
+        *declared_axes(SensorStudySettings, "effects"),
         axis("tolerance", TextKind(), "the tolerance of the plan, as in --tolerance", "5e"),
         *declared_axes(Request, "fidelity"),
         axis("audit", Flag(), "measure how far the plan is from the reference", False),

@@ -13,7 +13,7 @@ import torch
 
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.pictures.precision import Panel, PointReading, precision_diagram
-from nscc_training.command_settings import DecoderSettings
+from nscc_training.command_settings import DecoderStudySettings
 from nscc_training.decoders.blocks import BlockNet
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.encoders import ShutterSpec, make_encoder
@@ -56,7 +56,7 @@ Decoder = tuple[str, str, Callable[[CapturedScene], Light], str]
 """A method, its setting, its function, and the device if it is not the processor."""
 
 
-def decoder_study(runs: Sequence[RunFolder], settings: DecoderSettings) -> Study:
+def decoder_study(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> Study:
     """Return the study of the decoders of `runs` and of those without training; raises Rejected as
     `decoder_points` does."""
 
@@ -74,7 +74,7 @@ def decoder_study(runs: Sequence[RunFolder], settings: DecoderSettings) -> Study
     return Study(points, text, {"png": decoder_diagram}, settings.repeats, settings.budget_s)
 
 
-def decoder_points(runs: Sequence[RunFolder], settings: DecoderSettings) -> list[StudyPoint]:
+def decoder_points(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> list[StudyPoint]:
     """Return a point for each decoder of each code. Runs with the same code are compared together.
 
     Without runs, the codes are random bits for clips and the 2 x 2 pattern for stills. Raises
@@ -193,7 +193,7 @@ def _network(
     return run
 
 
-def _fixed(kind: Kind, settings: DecoderSettings) -> list[StudyPoint]:
+def _fixed(kind: Kind, settings: DecoderStudySettings) -> list[StudyPoint]:
     """Return the points of decoders without training for clips or stills with a fixed code: random
     bits for clips, the 2 x 2 pattern of stops for stills."""
     protocol = protocol_of(kind, settings.size, _FRAMES)
@@ -206,7 +206,9 @@ def _fixed(kind: Kind, settings: DecoderSettings) -> list[StudyPoint]:
     return _points(name, frames, untrained(kind))
 
 
-def _learned(runs: Sequence[RunFolder], name: str, settings: DecoderSettings) -> list[StudyPoint]:
+def _learned(
+    runs: Sequence[RunFolder], name: str, settings: DecoderStudySettings
+) -> list[StudyPoint]:
     """Return the points of decoders without training, and of `runs`, all on the code that the runs
     learned. `name` is that of the code.
 
@@ -228,7 +230,7 @@ def _learned(runs: Sequence[RunFolder], name: str, settings: DecoderSettings) ->
 
 
 def _captures(
-    protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: DecoderSettings
+    protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: DecoderStudySettings
 ) -> tuple[CapturedScene, ...]:
     """Capture the scenes of a protocol with a `tile` of shutters (N, r, c) and the noise of
     `model`. The noise of each scene has its own seed."""

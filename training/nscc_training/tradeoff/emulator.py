@@ -27,7 +27,7 @@ from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.tolerance import Tolerance, tolerance_of
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import Reference, scene_of
-from nscc_training.command_settings import EmulatorSettings
+from nscc_training.command_settings import EmulatorStudySettings
 from nscc_training.experiments.engine import Figures
 from nscc_training.experiments.stopwatch import timed_ms
 from nscc_training.experiments.study import NotMeasured, StudyPoint, StudyResult
@@ -199,7 +199,7 @@ class EmulatorBench:
 
     program: AnalysedProgram
     scene: NamedLight
-    settings: EmulatorSettings
+    settings: EmulatorStudySettings
 
     def points(self) -> list[StudyPoint]:
         """Return the points of all methods: the reference, the simple exposures, and for each

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.pictures.precision import Point
-from nscc_training.command_settings import EmulatorSettings
+from nscc_training.command_settings import EmulatorStudySettings
 from nscc_training.experiments.study import Study, StudyResult
 from nscc_training.tradeoff.emulator import (
     EmulatorBench,
@@ -32,7 +32,7 @@ class EmulatorBenches:
 
     @classmethod
     def of(
-        cls, program: AnalysedProgram, scenes: Sequence[NamedLight], settings: EmulatorSettings
+        cls, program: AnalysedProgram, scenes: Sequence[NamedLight], settings: EmulatorStudySettings
     ) -> EmulatorBenches:
         """Prepare the study of a program on scenes, whose names must differ, and measure the speed
         of memory.

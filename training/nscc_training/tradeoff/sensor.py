@@ -20,7 +20,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.pictures.precision import Panel, Point, PointReading, precision_diagram
 from nscc_training.any_code.decode import decoded_clip
 from nscc_training.any_code.frames import exposed_frame
-from nscc_training.command_settings import SensorSettings
+from nscc_training.command_settings import SensorStudySettings
 from nscc_training.demo.expose import CLIPS
 from nscc_training.design.bracket import camera
 from nscc_training.experiments.engine import Figures
@@ -46,7 +46,7 @@ SLOTS, SLOT_US = 16, 125.0
 """Number and length in microseconds of the slots of the shipped programs."""
 
 
-def sensor_study(settings: SensorSettings) -> Study:
+def sensor_study(settings: SensorStudySettings) -> Study:
     """Return the study of what shutters and readouts reach on a chip: PSNR against the shortest
     slot, and against readout time.
 
@@ -80,7 +80,7 @@ def shutters_of(points: Sequence[Point]) -> list[Point]:
     return [point for point in points if point.case != "readouts"]
 
 
-def sensor_points(settings: SensorSettings) -> list[StudyPoint]:
+def sensor_points(settings: SensorStudySettings) -> list[StudyPoint]:
     """Return a point for each combination of class, number of slots, kind of codes and lowering,
     and for each number of looks.
 
@@ -112,7 +112,7 @@ def sensor_points(settings: SensorSettings) -> list[StudyPoint]:
     return [point for point in points if point.case in kinds]
 
 
-def bench_values(settings: SensorSettings, kind: str) -> Values:
+def bench_values(settings: SensorStudySettings, kind: str) -> Values:
     """Return the values of a sweep's point of kind `emulate` for scenes of one kind."""
     tile = {"tile": (2, 2), "init": "quad"} if kind == "stills" else {}
     return {
@@ -148,7 +148,7 @@ def _point(kind: str, method: str, slots: int, measure: Callable[[], Figures]) -
     return StudyPoint(kind, method, setting, figures)
 
 
-def readout_points(settings: SensorSettings) -> list[StudyPoint]:
+def readout_points(settings: SensorStudySettings) -> list[StudyPoint]:
     """Return points of clips in several readouts of one exposure, and in bursts of frames.
 
     Coded readouts are decoded by the decoder for any code; every frame of a burst is shown for as

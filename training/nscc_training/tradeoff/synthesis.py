@@ -19,7 +19,7 @@ from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
 from nscc_runtime.pictures.precision import Panel, PointReading, precision_diagram
-from nscc_training.command_settings import Count, SynthesisSettings
+from nscc_training.command_settings import Count, SynthesisStudySettings
 from nscc_training.experiments.engine import Figures
 from nscc_training.experiments.study import Study, StudyPoint, StudyResult
 from nscc_training.experiments.study_table import refusals_text, table_text
@@ -80,7 +80,7 @@ def programs_of(files: Sequence[Path]) -> tuple[StudiedProgram, ...]:
     )
 
 
-def synthesis_study(programs: Sequence[StudiedProgram], settings: SynthesisSettings) -> Study:
+def synthesis_study(programs: Sequence[StudiedProgram], settings: SynthesisStudySettings) -> Study:
     """Return the study of each combination of program, lowering and level, with the words that
     `settings.count` names as its error."""
     count = settings.count

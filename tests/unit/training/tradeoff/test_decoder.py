@@ -19,7 +19,7 @@ from scipy.io import savemat
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_training.command_settings import DecoderSettings  # noqa: E402
+from nscc_training.command_settings import DecoderStudySettings  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
 from nscc_training.decoders.declared import DECODERS, DecoderTask  # noqa: E402
@@ -35,7 +35,7 @@ from nscc_training.tradeoff.decoder import (  # noqa: E402
     decoder_study,
 )
 
-TINY = DecoderSettings(count=2, size=32, repeats=1, budget_s=1e6)
+TINY = DecoderStudySettings(count=2, size=32, repeats=1, budget_s=1e6)
 
 
 def trained(out: Path, name: str, protocol: str, slots: int) -> Path:

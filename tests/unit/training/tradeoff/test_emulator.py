@@ -23,7 +23,7 @@ from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.sensor import default_sensor
-from nscc_training.command_settings import EmulatorSettings
+from nscc_training.command_settings import EmulatorStudySettings
 from nscc_training.experiments.study import measure as measure_study
 from nscc_training.tradeoff.emulator import (
     DRAWN,
@@ -85,7 +85,7 @@ def opened() -> np.ndarray:
 
 
 def measure(
-    program: AnalysedProgram, scenes: list[NamedLight], settings: EmulatorSettings
+    program: AnalysedProgram, scenes: list[NamedLight], settings: EmulatorStudySettings
 ) -> tuple[EmulatorStudy, ...]:
     benches = EmulatorBenches.of(program, scenes, settings)
     return benches.results(measure_study(benches.study()))
@@ -97,7 +97,7 @@ def rms(away: np.ndarray) -> float:
 
 def test_errors_are_those_of_the_frames(program: AnalysedProgram) -> None:
     light = clip()
-    settings = EmulatorSettings((2.0, 40.0), 10.0, 2, 3, seed=5, device_seed=6)
+    settings = EmulatorStudySettings((2.0, 40.0), 10.0, 2, 3, seed=5, device_seed=6)
     scenes = [NamedLight("a", light), NamedLight("b", clip(30.0))]
     first, second = measure(program, scenes, settings)
     assert (first.scene, second.scene) == ("a", "b")
@@ -160,7 +160,7 @@ def test_too_few_frames_or_repeats_are_refused(
     program: AnalysedProgram, frames: int, repeats: int
 ) -> None:
     with pytest.raises(ValueError, match=f"{frames} frames, {repeats} repeats"):
-        measure(program, [], EmulatorSettings(frames=frames, repeats=repeats))
+        measure(program, [], EmulatorStudySettings(frames=frames, repeats=repeats))
 
 
 def test_naive_simulations_give_the_frames_of_the_emulator(
@@ -195,7 +195,7 @@ def test_each_bucket_has_its_own_shutter(folder: Path) -> None:
 
 
 def test_light_that_numpy_cannot_draw(program: AnalysedProgram) -> None:
-    settings = EmulatorSettings((5.0,), repeats=1)
+    settings = EmulatorStudySettings((5.0,), repeats=1)
     [study] = measure(program, [NamedLight("bright", clip(1e25))], settings)
     [refused] = study.refused
     assert refused.method == DRAWN
@@ -241,7 +241,7 @@ def test_the_floor_is_the_time_of_copying_the_light() -> None:
 
 @pytest.fixture
 def study(program: AnalysedProgram) -> EmulatorStudy:
-    [found] = measure(program, [NamedLight("s", clip())], EmulatorSettings((5.0,), repeats=1))
+    [found] = measure(program, [NamedLight("s", clip())], EmulatorStudySettings((5.0,), repeats=1))
     return found
 
 

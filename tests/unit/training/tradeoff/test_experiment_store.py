@@ -25,7 +25,7 @@ from nscc_command import invoke
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.experiment_store import ExperimentStore
 from nscc.source import Source
-from nscc_training.command_settings import SynthesisSettings
+from nscc_training.command_settings import SynthesisStudySettings
 from nscc_training.experiments.engine import Done, PointRow, results, rows_in
 from nscc_training.experiments.study import measure
 from nscc_training.tradeoff.synthesis import StudiedProgram, synthesis_study
@@ -230,7 +230,7 @@ def test_a_measurement_that_was_ended_goes_on(
         StudiedProgram, "compiled", lambda *way: (compiled.append(way), real(*way))[1]
     )
 
-    study = synthesis_study([program], SynthesisSettings((0,), ("latch", "edges")))
+    study = synthesis_study([program], SynthesisStudySettings((0,), ("latch", "edges")))
 
     def until(items, _label, _total):
         for number, item in enumerate(items):

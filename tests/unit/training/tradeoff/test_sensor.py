@@ -17,12 +17,12 @@ from PIL import Image
 torch = pytest.importorskip("torch")
 
 
-from nscc_training.command_settings import SensorSettings  # noqa: E402
+from nscc_training.command_settings import SensorStudySettings  # noqa: E402
 from nscc_training.experiments.study import StudyResult  # noqa: E402
 from nscc_training.experiments.study import measure as measure_study  # noqa: E402
 from nscc_training.tradeoff.sensor import sensor_points, sensor_study  # noqa: E402
 
-SMALL = SensorSettings(
+SMALL = SensorStudySettings(
     classes=("c",),
     slots=(4, 8),
     stop_slots=(8,),
@@ -35,11 +35,11 @@ SMALL = SensorSettings(
 )
 
 
-def settings(**changes: Any) -> SensorSettings:
+def settings(**changes: Any) -> SensorStudySettings:
     return replace(SMALL, **changes)
 
 
-def measure(options: SensorSettings) -> StudyResult:
+def measure(options: SensorStudySettings) -> StudyResult:
     return measure_study(sensor_study(options))
 
 
@@ -188,7 +188,7 @@ def test_tradeoff_sensor_refuses_wrong_usage(
     assert not list(tmp_path.iterdir())
 
 
-def measured_readouts(options: SensorSettings) -> tuple[list[Any], list[Any]]:
+def measured_readouts(options: SensorStudySettings) -> tuple[list[Any], list[Any]]:
     """Only the points and refused settings of readouts."""
     found = measure(replace(options, stop_slots=()))
     return tuple(

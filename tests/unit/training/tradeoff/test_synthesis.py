@@ -16,7 +16,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.lower.exposure_plan import LOWERINGS, Lowering
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc_training.command_settings import Count, SynthesisSettings
+from nscc_training.command_settings import Count, SynthesisStudySettings
 from nscc_training.experiments.study import StudyResult, measure
 from nscc_training.tradeoff.synthesis import (
     StudiedProgram,
@@ -33,14 +33,14 @@ def program(text: str, name: str = "p") -> StudiedProgram:
 
 
 def measured(text: str, lowering: Lowering, count: Count, level: int = 1) -> StudyResult:
-    settings = SynthesisSettings((level,), (lowering,), 1, count)
+    settings = SynthesisStudySettings((level,), (lowering,), 1, count)
     return measure(synthesis_study([program(text)], settings))
 
 
 def test_points_are_what_the_compiler_gives(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NSCC_CACHE_DIR", str(tmp_path / "cache"))
     programs = [program(STOPS, "b"), program(BUMPS, "d")]
-    study = synthesis_study(programs, SynthesisSettings((0, 1)))
+    study = synthesis_study(programs, SynthesisStudySettings((0, 1)))
     ways = [(point.case, point.method, point.setting) for point in study.points]
     assert len(ways) == len(set(ways)) == 2 * 3 * 2
     seen = []
