@@ -15,7 +15,6 @@ from nscc.options import Options
 from nscc.toml.kinds import Distinct, FilePath, Flag, Integer, Number, Several, TextKind
 from nscc.toml.schema import declared, key
 from nscc_runtime.scene_settings import Fit, Scene
-from nscc_training.tradeoff import STAGES
 
 if TYPE_CHECKING:
     from nscc.lower.exposure_plan import Lowering
@@ -35,6 +34,9 @@ Method = Literal["network", "merge", "gap-tv"]
 """Methods of the decoder for any code."""
 Count = Literal["all", "logic"]
 """Which words to count: all words of a frame, or only those that decode codes."""
+
+STAGES = ("compile", "lowering", "slots", "effects", "decoder")
+"""The stages of the joint tradeoff of one program, in order."""
 
 # Options of several commands: each is declared once, and a field calls it with its own default.
 _slot_us = partial(key, meaning="Length of a slot in microseconds")

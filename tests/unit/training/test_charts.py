@@ -17,9 +17,8 @@ from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.precision import Point
 from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
 from nscc_runtime.scenes import Scene
-from nscc_training.command_settings import JointRequest
+from nscc_training.command_settings import STAGES, JointRequest
 from nscc_training.experiments.study import StudyResult
-from nscc_training.tradeoff import STAGES
 from nscc_training.tradeoff.decoder import decoder_diagram
 from nscc_training.tradeoff.images import images_diagram
 from nscc_training.tradeoff.joint import Joint, joint_diagram

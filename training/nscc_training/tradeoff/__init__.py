@@ -1,4 +1,1 @@
 """Studies of `nscc tradeoff`: error against time."""
-
-STAGES = ("compile", "lowering", "slots", "effects", "decoder")
-"""The stages of the joint tradeoff of one program, in order."""

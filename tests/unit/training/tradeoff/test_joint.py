@@ -28,11 +28,10 @@ from nscc_runtime.planning.plan_request import PlanRequest
 from nscc_runtime.planning.planned_scene import planning_of
 from nscc_runtime.scenes import Scene, scene_light
 from nscc_runtime.sensor import default_sensor
-from nscc_training.command_settings import JointRequest
+from nscc_training.command_settings import STAGES, JointRequest
 from nscc_training.experiments.study import NotMeasured, StudyResult
 from nscc_training.experiments.study import measure as measure_study
 from nscc_training.experiments.study_table import COLUMNS
-from nscc_training.tradeoff import STAGES
 from nscc_training.tradeoff.joint import Joint, advised, joint_diagram, joint_study, si_seconds
 from nscc_training.tradeoff.joint_bench import Bench, rms_percent, scaled_text
 from nscc_training.tradeoff.slots import in_fewer, with_slot_us
