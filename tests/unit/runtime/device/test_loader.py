@@ -418,6 +418,98 @@ def test_objects_that_make_no_sense_are_refused(
     assert talk.send(EXAMPLE.upload.objects)[-1].kind == PacketKind.FINISH | REPLY
 
 
+LEVELS = Object(ObjectKind.LEVELS, 0, pack("<I3h", 3, 5, 5, 5))
+"""Levels for the rows of WITH_LOOP, whose last one follows the exposure."""
+WITH_LOOP = schedule(4, [(4, 2.5)], [(0, 1, 1), (4, 0, 1), (0, 0, 3)])
+
+
+def params(
+    ranges: Sequence[tuple[int, int, int]], *changes: tuple[int, int, int, int, int]
+) -> Object:
+    """A PARAMS object, laid out by hand: (low, high, start); (row, parameter, change, factor,
+    offset)."""
+    data = pack("<I", len(ranges)) + b"".join(pack("<3i", *each) for each in ranges)
+    data += pack("<I", len(changes)) + b"".join(pack("<IBBhi", *each) for each in changes)
+    return Object(ObjectKind.PARAMS, 0, data)
+
+
+GOOD_PARAMS = params([(-2, 9, 3)], (1, 0, 0, 2, 0), (2, 0, 1, -1, 4), (2, 0, 2, 0, 0))
+
+
+@pytest.mark.parametrize(
+    ("params_object", "fault"),
+    [
+        (params([(4, 9, 3)]), LoaderFault.PARAM),
+        (params([(0, 9, 10)]), LoaderFault.PARAM),
+        (params([(0, 9, 3)], (3, 0, 1, 1, 0)), LoaderFault.SCHEDULE),
+        (params([(0, 9, 3)], (2, 1, 1, 1, 0)), LoaderFault.SCHEDULE),
+        (params([(0, 9, 3)], (2, 0, 3, 1, 0)), LoaderFault.SCHEDULE),
+        (params([(0, 9, 3)], (1, 0, 1, 1, 0)), LoaderFault.SCHEDULE),
+        (params([(0, 9, 3)], (1, 0, 2, 0, 0)), LoaderFault.SCHEDULE),
+        (params([(0, 9, 3)], (2, 0, 1, 1, 0), (1, 0, 0, 1, 0)), LoaderFault.SCHEDULE),
+        (params([(0, 9, 3)], (1, 0, 0, 200, 0)), LoaderFault.SCHEDULE),
+        (params([(-9, 0, 0)], (1, 0, 0, 200, 0)), LoaderFault.SCHEDULE),
+        (params([(0, 9, 3)] * 17), LoaderFault.TOO_LARGE),
+        (params([(0, 9, 3)], *[(2, 0, 1, 1, 0)] * 65), LoaderFault.TOO_LARGE),
+        (Object(ObjectKind.PARAMS, 0, GOOD_PARAMS.data[:-1]), LoaderFault.SCHEDULE),
+        (Object(ObjectKind.PARAMS, 0, GOOD_PARAMS.data + b"x"), LoaderFault.SCHEDULE),
+        (Object(ObjectKind.PARAMS, 0, b""), LoaderFault.SCHEDULE),
+    ],
+)
+def test_params_that_make_no_sense_are_refused(
+    talk: Talk, params_object: Object, fault: LoaderFault
+) -> None:
+    before = [GOOD_READOUT, GOOD_KERNELS, LEVELS, WITH_LOOP]
+    assert talk.refused([*before, params_object])[0] == fault
+    assert talk.send([*before, GOOD_PARAMS])[-1].kind == PacketKind.FINISH | REPLY
+
+
+def test_params_need_a_schedule_and_levels_that_they_change(talk: Talk) -> None:
+    fault, _ = talk.refused([GOOD_READOUT, GOOD_KERNELS, GOOD_PARAMS, WITH_LOOP])
+    assert fault == LoaderFault.SCHEDULE
+    assert talk.refused([GOOD_READOUT, GOOD_KERNELS, WITH_LOOP, GOOD_PARAMS])[1] == 10
+
+
+def test_a_frame_takes_a_value_for_each_parameter(talk: Talk) -> None:
+    talk.send([GOOD_READOUT, GOOD_KERNELS, LEVELS, WITH_LOOP, GOOD_PARAMS])
+    capture = CaptureRequest(1, 1).pack()
+    for values, failure in (
+        ((), (LoaderFault.MALFORMED, 1)),
+        ((1, 1), (LoaderFault.MALFORMED, 1)),
+        ((10,), (LoaderFault.PARAM, 0)),
+        ((-3,), (LoaderFault.PARAM, 0)),
+    ):
+        body = capture + pack(f"<{len(values)}i", *values)
+        assert talk.failure(PacketKind.CAPTURE_WITH, body) == failure
+    talk.one(PacketKind.CAPTURE_WITH, capture + pack("<i", -2))
+
+
+def test_a_plane_is_loaded_where_the_program_has_one(talk: Talk) -> None:
+    def load(register: int, position: int, data: bytes) -> bytes:
+        return pack("<B3xI", register, position) + data
+
+    assert talk.failure(PacketKind.LOAD, load(0, 0, PLANE))[0] == LoaderFault.NO_PROGRAM
+    talk.send([GOOD_READOUT, GOOD_KERNELS, GOOD_SCHEDULE, plane(12), plane(3), plane(0)])
+    for register, position, data, answer in (
+        (3, 0, PLANE[:4], 4),
+        (3, 6, PLANE[6:], 4),  # bytes between them were lost
+        (3, 4, PLANE[4:], 8),
+        (3, 4, PLANE[4:], 8),  # and the answer was lost
+        (0, 4, PLANE[4:], 0),
+        (0, 0, PLANE, 8),
+    ):
+        assert DATA.unpack(talk.one(PacketKind.LOAD, load(register, position, data))) == (answer,)
+    for register, data, failure in (
+        (5, PLANE, (LoaderFault.PLANE, 5)),
+        (13, PLANE, (LoaderFault.PLANE, 13)),
+        (12, PLANE, (LoaderFault.PLANE, 12)),  # its mask has a plane, which it would need
+        (3, PLANE + b"x", (LoaderFault.PLANE, 3)),
+        (3, PLANE[:-1] + b"\x1f", (LoaderFault.PLANE, 3)),
+        (3, b"", (LoaderFault.MALFORMED, 0)),
+    ):
+        assert talk.failure(PacketKind.LOAD, load(register, 0, data)) == failure
+
+
 def test_declared_lengths_beyond_the_memory_are_refused(talk: Talk) -> None:
     found = target_digest(TARGET)
     for kind in ObjectKind:
@@ -443,6 +535,8 @@ def test_declared_lengths_beyond_the_memory_are_refused(talk: Talk) -> None:
         (PacketKind.DECLARE, pack("<HH", 0, 1) + bytes(37)),
         (PacketKind.FINISH, bytes(31)),
         (PacketKind.CAPTURE, bytes(11)),
+        (PacketKind.CAPTURE_WITH, bytes(11)),
+        (PacketKind.LOAD, bytes(8)),
         (PacketKind.READ, bytes(23)),
         (PacketKind.CANCEL, b"x"),
     ],
