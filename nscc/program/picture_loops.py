@@ -15,6 +15,7 @@ from nscc.syntax import tree
 from nscc.words import pictures as p
 
 Kind = Literal["image", "plane", "bucket"]
+MOST_STEPS = 1 << 16
 _FAR = 8
 """A plane that is shifted further is shifted in a loop; an image, beyond half of that."""
 
@@ -83,13 +84,14 @@ class LoopReader(PictureComparer):
         if name != names[0]:
             return
         times = self.host.number(statement.count, "the number of steps")
-        if times is not None and times.param == "" and times.offset < 0:
+        is_negative = times is not None and times.param == "" and times.offset < 0
+        if times is not None and (is_negative or times.most > MOST_STEPS):
             self.problems.error(
                 "NS0531",
-                f"a number of steps cannot be {times.offset}",
+                f"a number of steps cannot be {times.most or times.offset}",
                 statement.count.span,
-                "negative",
-                helps=("repeat 0 times or more",),
+                "negative" if is_negative else "too large",
+                helps=(f"repeat 0 to {MOST_STEPS} times",),
             )
             times = None
         starts = [self._node(item.kind, item.start) for item in statement.items]

@@ -75,6 +75,8 @@ def test_repeat_with_flood_count_and_sum_stay_names() -> None:
         (BRIGHT + "plane q = p[t, 0] read q", "NS0545"),
         (BRIGHT + "plane q = p[300, 0] read q", "NS0541"),
         (BRIGHT + "plane q = p repeat (1 - 2) q[1, 0] read q", "NS0531"),
+        (BRIGHT + "plane q = p repeat 65537 q[1, 0] read q", "NS0531"),
+        ("param m : 0 .. 99999999 = 2 input plane p plane q = p repeat m q[1, 0] read q", "NS0531"),
         (BRIGHT + "plane q = p repeat 2 r read q", "NS0214"),
         (BRIGHT + "plane q = flood(p, p) read q", "NS0531"),
         (BRIGHT + CROSS + "plane q = flood(p, p, k, at most 0) read q", "NS0531"),
