@@ -3,7 +3,8 @@
 The emulator exposes a program once to constant light at many levels. For every pixel of the tile,
 the frames give the mean code and its standard deviation over noise and chips. They include gains
 and offsets of words, register compression, dark current, noise and the range of the converter.
-Crosstalk depends on neighbouring pixels, so it is applied to the light, as in the emulator."""
+Crosstalk depends on neighbouring pixels, so it is applied to the light, as in the emulator. Errors
+of the readout are alike in neighbouring pixels, so they are cut from whole frames of errors."""
 
 from __future__ import annotations
 
@@ -20,6 +21,7 @@ from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import CommonCode, Exchange, FixedCodes
 from nscc_runtime.light import Light
+from nscc_runtime.readout_noise import ReadoutNoise
 from nscc_runtime.request import Request
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import simulate
@@ -39,6 +41,8 @@ _RECENT = 64
 """Number of tables that are kept: a search compares a few codes with the present ones."""
 CHIPS, _FRAMES = 8, 2
 """Number of chips, and number of frames of each chip."""
+_READ_CHIPS = 16
+"""Number of chips whose errors of the readout are kept, one frame of each."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,15 +51,17 @@ class EmulatedSensor:
 
     `light_e` (K,) increases from 0, in electrons over the frame. `share` (r, c) is the fraction of
     the frame in which each pixel was open. `code` and `spread` (K, r, c) are the mean and standard
-    deviation of codes above the ADC's offset, before rounding. `full` (K, r, c) is the fraction of
-    pixels marked as saturated. `crosstalk` is the fraction of charge that each of the four
-    neighbours receives."""
+    deviation of codes above the ADC's offset, before the errors of the readout. `full` (K, r, c) is
+    the fraction of pixels marked as saturated. `readout` float16 (chips, rows, cols) are errors of
+    the readout of whole arrays, in codes: noise, fixed pattern and common error. `crosstalk` is the
+    fraction of charge that each of the four neighbours receives."""
 
     light_e: Tensor
     share: Tensor
     code: Tensor
     spread: Tensor
     full: Tensor
+    readout: Tensor
     crosstalk: float
 
     def smeared(self, light: Tensor) -> Tensor:
@@ -91,11 +97,28 @@ class EmulatedSensor:
         marked: Tensor = full > 0.5
         if generator is not None:
             sigma = self._between(self.spread, after, known_part)
-            codes = codes + model.noise_factor * sigma * normal(codes, generator, torch.float32)
+            errors = sigma * normal(codes, generator, torch.float32)
+            errors = errors + self._readout_errors(codes, generator)
+            codes = codes + model.noise_factor * errors
             marked = full > uniform(full, generator)
         codes = rounded(codes) + model.adc_offset_lsb
         codes = saturated(codes, 0.0, float(model.top_code), model.slope)
         return codes.float() - model.adc_offset_lsb, marked
+
+    def _readout_errors(self, codes: Tensor, generator: torch.Generator) -> Tensor:
+        """Return the readout's errors of codes (.., rows, cols): of each frame those of a random
+        chip, at a random place of its array. Frames larger than the array repeat it."""
+        places: list[Tensor] = []
+        for axis, size in zip((-2, -1), codes.shape[-2:], strict=True):
+            whole = self.readout.shape[axis]
+            first = uniform(codes, generator, codes.shape[:-2]) * (max(whole - size, 0) + 1)
+            place = first.long()[..., None] + torch.arange(size, device=codes.device)
+            places.append(place % whole)
+        chip = (uniform(codes, generator, codes.shape[:-2]) * len(self.readout)).long()
+        errors = self.readout.to(codes.device)
+        return errors[chip[..., None, None], places[0][..., None], places[1][..., None, :]].to(
+            codes
+        )
 
     def _between(self, table: Tensor, after: Tensor, fraction: Tensor) -> Tensor:
         """Return the values (batch, rows, cols) of a `table` (K, r, c) between its levels `after` -
@@ -151,6 +174,7 @@ class MeasuredTables:
                 tensors["code"],
                 tensors["spread"],
                 tensors["full"],
+                tensors["readout"],
                 float(tensors["crosstalk"]),
             )
             self.use(tensors["shutters"], lambda: table)
@@ -176,17 +200,23 @@ def emulated_sensor(
     weak = np.geomspace(_DARKEST * full_e / opened.max(), first, _DARK_LEVELS, endpoint=False)
     dense = np.geomspace(first, last, 2 + int(np.log(last / first) / np.log(_DENSE)))
     light_e = np.concatenate([[0.0], weak, dense])
-    # Errors that many codes have in common need more chips than are exposed, so that their variance
-    # is added.
+    # The converter's noise is exposed, because the mean of codes that are rounded without noise is
+    # wrong; its variance is subtracted, because errors of the readout are drawn apart.
     exposed_effects = chosen.without(*chosen.names(FixedCodes, CommonCode))
     code, spread, full = _measured(container, tile, light_e, sensor, exposed_effects, chips)
-    in_common_lsb2 = chosen.converter_lsb(sensor) ** 2 - exposed_effects.converter_lsb(sensor) ** 2
-    spread = np.sqrt(spread**2 + max(in_common_lsb2, 0.0))
+    spread = np.sqrt(np.maximum(spread**2 - exposed_effects.converter_lsb(sensor) ** 2, 0.0))
     exchange = chosen.find_part(Exchange)
     crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
-    arrays = light_e, share, code, spread, full
-    levels, shares, codes, spreads, marked = map(torch.from_numpy, arrays)
-    return EmulatedSensor(levels, shares, codes, spreads, marked, crosstalk)
+    size = (container.target.rows, container.target.cols)
+    readout = np.stack(
+        [
+            ReadoutNoise.of(sensor, chosen, chip, size).codes(chip, 0, 1)[0]
+            for chip in range(_READ_CHIPS)
+        ]
+    ).astype(np.float16)
+    arrays = light_e, share, code, spread, full, readout
+    levels, shares, codes, spreads, marked, errors = map(torch.from_numpy, arrays)
+    return EmulatedSensor(levels, shares, codes, spreads, marked, errors, crosstalk)
 
 
 def _measured(

@@ -125,6 +125,45 @@ def test_codes_of_the_model_have_the_moments_of_the_emulators(
     assert wanted[:, ::2, ::2].var() > 1.3 * (photons + sensor.adc_noise_lsb**2)
 
 
+def test_errors_of_the_readout_are_alike_in_neighbouring_pixels() -> None:
+    """Level of frames, smooth pattern and correlation of neighbours, beside frames of other chips.
+    Light is even, and all pixels are always open."""
+    text = "nsl 1 frame 8 slots of 125us open when true"
+    program = compile_source(Source("p.nsl", text), Path(), Options(level=1)).container
+    assert program is not None
+    sensor, size = default_sensor(program.target), (program.target.rows, program.target.cols)
+    light_e = np.full(size, 0.3 * sensor.full_well_e, np.float32)
+    light = Light.of_still(light_e, np.full(SLOTS, 1 / SLOTS))
+    wanted = np.concatenate(
+        [
+            simulate(program, light, sensor, Request.of(effects="all", seed=s, device_seed=s))
+            .frame.frame.astype(float)
+            .reshape(1, *size)
+            for s in range(80, 104)
+        ]
+    )
+    table = emulated_sensor(program, (1, 1), sensor, "all", 2)
+    exposure = torch.from_numpy(light_e).double().expand(24, -1, -1)
+    generator = torch.Generator().manual_seed(1)
+    codes, _ = table.read_out(exposure, SensorModel.of(sensor, program.target), generator)
+
+    def described(frames: np.ndarray) -> dict[str, float]:
+        centred = frames - frames.mean(axis=(1, 2), keepdims=True)
+        blocks = centred.reshape(24, 16, size[0] // 16, 16, size[1] // 16).mean(axis=(2, 4))
+        return {
+            "level": float(frames.mean(axis=(1, 2)).std()),
+            "smooth": float(blocks.std()),
+            "down": float((centred[:, 1:] * centred[:, :-1]).mean() / centred.var()),
+            "across": float((centred[..., 1:] * centred[..., :-1]).mean() / centred.var()),
+        }
+
+    found, chips = described(codes.numpy()), described(wanted)
+    assert chips["level"] > 0.3
+    assert chips["smooth"] > 1.5
+    for name, tolerance in {"level": 0.15, "smooth": 0.5, "down": 0.06, "across": 0.06}.items():
+        assert found[name] == pytest.approx(chips[name], abs=tolerance), name
+
+
 def test_a_code_that_changed_has_its_own_exposure(table: EmulatedSensor) -> None:
     """Places that are open for longer or shorter than when the table was measured."""
     stops = "[[4, 8], [2, 5]]"
