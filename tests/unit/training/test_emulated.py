@@ -286,6 +286,10 @@ def test_a_run_is_scored_and_doubted_on_a_chip_it_was_not_trained_for(tmp_path: 
     assert chip["settings"]["effects"] == "all"
     assert chip["mean"] < plain["mean"] - 0.1
     assert "on a chip with effects all; trained with noise" in result_text(chip)
+    values = ("adc_noise_lsb=3.0",)
+    with pytest.raises(Rejected) as refusal:  # values of a chip that exposes nothing
+        evaluate(EvaluationSettings(str(run), tmp_path, "video-v1", changes=values))
+    assert refusal.value.diagnostics[0].code == "NS0841"
     line = ["run", str(run / "shutter.nsl"), "--scene", "builtin:motion", "--effects", "all"]
     assert invoke([*line, "-o", "f.npz"], tmp_path).status == 0
     made = invoke(["reconstruct", str(run), "f.npz", "-o", "o.npz"], tmp_path)
