@@ -95,7 +95,7 @@ def capture(
     fidelity : {"planned", "reference"}
         "reference" simulates all effects, word by word and slot by slot.
     audit : bool
-        Compare with the reference; the result is in `Capture.audit`.
+        Measure the error of the plan on all pixels; the result is in `Capture.audit`.
     seed : int
         Seed of the noise.
     device_seed : int

@@ -31,10 +31,10 @@ class Request:
     With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal,
     0.15noise of the frame's own noise, or electrons). The plan is the given `plan`, read from a
     file, or made now; if `plan` names a file that does not exist, its text is returned. Otherwise
-    words are executed slot by slot, without effects or with all of `effects` exactly. `audit`
-    compares frames under a plan with this reference. With a `turn`, the plan of an earlier scene is
-    reused if it covers this scene. `repeat`: number of frames, None for a single frame. Results do
-    not depend on `threads` (None: all processors)."""
+    words are executed one by one, without effects or with all of `effects` exactly. `audit`
+    measures the error of a plan on all pixels, in the loop over words. With a `turn`, the plan of
+    an earlier scene is reused if it covers this scene. `repeat`: number of frames, None for a
+    single frame. Results do not depend on `threads` (None: all processors)."""
 
     effects: Selection = key(
         Instance(
@@ -64,7 +64,7 @@ class Request:
     )
     audit: bool = key(
         Flag(),
-        "Compare with the reference; exit with status 1 if the error exceeds the tolerance",
+        "Measure the error of the plan on all pixels; exit with status 1 above the tolerance",
         False,
     )
     plan: Plan | Path | None = key(

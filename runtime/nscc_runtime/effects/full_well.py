@@ -28,7 +28,8 @@ FULL_WELL = Effect(
     title="saturation of PIX",
     model="PIX holds min(charge since the last reset, full well), whether the shutter is open or "
     "not, dark charge included.",
-    cost="none where the whole frame's charge stays below the well; else a slot loop",
+    cost="none where the whole frame's charge stays below the well; else a loop over the words of "
+    "pixels near it",
     applied="to PIX whenever charge falls on it",
     absent="no pixel comes near it",
     parameters=(FULL,),

@@ -91,7 +91,7 @@ REGISTER = Effect(
     title="soft saturation of analog registers",
     model="A register is linear up to k M and holds M (k + (1 - k) tanh((v / M - k) / (1 - k))) "
     "beyond, M its largest value; the same below 0.",
-    cost="none where no partial sum passes the knee; else a slot loop",
+    cost="none where no partial sum passes the knee; else a loop over the words of pixels near it",
     applied="to every result of a bus word",
     absent="no pixel comes near it",
     parameters=(LOWEST, HIGHEST, KNEE),

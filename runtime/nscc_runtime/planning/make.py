@@ -3,7 +3,8 @@
 1. List the sets of effects that may be dropped, those that save most time first (`_moves`).
 2. Draw a sample of the pixels (`sample`), and expose it with every effect.
 3. Drop one set after the other. Measure the error of all dropped effects on the sample, with the
-   same random numbers; keep the set if the error plus two standard errors exceeds the tolerance.
+   same random numbers; keep the set if the error, or the error plus two standard errors, is too
+   near to the tolerance (`fits`).
 
 Effects are only measured if that is predicted to save more time than it takes, or if the user
 requests the table. Otherwise every effect is simulated."""

@@ -41,7 +41,8 @@ States = NDArray[np.int32]
 SAMPLED = 4000
 """Number of pixels on which a plan is measured."""
 SEED = 0
-"""Noise seed of measurements, independent of the seed of a run."""
+"""Noise seed of measurements, whatever the seed of a run. With seed 0 a run draws the same numbers
+for pixels near saturation as the trial."""
 _ENOUGH, _MOST_REPEATS = 512, 16
 """Samples of fewer than `_ENOUGH` pixels are exposed several times, at most `_MOST_REPEATS`."""
 _MOST_FRAMES, _SETTLED = 16, 0.005
