@@ -72,19 +72,20 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
             return [at.get((n + 1, "open"), 0) for n in slots]
         case "latch":
             # The last copy remains, and holds the light of all slots before it.
+            # Backwards in time: `copied` are the shutters with a copy after slot n.
             copied = 0
-            kept_by = [copied := copied | at.get((n + 1, "open"), 0) for n in reversed(slots)]
-            return kept_by[::-1]
+            from_the_end = [copied := copied | at.get((n + 1, "open"), 0) for n in reversed(slots)]
+            return from_the_end[::-1]
         case "edges":
             # PIX starts at the reset level, so pixels open from slot 0 on need no rise.
-            now = first
-            kept_by = []
+            is_open = first
+            collected = []
             for n in slots:
-                now = now & ~at.get((n, "fall"), 0) | at.get((n, "rise"), 0)
-                kept_by.append(now)
+                is_open = is_open & ~at.get((n, "fall"), 0) | at.get((n, "rise"), 0)
+                collected.append(is_open)
             # A shutter that is open in the last slot closes at the end of the frame.
-            require(at.get((plan.slots, "fall"), 0) == now, "a shutter is never read")
-            return kept_by
+            require(at.get((plan.slots, "fall"), 0) == is_open, "a shutter is never read")
+            return collected
 
 
 def check_gates(gated: Gated) -> None:

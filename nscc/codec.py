@@ -215,7 +215,7 @@ def _codec(hint: Any) -> _Codec:
         return _Codec(
             lambda values: _convert_all(item.write, values),
             lambda plain: tuple(_convert_all(item.read, _instance(list, plain))),
-            0,
+            width=0,
         )
     if origin is tuple:
         row = tuple(_Field(f"[{i}]", "", _codec(kind)) for i, kind in enumerate(arguments))
@@ -230,7 +230,7 @@ def _codec(hint: Any) -> _Codec:
             lambda plain: _convert_values(value.read, _instance(dict, plain)),
         )
     if hint is Fraction:
-        return _Codec(lambda value: list(value.as_integer_ratio()), _read_fraction, 2)
+        return _Codec(lambda value: list(value.as_integer_ratio()), _read_fraction, width=2)
     if issubclass(hint, Record):
         return _Codec(
             lambda record: _joined(_fields(hint), _values(hint, record)),

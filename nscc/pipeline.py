@@ -124,7 +124,7 @@ def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
     """
     fault = fit.capacity_fault(program)
     if fault is not None:
-        return Planned(program, frame_time(program), (), (), {}), [fault]
+        return Planned(program, frame_time(program), opens=(), plans=(), misfits={}), [fault]
     lowering = job.options.lowering
     planned = plan_exposures(program, lowering)
     faults = [] if planned.plans else [fit.plan_fault(program, planned.misfits, lowering)]
@@ -454,4 +454,4 @@ def _compiled(values: dict[str, Any], messages: Found, *, fits: bool) -> Compile
     names = ("schedule", "words", "prove")
     layout, container, proof = (values[name] if fits else None for name in names)
     tree, program = values["parse"].tree, values["program"]
-    return Compiled(tree, program, layout, container, proof, tuple(messages))
+    return Compiled(tree, program, layout, container, proof, diagnostics=tuple(messages))

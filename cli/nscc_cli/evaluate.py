@@ -167,7 +167,7 @@ def tables(results: Path | None, **outputs: Any) -> None:
     from nscc_training.evaluation.paper_tables import paper_tables
 
     rows, text = paper_tables(results)
-    _finish(rows, text, {}, **outputs)
+    _finish(rows, text, products={}, **outputs)
 
 
 @command.command("figures", cls=CommonCommand)
@@ -213,7 +213,7 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
 
     read = [saved.read_result(path) for path in results]
     comparison = saved.compare(list(zip(read[::2], read[1::2], strict=True)), metric)
-    _finish(comparison, saved.comparison_text(comparison, metric) + "\n", {}, **outputs)
+    _finish(comparison, saved.comparison_text(comparison, metric) + "\n", products={}, **outputs)
 
 
 def _of_scenes(

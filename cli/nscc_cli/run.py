@@ -206,11 +206,11 @@ def _run_on_emulator(
         container,
         exposed.light,
         frame,
-        about,
-        f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}",
-        timings,
-        lambda: exposed.response(sensor),
-        simulated.plan_file,
+        meta=about,
+        title=f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}",
+        timings=timings,
+        response=lambda: exposed.response(sensor),
+        plan=simulated.plan_file,
     )
     if simulated.plan is not None and options["verbose"]:
         from nscc_runtime.planning.plan_file import plan_table
@@ -308,7 +308,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
         meta,
         title,
         timings,
-        lambda: response_of(container, sensor, effects),
+        response=lambda: response_of(container, sensor, effects),
     )
     say_done(summary(container, frame, files, alike=False))
 

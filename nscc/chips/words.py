@@ -140,7 +140,9 @@ def _row(values: Any, who: str) -> Operation:
         )
     written_, read = _counts(who, effect, keys["destinations"], keys["sources"])
     divisor = keys["divisor"]
-    if not _is_integer_within(divisor, 1, 64) or (divisor != 1 and effect is not WordEffect.BUS):
+    if not _is_integer_within(divisor, low=1, high=64) or (
+        divisor != 1 and effect is not WordEffect.BUS
+    ):
         raise ValueError(
             f"{who} has an invalid divisor: only bus words have a divisor, from 1 to 64"
         )

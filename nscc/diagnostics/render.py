@@ -91,7 +91,7 @@ def _json(diagnostic: Diagnostic) -> str:
             }
             for fix in diagnostic.fixes
         ],
-        "rendered": _human(diagnostic, False),
+        "rendered": _human(diagnostic, color=False),
     }
     return json.dumps(value) + "\n"
 

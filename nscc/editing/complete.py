@@ -214,8 +214,8 @@ class Listing(Record):
         try:
             assemble(Source(self.name, self.text), self.folder)
         except Rejected as rejected:
-            return CheckResult(rejected.diagnostics, None)
-        return CheckResult((), None)
+            return CheckResult(rejected.diagnostics, compiled=None)
+        return CheckResult(diagnostics=(), compiled=None)
 
     @cached_property
     def target(self) -> Target:

@@ -62,7 +62,7 @@ class Document:
             source = source_of(Path(self.name), self.text.encode(errors="surrogatepass"))
             compiled = compile_source(source, self.folder, CHECK)
         except Rejected as rejected:
-            return CheckResult(rejected.diagnostics, None)
+            return CheckResult(rejected.diagnostics, compiled=None)
         return CheckResult(compiled.diagnostics, compiled)
 
     @cached_property

@@ -161,22 +161,24 @@ def _by_slots(
     `shutters` gives the number of shutters for a size, and `counted_as` the same as text. `least`
     is the smallest size. The largest size follows from the limit on codes x slots that nscc proves,
     or from the longest frame."""
-    ceiling = largest_with(lambda slots: shutters(slots) * slots, PROOF_LIMIT, 1, MOST_SLOTS)
+    ceiling = largest_with(
+        lambda slots: shutters(slots) * slots, PROOF_LIMIT, least=1, ceiling=MOST_SLOTS
+    )
     reason = f"nscc proves at most {PROOF_LIMIT} codes x slots (NS0450)"
     if ceiling == MOST_SLOTS:
         reason = f"a frame has at most {MOST_SLOTS} slots (NS0308)"
     return Family(
         name,
         description,
-        "slots",
-        lambda size, slot: program_text(size, slot, rule),
-        shutters,
-        counted_as,
-        lambda size: size,
-        True,
-        least,
-        ceiling,
-        reason,
+        unit="slots",
+        text=lambda size, slot: program_text(size, slot, rule),
+        shutters=shutters,
+        counted_as=counted_as,
+        slots=lambda size: size,
+        nested=True,
+        least=least,
+        ceiling=ceiling,
+        ceiling_reason=reason,
     )
 
 
@@ -196,13 +198,13 @@ def _book_by_slots(rows: int) -> Family:
     """Return the family of codebooks with `rows` pseudo-random rows; its sizes are numbers of
     slots."""
     return Family(
-        f"codebook, {rows} rows",
-        "pseudo-random rows of N slots",
-        "slots",
-        lambda size, slot: program_text(size, slot, book_rule(random_rows(rows, size))),
-        lambda _size: rows,
-        f"{rows} rows",
-        lambda size: size,
+        name=f"codebook, {rows} rows",
+        description="pseudo-random rows of N slots",
+        unit="slots",
+        text=lambda size, slot: program_text(size, slot, book_rule(random_rows(rows, size))),
+        shutters=lambda _size: rows,
+        counted_as=f"{rows} rows",
+        slots=lambda size: size,
         nested=False,
         # Fewer slots have fewer than `rows` different rows.
         least=(rows - 1).bit_length(),
@@ -215,13 +217,13 @@ def _book_by_rows(slots: int) -> Family:
     """Return the family of codebooks of `slots` slots; its sizes are numbers of pseudo-random
     rows."""
     return Family(
-        f"codebook, {slots} slots",
-        "K pseudo-random rows",
-        "rows",
-        lambda size, slot: program_text(slots, slot, book_rule(random_rows(size, slots))),
-        lambda size: size,
-        "K rows",
-        lambda _size: slots,
+        name=f"codebook, {slots} slots",
+        description="K pseudo-random rows",
+        unit="rows",
+        text=lambda size, slot: program_text(slots, slot, book_rule(random_rows(size, slots))),
+        shutters=lambda size: size,
+        counted_as="K rows",
+        slots=lambda _size: slots,
         nested=False,
         least=1,
         ceiling=min(MOST_DIGITS // slots, 1 << slots),

@@ -100,7 +100,15 @@ def limit_of(
         )
     if proved:
         impossible, reason = proved[0].size, proved[0].reason
-    limit = Limit(family, slot, ordered_trials, built, impossible, reason, "")
+    limit = Limit(
+        family,
+        slot,
+        trials=ordered_trials,
+        built=built,
+        impossible=impossible,
+        impossible_reason=reason,
+        unknown_reason="",
+    )
     return replace(limit, unknown_reason=_unknown(limit))
 
 
@@ -116,7 +124,9 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTria
         errors = [d for d in rejected.diagnostics if d.severity is Severity.ERROR]
         worst = next((d for d in errors if d.data.get("proved")), errors[0])
         proved = worst.data.get("proved") is True
-        return SizeTrial(size, False, {}, worst.code, worst.message, proved)
+        return SizeTrial(
+            size, fits=False, figures={}, code=worst.code, reason=worst.message, proved=proved
+        )
     lowered, proof = compiled.lowered, compiled.proof
     assert lowered is not None
     assert proof is not None
@@ -132,7 +142,7 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTria
         "words_stored": schedule.words_stored,
         "shortest_slot_us": round(lowered.shortest_slot_us, 6),
     }
-    return SizeTrial(size, True, figures)
+    return SizeTrial(size, fits=True, figures=figures)
 
 
 def _unknown(limit: Limit) -> str:

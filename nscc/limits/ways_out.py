@@ -145,14 +145,23 @@ def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayO
     untried = "" if most == rows - 1 else f" ({most} was the most tried)"
     # Every shutter needs a different content of the code registers, so more rows cannot fit.
     most = largest_with(
-        lambda count: len(np.unique(table.shutter_of_code[:count])), 1 << registers, 1, most
+        lambda count: len(np.unique(table.shutter_of_code[:count])),
+        1 << registers,
+        least=1,
+        ceiling=most,
     )
 
     def of_first(count: int) -> Source:
         """Return the program with the first `count` rows of its codebook."""
         return _book(program, table.shutters[table.shutter_of_code[:count]])
 
-    count, lowered, remark = _largest(1, most, of_first, partial(attempt, level=level), _ROW_TRIALS)
+    count, lowered, remark = _largest(
+        least=1,
+        most=most,
+        source=of_first,
+        attempt=partial(attempt, level=level),
+        budget=_ROW_TRIALS,
+    )
     if lowered is None:
         return
     field, last = program.fields[0], table.codes[count - 1, 0]
@@ -212,7 +221,7 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
         case "d":
             rule, kept_shutters = bump_rule(), "every bump"
             # n slots have n (n + 1) / 2 bumps, and each needs a different content of the registers.
-            most = largest_with(lambda n: n * (n + 1) // 2, 1 << registers, 1, most)
+            most = largest_with(lambda n: n * (n + 1) // 2, 1 << registers, least=1, ceiling=most)
         case "e":
             rule, kept_shutters = bits_rule(), "every shutter"
             most = min(most, registers)

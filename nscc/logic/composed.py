@@ -40,9 +40,12 @@ _SUBMASK_BITS = (13, 4)
 
 
 def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Yield the solutions of a composed rule; raise GaveUp for a rule that is not composed.
-    `steps` limits the search for gates. A rule is composed if it joins conditions on different
-    fields by `and`, `or` or `xor`."""
+    """Yield the solutions of a composed rule; raise GaveUp for a rule that is not composed, or if
+    registers do not suffice.
+
+    A rule is composed if it joins conditions on different fields by `and`, `or` or `xor`. `steps`
+    is the number of search steps (`Budget`) for the gates of each solution; a solution that needs
+    more is left out."""
     rule = composition(problem)
     if rule is None:
         raise GaveUp("the rule is not composed from parts with different fields")
@@ -346,8 +349,8 @@ class _Writer:
         return target
 
     def _sources(self, planned: _Planned, index: int, inverse: bool) -> list[str]:
-        """Add gates for a rule at demand `index`; return registers whose OR is the value of the
-        rule, or its inverse."""
+        """Add gates for a rule at demand number `index`; return registers whose OR is the value of
+        the rule, or with `inverse` the inverse of the value."""
         if isinstance(planned, _Covered):
             return self._cubes(planned, index, inverse)
         if isinstance(planned, _State):
@@ -412,7 +415,10 @@ class _Writer:
         return bool(self.standing.inverted[plane] == value)
 
     def _cubes(self, covered: _Covered, index: int, inverse: bool) -> list[str]:
-        """Add gates for a part of cubes at a demand, as in `_sources`."""
+        """Add gates for a part that is an OR of cubes, or its inverse, at demand number `index`.
+
+        Return registers whose OR is the value of the part, or with `inverse` its inverse. A cube is
+        the NOR of its planes."""
         cubes, low = covered.cubes[index], self._is_low(covered.cubes[index])
         inverse ^= covered.inverted[index]
         names = self._literals(cubes[0]) if len(cubes) == 1 else []

@@ -134,7 +134,11 @@ def _any_of(bits: Open, number: NDArray[np.intp]) -> Open:
 
 
 def _filled(bits: Open, unknown: Open) -> Open:
-    """Return bits that only fall, or only rise, over the demands if the unknown ones allow this."""
+    """Return `bits`, bool (shutters, demands), with other values where `unknown` is true, so that
+    each shutter's bits only fall over the demands, or else only rise.
+
+    If neither is possible, return `bits` unchanged."""
+    # Accumulated backwards in time: 1 until the last demand with a 1, so the bits only fall.
     later = np.logical_or.accumulate(bits[:, ::-1], axis=1)[:, ::-1]
     earlier = np.logical_or.accumulate(bits, axis=1)
     for nested in (later, earlier):

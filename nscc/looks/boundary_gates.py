@@ -110,7 +110,8 @@ class RegisterContents:
     def _distinguishes(self, vector: int) -> bool:
         """Return whether gates can compute this vector from the contents of registers; see
         `distinguishes`."""
-        mixed = [self.everything]  # groups of lanes with equal contents, inside and outside
+        # Groups of lanes with equal contents, of which some are in `vector` and some are not.
+        mixed = [self.everything]
         for v in (self.everything, *self.values.values()):
             halves = [half for group in mixed for half in (group & v, group & ~v)]
             mixed = [half for half in halves if half & vector not in (0, half)]
@@ -274,7 +275,7 @@ def write_simultaneously(contents: RegisterContents, new_values: dict[str, int])
     outcome) by register. Raises GaveUp if registers do not distinguish lanes with different new
     values."""
     changes = {name: v for name, v in new_values.items() if contents.values[name] != v}
-    best = _ordered(contents, changes, None)
+    best = _ordered(contents, changes, best=None)
     # A shared value must save at least one word, and each change still takes one.
     most = inf if best is None else best.words - contents.words - len(changes) - 1
     for begun in _with_changes(contents, changes, most):

@@ -17,10 +17,11 @@ def counted(contents: RegisterContents, names: Sequence[str], new_values: Mappin
     """Return the lanes, as a truth vector (an integer with one bit for each node of the state
     machine and outcome), in which the binary counter `names` is to count up by one.
 
-    `names` are its registers, lowest bit first. Return 0 if its new values are others, or if fewer
-    than two bits change."""
+    `names` are its registers, lowest bit first; `new_values` are the truth vectors of the registers
+    that change. Return 0 if the counter gets other values, or if fewer than two bits change."""
     old = [contents.values[name] for name in names]
     new = [new_values.get(name, v) for name, v in zip(names, old, strict=True)]
+    # Counting up inverts the lowest bit, in exactly the lanes that count.
     lanes = carry = old[0] ^ new[0] if len(set(names) & new_values.keys()) > 1 else 0
     for before, after in zip(old, new, strict=True):
         if before ^ carry != after:
@@ -38,6 +39,7 @@ def count_up(contents: RegisterContents, names: Sequence[str], lanes: int) -> No
     gates = Gates(contents.machine)
     spare = (name for name in contents.unused_scratch() if name != carry)
     neither, only_bit, only_carry, next_carry = islice(spare, 4)
+    # The highest bit that a carry reaches in some lane.
     highest = max(k for k, name in enumerate(names) if lanes & _lanes_of_ones(contents, names, k))
     for name in names[: highest + 1]:
         gates.nor(neither, [name, carry])
@@ -47,6 +49,7 @@ def count_up(contents: RegisterContents, names: Sequence[str], lanes: int) -> No
         if name != names[highest]:
             gates.nor(next_carry, [neither, only_bit, only_carry])
         carry = next_carry
+    # The same addition for the recorded contents: here `lanes` is the carry.
     for name in names:
         lanes, contents.values[name] = lanes & contents.values[name], contents.values[name] ^ lanes
     contents.gates += gates.take()
@@ -74,9 +77,9 @@ def _carry_register(contents: RegisterContents, names: Sequence[str], lanes: int
         return carry
     for name, v in contents.values.items():
         for answer in (v, contents.everything & ~v):
-            blocked = answer & ~lanes
+            blocked = answer & ~lanes  # true answers that do not count: the counter is at its limit
             ones = [bit for bit in names if blocked and not blocked & ~contents.values[bit]]
-            at_limit = contents.everything if ones else 0
+            at_limit = contents.everything if ones else 0  # without such bits, nothing is blocked
             for bit in ones:
                 at_limit &= contents.values[bit]
             if answer & ~at_limit == lanes:
@@ -92,14 +95,17 @@ def _carry_register(contents: RegisterContents, names: Sequence[str], lanes: int
 def _answer_below_limit(
     contents: RegisterContents, name: str, positive: bool, ones: Sequence[str]
 ) -> str:
-    """Append gates for the lanes (nodes of the state machine, each with one outcome) of `name`
-    without those where all bits `ones` are 1; return their register.
+    """Append gates for the lanes (nodes of the state machine, each with one outcome) in which the
+    register `name` is 1, without those where all bits `ones` are 1; return their register.
 
-    If not `positive`, the lanes where `name` is 0 are meant."""
+    If not `positive`, the lanes where `name` is 0 are meant. `ones` may be empty only then: the
+    result is the inverse of `name`."""
+    # For `positive`, the register `name` itself is the carry.
+    assert ones or not positive
     gates = Gates(contents.machine)
     answer, below, bit = islice(contents.unused_scratch(), 3)
-    stops = [name]
-    if positive and ones:
+    stops = [name]  # the result is the NOR of these registers
+    if positive:
         gates.nor(answer, [name])
         stops = [answer]
     for k, one in enumerate(ones):
@@ -107,7 +113,7 @@ def _answer_below_limit(
         if k:
             gates.or_(below, [below, bit])
     if ones:
-        gates.nor(bit, [below])
+        gates.nor(bit, [below])  # 1 at the limit: no bit of `ones` is 0
         stops.append(bit)
     gates.nor(answer, stops)
     contents.gates += gates.take()

@@ -60,7 +60,7 @@ class LooksEncoding(Record, eq=False):
 def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
     """Yield encodings of codes and states in at most `registers` registers; those with the fewest
     registers come last."""
-    behaviours = int(machine.behaviour.max()) + 1
+    behaviours = int(machine.behaviour.max()) + 1  # sets of codes that act alike
     behaviour_numbers = tuple(range(behaviours))
     codes = [
         ValueBits("code", kind, behaviour_numbers, bits) for kind, bits in _of_code(behaviours)
@@ -73,6 +73,7 @@ def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
         if state.sense and not _outlasts(machine, k):
             bit_choices = [("not held", np.zeros((len(values), 0), np.bool_))]
         states.append([ValueBits(state.name, kind, values, bits) for kind, bits in bit_choices])
+    # The last choice of each state is binary, which gates can count up.
     counters = [
         [replace(last, kind=COUNTER) if last.registers > 1 else last] for *_, last in states
     ]
@@ -94,6 +95,7 @@ def _outlasts(machine: StateMachine, k: int) -> bool:
     after = np.where(machine.steps >= 0, alike[machine.steps], -1)
     for stage in range(machine.stages):
         span, begin = machine.nodes(stage), machine.starts(stage)
+        # Resets at the stage's own boundary do not count: FLAG still has the answer there.
         does = [
             alike[span],
             machine.opens[span].reshape(span.stop - span.start, -1),

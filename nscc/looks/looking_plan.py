@@ -133,11 +133,11 @@ def plan_looks(
     plan = LookingPlan(
         program,
         machine,
-        tuple(moments),
-        analog.holders,
-        analog.buckets,
-        analog.reference,
-        analog.scratch,
+        moments=tuple(moments),
+        registers=analog.holders,
+        bucket_registers=analog.buckets,
+        reference=analog.reference,
+        scratch=analog.scratch,
     )
     if lowering == "latch" and not plan.latches:
         return Misfit(
@@ -165,7 +165,9 @@ def _moments(machine: StateMachine) -> Iterator[Moment]:
             fresh &= ~resets[:, begin:boundary].any(axis=1, keepdims=True)
             begin = int(boundary)
             if begin < end:
-                yield _moment(machine, fresh, begin, (), nodes, nodes)
+                yield _moment(
+                    machine, fresh, boundary=begin, comparisons=(), before=nodes, after=nodes
+                )
         if stage + 1 < machine.stages:
             comparisons = machine.at(end)
             outcomes = 1 << len(comparisons)
@@ -174,9 +176,17 @@ def _moments(machine: StateMachine) -> Iterator[Moment]:
             after = machine.steps[before, outcome].astype(np.intp)
             fresh = np.repeat(fresh, outcomes, axis=0)
             np.logical_and.at(always_open, after, fresh)
-            yield _moment(machine, fresh, end, comparisons, before, after, outcome)
+            yield _moment(
+                machine,
+                fresh,
+                boundary=end,
+                comparisons=comparisons,
+                before=before,
+                after=after,
+                outcomes=outcome,
+            )
         elif machine.starts(stage) < end:
-            yield _moment(machine, fresh, end, (), nodes, nodes)
+            yield _moment(machine, fresh, boundary=end, comparisons=(), before=nodes, after=nodes)
 
 
 def _moment(
@@ -209,9 +219,9 @@ def _moment(
         comparisons,
         before,
         after,
-        np.zeros(len(before), np.intp) if outcomes is None else outcomes,
-        tuple(vector(np.flatnonzero(falls[:, b])) for b in range(buckets)),
-        tuple(copies),
-        vector(np.flatnonzero(resets)),
-        tuple(vector(np.flatnonzero(rises[:, b])) for b in range(buckets)),
+        outcomes=np.zeros(len(before), np.intp) if outcomes is None else outcomes,
+        falls=tuple(vector(np.flatnonzero(falls[:, b])) for b in range(buckets)),
+        copies=tuple(copies),
+        resets=vector(np.flatnonzero(resets)),
+        rises=tuple(vector(np.flatnonzero(rises[:, b])) for b in range(buckets)),
     )

@@ -72,6 +72,7 @@ class Looks(ProgramKind):
         values = super().report(compiled)
         assert compiled.proof is not None
         values["proof"]["answers"] = compiled.proof.transitions
+        # These two stand last in every report.
         end = {name: values.pop(name) for name in ("target", "source_sha256")}
         return {**values, "looks": _REPORT.looks_report(compiled.program), **end}
 
@@ -79,6 +80,7 @@ class Looks(ProgramKind):
         """Return the rows (label, text) of the summary: first the looks, and at last the number of
         proved answers."""
         looks = _REPORT.looks_lines(compiled.program)
+        # Only the first of several lines has the label.
         rows = [("looks" * (not number), text) for number, text in enumerate(looks)]
         rows += super().rows(compiled)
         if compiled.proof is not None:

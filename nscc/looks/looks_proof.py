@@ -203,7 +203,9 @@ class LookingReplay(ReplayPixels):
 
         `signal` is LIGHT or the index of a bucket, and `level_e` the level in electrons."""
         if signal == LIGHT:
-            return bool(self._equals_in_any_light(value, None, self.since - level_e).all())
+            return bool(
+                self._equals_in_any_light(value, bucket=None, expected_e=self.since - level_e).all()
+            )
         return bool(self._equals_in_any_light(value, signal, self.due[:, signal] - level_e).all())
 
     def _equals_in_any_light(
@@ -234,6 +236,7 @@ class LookingReplay(ReplayPixels):
             raise ReplayError(f"the proof needs more than {MOST_LANES} transitions")
         self.choose(np.tile(np.arange(count), 2))
         self.outcome |= np.repeat([0, 1], count) << number
+        # The first half of the lanes has the answer no; bits are (lanes with 1, lanes with 0).
         no = (1 << count) - 1
         yes = no << count
         return (yes, no) if above else (no, yes)

@@ -68,14 +68,14 @@ def lay_out_looks(
         for items in solution.items.values()
     )
     general = Solution(
-        solution.encoding.name,
-        solution.planes,
-        solution.holders,
-        len(solution.states),
-        solution.scratch,
-        (),
-        answers,
-        (),
+        encoding=solution.encoding.name,
+        planes=solution.planes,
+        holders=solution.holders,
+        states=len(solution.states),
+        scratch=solution.scratch,
+        opening=(),
+        answers=answers,
+        closing=(),
     )
     allocation = allocate(general, target)
     if _mask_is_lost(solution, allocation):
@@ -89,9 +89,11 @@ def lay_out_looks(
     if schedule.words_stored > target.store_words:
         schedule = _schedule(plan, solution, allocation, time, target, apart=True)
     # No demand depends on codes alone.
-    problem = Problem((), len(plan.program.table.shutters), (), False, {})
-    decoding = Decoding(_exposure_plan(plan), problem, (), general)
-    return LookingLowered(plan.program, decoding, schedule, time, most_words, solution)
+    problem = Problem(
+        demands=(), shutters=len(plan.program.table.shutters), opens=(), flag_lasts=False, values={}
+    )
+    decoding = Decoding(_exposure_plan(plan), problem, actions=(), solution=general)
+    return LookingLowered(plan.program, decoding, schedule, time, most_words, looking=solution)
 
 
 def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
@@ -107,6 +109,7 @@ def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
         mask_overwritten = False
         for gate in (item for item in items if isinstance(item, Gate)):
             mask_overwritten |= gate.destination == masked
+            # Codes and states must last beyond the boundary; scratch ("t..") is lost only if read.
             if mask_overwritten and (mask in gate.sources or not mask.startswith("t")):
                 return True
             if gate.destination == mask:
@@ -133,7 +136,8 @@ def _schedule(
     cleared = (states[i : i + _MOST_CLEARED] for i in range(0, len(states), _MOST_CLEARED))
     setup = (op("all"), *_setup(plan), *(op("CLR", group) for group in cleared))
     boundaries[0].append((None, setup))
-    last = max(i for i, word in enumerate(setup) if word == RESET[0])
+    # The light of slot 0 begins after the last word of the reset.
+    last_reset = max(i for i, word in enumerate(setup) if word == RESET[0])
     for boundary, items in solution.items.items():
         boundaries[boundary] += _kernels(items, allocation, apart=apart)
     refreshed = refreshed_registers(
@@ -154,9 +158,14 @@ def _schedule(
         for level, kernel in kernels:
             launches.append((n, numbers.setdefault(kernel, len(numbers))))
             levels.append(level)
-    setup_us = kernel_us(setup[: last + 1], target)
+    setup_us = kernel_us(setup[: last_reset + 1], target)
     return FrameSchedule(
-        allocation, tuple(numbers), tuple(launches), setup_us, refreshed, tuple(levels)
+        allocation,
+        kernels=tuple(numbers),
+        launches=tuple(launches),
+        setup_us=setup_us,
+        refreshed=refreshed,
+        levels=tuple(levels),
     )
 
 
@@ -164,7 +173,9 @@ def _setup(plan: LookingPlan) -> Words:
     """Return the words at the start of a frame: they clear the buckets, reset PIX (the photodiode)
     and store its reset level."""
     scratch = plan.scratch
+    # A bus word writes minus the sum of its sources, so one without sources writes 0.
     clear = (op("bus", (a,), (scratch,)) for a in plan.bucket_registers)
+    # The reset level, inverted twice. A plan that only copies PIX stores minus the reset level.
     level: Words = (op("bus", (scratch,), ("PIX",)), op("bus", (plan.reference,), (scratch,)))
     if plan.latches:
         level = (op("bus", (plan.reference,), ("PIX",)),)
@@ -215,16 +226,16 @@ def _kernels(
 def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
     """Return the analog words of a plan in the form that reports of programs without senses
     have."""
-    steps = [PlanStep(0, "setup", -1, None, _setup(plan))]
+    steps = [PlanStep(boundary=0, role="setup", bucket=-1, predicate=None, words=_setup(plan))]
     steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
     return ExposurePlan(
-        "latch" if plan.latches else "edges",
-        tuple(steps),
-        plan.registers,
-        plan.bucket_registers,
-        len(plan.program.table.shutters),
-        plan.machine.slots,
-        _analog_writes(plan),
+        lowering="latch" if plan.latches else "edges",
+        steps=tuple(steps),
+        registers=plan.registers,
+        bucket_registers=plan.bucket_registers,
+        shutters=len(plan.program.table.shutters),
+        slots=plan.machine.slots,
+        analog_writes=_analog_writes(plan),
     )
 
 
@@ -236,7 +247,13 @@ def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
     compare = op("where", (), (*plan.scratched, "IN"))
     for comparison in moment.comparisons:
         steps.append(
-            PlanStep(moment.boundary, "look", max(comparison.signal, 0), None, (sample, compare))
+            PlanStep(
+                boundary=moment.boundary,
+                role="look",
+                bucket=max(comparison.signal, 0),
+                predicate=None,
+                words=(sample, compare),
+            )
         )
     for bucket, (fall, rise) in enumerate(zip(moment.falls, moment.rises, strict=True)):
         register = plan.bucket_registers[bucket]
@@ -246,7 +263,15 @@ def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
         if rise:
             steps.append(PlanStep(moment.boundary, "rise", bucket, rise, add))
     if moment.resets:
-        steps.append(PlanStep(moment.boundary, "reset", -1, moment.resets, RESET))
+        steps.append(
+            PlanStep(
+                boundary=moment.boundary,
+                role="reset",
+                bucket=-1,
+                predicate=moment.resets,
+                words=RESET,
+            )
+        )
     return steps
 
 
@@ -262,13 +287,14 @@ def _analog_writes(plan: LookingPlan) -> tuple[int, int]:
         signals = {comparison.signal for comparison in moment.comparisons}
         words_ = np.full(len(moment.before), len(signals), np.int64)
         for v in (*moment.falls, *moment.rises):
+            # Two words for each bucket that closes or opens: through scratch, and to its register.
             words_ += 2 * np.array([v >> lane & 1 for lane in range(len(words_))], np.int64)
-        low, high = least[moment.before] + words_, most[moment.before] + words_
-        if (moment.after != moment.before).any():
-            np.minimum.at(least, moment.after, low)
-            np.maximum.at(most, moment.after, high)
+        fewest, largest = least[moment.before] + words_, most[moment.before] + words_
+        if (moment.after != moment.before).any():  # several paths may lead to one node
+            np.minimum.at(least, moment.after, fewest)
+            np.maximum.at(most, moment.after, largest)
         else:
-            least[moment.after], most[moment.after] = low, high
+            least[moment.after], most[moment.after] = fewest, largest
     last = machine.nodes(machine.stages - 1)
     return int(least[last].min()), int(most[last].max())
 

@@ -114,11 +114,11 @@ class Solver:
         return LookingSolution(
             self.encoding,
             planes,
-            tuple(self.holders),
-            tuple(self.states),
-            self.registers,
-            scratch,
-            dict(reversed(items.items())),
+            holders=tuple(self.holders),
+            states=tuple(self.states),
+            registers=self.registers,
+            scratch=scratch,
+            items=dict(reversed(items.items())),
         )
 
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:

@@ -47,11 +47,18 @@ def problem_of(
         if step.predicate is not None:
             flag_kept = action == "keep" and bool(demands)
             last = demands[-1].boundary if demands else 0
-            quiet = not any(last < n <= step.boundary for n in time.refresh_at or ())
+            scratch_kept = not any(last < n <= step.boundary for n in time.refresh_at or ())
             demands.append(
-                Demand(step.boundary, step.role, step.bucket, step.predicate, flag_kept, quiet)
+                Demand(
+                    step.boundary,
+                    edge=step.role,
+                    bucket=step.bucket,
+                    predicate=step.predicate,
+                    flag_kept=flag_kept,
+                    scratch_kept=scratch_kept,
+                )
             )
-    lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
+    flag_lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
     # Free bits are separate fields.
     table = program.table
     columns: dict[str, NDArray[np.int64]] = {}
@@ -66,7 +73,7 @@ def problem_of(
     values = {name: column[chosen] for name, column in columns.items()}
     several = len(table.codes) > len(table.shutters)
     codes = AllCodes(columns, table.shutter_of_code, chosen) if several else None
-    return Problem(tuple(demands), plan.shutters, opens, lasts, values, codes), tuple(actions)
+    return Problem(tuple(demands), plan.shutters, opens, flag_lasts, values, codes), tuple(actions)
 
 
 def _code_of_shutter(table: DecodeTable) -> NDArray[np.intp]:
@@ -75,11 +82,12 @@ def _code_of_shutter(table: DecodeTable) -> NDArray[np.intp]:
     Of several codes, one whose values other shutters also need is chosen."""
     if len(table.codes) == len(table.shutters):
         return np.argsort(table.shutter_of_code)
-    meant = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
-    only = table.codes[meant[table.shutter_of_code] == 1]
+    code_counts = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
+    only_codes = table.codes[code_counts[table.shutter_of_code] == 1]
     needed = np.ones(len(table.codes), dtype=np.bool_)
-    for column, used in zip(table.codes.T, only.T, strict=True):
-        needed &= np.isin(column, used)
+    for column, values_of_only in zip(table.codes.T, only_codes.T, strict=True):
+        needed &= np.isin(column, values_of_only)
+    # `np.unique` returns the first code of each shutter, so needed codes come first.
     order = np.argsort(~needed, kind="stable")
     _, first = np.unique(table.shutter_of_code[order], return_index=True)
     return order[first]
@@ -95,9 +103,9 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
     loaded: int | None = None
     since_us = 0.0
     boundary = 0
-    heeding = {WordEffect.BUS}
+    obeying_flag = {WordEffect.BUS}
     if target.reset_honours_flag != "no":
-        heeding.add(WordEffect.RESET_PIX)
+        obeying_flag.add(WordEffect.RESET_PIX)
     for step in plan.steps:
         now_us = time.boundary_us[step.boundary]
         crossed = any(boundary < n <= step.boundary for n in time.refresh_at or ())
@@ -109,7 +117,7 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
             if flag_state != "predicate" or step.predicate != loaded:
                 since_us = now_us
             flag_state, loaded = "predicate", step.predicate
-        elif not any(word.operation.effect in heeding for word in step.words):
+        elif not any(word.operation.effect in obeying_flag for word in step.words):
             actions.append("nothing")
         elif flag_state == "all":
             actions.append("keep")

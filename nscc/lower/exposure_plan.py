@@ -69,15 +69,15 @@ def _refresh_boundaries(
     None if a single slot or the readout is too long."""
     if between_us > keep_us:
         return None
-    at: list[int] = []
-    last = -between_us
+    refresh_at: list[int] = []
+    last_us = -between_us  # the end of the previous frame, before its readout
     for n in range(1, len(boundary_us)):
-        if boundary_us[n] - last > keep_us:
-            if boundary_us[n] - boundary_us[n - 1] > keep_us or boundary_us[n - 1] <= last:
+        if boundary_us[n] - last_us > keep_us:
+            if boundary_us[n] - boundary_us[n - 1] > keep_us or boundary_us[n - 1] <= last_us:
                 return None
-            at.append(n - 1)
-            last = boundary_us[n - 1]
-    return tuple(at)
+            refresh_at.append(n - 1)
+            last_us = boundary_us[n - 1]
+    return tuple(refresh_at)
 
 
 def fades(written_at: Collection[int], time: Timeline) -> bool:
@@ -85,10 +85,11 @@ def fades(written_at: Collection[int], time: Timeline) -> bool:
     time."""
     if not written_at:
         return True
-    times = [time.boundary_us[n] for n in sorted(written_at)]
-    wrap = time.boundary_us[-1] - times[-1] + time.between_us + times[0]
-    gaps = [b - a for a, b in pairwise(times)]
-    return max([wrap, *gaps]) > time.keep_us
+    times_us = [time.boundary_us[n] for n in sorted(written_at)]
+    # From the last write of one frame, over the readout, to the first write of the next.
+    to_next_frame_us = time.boundary_us[-1] - times_us[-1] + time.between_us + times_us[0]
+    gaps_us = [later - earlier for earlier, later in pairwise(times_us)]
+    return max([to_next_frame_us, *gaps_us]) > time.keep_us
 
 
 Lowering = Literal["accumulate", "latch", "edges"]
@@ -199,6 +200,7 @@ def levels(program: Program) -> Opens:
 def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> ExposurePlan | Misfit:
     """Return the plan of `lowering`, or why there is none; `opens` is `levels(program)`."""
     free = len(program.target.analog_available)
+    # `edges` can do without the reset level: shutters that open in slot 0 then subtract PIX, too.
     reference = lowering != "edges" or len(program.buckets) < free
     registers = analog_registers(program, lowering, reference=reference)
     if isinstance(registers, Misfit):
@@ -245,8 +247,8 @@ def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, in
             buses = sum(word.operation.effect is WordEffect.BUS for word in step.words)
             chosen = slice(None) if step.predicate is None else members(step.predicate, shutters)
             counts[chosen] += buses
-    used = counts[program.table.shutters.any(axis=(1, 2))]
-    return (int(used.min()), int(used.max())) if used.size else (0, 0)
+    of_opening = counts[program.table.shutters.any(axis=(1, 2))]
+    return (int(of_opening.min()), int(of_opening.max())) if of_opening.size else (0, 0)
 
 
 # Twice with a pause, as the library's respix does: one word is too short to reset the photodiode.
@@ -276,22 +278,28 @@ class _Builder:
     def build(self) -> ExposurePlan:
         """Return the plan: clear the registers, reset PIX, then the steps of the lowering."""
         scratch = self.scratch
+        # A bus word writes minus the sum of its sources, so one without sources writes 0.
         clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
-        self.steps.append(PlanStep(0, "setup", -1, None, clear))
+        self.steps.append(
+            PlanStep(boundary=0, role="setup", bucket=-1, predicate=None, words=clear)
+        )
         sample: tuple[Op, ...] = ()
         if self.reference is not None:
+            # Two inversions, so that the register holds the reset level with its own sign.
             sample = (op("bus", (scratch,), ("PIX",)), op("bus", (self.reference,), (scratch,)))
-        self.steps.append(PlanStep(0, "reset", -1, None, (*RESET, *sample)))
+        self.steps.append(
+            PlanStep(boundary=0, role="reset", bucket=-1, predicate=None, words=(*RESET, *sample))
+        )
         lowerings = {"accumulate": self._accumulate, "latch": self._latch, "edges": self._edges}
         lowerings[self.lowering]()
         return ExposurePlan(
             self.lowering,
-            tuple(self.steps),
-            self.holders,
-            self.registers,
-            len(self.program.table.shutters),
-            self.slots,
-            _analog_writes(self.program, self.steps),
+            steps=tuple(self.steps),
+            registers=self.holders,
+            bucket_registers=self.registers,
+            shutters=len(self.program.table.shutters),
+            slots=self.slots,
+            analog_writes=_analog_writes(self.program, self.steps),
         )
 
     def _step(
@@ -303,9 +311,12 @@ class _Builder:
             self.steps.append(PlanStep(boundary, role, bucket, taking_part, words))
 
     def _add(self, register: str) -> tuple[Op, ...]:
-        """Return words for register += PIX - reference."""
-        before, after = (register, "PIX"), (self.scratch, *self.zero)
-        return op("bus", (self.scratch,), before), op("bus", (register,), after)
+        """Return words for register += PIX - reference.
+
+        A bus word writes minus the sum of its sources: scratch = -(register + PIX), then register =
+        -(scratch + reference)."""
+        first_sources, second_sources = (register, "PIX"), (self.scratch, *self.zero)
+        return op("bus", (self.scratch,), first_sources), op("bus", (register,), second_sources)
 
     def _subtract(self, register: str) -> tuple[Op, ...]:
         """Return words for register -= PIX - reference."""
@@ -318,7 +329,9 @@ class _Builder:
         adds = [self._add(register) for register in self.registers]
         for slot, lit in enumerate(zip(*self.opens, strict=True)):
             if slot and any(lit):
-                self.steps.append(PlanStep(slot, "reset", -1, None, RESET))
+                self.steps.append(
+                    PlanStep(boundary=slot, role="reset", bucket=-1, predicate=None, words=RESET)
+                )
             for bucket, add in enumerate(adds):
                 self._step(slot + 1, "open", bucket, lit[bucket], add)
 
@@ -360,14 +373,15 @@ class _Builder:
                 yield boundary, list(zip(before, after, strict=True))
 
     def _can_reset_at_rise(self) -> bool:
-        """Return whether a rising pixel may reset PIX: none of its other buckets is open."""
+        """Return whether pixels may reset PIX when a shutter opens: in no pixel is another bucket
+        open then, which would lose light."""
         if self.program.target.reset_honours_flag != "yes" or self.reference is None:
             return False
         for boundary in range(1, self.slots):
-            rising = busy = 0
+            opening = still_open = 0  # truth vectors over all buckets
             for bucket in self.opens:
-                rising |= bucket[boundary] & ~bucket[boundary - 1]
-                busy |= bucket[boundary] & bucket[boundary - 1]
-            if rising & busy:
+                opening |= bucket[boundary] & ~bucket[boundary - 1]
+                still_open |= bucket[boundary] & bucket[boundary - 1]
+            if opening & still_open:
                 return False
         return True

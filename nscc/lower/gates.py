@@ -82,10 +82,10 @@ def find_gates(
     return Gated(
         planned.program,
         planned.time,
-        tuple(lowered.decoding for lowered in lowerings),
-        {name: misfits[name] for name in LOWERINGS if name in misfits},
-        bool(lowerings) and lowerings[0].fits,
-        tuple(faults),
+        decodings=tuple(lowered.decoding for lowered in lowerings),
+        misfits={name: misfits[name] for name in LOWERINGS if name in misfits},
+        fits=bool(lowerings) and lowerings[0].fits,
+        faults=tuple(faults),
     )
 
 
@@ -121,7 +121,7 @@ def lower(
     # Improvement needs fitting solutions as input; a limit that only the final solution meets would
     # exclude them. So the search is first without the limit.
     for limit in (None, most_words) if most_words is not None and level >= 2 else (most_words,):
-        search = GateSearch(program, plan, time, problem, actions, limit, faults)
+        search = GateSearch(program, plan, time, problem, actions, most_words=limit, faults=faults)
         key, known = "", None
         if results is not None and problem.demands:
             context = (plan, time, target, limit)

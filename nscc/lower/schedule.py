@@ -65,11 +65,11 @@ def allocate(solution: Solution, target: Target, spared: Collection[str] = ()) -
     order |= {target.masked_register: -1, target.mask_register: len(order)}
     return Allocation(
         places,
-        {r: by_place[r] for r in target.digital_registers if r in by_place},
-        tuple(sorted((places[name] for name in planes), key=order.__getitem__)),
-        tuple(places[name] for name in states),
-        target.mask_register,
-        target.masked_register,
+        holders={r: by_place[r] for r in target.digital_registers if r in by_place},
+        code_registers=tuple(sorted((places[name] for name in planes), key=order.__getitem__)),
+        state_registers=tuple(places[name] for name in states),
+        mask=target.mask_register,
+        masked=target.masked_register,
     )
 
 

@@ -118,6 +118,7 @@ def _predecessors(
     # Every word inverts the sum so far, so the sign of a weight depends on how many words follow.
     sign = -1 if follow % 2 else 1
     found = []
+    # A neighbour's value is inverted once more, by the word that writes NEWS; the centre is not.
     centre = -sign * weights[0, 0] if (0, 0) in left else 0
 
     def add(offsets: frozenset[Offset], words: int, word: Added) -> None:
@@ -135,17 +136,20 @@ def _predecessors(
         found.append((reached, word))
 
     if centre:
-        add(frozenset({(0, 0)}), 1, Added(None, (0, 0), centre))
+        add(frozenset({(0, 0)}), 1, Added(content=None, step=(0, 0), centre=centre))
     for offset in sorted(left - {(0, 0)}):
         base = _base(offset)
         x, y = offset[0] - base[0], offset[1] - base[1]
         for written in _WRITES:
             step = x - written[0], y - written[1]
             if step != (0, 0) and step not in OF_STEP:
-                continue
+                continue  # further than one pixel from where NEWS has the value
             reads: Content = (sign * weights[offset], base, written)
+            # A word that writes NEWS comes first, unless NEWS holds the value already.
             words = 1 + (reads != content or not forms.news_keeps)
-            add(frozenset({offset}), words, Added(reads, step, 0))
+            add(frozenset({offset}), words, Added(reads, step, centre=0))
+            # Sources: the neighbour, the centre and, unless nothing else is left, the sum so far.
+            # Only words that read a neighbour directly may be limited to two.
             if centre and (step == (0, 0) or len(left) == 2 or forms.sources > 2):
                 add(frozenset({offset, (0, 0)}), words, Added(reads, step, centre))
     return found
@@ -235,10 +239,11 @@ class _Multiples:
                     self.words.append(BusWord((name,), tuple(held[term] for term in terms)))
                     held[factor] = name
                     return
+        # The largest power of two below the factor. A word inverts, so it reads the negatives.
         half = (1 if factor > 0 else -1) << (abs(factor).bit_length() - 1)
         half = half // 2 if half == factor else half
         first, remainder = self.of(-half), factor - half
-        if remainder == half:
+        if remainder == half:  # a word cannot read one register twice: NEWS has the copy
             self.words.append(BusWord(("NEWS",), (self.of(half),)))
             self.used_news = True
             sources = (first, "NEWS")

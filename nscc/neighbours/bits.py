@@ -77,13 +77,17 @@ class BitWords:
             self.kept_for_steering = []
 
     def declare(self, name: str, node: p.Condition) -> None:
-        """Emit the words that compute the plane `name`, which then owns the register of the
-        result."""
+        """Emit the words that compute the plane `name`, which then owns the register of the result.
+
+        If the result is another plane's register, it is copied. Programs of version 4 take over the
+        register instead if nothing else reads that plane; words of older programs stay as they
+        are."""
         register, owner = self.bit(node)
-        is_free = self.lowering.pictures.is_of_version_4 and owner and self.hand_over(owner)
-        if owner is not None and not is_free:
+        taken_over = self.lowering.pictures.is_of_version_4 and owner and self.hand_over(owner)
+        if owner is not None and not taken_over:
             register = self._emit_word("MOV", [register], [(register, owner)])
         self.planes[name] = register
+        # `give` takes back one use, and so frees the register of a plane that nothing reads.
         self.uses[name] = self.uses.get(name, 0) + 1
         self.give((register, name))
 
@@ -128,6 +132,8 @@ class BitWords:
             if name is None:  # each waits for another, and `next_bits` had no register for a copy
                 raise self._no_free_register()
             bit = waiting.pop(name)
+            # No later value is copied from the register of the last state, so the word that
+            # computed its value may write it. Words of older programs stay as they are.
             if self.lowering.pictures.is_of_version_4 and not waiting:
                 self.store(name, bit)
                 continue
@@ -262,7 +268,8 @@ class BitWords:
         """Return the bit of `used` that a pair of words may replace by the result of the word
         `name`.
 
-        Return None if a register is free or no bit may be replaced."""
+        Return None if a register is free, if no bit may be replaced, or before version 4, whose
+        programs keep their words."""
         is_of_version_4 = self.lowering.pictures.is_of_version_4
         if self.free or not is_of_version_4 or name not in ("OR", "NOR", "NOT"):
             return None
@@ -276,21 +283,24 @@ class BitWords:
 
         The result is the NOR of the two ways in which it is 0. The longer expression comes first,
         so that chains of choices need few registers."""
-        sizes = [len([*p.subexpressions(each)]) for each in (node.then, node.otherwise)]
-        if sizes[1] > sizes[0]:
+        then_size, otherwise_size = (
+            len([*p.subexpressions(branch)]) for branch in (node.then, node.otherwise)
+        )
+        # `then_0`: the condition is 1, the first bit 0. `otherwise_0`: it is 0, the second bit 0.
+        if otherwise_size > then_size:
             otherwise, condition = self.bit(node.otherwise), self.bit(node.condition)
-            other_0 = self._nor([otherwise[0], condition[0]], [otherwise])
+            otherwise_0 = self._nor([otherwise[0], condition[0]], used=[otherwise])
             then = self.bit(node.then)
-            unchosen = self._emit_word("NOT", [condition[0]], [condition])
-            chosen_0 = self._nor([then[0], unchosen], [then, (unchosen, None)])
-            return self._nor([chosen_0, other_0], [(chosen_0, None), (other_0, None)])
+            inverse = self._emit_word("NOT", [condition[0]], used=[condition])
+            then_0 = self._nor([then[0], inverse], used=[then, (inverse, None)])
+            return self._nor([then_0, otherwise_0], used=[(then_0, None), (otherwise_0, None)])
         then, condition = self.bit(node.then), self.bit(node.condition)
-        unchosen = self._emit_word("NOT", [condition[0]], [])
-        chosen_0 = self._nor([then[0], unchosen], [then, (unchosen, None)])
+        inverse = self._emit_word("NOT", [condition[0]], used=[])
+        then_0 = self._nor([then[0], inverse], used=[then, (inverse, None)])
         otherwise = self.bit(node.otherwise)
         sources = [otherwise[0], condition[0]]
-        other_0 = self._nor(sources, [otherwise, condition])
-        return self._nor([chosen_0, other_0], [(chosen_0, None), (other_0, None)])
+        otherwise_0 = self._nor(sources, used=[otherwise, condition])
+        return self._nor([then_0, otherwise_0], used=[(then_0, None), (otherwise_0, None)])
 
     def _operands(self, *nodes: p.Condition) -> list[Kept]:
         """Emit the words of conditions and return their bits, for one OR or NOR word.
@@ -348,14 +358,15 @@ class BitWords:
         planes = self._operands(node.first, node.second) if node.op == "or" else []
         if planes:
             registers = [register for register, _ in planes]
+            # An OR word needs two different sources: a plane `or` itself is a copy.
             return self._emit_word("OR" if len({*registers}) > 1 else "MOV", registers, planes)
         first, second = self.bit(node.first), self.bit(node.second)
         a, b = first[0], second[0]
-        if a == b:
+        if a == b:  # a plane `and` itself is the plane; `xor` itself is 0
             name, sources = ("CLR", []) if node.op == "xor" else ("MOV", [a])
             return self._emit_word(name, sources, [first, second])
-        not_a = self._emit_word("NOT", [a], [])
-        not_b = self._emit_word("NOT", [b], [])
+        not_a = self._emit_word("NOT", [a], used=[])
+        not_b = self._emit_word("NOT", [b], used=[])
         both = self._emit_word("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])
         if node.op == "and":
             self.give(first, second)
@@ -373,7 +384,7 @@ class BitWords:
         directions = frozenset(_OF_STEP[step] for step in steps)
         if directions != self.steered:
             self.steer(directions)
-        return self._emit_word("DNEWS1" if outside else "DNEWS0", [register], [])
+        return self._emit_word("DNEWS1" if outside else "DNEWS0", [register], used=[])
 
     def steer(self, directions: frozenset[str]) -> None:
         """Set R1 to R4 in every pixel, so that DNEWS reads the neighbours in these `directions`."""
@@ -395,7 +406,7 @@ class BitWords:
             if moved is not None:
                 self.give((moved, None))
             moved = neighbour
-        return moved or self._emit_word("MOV", [register], [])
+        return moved or self._emit_word("MOV", [register], used=[])
 
     def places(self, register: str, offsets: Collection[Offset]) -> Iterator[tuple[Offset, str]]:
         """Yield each offset with a register that holds the bit of the pixel at this offset.
@@ -405,6 +416,7 @@ class BitWords:
         the next result."""
         for right in (1, -1):
             line = register
+            # The own column (distance 0) belongs to the way to the right only.
             for distance in range(right < 0, 1 + max(right * x for x, _ in offsets)):
                 x = right * distance
                 if x:
@@ -450,7 +462,7 @@ class BitWords:
         bit = self.bit(node.condition)
         if node.kind == "all":
             bit = self._emit_word("NOT", [bit[0]], [bit]), None
-            outside = 1 - outside
+            outside = 1 - outside  # the pixels beyond the array are inverted as well
         register = self._any(bit[0], outside, offsets)
         self.give(bit)
         if node.kind == "all":
@@ -481,7 +493,7 @@ class BitWords:
         for at in sorted(offsets - nearest_offsets - {(0, 0)}):
             registers.append(self._moved(register, outside, at))
         if not registers:
-            return self._emit_word("MOV", [register], [])
+            return self._emit_word("MOV", [register], used=[])
         total, *further_registers = registers
         for further in further_registers:
             for word in pair("OR", total, [total, further]):

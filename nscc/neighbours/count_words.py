@@ -160,6 +160,7 @@ class CountEmitter(Emitter):
         factor, first = terms[0]
         assert first.name is not None
         if len(terms) == 1 and abs(factor) == 1 and self.uses[first.name] == 1:
+            # The only reader takes the accumulator's register; a factor of -1 is its sign.
             sign = first.sign if factor > 0 else -first.sign
             return replace(self.held.pop(first.name), name=None, sign=sign)
         signed_terms = []
@@ -207,7 +208,7 @@ class CountEmitter(Emitter):
             elif isinstance(node, p.Source):
                 self.give(self.held[node.name])
         self.everywhere()
-        self.give(Held(self.spare, 1, 0.0, 0.0))
+        self.give(Held(self.spare, sign=1, low=0.0, high=0.0))
         self.walks += 1
         self.ready |= {name: [] for name, _ in sums}
         for number, (direction, accumulator) in enumerate(
@@ -223,7 +224,7 @@ class CountEmitter(Emitter):
     def _finished(self, accumulator: Accumulator, name: str) -> Held:
         """Make the accumulator's first word write its initial value, and return the count as a
         value."""
-        # The word inverts IN.
+        # The word inverts IN, so it writes minus this level.
         level = -int(accumulator.start * self.pictures.count_steps)
         if level:
             first = self.words[accumulator.first_word][0]
@@ -232,7 +233,9 @@ class CountEmitter(Emitter):
         high_e = float(accumulator.span) * self.count_e
         self.checked(-high_e, high_e)
         sign, variance = accumulator.sign, accumulator.variance
-        return Held(accumulator.register, sign, -high_e, high_e, name, variance)
+        return Held(
+            accumulator.register, sign, low=-high_e, high=high_e, name=name, variance=variance
+        )
 
     def _add(self, accumulator: Accumulator, bit: str, factor: Fraction) -> None:
         """Emit words that add a factor where a bit is 1, and subtract it where the bit is 0.
@@ -241,7 +244,10 @@ class CountEmitter(Emitter):
         added where the bit is 1 or where it is 0. The initial value corrects the constant
         difference."""
         level = abs(int(2 * factor * self.pictures.count_steps))
+        # The level of IN is positive: it raises the count if the accumulator's sign is 1, else it
+        # lowers it.
         to_ones = factor * accumulator.sign > 0
+        # One word copies in all pixels, another in those whose bit is 1; one of them adds.
         for is_flagged in (False, True):
             if is_flagged:
                 self.word(op("WHERE", [], [bit]))

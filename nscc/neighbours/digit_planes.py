@@ -59,15 +59,15 @@ def _digit_planes(weights: Taps) -> list[dict[Offset, int]]:
     place value first."""
     planes: list[dict[Offset, int]] = []
     for at, weight in sorted(weights.items()):
-        place, rest = 0, weight
+        place_value, rest = 0, weight
         while rest:
             # 1 or -1, whichever makes the next digit 0.
             digit = 2 - (rest & 3) if rest & 1 else 0
-            if place == len(planes):
+            if place_value == len(planes):
                 planes.append({})
             if digit:
-                planes[place][at] = digit
-            place, rest = place + 1, (rest - digit) >> 1
+                planes[place_value][at] = digit
+            place_value, rest = place_value + 1, (rest - digit) >> 1
     return planes
 
 
@@ -84,18 +84,19 @@ def _path(places: list[Offset]) -> list[Offset]:
 
     The path from the centre to the nearest place and so on is shortened by reversing parts of it
     (2-opt: G. A. Croes, 1958), then reversed."""
-    path, left = [(0, 0)], set(places) - {(0, 0)}
-    while left:
-        path.append(min(left, key=lambda place: (_moves(path[-1], place), place)))
-        left.remove(path[-1])
+    path, unvisited = [(0, 0)], set(places) - {(0, 0)}
+    while unvisited:
+        path.append(min(unvisited, key=lambda place: (_moves(path[-1], place), place)))
+        unvisited.remove(path[-1])
     tried, improved = 0, True
     while improved and tried < _MOST_EXCHANGES:
         improved = False
         for first in range(len(path) - 2):
             for last in range(first + 2, len(path)):
                 tried += 1
+                # Reversing the part from b to c replaces the moves before and after it.
                 a, b, c = path[first], path[first + 1], path[last]
-                after = path[last + 1 : last + 2]
+                after = path[last + 1 : last + 2]  # empty if the part ends the path
                 saved = _moves(a, b) - _moves(a, c)
                 if after:
                     saved += _moves(c, after[0]) - _moves(b, after[0])
@@ -206,9 +207,9 @@ class _Writer:
         reached = place[0] + sum(x for x, _ in steps), place[1] + sum(y for _, y in steps)
         digit = plane.get(reached, 0) if reached == target else 0
         # Two words keep the sign of the sum, and the second inverts what it adds.
-        more = (self._input(-sign * digit),) if digit else ()
+        added = (self._input(-sign * digit),) if digit else ()
         self.words.append(BusWord((written,), (moving,)))
-        return reached, self.summed(names[-1], *more)
+        return reached, self.summed(names[-1], *added)
 
     def _input(self, sign: int) -> str:
         """Return the register that holds the halved input times `sign`, 1 or -1."""

@@ -37,6 +37,7 @@ def rows(forms: WordForms) -> dict[Key, Program]:
             taps = kernel_of(program)
             for turn in TURNS:
                 key = frozenset(turned_taps(taps, turn).items())
+                # Without an entry, a program twice as long is replaced.
                 if len(program) < len(shortest.get(key, program * 2)):
                     shortest[key] = turned(program, turn)
     return shortest
@@ -60,7 +61,9 @@ class Factor(Record):
     def of(cls, taps: Taps, program: Program) -> Factor:
         """Return a convolution kernel as a factor, with the words that compute it."""
         corner, size = box_of(taps)
-        return cls(taps, program, max(taps), size, corner, _values_at_signs(taps))
+        return cls(
+            taps, program, lead=max(taps), size=size, corner=corner, values=_values_at_signs(taps)
+        )
 
 
 def box_of(taps: Taps) -> tuple[Offset, Offset]:
@@ -91,11 +94,17 @@ def _values_at_signs(taps: Taps) -> tuple[int, ...]:
 
     If kernels are convolved, these four numbers multiply. So a factor's values divide those of the
     product."""
+    # The sums of the weights at even x and y, odd x only, odd y only, and odd x and y.
     sums = [0, 0, 0, 0]
     for (x, y), weight in taps.items():
         sums[x & 1 | (y & 1) << 1] += weight
-    a, b, c, d = sums
-    return a + b + c + d, a - b + c - d, a + b - c - d, a - b - c + d
+    even, odd_x, odd_y, odd = sums
+    return (
+        even + odd_x + odd_y + odd,
+        even - odd_x + odd_y - odd,
+        even + odd_x - odd_y - odd,
+        even - odd_x - odd_y + odd,
+    )
 
 
 def quotients(taps: Taps, forms: WordForms) -> Iterator[tuple[Factor, Polynomial]]:
@@ -105,7 +114,7 @@ def quotients(taps: Taps, forms: WordForms) -> Iterator[tuple[Factor, Polynomial
     box, values = box_of(taps), [value * UNIT for value in _values_at_signs(taps)]
     for factor in factors_within(forms, box[1]):
         for value, divisor in zip(values, factor.values, strict=True):
-            if value % divisor if divisor else value:
+            if value % divisor if divisor else value:  # only 0 is a multiple of 0
                 break
         else:
             quotient = _quotient_of(taps, factor, *box)

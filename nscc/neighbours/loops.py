@@ -66,7 +66,7 @@ def _emit_flood(
     PictureRefused if the chip has no such register or the program's codes need it."""
     bits, mask, register = lowering.bits, lowering.target.mask_register, lowering.propagating
     if mask is None or register is None:
-        raise PictureRefused("planes", name, 2, 0)
+        raise PictureRefused("planes", name, needed=2, available=0)
     lowering.now = name
     bits.begin(name)
     seed = bits.bit(node.start)
@@ -223,7 +223,7 @@ def store_at_once(lowering: RegisterEmitter, nodes: Mapping[str, p.Node]) -> dic
             results[name] = _store(lowering, head, node)
     for name, next_value in waiting:
         if isinstance(next_value, Held):
-            results[name] = _move(lowering, next_value, lowering.held[name], None)
+            results[name] = _move(lowering, next_value, lowering.held[name], flag=None)
         else:
             lowering.bits.store(name, next_value)
     return results
@@ -254,7 +254,7 @@ def _store(lowering: RegisterEmitter, head: Held, node: p.Node) -> Held:
     own = p.Source(head.name or "")
     if not isinstance(node, p.Chosen) or own not in (node.then, node.otherwise):
         assert not isinstance(node, p.Condition)
-        return _move(lowering, lowering.value(node), head, None)
+        return _move(lowering, lowering.value(node), head, flag=None)
     condition, other = node.condition, node.then
     if node.then == own:
         condition, other = p.Inverse(condition), node.otherwise

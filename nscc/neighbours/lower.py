@@ -64,13 +64,18 @@ class Lowering(RegisterEmitter):
             self.count_ahead(position)
             if isinstance(item.node, p.Condition):
                 self.bits.declare(item.name, item.node)
-                self.costs.append(p.PictureCost(item.name, len(self.words) - before, 0.0, 0.0))
+                self.costs.append(
+                    p.PictureCost(
+                        item.name, len(self.words) - before, peak_gain=0.0, noise_gain=0.0
+                    )
+                )
             else:
                 value = self.value(item.node)
                 value = self.positive(value) if self.is_output else value
                 if value.name is not None:  # a second name for a named value gets a copy
                     value = self.negated(self.negated(value))
                 value = self.held[item.name] = replace(value, name=item.name)
+                # `give` takes back one use, and so frees the register of an unread image.
                 self.uses[item.name] += 1
                 self.give(value)
                 words = len(self.words) - before
@@ -85,7 +90,9 @@ class Lowering(RegisterEmitter):
             self.registers[name], before = self.held[name].register, len(self.words)
         self.bits.step(nexts)
         for state in self.pictures.states:
-            self.costs.append(p.PictureCost(state.name, len(self.words) - before, 0.0, 0.0))
+            self.costs.append(
+                p.PictureCost(state.name, len(self.words) - before, peak_gain=0.0, noise_gain=0.0)
+            )
             before = len(self.words)
             self.registers[state.name] = self.bits.planes[state.name]
         for plane in self.pictures.inputs:
@@ -122,16 +129,17 @@ class Lowering(RegisterEmitter):
         emit_loop(self, [p.Picture(name, repeated[name]) for name in names])
         loop = self.loops[-1]
         steps = loop.times.at({param.name: param.start for param in self.pictures.params})
+        # The words of one step are counted already.
         words = len(self.words) - before + (steps - 1) * (loop.end - loop.begin)
         for name in names:
             if isinstance(repeated[name], p.Condition):
                 self.bits.give((self.bits.planes[name], name))
-                self.costs.append(p.PictureCost(name, words, 0.0, 0.0))
+                self.costs.append(p.PictureCost(name, words, peak_gain=0.0, noise_gain=0.0))
             else:
                 value = self.held[name]
                 self.give(value)
                 self.costs.append(self._image_cost(name, words, value))
-            words = 0
+            words = 0  # the first name has them all
 
     def value(self, node: p.Value) -> Held:
         """Emit the words that compute the image `node`, and return the register that holds it."""
@@ -177,8 +185,8 @@ class Lowering(RegisterEmitter):
         try:
             taps = exact_taps(weights)
             programs = self._programs(taps, value)
-        except ValueError:
-            raise PictureRefused("halvings", self.now, 41, 40) from None
+        except ValueError:  # weights are multiples of 1 / UNIT = 2^-40
+            raise PictureRefused("halvings", self.now, needed=41, available=40) from None
         low, high = value.scaled(*gains(taps))
         squares = sum(float(weight) ** 2 for weight in weights.values())
         refused: PictureRefused | None = None
@@ -216,16 +224,18 @@ class Lowering(RegisterEmitter):
                     target = self.target
                     over = max(over, high / target.register_max_e, low / target.register_min_e)
                 least = min(least, over)
-                if over <= 1 + 1e-9:
+                if over <= 1 + 1e-9:  # up to rounding
                     left = self.reuse_of(candidate.program, value)
+                    # The readout takes a positive value: one more word for a negative one.
                     inverted = self.is_output and value.sign * sign < 0
                     words = len(left.words) + inverted
                     ranked.append((words, candidate.peak, candidate.program, sign))
         if not ranked:
-            raise PictureRefused("range", self.now, least, 1.0)
-        ranked.sort(key=lambda each: each[:2])
-        best = ranked[: 1 + max(n for n, each in enumerate(ranked) if each[:2] == ranked[0][:2])]
-        best.sort(key=lambda each: noise_gain(each[2]))
+            raise PictureRefused("range", self.now, least, available=1.0)
+        ranked.sort(key=lambda entry: entry[:2])  # by words, then by largest value
+        # Only the equally good first ones are sorted by noise, which takes time to compute.
+        best = [entry for entry in ranked if entry[:2] == ranked[0][:2]]
+        best.sort(key=lambda entry: noise_gain(entry[2]))
         ranked[: len(best)] = best
         return [(program, sign) for *_, program, sign in ranked]
 
@@ -301,7 +311,7 @@ class Lowering(RegisterEmitter):
             ends = [factor * of_param.low, factor * of_param.high]
         most = min(self.target.in_high, -self.target.in_low)
         if max(map(abs, ends)) > most:
-            raise PictureRefused("range", self.now, max(map(abs, ends)) / most, 1.0)
+            raise PictureRefused("range", self.now, max(map(abs, ends)) / most, available=1.0)
         step_e = self.target.electrons_per_step
         return min(ends) * step_e, max(ends) * step_e
 
@@ -310,7 +320,7 @@ class Lowering(RegisterEmitter):
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register]))
-        return Held(register, 1, 0.0, 0.0)
+        return Held(register, sign=1, low=0.0, high=0.0)
 
     def added(
         self, signed_terms: list[tuple[int, Held]], levels: Sequence[tuple[int, str]] = ()
@@ -329,6 +339,7 @@ class Lowering(RegisterEmitter):
             least, most = self._steps_range(*level)
             low, high = low + least, high + most
         self.checked(low, high)
+        # Registers that hold their term, and registers that hold its negative.
         plus = [v for sign, v in signed_terms if sign * v.sign > 0]
         minus = [v for sign, v in signed_terms if sign * v.sign < 0]
         # One word inverts the smaller group of values. A word adds at most four sources.
@@ -348,13 +359,14 @@ class Lowering(RegisterEmitter):
         sources = [*(v.register for v in direct), *(["NEWS"] if by_news else [])]
         sources += ["IN"] * (steps[0] is not None)
         if len(sources) > 4 or len(inverted) > 4:
-            raise PictureRefused("registers", self.now, len(signed_terms), 4)
+            raise PictureRefused("registers", self.now, len(signed_terms), available=4)
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register], sources), steps[0])
         self.give(*(v for _, v in signed_terms))
+        # Each word adds a variance of 1. The last word inverts, hence the sign -total.
         variance = sum(v.variance for _, v in signed_terms) + 1 + bool(inverted)
-        return Held(register, -total, low, high, variance=variance)
+        return Held(register, sign=-total, low=low, high=high, variance=variance)
 
     def absolute(self, value: Held) -> Held:
         """Emit an absolute value and return the register of the result.
@@ -372,13 +384,14 @@ class Lowering(RegisterEmitter):
         self.give(value)
         most = max(abs(value.low), abs(value.high))
         least = 0.0 if value.low <= 0 <= value.high else min(abs(value.low), abs(value.high))
-        return Held(register, 1, least, most, variance=value.variance + 2)
+        return Held(register, sign=1, low=least, high=most, variance=value.variance + 2)
 
     def largest(self, value: Held, offsets: Sequence[tuple[int, int]]) -> Held:
         """Emit the largest of the values of the pixels at these offsets, and return its register.
 
         The register holds the negative of the largest value so far; a larger value replaces it."""
         value = self.positive(value)
+        # The value is read once for each offset, instead of once.
         name, uses = value.name or f"largest {len(self.words)}", len(offsets)
         self.uses[name] = self.uses[name] - 1 + uses if value.name else uses
         value = self.held[name] = replace(value, name=name)
@@ -394,7 +407,7 @@ class Lowering(RegisterEmitter):
             self.word(op("bus", [register], [neighbour.register]))
             self.everywhere()
             self.give(neighbour)
-        return Held(register, -1, value.low, value.high, variance=variance)
+        return Held(register, sign=-1, low=value.low, high=value.high, variance=variance)
 
     def larger(self, first: Held, second: Held) -> Held:
         """Emit the larger one of two values, and return its register: the second, overwritten where
@@ -437,7 +450,7 @@ class Lowering(RegisterEmitter):
         """Emit a choice between two images by a condition, and return the register of the result.
 
         FLAG (the bit that lets a pixel act) is 1 in all pixels afterwards."""
-        if self.pictures.is_of_version_4:
+        if self.pictures.is_of_version_4:  # words of older programs stay as they are
             return self._chosen_by_flag(node)
         then, otherwise = self.value(node.then), self.value(node.otherwise)
         if then.sign != otherwise.sign:
@@ -501,7 +514,7 @@ class Lowering(RegisterEmitter):
         pixels) with its level."""
         terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
         if not terms:
-            return Held("IN", 1, 0.0, 0.0, level=0)
+            return Held("IN", sign=1, low=0.0, high=0.0, level=0)
         if len(terms) > 1 or not isinstance(terms[0][1], p.Uniform) or terms[0][0].denominator > 1:
             return self.value(node)
         factor, param = int(terms[0][0]), terms[0][1].param

@@ -96,7 +96,10 @@ def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[Pi
         if cost.name in names:
             cost_of[cost.name] = replace(cost, words=cost.words + shared_words)
         shared_words = 0 if cost.name in names else shared_words + cost.words
-    return tuple(cost_of.get(name, PictureCost(name, 0, 0.0, 0.0)) for name in names)
+    return tuple(
+        cost_of.get(name, PictureCost(name, words=0, peak_gain=0.0, noise_gain=0.0))
+        for name in names
+    )
 
 
 def lowered(
@@ -204,8 +207,8 @@ def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> 
         ranges = ranges | wider
         history.append(ranges)
         if number == _MOST_RANGES - 1:  # the limit of ranges that grow by less and less
-            last = [[each[name] for name in wider] for each in history[-3:]]
-            for name, ends in zip(wider, zip(*last, strict=True), strict=True):
+            last_three = [[ranges_[name] for name in wider] for ranges_ in history[-3:]]
+            for name, ends in zip(wider, zip(*last_three, strict=True), strict=True):
                 low, high = map(_limit, *ends)
                 ranges = ranges | {name: (low, high)}
         elif number == _MOST_RANGES:
@@ -410,13 +413,13 @@ def _beyond_range(
         f"registers of {target.name} hold {target.register_min_e:g} to {target.register_max_e:g} e"
     ]
     # The fewest halvings with which the value fits, up to rounding.
-    least = max(1, ceil(log2(over) - 1e-9))
+    least_halvings = max(1, ceil(log2(over) - 1e-9))
     level = min(level, _LEVEL_OF_CHANGES)
     searches = [Synthesis(STEPS_OF_LEVEL[level], form) for form in WordForms.choices(target)]
     for search in searches:
         search.budget = _STEPS_OF_CHANGES
     other = refused
-    for halvings in range(least, least + _MORE_HALVINGS):
+    for halvings in range(least_halvings, least_halvings + _MORE_HALVINGS):
         smaller = _with_item_divided(pictures, refused.name, 2**halvings)
         try:
             _shortest(container, smaller, level, searches)
@@ -425,16 +428,16 @@ def _beyond_range(
             continue
         helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: this compiles")
         break
-    limit = 100 * max(pictures.limits_e.values()) / target.full_well_e
-    share = int(limit / over + 1e-9)
-    while share >= 1:
-        limits = dict.fromkeys(pictures.limits_e, share / 100 * target.full_well_e)
+    limit_percent = 100 * max(pictures.limits_e.values()) / target.full_well_e
+    percent = int(limit_percent / over + 1e-9)
+    while percent >= 1:
+        limits = dict.fromkeys(pictures.limits_e, percent / 100 * target.full_well_e)
         try:
             _shortest(container, replace(pictures, limits_e=limits), level, searches)
         except PictureRefused:
-            share //= 2
+            percent //= 2
             continue
-        helps.append(f"limit the exposure: `assume exposure <= {share}%` compiles")
+        helps.append(f"limit the exposure: `assume exposure <= {percent}%` compiles")
         break
     if not helps:
         helps.append("use smaller factors, or fewer and smaller convolution kernels")
@@ -451,7 +454,7 @@ def _beyond_range(
         source=program.source,
         label=Label(
             declared_at(program.source, refused.name),
-            f"too large for exposures up to {limit:.3g}% of a full well",
+            f"too large for exposures up to {limit_percent:.3g}% of a full well",
         ),
         notes=tuple(notes),
         helps=tuple(helps),

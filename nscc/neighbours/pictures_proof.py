@@ -98,8 +98,9 @@ def pictures_fault(container: Container) -> str | None:
     except Rejected as rejected:
         return rejected.diagnostics[0].message
     except TooLarge as large:
-        owners = [cost.name for cost in pictures.costs for _ in range(cost.words)]
-        large.name = owners[min(number, len(owners)) - 1]  # word 0 belongs to no image
+        name_of_word = [cost.name for cost in pictures.costs for _ in range(cost.words)]
+        # Word 0 sets FLAG and belongs to no image.
+        large.name = name_of_word[min(number, len(name_of_word)) - 1]
         raise
 
 
@@ -131,7 +132,14 @@ def _compare(
     if meaning.forms.compares_equal(meaning.of(node, middle)):
         raise AlwaysEqual(name)
     contents = replay.contents(value.register, isinstance(node, Condition))
-    reason = _differs(name, contents, lambda at: meaning.of(node, at), value.sign, replay, middle)
+    reason = _differs(
+        name,
+        contents,
+        expected=lambda at: meaning.of(node, at),
+        sign=value.sign,
+        replay=replay,
+        middle=middle,
+    )
     if reason:
         raise PictureReplayError(reason)
 
@@ -187,7 +195,14 @@ def _difference(
     for name in dict.fromkeys((*pictures.outputs, *pictures.kept)):
         contents = replay.contents(pictures.registers.get(name, ""), name in pictures.planes)
         sign = -1 if name in pictures.negated else 1
-        reason = _differs(name, contents, partial(meaning.value, name), sign, replay, middle)
+        reason = _differs(
+            name,
+            contents,
+            expected=partial(meaning.value, name),
+            sign=sign,
+            replay=replay,
+            middle=middle,
+        )
         if reason:
             return reason
     spoilt = written & {*container.code_registers}
@@ -296,8 +311,8 @@ class PictureReplay:
             masked.append(held)
             held = held.before
         chosen = self.forms.chosen
-        for each in reversed(masked):
-            held = {at: chosen(bit, each.written[at], held[at]) for at, bit in each.flag.items()}
+        for write in reversed(masked):  # the oldest masked write first
+            held = {at: chosen(bit, write.written[at], held[at]) for at, bit in write.flag.items()}
         self.analog[name] = held
         return held
 

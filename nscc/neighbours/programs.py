@@ -152,7 +152,7 @@ def turned_taps(taps: Taps, turn: int) -> Polynomial:
 
 def turned(program: Program, turn: int) -> Program:
     """Return the program of a rotated or mirrored convolution kernel; `turn` is one of `TURNS`."""
-    a, b, c, d = _TURNS[turn]
+    a, b, c, d = _TURNS[turn]  # the matrix ((a, b), (c, d)) of the rotation or reflection
     names = {name: OF_STEP[a * x + b * y, c * x + d * y] for name, (x, y) in STEPS.items()}
 
     def of(operands: tuple[str, ...]) -> tuple[str, ...]:

@@ -132,7 +132,7 @@ class RegisterEmitter(CountEmitter):
         written = {name for word in exposing if word is not None for name in word.destinations}
         self.contents: dict[str, Contents] = {}
         self.held = {
-            name: Held(register, sign, 0.0, pictures.limits_e[name], name)
+            name: Held(register, sign, low=0.0, high=pictures.limits_e[name], name=name)
             for name, (register, sign) in buckets.items()
         }
         guarded = (*container.code_registers, target.mask_register, target.masked_register)
@@ -141,7 +141,8 @@ class RegisterEmitter(CountEmitter):
         self.propagating = None if pair & {*container.code_registers} else target.masked_register
         self.bits = BitWords(self, digital, {*digital} - written, target.or_sources)
         self.count_e = pictures.count_steps * target.electrons_per_step
-        # How often each image and bucket is read; an output counts once more.
+        # How often each image and bucket is read; an output counts once more, so its register is
+        # never freed.
         self.uses = dict.fromkeys((*self.held, *self.pictures.expressions), 0)
         for expression in self.pictures.expressions.values():
             for node in p.subexpressions(expression):
@@ -149,6 +150,7 @@ class RegisterEmitter(CountEmitter):
                     self.uses[node.name] += 1
         for name in self.pictures.outputs:
             self.uses[name] = self.uses.get(name, 0) + 1
+        # `give` takes back one use, and so frees the registers of unread buckets.
         for name, value in list(self.held.items()):
             self.uses[name] += 1
             self.give(value)
@@ -166,7 +168,8 @@ class RegisterEmitter(CountEmitter):
             register = lasting.pop(0)
             self.free.remove(register)
             sign = -1 if image.name in self.pictures.negated else 1
-            self.held[image.name] = Held(register, sign, *self.kept_ranges[image.name], image.name)
+            low, high = self.kept_ranges[image.name]
+            self.held[image.name] = Held(register, sign, low=low, high=high, name=image.name)
             self.uses[image.name] += 1  # never freed
 
     def hand_over(self, name: str) -> bool:
@@ -187,7 +190,8 @@ class RegisterEmitter(CountEmitter):
         if not self.free:
             count = len(self.target.analog_available)
             raise PictureRefused("registers", self.now, count + 1, count)
-        # Contents with the most weights are the least likely to be read again.
+        # Contents with the most weights are the least likely to be read again. Registers without
+        # contents come first.
         sizes = {name: len(taps) for name, (_, taps) in self.contents.items()}
         register = min(self.free, key=lambda name: (name in sizes, -sizes.get(name, 0)))
         self.free.remove(register)
@@ -216,7 +220,7 @@ class RegisterEmitter(CountEmitter):
         target, slack = self.target, 1 + 1e-9
         if high > target.register_max_e * slack or low < target.register_min_e * slack:
             over = max(high / target.register_max_e, low / target.register_min_e)
-            raise PictureRefused("range", self.now, over, 1.0)
+            raise PictureRefused("range", self.now, over, available=1.0)
 
     def negated(self, value: Held) -> Held:
         """Emit the word that inverts the sign in which a register holds a value; return the new

@@ -103,7 +103,7 @@ class Synthesis:
         the budget of all searches is used up."""
         self.budget -= 1
         if self.budget < 0:
-            raise PictureRefused("steps", "", 1, 0)
+            raise PictureRefused("steps", "", needed=1, available=0)
         key = frozenset(taps.items())
         if key not in self._variants:
             # The kernel and its inverse share a search, which no other kernel affects.

@@ -88,13 +88,13 @@ def judge_looked_names(
     read = frozenset[str]().union(
         *(checked.variables for checked in [*rules, *looking.expressions])
     )
-    steps = bool(looking.nexts) or LOOKS in read
-    used = {n for sense in looking.senses if sense.name in read for n in sense.at}
+    looks_count = bool(looking.nexts) or LOOKS in read
+    used_boundaries = {n for sense in looking.senses if sense.name in read for n in sense.at}
     for sense in looking.senses:
         if sense.name in read:
             continue
-        if steps and not used.issuperset(sense.at):
-            used.update(sense.at)
+        if looks_count and not used_boundaries.issuperset(sense.at):
+            used_boundaries.update(sense.at)
             continue
         span = declared.senses[sense.name].name.span
         problems.note("NS0355", f"the sense `{sense.name}` is not used", span, "not used")
@@ -184,7 +184,7 @@ def largest_part(
     states = _state_combinations(looking, levels * len(looking.looks))
     helps = _helps(looking, most_senses=len(levels_of_sense), states=states)
     if len(codes) > max(states, 1 << levels):
-        return Excess(None, f"{counted(len(codes), 'code')} in all", helps)
+        return Excess(place=None, text=f"{counted(len(codes), 'code')} in all", helps=helps)
     if states > 1 << levels:
         widest = max(looking.states, key=lambda state: state.high - state.low)
         span = declared.states[widest.name].name.span

@@ -61,7 +61,9 @@ def analyse(
         from nscc.program.picture_statements import PictureMaker
 
         pictures = PictureMaker(declared, constants, chosen, base, problems).make()
-    planes = PlaneMaker(declared, fields, constants, chosen, base, problems).make()
+    planes = PlaneMaker(
+        declared, fields, constants, target=chosen, base=base, problems=problems
+    ).make()
     problems.stop_on_errors()
     assert frame is not None
     assert chosen is not None
@@ -74,7 +76,15 @@ def analyse(
         len(frame.slot_us),
     )
     return Completion(
-        problems, declared, chosen, frame, known, planes, codes, looking, pictures
+        problems,
+        declared,
+        target=chosen,
+        frame=frame,
+        rules=known,
+        planes=planes,
+        codes=codes,
+        looking=looking,
+        pictures=pictures,
     ).run()
 
 

@@ -117,12 +117,14 @@ def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
     if never == 0 and bool((length == slots).all()):
         return Recognised("a", f"the shutter is open in every slot, {basis}")
     start = shutters.argmax(axis=1)
+    # The boundary after the last open slot: the first open one, counted from the end.
     stop = slots - shutters[:, ::-1].argmax(axis=1)
     if not bool((~opens | (stop - start == length)).all()):
         return Recognised("general", f"some shutters open more than once, {basis}")
     also = ", or it never opens" if never else ""
     if len(shutters) == 1:
         shape = f"open in the slots {int(start[0])}..{int(stop[0]) - 1}"
+        # Class b opens in slot 0; a single later bump has a fixed length.
         return Recognised("c" if start[0] else "b", f"the one shutter is {shape}, {basis}")
     if not bool(start[opens].any()):
         return Recognised(
@@ -130,7 +132,7 @@ def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
         )
     longest = int(length.max())
     full_length = length == longest
-    short = opens & ~full_length
+    short = opens & ~full_length  # perhaps cut by the start or the end of the frame
     at_an_edge = (start == 0) | (stop == slots)
     slots_text = counted(longest, "slot")
     if not short.any():

@@ -108,7 +108,14 @@ class Completion:
             basis = "in all codes that the fields allow"
         recognised = recognise(self.rules, [b.name for b in self.buckets], survey, basis)
         basis = "for every code in use" if self.mode == "fixed" else "for every code"
-        judge_rules(declared.rules, bool(fields), table, survey, basis, problems)
+        judge_rules(
+            declared.rules,
+            has_fields=bool(fields),
+            table=table,
+            survey=survey,
+            basis=basis,
+            problems=problems,
+        )
         judge_names(declared, fields, self.rules.rules, self.rules.books, problems)
         judge_values(self.rules.rules, self._ranges(), problems)
         judge_bumps(recognised, declared.rules[0], survey, problems)

@@ -58,11 +58,11 @@ def either(a: Faults, b: Faults) -> Faults:
     """Return the faults of an operation on two operands with the faults `a` and `b`.
 
     A fault of all places wins, that of the first operand before that of the second."""
-    if a is None or isinstance(b, Fault):
+    if a is None or isinstance(b, Fault):  # `b`, unless `a` is a fault of all places, too
         return b if a is None or not isinstance(a, Fault) else a
     if b is None or isinstance(a, Fault):
         return a
-    return a | b
+    return a | b  # both are arrays that mark the places with a fault
 
 
 def faults_where(condition: Data, faults: Faults) -> Faults:
@@ -110,7 +110,7 @@ def _limited(node: Binary, a: Value, b: Value, faults: Faults, data: Data, beyon
         text = f"{clipped(a.data)} {node.op} {clipped(b.data)} is beyond 2^62 - 1"
         return Fault("NS0305", f"a number is too large: {text}", node.span, text)
 
-    return Value(*guard(beyond, data, 0, fault, faults))
+    return Value(*guard(beyond, data, harmless=0, fault=fault, before=faults))
 
 
 def _sum(node: Binary, a: Value, b: Value) -> Value:
@@ -118,14 +118,18 @@ def _sum(node: Binary, a: Value, b: Value) -> Value:
     1."""
     # Two values within the limit sum to less than 2^63, so that int64 does not wrap.
     data = a.data + b.data if node.op == "+" else a.data - b.data
-    return _limited(node, a, b, either(a.faults, b.faults), data, np.abs(data) > LIMIT)
+    return _limited(
+        node, a, b, faults=either(a.faults, b.faults), data=data, beyond=np.abs(data) > LIMIT
+    )
 
 
 def _product(node: Binary, a: Value, b: Value) -> Value:
     """Return the product of two values, with faults where it exceeds 2^62 - 1 in magnitude."""
     # Compared by division, because the product itself could wrap.
     beyond = np.abs(a.data) > LIMIT // np.maximum(np.abs(b.data), 1, dtype=np.int64)
-    return _limited(node, a, b, either(a.faults, b.faults), a.data * b.data, beyond)
+    return _limited(
+        node, a, b, faults=either(a.faults, b.faults), data=a.data * b.data, beyond=beyond
+    )
 
 
 def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
@@ -133,7 +137,9 @@ def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
     (NS0302)."""
     message = "division by zero" if node.op == "/" else "remainder of a division by zero"
     fault = Fault("NS0302", message, node.right.span, "this is 0")
-    return guard(b.data == 0, b.data, 1, lambda: fault, either(a.faults, b.faults))
+    return guard(
+        b.data == 0, b.data, harmless=1, fault=lambda: fault, before=either(a.faults, b.faults)
+    )
 
 
 def _quotient(node: Binary, a: Value, b: Value) -> Value:
@@ -158,9 +164,11 @@ def _shift(node: Binary, a: Value, b: Value) -> Value:
         return Fault("NS0304", f"invalid shift by {count}", span, f"the count is {count}")
 
     out_of_range = (b.data < 0) | (b.data > MOST_SHIFT)
-    count, faults = guard(out_of_range, b.data, 0, fault, either(a.faults, b.faults))
+    count, faults = guard(
+        out_of_range, b.data, harmless=0, fault=fault, before=either(a.faults, b.faults)
+    )
     beyond = np.abs(a.data) > LIMIT >> count
-    return _limited(node, a, b, faults, a.data << count, beyond)
+    return _limited(node, a, b, faults, data=a.data << count, beyond=beyond)
 
 
 ARITHMETIC: dict[str, Callable[[Binary, Value, Value], Value]] = {
@@ -260,9 +268,9 @@ def _value(
             (a,) = arguments
             return Value(-a.data, a.faults)
         case tree.Binary(op="and"):
-            return _junction(arguments[0], arguments[1], True)
+            return _junction(arguments[0], arguments[1], conjunction=True)
         case tree.Binary(op="or"):
-            return _junction(arguments[0], arguments[1], False)
+            return _junction(arguments[0], arguments[1], conjunction=False)
         case tree.Binary(op="xor"):
             a, b = arguments
             return Value(a.data ^ b.data, either(a.faults, b.faults))
@@ -273,9 +281,10 @@ def _value(
                 Value(_COMPARE[op](a.data, b.data), b.faults)
                 for op, (a, b) in zip(node.ops, pairwise(arguments), strict=True)
             ]
+            # As with `and`, a later operand counts only where the comparisons before are true.
             result = Value(links[0].data, either(arguments[0].faults, links[0].faults))
             for link in links[1:]:
-                result = _junction(result, link, True)
+                result = _junction(result, link, conjunction=True)
             return result
         case tree.IfElse():
             return _chosen(*arguments)
@@ -284,14 +293,14 @@ def _value(
                 return _digit(node, arguments[0], books[node.base.text], bindings["n"])
             return _bit(node, arguments[0], bindings[node.base.text], bindings)
         case tree.Call():
-            pick, of_arrays = (
+            of_integers, of_arrays = (
                 (min, np.minimum) if node.function.text == "min" else (max, np.maximum)
             )
             result = arguments[0]
-            for b in arguments[1:]:
-                plain = isinstance(result.data, int) and isinstance(b.data, int)
-                data = (pick if plain else of_arrays)(result.data, b.data)
-                result = Value(data, either(result.faults, b.faults))
+            for argument in arguments[1:]:
+                integers = isinstance(result.data, int) and isinstance(argument.data, int)
+                data = (of_integers if integers else of_arrays)(result.data, argument.data)
+                result = Value(data, either(result.faults, argument.faults))
             return result
         case tree.Place() | tree.Amount():
             raise AssertionError("`check` refuses levels and bits of neighbours")
@@ -338,7 +347,7 @@ def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tupl
         )
 
     out_of_range = (index.data < 0) | (index.data >= size)
-    return guard(out_of_range, index.data, 0, fault, index.faults)
+    return guard(out_of_range, index.data, harmless=0, fault=fault, before=index.faults)
 
 
 def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Value:
@@ -350,7 +359,8 @@ def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Va
     position, faults = _position(node, index, bits, f"{bits} bits")
     if bits <= CHUNK_BITS:
         return Value((field.data >> position) & 1 != 0, either(field.faults, faults))
-    chunks = [bindings[chunk_name(node.base.text, k)].data for k in range(-(-bits // CHUNK_BITS))]
+    chunk_count = -(-bits // CHUNK_BITS)  # rounded up
+    chunks = [bindings[chunk_name(node.base.text, k)].data for k in range(chunk_count)]
     return Value(_bit_of_chunks(chunks, position), either(field.faults, faults))
 
 
@@ -364,6 +374,7 @@ def _bit_of_chunks(chunks: list[Data], position: Data) -> Data:
     bits = np.zeros(shape, np.bool_)
     for k in np.unique(position // CHUNK_BITS).tolist():
         in_chunk = np.broadcast_to(position // CHUNK_BITS == k, shape)
+        # Positions in other chunks get the shift 0; `in_chunk` drops their bits.
         shifted = chunks[k] >> np.where(in_chunk, position % CHUNK_BITS, 0)
         bits |= in_chunk & (shifted & 1 != 0)
     return bits

@@ -290,6 +290,7 @@ class _Checker:
                     "integer", operand_types[first : k + 2], compared[first : k + 2], f"`{op}`"
                 )
             elif first_type is not None and second_type is not None and first_type != second_type:
+                # 0 or 1 beside a boolean probably means its value.
                 bit = any(isinstance(p, tree.Int) and p.value < 2 for p in compared[k : k + 2])
                 self._mismatch(
                     compared[k].span.to(compared[k + 1].span),

@@ -122,7 +122,7 @@ class PlaneMaker:
             "y": Value(np.arange(rows, dtype=np.int64).reshape(rows, 1)),
             "x": Value(np.arange(cols, dtype=np.int64).reshape(1, cols)),
         }
-        values, gap = values_of(checked, bindings, {}, (rows, cols))
+        values, gap = values_of(checked, bindings, books={}, shape=(rows, cols))
         if gap is not None:
             y, x = gap.place
             notes = (f"at {pixel_text(x, y)}, and at {counted(gap.number, 'pixel')} in all",)
@@ -175,8 +175,8 @@ class PlaneMaker:
                 statement.field.span,
                 "the values beyond the array are not used",
             )
-        y, x = np.arange(rows) % height, np.arange(cols) % width
-        return np.asarray(tile[y[:, None], x[None, :]], dtype=np.int64)
+        tile_row, tile_col = np.arange(rows) % height, np.arange(cols) % width
+        return np.asarray(tile[tile_row[:, None], tile_col[None, :]], dtype=np.int64)
 
     def _file(self, planes: dict[str, Plane], missing: list[str]) -> None:
         """Read the values of the `missing` fields from the program's file, and add them to
@@ -292,7 +292,7 @@ def stored_planes(
     # A small array that has too many values is read all the same, for an error that names its
     # shape.
     stored = file.integers(name, most=max(most, 2**20), bools=True)
-    return planes_of(stored, name, shape, chunk_count, bits, f' of "{file.shown}"')
+    return planes_of(stored, name, shape, chunk_count, bits, origin=f' of "{file.shown}"')
 
 
 def planes_of(
@@ -335,6 +335,7 @@ def _single_bits(
     Raises Rejected (NS0314) if its shape does not fit the pixel array and the field, or if values
     other than 0 and 1 occur. `origin` names the file in messages."""
     count = stored.shape[2]
+    # Without `bits`, every number of bits that takes this many chunks is allowed.
     least = bits or (chunk_count - 1) * CHUNK_BITS + 1
     most = bits or chunk_count * CHUNK_BITS
     if stored.shape[:2] != shape or not least <= count <= most:
@@ -357,6 +358,7 @@ def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
     """Return integers of any dtype as int64, and a bool array that marks those that int64 cannot
     hold."""
     beyond = np.zeros(stored.shape, dtype=bool)
+    # Only 64-bit unsigned integers exceed int64.
     if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:
         beyond = np.asarray(stored > np.uint64(2**63 - 1), dtype=bool)
     with np.errstate(all="ignore"):

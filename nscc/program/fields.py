@@ -178,7 +178,9 @@ class _Maker:
                 start = text.rfind("bit", statement.name.span.end, place.start)
                 if start >= 0:
                     place = Span(start, statement.span.end)
-                return Field(statement.name.text, "bits", 0, 2**count - 1, place, bits=count)
+                return Field(
+                    statement.name.text, "bits", low=0, high=2**count - 1, span=place, bits=count
+                )
             case CodeRow():
                 book = statement.book.text
                 if book not in self.declared.books:
@@ -191,5 +193,12 @@ class _Maker:
                 if digits is None:
                     return None
                 place = statement.book.span
-                return Field(statement.name.text, "row", 0, digits.shape[0] - 1, place, book=book)
+                return Field(
+                    statement.name.text,
+                    "row",
+                    low=0,
+                    high=digits.shape[0] - 1,
+                    span=place,
+                    book=book,
+                )
         assert_never(statement)

@@ -64,7 +64,9 @@ class HostValues:
                     "a tile",
                     helps=(f"write `pixels {name} = CONDITION` over x and y",),
                 )
-            self.inputs[name] = InputPlane(name, 0 if bits is None else packed_bits(bits), True)
+            self.inputs[name] = InputPlane(
+                name, 0 if bits is None else packed_bits(bits), is_open=True
+            )
 
     def _param(self, name: str, statement: tree.Param) -> HostParam | None:
         """Return the checked parameter `name`; None after reporting an error (NS0545).
@@ -72,18 +74,18 @@ class HostValues:
         Range and start must all be levels or all integers, and IN (the level sent to all pixels)
         must reach all levels."""
         parts = (statement.low, statement.high, statement.start)
-        kinds = {isinstance(signed_level(part)[1], tree.Amount) for part in parts}
-        text = ""
-        if len(kinds) > 1:
+        are_levels = [isinstance(signed_level(part)[1], tree.Amount) for part in parts]
+        text = ""  # what is wrong, for the message
+        if len({*are_levels}) > 1:
             text = "its range and its start have different units"
-        numbers = [self._steps(part) if True in kinds else self._integer(part) for part in parts]
+        numbers = [self._steps(part) if any(are_levels) else self._integer(part) for part in parts]
         if not text and None in numbers:
             return None
         if not text:
             low, high, start = (number or 0 for number in numbers)
             if not low <= start <= high:
                 text = f"its start {start} is outside {low} .. {high}"
-            kind: Literal["level", "integer"] = "level" if True in kinds else "integer"
+            kind: Literal["level", "integer"] = "level" if any(are_levels) else "integer"
             if not text and kind == "level" and max(-low, high) > self.most_steps:
                 least_e = self.target.electrons_per_step
                 text = f"IN has steps of {least_e:.4g} e, up to {self.most_steps} of them"
@@ -131,27 +133,27 @@ class HostValues:
         """Return a constant, or an integer parameter plus or minus a constant; None after reporting
         an error.
 
-        `role` names the expression in messages. Its `offset` may be negative; `most` is the largest
-        number that the parameter's range allows, at least 0."""
-        found = [name for name in names_in(expr) if name.text in self.declared.params]
-        if not found:
+        `role` names the expression in messages. The result's `offset` may be negative; its `most`
+        is the largest number that the parameter's range allows, at least 0."""
+        params_read = [name for name in names_in(expr) if name.text in self.declared.params]
+        if not params_read:
             value = constant(expr, self.constants, self.problems, role)
             return None if value is None else Times(value, max(0, value))
-        name = found[0].text
+        name = params_read[0].text
         param = self.params.get(name)
-        if param is None:
+        if param is None:  # its declaration has an error
             return None
         sign, offset = 1, 0
         inner: tree.Expr = expr
         if isinstance(inner, tree.Binary) and inner.op in ("+", "-"):
-            left = any(each.text == name for each in names_in(inner.left))
-            other = inner.right if left else inner.left
-            value = constant(other, self.constants, self.problems, role)
+            param_first = any(name_read.text == name for name_read in names_in(inner.left))
+            constant_side = inner.right if param_first else inner.left
+            value = constant(constant_side, self.constants, self.problems, role)
             if value is None:
                 return None
-            offset = -value if left and inner.op == "-" else value
-            sign = 1 if left or inner.op == "+" else -1
-            inner = inner.left if left else inner.right
+            offset = -value if param_first and inner.op == "-" else value
+            sign = 1 if param_first or inner.op == "+" else -1  # of the parameter
+            inner = inner.left if param_first else inner.right
         inner_sign, inner = signed_level(inner)
         sign *= inner_sign
         if not isinstance(inner, tree.Name) or param.kind == "level":
@@ -165,7 +167,7 @@ class HostValues:
             )
             return None
         most = offset + max(sign * param.low, sign * param.high)
-        return Times(offset, max(0, most), name, sign)
+        return Times(offset, max(0, most), param=name, factor=sign)
 
     def plane_of_places(self, expr: tree.Expr, text: str) -> InputPlane | None:
         """Return the input plane of a condition over x and y; None for any other condition.
@@ -182,5 +184,7 @@ class HostValues:
         name = " ".join(text.split())
         if name not in self.inputs:
             bits = self.planes.bits(expr)
-            self.inputs[name] = InputPlane(name, 0 if bits is None else packed_bits(bits), False)
+            self.inputs[name] = InputPlane(
+                name, 0 if bits is None else packed_bits(bits), is_open=False
+            )
         return self.inputs[name]

@@ -60,6 +60,7 @@ def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
         if isinstance(node, Name) and node.text in sizes:
             varies = frozenset((sizes[node.text][0],))
         elif isinstance(node, Index):
+            # A codebook is no variable: its digit depends on the index and on the slot n.
             base = sizes.get(node.base.text, sizes.get("n"))
             varies |= {base[0]} if base else none
         axes.append(varies)
@@ -103,5 +104,5 @@ def impossible_from(count: Count, target: Target) -> int | None:
 
     `count(size)` is the number of shutters. Return None if all sizes up to the longest frame are
     possible."""
-    fits = largest_with(count, 1 << len(target.digital_registers), 1, MOST_SLOTS)
+    fits = largest_with(count, 1 << len(target.digital_registers), least=1, ceiling=MOST_SLOTS)
     return fits + 1 if fits < MOST_SLOTS else None

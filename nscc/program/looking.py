@@ -147,11 +147,13 @@ class _Maker:
             return None
         name, above = sense.name.text, sense.comparison == ">"
         if isinstance(sense.level, tree.Name) and sense.level.text in self.declared.codes:
-            return CheckedSense(name, signal, above, at, None, sense.level.text, sense.span)
+            return CheckedSense(
+                name, signal, above, at, steps=None, field=sense.level.text, span=sense.span
+            )
         steps = self._levels(sense, len(at), self.target)
         if steps is None:
             return None
-        return CheckedSense(name, signal, above, at, steps, None, sense.span)
+        return CheckedSense(name, signal, above, at, steps, field=None, span=sense.span)
 
     def _signal(self, signal: tree.Light | tree.Exposure) -> int | None:
         """Return what a sense compares: `machine.LIGHT` (the light since the reset) or the index of
@@ -315,7 +317,7 @@ class _Maker:
             self.problems.error("NS0311", message, state.start.span, "its value at boundary 0")
             return None
         read = name in self.declared.reads
-        return machine.State(name, low, high, start, state.kept, read, boolean)
+        return machine.State(name, low, high, start, is_kept=state.kept, read=read, boolean=boolean)
 
     def next(self, statement: tree.Next) -> CheckedNext | None:
         """Return the checked change of a state, with its condition; None after reporting an

@@ -234,7 +234,7 @@ class MachineBuilder:
             held_e = target.level_e(value, "lsb")
             message = f"the level {value} of `{sense.field}` is {step} steps of IN, {held_e:g} e"
             fault = Fault("NS0321", message, sense.span, text)
-            raise NoValue([MissingValue(fault, f"for {sense.field} = {value}", 1)])
+            raise NoValue([MissingValue(fault, f"for {sense.field} = {value}", count=1)])
         return step
 
     def _next_nodes(
@@ -259,6 +259,7 @@ class MachineBuilder:
         bindings["n"] = Value(boundary)
         for sense in self.looking.senses:
             if sense.name in of_sense:
+                # Column 0 of a row is its code, whose comparison the outcome answers.
                 bit = outcome >> of_sense[sense.name][rows[:, 0]] & 1
                 answer = (bit == 1) == sense.above
                 bindings[sense.name] = Value(answer.reshape(-1, 1))
@@ -271,7 +272,14 @@ class MachineBuilder:
             changes = np.ones(shape, np.bool_)
             if step.condition is not None:
                 changes = self._value(step.condition, bindings, shape, rows, boundary) != 0
-            value = self._value(step.value, bindings, shape, rows, boundary, changes)
+            value = self._value(
+                expr=step.value,
+                bindings=bindings,
+                shape=shape,
+                nodes=rows,
+                begin=boundary,
+                needed=changes,
+            )
             beyond = changes & ((value < state.low) | (value > state.high))
             if beyond.any():
                 row = int(beyond[:, 0].argmax())
@@ -302,18 +310,21 @@ class MachineBuilder:
         first = np.cumsum([0, *map(len, stage_rows)])
         steps = np.full((int(first[-1]), most), -1, np.int64)
         for number, (stage, rows) in enumerate(zip(stages[:-1], stage_rows[:-1], strict=True)):
-            place = np.full(len(stages[number + 1].nodes), -1, np.int64)
-            place[stage_rows[number + 1]] = first[number + 1] + np.arange(
+            # The number in the machine of each row of the next stage; -1 for rows left out.
+            new_number = np.full(len(stages[number + 1].nodes), -1, np.int64)
+            new_number[stage_rows[number + 1]] = first[number + 1] + np.arange(
                 len(stage_rows[number + 1])
             )
-            steps[first[number] : first[number + 1], : stage.steps.shape[1]] = place[
+            steps[first[number] : first[number + 1], : stage.steps.shape[1]] = new_number[
                 stage.steps[rows]
             ]
         pairs = [*zip(stages, stage_rows, strict=True)]
         nodes = np.concatenate([stage.nodes[rows] for stage, rows in pairs])
         opens = np.concatenate([stage.opens[rows] for stage, rows in pairs])
         behaviour = behaviour_of_code[nodes[:, 0]]
-        answers = [State(s.name, 0, 1, 0, boolean=True, sense=True) for s in self.remembered]
+        answers = [
+            State(s.name, low=0, high=1, start=0, boolean=True, sense=True) for s in self.remembered
+        ]
         machine = StateMachine(
             states=(*self.looking.states, *answers),
             comparisons=comparisons,
@@ -345,6 +356,8 @@ class MachineBuilder:
             for number, stage in enumerate(stages):
                 rows = slice(bounds[number][code], bounds[number][code + 1])
                 steps = stage.steps[rows]
+                # Steps are rows of the next stage: relative to the code's first row there, they can
+                # be compared with those of other codes.
                 if number + 1 < len(stages):
                     steps = steps - bounds[number + 1][code]
                 tables = stage.nodes[rows, 1:], stage.opens[rows], stage.resets[rows], steps

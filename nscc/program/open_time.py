@@ -56,8 +56,9 @@ def _times(machine: StateMachine, slot_us: NDArray[np.float64]) -> dict[int, set
     A node is a state of the machine between two looks. Each time is (slots, microseconds) for all
     buckets."""
     buckets = machine.opens.shape[1]
-    none: Times = ((0, 0.0),) * buckets
-    times: dict[int, set[Times]] = {node: {none} for node in range(int(machine.first[1]))}
+    closed_so_far: Times = ((0, 0.0),) * buckets
+    # The nodes of the first stage. Nodes are in the order of stages, so each comes before its next.
+    times: dict[int, set[Times]] = {node: {closed_so_far} for node in range(int(machine.first[1]))}
     slots = machine.opens.sum(axis=2).tolist()
     us = (machine.opens @ slot_us).tolist()
     for node in range(len(machine.behaviour)):

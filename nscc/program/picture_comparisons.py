@@ -125,6 +125,7 @@ class PictureComparer(ABC):
         if counts is not None:
             return self._count_comparison(value, counts, op, level)
         test = self._above(value, level)
+        # `>=` counts as `>`, and `<=` as `<`: no comparator can tell equal charges.
         return test if op[0] == ">" else self._not(test)
 
     def _above(self, value: p.Value, level: tree.Expr) -> p.Condition:
@@ -159,6 +160,7 @@ class PictureComparer(ABC):
                 "only levels",
                 ("compare an image with a level: `image > 6%`",),
             )
+        # The level without a parameter has the name "".
         constant_steps = steps - levels.pop("", Fraction(0))
         whole = constant_steps.denominator == 1 and abs(constant_steps) <= self.host.most_steps
         if not levels and whole:

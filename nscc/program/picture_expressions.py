@@ -240,7 +240,7 @@ class Reader(LoopReader):
                 (f"declare `plane p = {name}(..)` and write `A if p else B`",),
             )
         if name != "abs" and name not in self.kernels:
-            if name in self.declared.kernels:
+            if name in self.declared.kernels:  # its error is reported at its declaration
                 raise WrongPicture
             raise self._unknown("a kernel", call.function, "kernel")
         if len(arguments) != 1:
@@ -430,6 +430,7 @@ class Reader(LoopReader):
             "function": ["any", "all"],
             "plane": [name for name, kind in self.kinds.items() if kind == "plane"],
         }.get(kind, ["exposure", *(n for n, k in self.kinds.items() if k == "image")])
+        # With several buckets, their names take the place of `exposure`.
         if kind == "image" and len(self.buckets) > 1:
             known[:1] = self.buckets
         self.problems.unknown(category, text, name.span, known)
@@ -454,9 +455,9 @@ def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
     helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
     fixes: tuple[Fix, ...] = ()
     if divisor > 0:
-        low = 1 << (divisor.bit_length() - 1)
+        below = 1 << (divisor.bit_length() - 1)  # the next power of two; 2 * below is the one above
         # The closer one as a ratio.
-        power = low if divisor / low <= 2 * low / divisor else 2 * low
+        power = below if divisor / below <= 2 * below / divisor else 2 * below
         percent = 100 * abs(divisor / power - 1)
         change = "larger" if power < divisor else "smaller"
         text = f"with `/ {power}` values are {percent:.0f} % {change}: change the levels, too"

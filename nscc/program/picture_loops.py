@@ -95,10 +95,10 @@ class LoopReader(PictureComparer):
             )
             times = None
         starts = [self._node(item.kind, item.start) for item in statement.items]
+        # Steps read all names of the statement, so the names are declared before any step is read.
         for item, start in zip(statement.items, starts, strict=True):
             self.declare(item.name.text, start)
-            counts = item.name.text in self.counts
-            if counts:
+            if item.name.text in self.counts:
                 self._report(
                     "NS0539",
                     "counts cannot be repeated yet",
@@ -138,6 +138,7 @@ class LoopReader(PictureComparer):
                 raise WrongPicture
             name = f"{self._text_of(expr)} {what}"
             base = self._along(base, distance, (1, 0) if axis is expr.right else (0, 1), name)
+            # `most` of a constant is 0 to the left or up; there the offset is negative.
             far = max(abs(distance.offset), distance.most) if not distance.param else distance.most
             if far >= size:
                 raise self._report(
@@ -159,22 +160,35 @@ class LoopReader(PictureComparer):
         if distance.param:
             # A parameter may be negative: one loop for each direction, of which one has no steps.
             for sign in (1, -1):
-                part = p.Times(sign * distance.offset, 0, distance.param, sign * distance.factor)
+                part = p.Times(
+                    sign * distance.offset,
+                    most=0,  # set below, from the range of the parameter
+                    param=distance.param,
+                    factor=sign * distance.factor,
+                )
                 param = self.host.params[distance.param]
                 part = replace(
                     part, most=max(part.at({param.name: end}) for end in (param.low, param.high))
                 )
                 if part.most:
-                    base = self._loop(f"{name} {sign:+}", base, base, part, step, sign)
+                    base = self._loop(
+                        name=f"{name} {sign:+}",
+                        base=base,
+                        start=base,
+                        times=part,
+                        step=step,
+                        pixels=sign,
+                    )
             return base
         sign, pixels = (1 if distance.offset > 0 else -1), abs(distance.offset)
+        # The longest shift without a loop.
         direct = _FAR if isinstance(base, p.Condition) else _FAR // 2
         if pixels > direct and not self._in_step:
             # Each step moves 2 pixels. The start already does, and an odd pixel is left for the
             # end.
             start = _one_shift(base, step, 2 * sign)
             times = p.Times(pixels // 2 - 1, pixels // 2 - 1)
-            base, pixels = self._loop(name, base, start, times, step, 2 * sign), pixels % 2
+            base, pixels = self._loop(name, base, start, times, step, pixels=2 * sign), pixels % 2
         shifted: p.Node = _one_shift(base, step, pixels * sign)
         return shifted
 
@@ -253,6 +267,7 @@ class LoopReader(PictureComparer):
         area, flooded = p.Bit(f"{name} bounds"), p.Bit(f"{name} flooded")
         near = p.Near("any", flooded, around)
         times, grows = p.Times(steps, steps), f"{name}{p.GROWS}"
+        # `area` is 1 outside of mask and seed. A step adds neighbours, except there.
         step: p.Condition = p.Neither(p.Neither(flooded, near), area)
         pixels = self.target.propagation_pixels
         is_cross = self.kernels[around].taps.keys() == {*STEERING.values()}
@@ -260,7 +275,7 @@ class LoopReader(PictureComparer):
         # pixels a word.
         if pixels and is_cross and self.outside == 0:
             step = p.Propagated(flooded, p.Inverse(area), pixels)
-            times = p.Times(-(-steps // pixels), -(-steps // pixels))
+            times = p.Times(-(-steps // pixels), -(-steps // pixels))  # rounded up
         self.items += [
             p.Picture(area.name, p.Neither(mask, seed)),
             p.Picture(flooded.name, p.RepeatedPlane(seed, step, times, flooded.name)),

@@ -62,13 +62,15 @@ class PictureMaker:
     ) -> None:
         """Prepare to check the statements of images and planes.
 
-        `constants` are the meanings of N, rows, cols and `let` names. An unnamed bucket is called
-        "frame"."""
+        `declared` are the statements of the file; `constants` are the meanings of N, rows, cols and
+        `let` names; `target` is the chip, whose limits apply. Relative paths of files start at the
+        folder `base`. Errors are added to `problems`. An unnamed bucket is called "frame"."""
         self.declared, self.target, self.base, self.problems = declared, target, base, problems
         self.constants = constants_scope(declared, constants)
         self.buckets = [
             rule.name.text if isinstance(rule, tree.Bucket) else "frame" for rule in declared.rules
         ]
+        # Only these have a name in the program; the unnamed bucket is `exposure`.
         self.named = [bucket for bucket in self.buckets if bucket != "frame"]
 
     def make(self) -> Pictures:
@@ -83,7 +85,12 @@ class PictureMaker:
         kernels = [self._kernel(kernel) for kernel in self.declared.kernels.values()]
         known = {kernel.name: kernel for kernel in kernels if kernel is not None}
         planes = PlaneMaker(
-            self.declared, {}, self.constants, self.target, self.base, self.problems
+            self.declared,
+            fields={},
+            constants=self.constants,
+            target=self.target,
+            base=self.base,
+            problems=self.problems,
         )
         host = HostValues(self.declared, self.constants, self.target, planes, self.problems)
         reader = Reader(host, known, self.buckets, self._outside())
@@ -128,12 +135,12 @@ class PictureMaker:
                 ),
             )
         pictures = Pictures(
-            tuple(known.values()),
-            tuple(reader.items),
-            reader.outside,
-            limits,
-            reads,
-            reports,
+            weights=tuple(known.values()),
+            items=tuple(reader.items),
+            outside=reader.outside,
+            limits_e=limits,
+            reads=reads,
+            reports=reports,
             states=states,
             inputs=tuple(host.inputs.values()),
             kept_images=kept_images,
@@ -150,7 +157,7 @@ class PictureMaker:
         unit = count_unit(pictures, self.target)
         if unit is None or self.problems.has_errors():
             return pictures
-        if unit.steps == 0:
+        if unit.steps == 0:  # the largest count does not fit, even with the fewest steps
             items = (*self.declared.pictures, *self.declared.nexts.values())
             span = next(item for item in items if item.name.text == unit.name).span
             most = unit.steps_available // unit.least
@@ -268,7 +275,7 @@ class PictureMaker:
         if array.ndim != 2:
             self._bad_kernel(kernel.name.text, f"its array has {array.ndim} axes", kernel.path.span)
             return None
-        return self._weights(kernel.name.text, array.tolist(), 1, kernel.path.span)
+        return self._weights(kernel.name.text, array.tolist(), divisor=1, span=kernel.path.span)
 
     def _weights(self, name: str, rows: Sequence[Any], divisor: int, span: Span) -> Weights | None:
         """Return the convolution kernel `name` of these rows of integers; None after reporting that
@@ -353,7 +360,7 @@ class PictureMaker:
         when = reader.condition(step.condition)
         if when is None:
             return None
-        if self.declared.version > 3:
+        if self.declared.version > 3:  # words of older programs stay as they are
             return ChosenPlane(when, value, Bit(name))
         changed, unchanged = Joined("and", when, value), Joined("and", Inverse(when), Bit(name))
         return Joined("or", changed, unchanged)
@@ -369,8 +376,8 @@ class PictureMaker:
             start_e = 0.0
             if isinstance(level, tree.Amount):
                 start_e = sign * self.target.level_e(float(level.value), level.unit)
-            number = isinstance(level, tree.Int) and level.value == 0
-            invalid = level is not None and not isinstance(level, tree.Amount) and not number
+            is_zero = isinstance(level, tree.Int) and level.value == 0  # needs no unit
+            invalid = level is not None and not isinstance(level, tree.Amount) and not is_zero
             target = self.target
             if (
                 not state.kept
@@ -408,6 +415,7 @@ class PictureMaker:
         kind, plane = report.kind.text, report.plane.text
         if kind == "sum" and plane == "exposure" and len(self.buckets) == 1:
             plane = self.buckets[0]
+        # The last two kinds are of version 4.
         if kind not in (_REPORTS if self.declared.version > 3 else _REPORTS[:3]):
             self._bad_report(report.kind.span, f"unknown kind of report `{clipped(kind)}`")
             return None
@@ -435,8 +443,10 @@ class PictureMaker:
             message = f"only `report events` has `at most K`, with K from 1 to {MOST_EVENTS}"
             self._bad_report(report.span, message)
             return None
-        alike = (each for each in self.declared.reports if each.kind.text == kind)
-        if report is not next(each for each in alike if each.plane.text == report.plane.text):
+        same_kind = (other for other in self.declared.reports if other.kind.text == kind)
+        if report is not next(
+            other for other in same_kind if other.plane.text == report.plane.text
+        ):
             self.problems.error(
                 "NS0536",
                 f"`report {kind} {plane}` is given twice",
@@ -494,10 +504,11 @@ class PictureMaker:
 
 
 def _kernel_fault(rows: Sequence[Any]) -> tuple[str, tuple[str, ...]]:
-    """Return what is wrong with the rows of a convolution kernel, as the end of a sentence, and
-    helps.
+    """Return what is wrong with a convolution kernel, as the end of a sentence, and the texts of
+    helps; "" and () if it is valid.
 
-    The texts are "" and () if it is valid."""
+    `rows` are lists of integer weights, the top row first. A kernel has a centre, so both sides are
+    odd."""
     widths = {len(row) for row in rows}
     add_zeros = ("add zeros: `[[0, 1, 1], ..]` instead of two columns `[[1, 1], ..]`",)
     if len(widths) > 1:
@@ -506,6 +517,7 @@ def _kernel_fault(rows: Sequence[Any]) -> tuple[str, tuple[str, ...]]:
     if height % 2 == 0 or width % 2 == 0 or max(height, width) > MOST_SIDE:
         shape = f"it has {counted(height, 'row')} and {counted(width, 'column')}"
         smaller = "apply two smaller kernels one after the other: `k(j(exposure))`"
+        # Zeros make an even side odd, which must not make it too large.
         return shape, add_zeros if max(height, width) < MOST_SIDE else (smaller,)
     flat = [weight for row in rows for weight in row]
     if not any(flat):

@@ -91,11 +91,11 @@ def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
 
     Conditions are evaluated in order, each for the codes that satisfy the previous ones. Raises
     NoValue if a condition has no value, TooMuch beyond the work limit."""
-    _limit_work(rules.requires, rules, len(codes), 1)
+    _limit_work(rules.requires, rules, len(codes), slots=1)
     satisfied = np.ones(len(codes), dtype=bool)
     for condition in rules.requires:
         rows = np.flatnonzero(satisfied)
-        for block in _blocks(len(rows), 1):
+        for block in _blocks(len(rows), width=1):
             block_rows = rows[block]
             bindings = _bindings(rules, codes[block_rows])
             values, gap = values_of(condition, bindings, rules.books, (len(block_rows), 1))
@@ -120,10 +120,10 @@ def legal_codes(rules: Rules) -> CodeArray:
         limit_text = f"at most {COMBINATION_LIMIT} combinations are tested against `require`"
         message = f"the fields have {printable(total)} combinations, and {limit_text}"
         raise TooMuch(message, min(total, UNCOUNTED), COMBINATION_LIMIT)
-    _limit_work(rules.requires, rules, total, 1)
+    _limit_work(rules.requires, rules, total, slots=1)
     kept_codes: list[CodeArray] = []
     count = 0
-    for block in _blocks(total, 1):
+    for block in _blocks(total, width=1):
         number = np.arange(block.start, block.stop, dtype=np.int64)
         codes = np.empty((len(number), len(sizes)), dtype=np.int64)
         for k in range(len(sizes) - 1, -1, -1):
@@ -151,7 +151,7 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
         opens = np.empty((block.stop - block.start, buckets, slots), dtype=bool)
         for k, rule in enumerate(rules.rules):
             opens[:, k, :], finding = _decoded(rules, rule, codes[block])
-            if finding is not None:
+            if finding is not None:  # the first place of a rule is reported, with the count of all
                 first = trouble.setdefault(k, finding)
                 first.count += finding.count if first is not finding else 0
         packed[block] = np.packbits(opens.reshape(len(opens), -1), axis=1)

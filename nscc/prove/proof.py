@@ -240,7 +240,7 @@ def prove(
         fault = target_fault(operation, container.target)
         if fault is not None:
             reason = f"the target does not support the word `{operation}`: {fault}"
-            return Proof(codes, slots, 0, Failure(reason, 0))
+            return Proof(codes, slots, frames=0, failure=Failure(reason, frame=0))
     replay = replay_of(container, kernels)
     noise = Noise(LIGHT_SEED)
     failure = None

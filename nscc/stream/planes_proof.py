@@ -32,8 +32,10 @@ def prove_planes(container: Container) -> Proof:
                         f"the light of pixel x = {x}, y = {y} goes to another destination in "
                         f"slot {slot}"
                     )
-                    failure = failure or Failure(message, 1, name, int(at_pixel[y, x]))
-    return Proof(len(table.codes), container.slots, 1, failure, pixels=count)
+                    failure = failure or Failure(
+                        message, frame=1, bucket=name, shutter=int(at_pixel[y, x])
+                    )
+    return Proof(len(table.codes), container.slots, frames=1, failure=failure, pixels=count)
 
 
 def _times(container: Container) -> Failure | None:
@@ -51,6 +53,6 @@ def _times(container: Container) -> Failure | None:
             or loading.load_us < free_us - slack
             or loading.acts_us >= end_us[slot]
         ):
-            return Failure(f"slot {slot} is too short to load its plane", 1)
+            return Failure(f"slot {slot} is too short to load its plane", frame=1)
         free_us = loading.load_us + load_us
     return None

@@ -96,9 +96,9 @@ def _from_file(
 
 def _kernel(span: Span, name: tree.Name, *rows_and_divisor: Any) -> tree.Kernel:
     """Make a convolution kernel from its rows and, as the last value, an optional divisor."""
-    divided = not isinstance(rows_and_divisor[-1], tree.TileRow)
+    has_divisor = not isinstance(rows_and_divisor[-1], tree.TileRow)
     rows, divisor = (
-        (rows_and_divisor[:-1], rows_and_divisor[-1]) if divided else (rows_and_divisor, None)
+        (rows_and_divisor[:-1], rows_and_divisor[-1]) if has_divisor else (rows_and_divisor, None)
     )
     return tree.Kernel(span, name, rows, divisor)
 
@@ -130,7 +130,7 @@ def _state(span: Span, *children: Any) -> tree.StateRange | tree.StateBit:
     if len(values) == 1:
         return tree.StateBit(span, name, values[0], is_kept)
     low, high, start = values
-    return tree.StateRange(span, name, low, high, start, is_kept)
+    return tree.StateRange(span, name, low, high, start, kept=is_kept)
 
 
 def _state_image(span: Span, *children: Any) -> tree.StateImage:
@@ -182,7 +182,7 @@ _OF_ALL: dict[str, Callable[..., Any]] = {
         span, base, right, down
     ),
     "sense": lambda span, _sense, name, _when_token, signal, sign, level, _at, at: tree.Sense(
-        span, name, signal, sign, level, at
+        span, name, signal, comparison=sign, level=level, at=at
     ),
 }
 """For each grammar rule a function of its span, its nodes and the texts of its tokens."""
@@ -245,6 +245,7 @@ def _whole_number(text: str, span: Span) -> int:
 
     Raises Rejected (NS0111) at `span` above 2^62 - 1, without converting many digits."""
     digits = text.lstrip("0")
+    # 2^62 has 19 digits.
     value = int(digits or "0") if len(digits) <= 19 else tree.MOST_INTEGER + 1
     if value > tree.MOST_INTEGER:
         help_text = (
@@ -259,7 +260,7 @@ def _microseconds(text: str, span: Span) -> Fraction:
     """Return a time such as `125us` in microseconds, exactly.
 
     Raises Rejected at `span`: NS0112 if it is zero, NS0111 for too many digits."""
-    number = text.rstrip("nums")
+    number = text.rstrip("nums")  # the letters of ns, us, ms and s
     integer_digits, _, decimals = number.partition(".")
     unit_us = _UNIT_US[text[len(number) :]]
     us = (_whole_number(integer_digits, span) + _decimals(decimals, span)) * unit_us

@@ -166,24 +166,28 @@ def _tokens(tokens: Tokens, begin: int, last: int) -> Iterator[_Token]:
         )
         line += _line_ends(gap)
         close = k > begin and (sign or _close(kinds[begin], kinds[k - 1], kinds[k], k - begin))
+        # A minus after an operand subtracts; any other is a sign, without a blank after it.
         sign = kinds[k] == "-" and kinds[k - 1] not in _OPERANDS
-        yield _Token(kinds[k], tokens.text(k), line, comments, close, sign)
+        yield _Token(
+            kind=kinds[k], text=tokens.text(k), line=line, comments=comments, close=close, sign=sign
+        )
         end = span.end
 
 
 def _close(statement: str, before: str, kind: str, place: int) -> bool:
     """Return whether there is no blank between the token `before` and the token `kind`.
 
-    `statement` is the statement's first word, `place` the token's number in it. Tokens are given by
-    kind."""
+    `statement` is the statement's first word, `place` the token's number in it, from 0. Tokens are
+    given by kind: a keyword or sign stands for itself."""
     if kind in (",", ")", "]", "..") or before in ("(", "[", "PLACE", ".."):
         return True
     if kind == "(":
         return before in ("min", "max", "FUNCTION")
     if kind == "PLACE":
         return True
-    indexed = before == "NAME" and not (statement == "shutters" and place == 2)
-    return kind == "[" and (before == "bit" or indexed)
+    # `[` after a name is an index, as in `code[2]`. In `shutters NAME [`, it begins the rows.
+    is_index = before == "NAME" and not (statement == "shutters" and place == 2)
+    return kind == "[" and (before == "bit" or is_index)
 
 
 def _with_comments(lines: Sequence[_Line]) -> Iterator[str]:
@@ -194,6 +198,7 @@ def _with_comments(lines: Sequence[_Line]) -> Iterator[str]:
             yield from ("" for _ in run)
             continue
         longest = max((len(line.text) for line in run if line.text and line.comment), default=0)
+        # At least two blanks after the longest line, rounded up to a multiple of four columns.
         column = max(_COMMENTS_AT, -(-(longest + 2) // 4) * 4)
         for line in run:
             yield (
@@ -266,11 +271,12 @@ class _Rows:
             return None
         above: list[list[str]] = []
         after: list[str] = []
-        ends = [tokens[opening], *(row[-1] for row in rows)]
-        for end, begin in zip(ends, [*(row[0] for row in rows), tokens[-1]], strict=True):
-            behind = [text for line, text in begin.comments if line == end.line]
+        # A token has the comments before it. Those on the line of the previous row belong to it.
+        row_ends = [tokens[opening], *(row[-1] for row in rows)]
+        for end, following in zip(row_ends, [*(row[0] for row in rows), tokens[-1]], strict=True):
+            behind = [text for line, text in following.comments if line == end.line]
             after.append("".join(behind))
-            above.append([text for line, text in begin.comments if line != end.line])
+            above.append([text for line, text in following.comments if line != end.line])
         row_comments = sum(map(len, above)) + sum(map(bool, after))
         if row_comments != sum(len(token.comments) for token in tokens):
             return None
@@ -294,15 +300,16 @@ class _Rows:
         values = [[_joined(value) for value in _split_at_commas(row[1:-1])] for row in self.rows]
         columns = max(map(len, values))
         widths = [max(len(row[k]) for row in values if k < len(row)) for k in range(columns)]
+        # Two characters between values, and two brackets at the end.
         if len(self.head) + sum(widths) + 2 * columns + 2 > WIDTH:
             return None
         lines: list[_Line] = []
         for k, (row, after) in enumerate(zip(values, self.after[1:], strict=True)):
             lines += [_Line(" " * len(self.head) + text) for text in self.above[k]]
             cells = ", ".join(f"{value:>{widths[i]}}" for i, value in enumerate(row))
-            begin = " " * len(self.head) if lines else self.head
-            end = "]]" if k + 1 == len(values) else "],"
-            lines.append(_Line(f"{begin}[{cells}{end}", after))
+            margin = " " * len(self.head) if lines else self.head
+            closing = "]]" if k + 1 == len(values) else "],"
+            lines.append(_Line(f"{margin}[{cells}{closing}", after))
         return lines
 
 
@@ -337,6 +344,7 @@ def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
         for kinds in (clauses, *_LOOSEST_FIRST, (",",)):
             pieces = _broken(tokens, kinds, depth)
             if len(pieces) > 1:
+                # Clauses and branches stay on lines of their own.
                 if kinds not in (clauses, ("if", "else")):
                     pieces = _together(pieces, len(deeper))
                 if len(pieces) > 1:
@@ -363,8 +371,8 @@ def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[
 
     Without such a token, the result is a single piece."""
     pieces: list[list[_Token]] = [[]]
-    for token, now in zip(tokens, _depths(tokens), strict=True):
-        is_break = token.kind in kinds and now == depth and not token.sign
+    for token, token_depth in zip(tokens, _depths(tokens), strict=True):
+        is_break = token.kind in kinds and token_depth == depth and not token.sign
         if is_break and token.kind != "," and pieces[-1]:
             pieces.append([])
         pieces[-1].append(token)

@@ -126,14 +126,15 @@ def _of_picture(
         return token.update(type="NAME") if is_image else None
     if statement == "assume":
         return None
-    counts = tokens.kinds[-1] == "REPEAT"  # a name is the number of steps, not a function
-    ends = tokens.kinds[-1] in _ENDS and tokens.kinds[-2] != "REPEAT"
-    if tokens.version > 3 and ends and token in ("repeat", "with"):
+    is_step_count = tokens.kinds[-1] == "REPEAT"  # a name here is no function
+    after_expression = tokens.kinds[-1] in _ENDS and tokens.kinds[-2] != "REPEAT"
+    if tokens.version > 3 and after_expression and token in ("repeat", "with"):
         return token.update(type=token.upper())
     if token.type == "NAME" and text[span_of(token).end :].lstrip(" \t").startswith("("):
-        return None if counts else token.update(type="FUNCTION")
+        return None if is_step_count else token.update(type="FUNCTION")
     if token == "exposure":
         return token.update(type="NAME")
+    # In `next`, a single number in brackets is an index; two are the offset of a neighbour.
     is_place = statement != "next" or _OF_TWO.match(text, start)
     if token == "[" and tokens.kinds[-1:] == ["NAME"] and is_place:
         return token.update(type="PLACE")
@@ -145,7 +146,7 @@ def _is_share(tokens: Tokens, amount: re.Match[str]) -> bool:
 
     From version 4 on, it is also a level if an image adds it. Otherwise it is a number and the sign
     of a remainder."""
-    before = [kind for kind in tokens.kinds[-2:] if kind != "-"][-1:]
+    before = [kind for kind in tokens.kinds[-2:] if kind != "-"][-1:]  # a level may have a sign
     if before == ["COMPARISON"] or _NOT_DIVIDED.match(amount.string, amount.end()):
         return True
     return tokens.version > 3 and _ADDED.match(amount.string, amount.end()) is not None

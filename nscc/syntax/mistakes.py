@@ -199,7 +199,7 @@ def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
             label=Label(span),
             helps=("names consist of the letters a-z and A-Z, digits and `_`",),
         )
-    usual = normalize("NFKC", text)
+    usual = normalize("NFKC", text)  # the ordinary form of a full-width character
     hint, instead = _SIGNS.get(text, ("remove it; comments begin with `#`", None))
     if text not in _SIGNS and usual != text and usual.isascii() and usual.strip():
         hint, instead = f"this is a full-width character: write `{usual}`", usual
@@ -320,6 +320,7 @@ def _habit_fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
         yield Fix(f"no blank before the unit: `{time}`", span.to(tokens.span(at + 1)), time)
     elif text == "[" and "tile" in stuck.expected and after == "[":
         yield Fix("write `tile` before the rows", Span(span.start, span.start), "tile ")
+    # `=<` is read as two signs; the parser stops at the first or at the second.
     for begin in (at - 1, at):
         pair = _text(tokens, begin, last) + _text(tokens, begin + 1, last)
         if pair in _COMPARISONS and tokens.span(begin).end == tokens.span(begin + 1).start:
@@ -333,6 +334,7 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
     `last` - 1."""
     at, statement = stuck.token, tokens.kinds[first]
     if statement == "code" and ".." in stuck.expected:
+        # The tokens are `code`, the name, `:` and then the kind.
         code_kind, follows = _text(tokens, first + 3, at), _text(tokens, first + 4, at)
         nearest = closest(code_kind, ("bit", "row")) if follows in ("[", "of") else None
         if nearest is not None and code_kind != nearest:
@@ -390,13 +392,16 @@ def _choice(tokens: Tokens, at: int, last: int) -> str:
     texts = [tokens.text(k) for k in range(at, last)]
     if "then" not in texts or "else" not in texts[texts.index("then") :]:
         return _CHOICE
-    then, other = at + texts.index("then"), at + texts.index("else")
+    then_at, else_at = at + texts.index("then"), at + texts.index("else")
+    # The choice ends at the first bracket that closes one opened before it.
     depths = accumulate((t in ("(", "[")) - (t in (")", "]")) for t in texts)
     last = at + next((k for k, depth in enumerate(depths) if depth < 0), len(texts))
-    parts = ((then + 1, other), (at + 1, then), (other + 1, last))
+    parts = ((then_at + 1, else_at), (at + 1, then_at), (else_at + 1, last))
     chosen, condition, otherwise = (
-        tokens.source.text[tokens.span(a).start : tokens.span(b - 1).end] if a < b else "..."
-        for a, b in parts
+        tokens.source.text[tokens.span(begin).start : tokens.span(end - 1).end]
+        if begin < end
+        else "..."
+        for begin, end in parts
     )
     return f"{_CHOICE}: `{chosen} if {condition} else {otherwise}`"[:200]
 
@@ -445,13 +450,13 @@ def _quotient(tokens: Tokens, first: int, at: int) -> Iterator[str]:
     fraction = Fraction(number)
     if not fraction or fraction.denominator > _MOST_PARTS or fraction.numerator > _MOST_PARTS:
         return
-    factor_place = at - 2
+    factor_place = at - 2  # of `A * 1.5` or `A / 1.5`
     if before == "/":
         fraction = 1 / fraction
     elif before != "*":
         if after != ["*"]:
             return
-        before, factor_place = "*", at + 2
+        before, factor_place = "*", at + 2  # of `1.5 * A`
     name = tokens.text(factor_place) if kinds[factor_place : factor_place + 1] == ["NAME"] else "A"
     times = f"* {fraction.numerator}" if fraction.numerator > 1 or fraction.denominator == 1 else ""
     over = f"/ {fraction.denominator}" if fraction.denominator > 1 else ""

@@ -217,7 +217,7 @@ class Schema(Generic[Row]):
                 help_text = f"for instance {self.option} {self.example}"
                 problems.append(Diagnostic(self.codes.change, message, helps=(help_text,)))
             elif problem := self._add_value(
-                key_values, section, name, spelled_value(spelled), None
+                key_values, section, name, spelled_value(spelled), source=None
             ):
                 problems.append(replace(problem, message=f"{self.option}: {problem.message}"))
         return key_values, problems

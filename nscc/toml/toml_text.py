@@ -46,6 +46,7 @@ def span_of(text: str, section: str, name: str) -> Span:
 
     With the section "", `name` may also be a table. If the key is missing, the place is its table's
     header, or else the first line."""
+    # `current` is the table of a line, `offset` the start of the line.
     current, offset, header = "", 0, Span(0, len(text.partition("\n")[0]))
     for line in text.split("\n"):
         stripped = line.strip()
@@ -83,6 +84,7 @@ def spelled_value(text: str) -> Any:
         document = tomllib.loads(f"value = {text}")
     except (ValueError, RecursionError):
         return text
+    # A line break in the text could begin further keys.
     return document["value"] if document.keys() == {"value"} else text
 
 

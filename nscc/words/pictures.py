@@ -633,7 +633,7 @@ class Pictures:
         return sum(len(self.kernels[launch.kernel]) for launch in self.executed())
 
 
-NO_PICTURES = Pictures((), (), None, {}, (), ())
+NO_PICTURES = Pictures(weights=(), items=(), outside=None, limits_e={}, reads=(), reports=())
 """The images and planes of a program without any."""
 
 

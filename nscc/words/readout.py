@@ -39,10 +39,10 @@ def preparation_of(container: Container) -> Preparation:
     # Readout would skip pixels without FLAG.
     everywhere = op("all")
     if target.spread_level is None or copy is None:
-        return Preparation((everywhere,), None)
+        return Preparation((everywhere,), level=None)
     registers = converted_buckets(container)
     if not registers:
-        return Preparation((everywhere,), None)
+        return Preparation((everywhere,), level=None)
     words = (word for register in registers for word in spreading(target, register, copy))
     return Preparation((everywhere, *words), target.spread_level)
 

@@ -92,10 +92,10 @@ def stored_machine(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> 
     return StoredMachine(
         machine.states,
         machine.comparisons,
-        tuple(machine.first.tolist()),
-        machine.looks,
-        machine.steps.shape[1],
-        tuple(
+        first=tuple(machine.first.tolist()),
+        looks=machine.looks,
+        outcomes=machine.steps.shape[1],
+        planes=tuple(
             StoredPlanes(name, row.registers, row.values, tuple(row.bits.astype(int).tolist()))
             for name, row in planes.items()
         ),

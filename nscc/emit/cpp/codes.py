@@ -60,18 +60,20 @@ class Patterns:
 
 
 def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
-    """Return a bit plane, bool (rows, cols), as address patterns; None if it depends on too many
-    address bits.
+    """Return a bit plane, bool (rows, cols), as address patterns; None if it depends on more than
+    `MOST_BITS` address bits.
 
     The chip sets all pixels of a pattern at once. Addresses outside the array may get any value."""
     rows, cols = plane.shape
+    # Pixels that must be 1, and that must be 0, by address. Columns are reversed: the devkit counts
+    # them from the right.
     on, off = (np.zeros((_SIDE, _SIDE), dtype=np.bool_) for _ in range(2))
     on[:rows, :cols] = plane[:, ::-1]
     off[:rows, :cols] = ~plane[:, ::-1]
     ones, zeros, bits = _support(on, off)
     if len(bits) > MOST_BITS:
         return None
-    everything = (1 << (1 << len(bits))) - 1
+    everything = (1 << (1 << len(bits))) - 1  # the truth table that is 1 at all 2^bits addresses
     plain, _ = _cover(ones, everything & ~zeros, len(bits))
     complement, _ = _cover(zeros, everything & ~ones, len(bits))
     inverted = len(complement) + 1 < len(plain)  # inverting is a kernel of its own
