@@ -93,15 +93,15 @@ def _planned(
     error on this scene, or None if the error is too large."""
     if earlier is None:
         plan = make(frames)
-        return plan, _KeptPlan(plan, 1, _AGAIN)
+        return plan, _KeptPlan(plan, scenes=1, most_scenes=_AGAIN)
     if earlier.scenes >= earlier.most_scenes:
         plan = make(min(frames, earlier.scenes))
-        return plan, _KeptPlan(plan, 1, 2 * earlier.most_scenes)
+        return plan, _KeptPlan(plan, scenes=1, most_scenes=2 * earlier.most_scenes)
     measured = measure(earlier.plan)
     if measured is not None:
         return measured, replace(earlier, scenes=earlier.scenes + 1)
     plan = make(min(frames, earlier.scenes))
-    return plan, _KeptPlan(plan, 1, _AGAIN)
+    return plan, _KeptPlan(plan, scenes=1, most_scenes=_AGAIN)
 
 
 @dataclass(frozen=True, eq=False)

@@ -111,7 +111,15 @@ def simulate_scene(
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
     about |= {"scene_notes": list(scene[0].notes)} if scene[0].notes else {}
     whole, count = placement.widened(container), len(simulated_pieces)
-    return Taken(simulated, whole, light, about, container, placement, count)
+    return Taken(
+        simulated,
+        container=whole,
+        light=light,
+        laid=about,
+        program=container,
+        placement=placement,
+        pieces=count,
+    )
 
 
 def _joined(

@@ -116,9 +116,9 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
     if sensor is None:
         return default_sensor(target)
     if isinstance(sensor, str | os.PathLike):
-        return load_sensor(target, Path(sensor))
+        return load_sensor(target, path=Path(sensor))
     if isinstance(sensor, Mapping):
-        return load_sensor(target, None, changes_of(call, sensor))
+        return load_sensor(target, path=None, changes=changes_of(call, sensor))
     raise wrong_argument(
         f"{call}: sensor must be a Sensor, a sensor file, or numbers by name, not {shown(sensor)}",
         helps=("for instance sensor={'full_well_e': 20000}; `nscc effects` lists the parameters",),

@@ -171,7 +171,7 @@ states the size of other effects."""
 
 def with_table(file: FrameFile, container: Container) -> FrameFile:
     """Return the file with the arrays that decoders need."""
-    arrays = decode_arrays(container, Sensor(file.meta["sensor"]), file.meta["plan"])
+    arrays = decode_arrays(container, Sensor(file.meta["sensor"]), plan=file.meta["plan"])
     return replace(file, kept_arrays={**file.kept_arrays, **arrays})
 
 
@@ -246,7 +246,7 @@ def expected_noise(
     collects while it is open. Returns None for a program without pixels, or whose shutters depend
     on more than codes."""
     sensor = sensor or default_sensor(converter_of(container))
-    arrays = decode_arrays(container, sensor, None)
+    arrays = decode_arrays(container, sensor, plan=None)
     if not arrays:
         return None
     row = arrays["decode_row"]

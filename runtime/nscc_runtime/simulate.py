@@ -123,12 +123,12 @@ def _simulated(
         sensor,
         request.seed,
         request.device_seed,
-        "planned" if noiseless or (kind.is_fast and request.planned) else "reference",
-        plan,
+        fidelity="planned" if noiseless or (kind.is_fast and request.planned) else "reference",
+        plan=plan,
     )
     values = [setting.plain(container) for setting in request.settings]
     origin = replace(origin, params=tuple(values))
-    return Simulated(frame, origin, effects)
+    return Simulated(frame, origin, effects=effects)
 
 
 def _planned(
@@ -170,12 +170,14 @@ def _planned(
         sensor,
         seed,
         request.device_seed,
-        "planned",
-        plan,
-        None if report is None else asdict(report),
+        fidelity="planned",
+        plan=plan,
+        audit=None if report is None else asdict(report),
     )
     text = plan_text(plan, digest, sensor) if is_new_file else None
-    return Simulated(frame, origin, plan.kept, plan, report, text, broken)
+    return Simulated(
+        frame, origin, effects=plan.kept, plan=plan, audit=report, plan_file=text, broken=broken
+    )
 
 
 def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: bool) -> Plan:

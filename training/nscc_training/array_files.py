@@ -155,7 +155,7 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
             message = f"'{path}' holds too many pictures"
             raise unreadable("NS0801", message, error, "save fewer pictures in a file") from error
     if pages.is_light and pictures[0].ndim == 3:
-        pictures = [grey(picture, pages.colours, None) for picture in pictures]
+        pictures = [grey(picture, pages.colours, channel=None) for picture in pictures]
     stored = np.stack(pictures) if len(pictures) > 1 else pictures[0]
     if pictures[0].ndim == 2:
         return stored

@@ -207,7 +207,7 @@ class PixelCell(nn.Module):
         frame. Without `generator` or without `noise` there is no noise."""
         batch, frames, rows, cols = exposure.shape
         state = self.weight.new_ones(batch, self.states, rows, cols)
-        noise = noise or CellNoise(0.0, 0.0)
+        noise = noise or CellNoise(exposure=0.0, count=0.0)
         frame_outputs = []
         for number in range(frames):
             light = exposure[:, number : number + 1]

@@ -102,7 +102,7 @@ class EmulatedSensor:
             codes = codes + model.noise_factor * errors
             marked = full > uniform(full, generator)
         codes = rounded(codes) + model.adc_offset_lsb
-        codes = saturated(codes, 0.0, float(model.top_code), model.slope)
+        codes = saturated(codes, low=0.0, high=float(model.top_code), slope=model.slope)
         return codes.float() - model.adc_offset_lsb, marked
 
     def _readout_errors(self, codes: Tensor, generator: torch.Generator) -> Tensor:
@@ -170,12 +170,12 @@ class MeasuredTables:
         if tensors:
             table = EmulatedSensor(
                 tensors["light_e"],
-                tensors["share"],
-                tensors["code"],
-                tensors["spread"],
-                tensors["full"],
-                tensors["readout"],
-                float(tensors["crosstalk"]),
+                share=tensors["share"],
+                code=tensors["code"],
+                spread=tensors["spread"],
+                full=tensors["full"],
+                readout=tensors["readout"],
+                crosstalk=float(tensors["crosstalk"]),
             )
             self.use(tensors["shutters"], lambda: table)
 

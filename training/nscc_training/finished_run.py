@@ -179,7 +179,7 @@ class Run:
             codes, full = (
                 by_colour(values, in_colours) for values in (frame.frame, frame.saturated)
             )
-            read = FrameRead(codes, full, about, None)
+            read = FrameRead(codes, saturated=full, meta=about, shutter=None)
             name = "the capture"
         else:
             codes = self._codes(frame)

@@ -105,7 +105,17 @@ def import_mask(
         words = words_per_slot(compiled_program)
         packed = codes_bytes(codes) if codes else b""
         size = (tile.shape[0], tile.shape[1])
-        fitting.append(ImportedMask(text, packed, spec.kind, size, words, axes, ()))
+        fitting.append(
+            ImportedMask(
+                text,
+                codes=packed,
+                kind=spec.kind,
+                tile=size,
+                words_per_slot=words,
+                axes=axes,
+                reasons=(),
+            )
+        )
     if not fitting:
         raise rejected(
             "NS0847",
@@ -259,31 +269,31 @@ def _candidates(
     lengths = shutters.sum(axis=1)
     bumps = (lengths > 0) & (stop - start == lengths)
     if count == 1 and shutters.all():
-        yield ShutterSpec("a", slots, (1, 1)), {}
+        yield ShutterSpec("a", slots, tile=(1, 1)), {}
     if not bumps.all():
         reason = f"{np.count_nonzero(~bumps)} of {count} shutters open more than once, or never"
         reasons.append(f"classes b, c, d: {reason}")
     else:
         if not start.any():
-            yield ShutterSpec("b", slots, shape), {"stop": stop[tile]}
+            yield ShutterSpec("b", slots, tile=shape), {"stop": stop[tile]}
         else:
             reasons.append(f"class b: {np.count_nonzero(start)} of {count} shutters open later")
         if len(set(lengths)) == 1:
             length = int(lengths[0])
-            yield ShutterSpec("c", slots, shape, length=length), {"start": start[tile]}
+            yield ShutterSpec("c", slots, tile=shape, length=length), {"start": start[tile]}
         else:
             span = f"{lengths.min()} to {lengths.max()}"
             reasons.append(f"class c: shutters are open for {span} slots, not for one length")
-        yield ShutterSpec("d", slots, shape), {"start": start[tile], "stop": stop[tile]}
+        yield ShutterSpec("d", slots, tile=shape), {"start": start[tile], "stop": stop[tile]}
     if count <= _MOST_SHAPES:
         book = shutters.astype(np.int64)
-        yield ShutterSpec("codebook", slots, shape, rows=count), {"id": tile, "book": book}
+        yield ShutterSpec("codebook", slots, tile=shape, rows=count), {"id": tile, "book": book}
     else:
         reasons.append(
             f"codebook: {count} different shutters, but at most {_MOST_SHAPES} can be listed"
         )
     if slots <= _MOST_BITS:
         bits = (shutters.astype(np.int64) << np.arange(slots)).sum(axis=1)
-        yield ShutterSpec("e", slots, shape), {"bits": bits[tile]}
+        yield ShutterSpec("e", slots, tile=shape), {"bits": bits[tile]}
     else:
         reasons.append(f"class e: {slots} slots, but a code has at most {_MOST_BITS} bits")

@@ -24,7 +24,7 @@ DIRECTIONS = (
 def still(generator: Generator, size: int) -> Picture:
     """Return a picture (size, size) of light, in an arbitrary unit, over four to six decades:
     surfaces, edges, lamps."""
-    surface = _fractal(generator, size, 4.0)
+    surface = _fractal(generator, size, spread=4.0)
     for _ in range(int(generator.integers(6, 14))):
         shape_mask = _shape(generator, size)
         # Logarithms of light: a shape has less texture, and its own brightness.
@@ -43,7 +43,7 @@ def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
     panning background."""
     # More than the background can move: 1.5 pixels per frame at most.
     margin = 3 * frames
-    ground = _unit(_fractal(generator, size + 2 * margin, 1.0))
+    ground = _unit(_fractal(generator, size + 2 * margin, spread=1.0))
     pan = generator.uniform(-1.5, 1.5, 2)
     sprites = [_sprite(generator, size) for _ in range(int(generator.integers(2, 6)))]
     light = np.empty((frames, size, size), np.float32)
@@ -65,7 +65,7 @@ def moving_texture(
     its opposite."""
     angle = DIRECTIONS.index(direction) * (np.pi / 4)
     down, right = speed * np.sin(angle), speed * np.cos(angle)
-    spectrum = np.fft.rfft2(_unit(_fractal(generator, size, 1.0)))
+    spectrum = np.fft.rfft2(_unit(_fractal(generator, size, spread=1.0)))
     cycles = down * np.fft.fftfreq(size)[:, None] + right * np.fft.rfftfreq(size)[None, :]
     # Cycles per frame of each frequency: its phase advances, and the exposure averages it.
     middles = np.arange(frames)[:, None, None] + 0.5
@@ -108,7 +108,7 @@ def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
     """Return a random object for a picture of `size` pixels: texture and mask (side, side),
     position of its corner in pixels, and speed in pixels per frame (down, right)."""
     side = int(size * generator.uniform(0.2, 0.5))
-    texture = _unit(_fractal(generator, side, 1.0))
+    texture = _unit(_fractal(generator, side, spread=1.0))
     mask = _shape(generator, side) | _shape(generator, side)
     corner = generator.uniform(-0.2, 0.9, 2) * size
     return texture, mask.astype(np.float64), corner, generator.uniform(-3, 3, 2)

@@ -91,7 +91,7 @@ def mu_psnr(truth: Array, result: Array, data_range: float, mu: float = MU) -> f
     if not (_is_number(mu) and 0 < mu < math.inf):
         raise wrong_argument(f"mu is a number above 0, not {shown(mu)}")
     relative = [np.clip(x.astype(np.float64) / data_range, 0.0, 1.0) for x in _pair(truth, result)]
-    return psnr(mu_law(relative[0], mu), mu_law(relative[1], mu), 1.0)
+    return psnr(mu_law(relative[0], mu), mu_law(relative[1], mu), data_range=1.0)
 
 
 def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> float:
@@ -126,7 +126,7 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
         pu21(np.clip(x.astype(np.float64) * (nits / data_range), PU21_LOW, nits))
         for x in _pair(truth, result)
     ]
-    return psnr(encoded[0], encoded[1], float(pu21(np.float64(nits))))
+    return psnr(encoded[0], encoded[1], data_range=float(pu21(np.float64(nits))))
 
 
 def finite_mean(scores_db: Iterable[float]) -> float:

@@ -206,7 +206,15 @@ def reconstruct_any(
     full = np.stack([coded.saturated for coded in coded_frames])
     messages = (*doubts, *overexposed(str(frame), full))
     decode_s = working_s() - begin
-    return Reconstruction(light, still, len(lights) > 1, messages, decode_s, method, reason=reason)
+    return Reconstruction(
+        light,
+        still=still,
+        colour=len(lights) > 1,
+        messages=messages,
+        decode_s=decode_s,
+        method=method,
+        reason=reason,
+    )
 
 
 def _light(
@@ -391,5 +399,12 @@ def reconstruct_measurement(
         clips.append(_clip(measured, method, progress))
     light = np.concatenate(clips)
     return Reconstruction(
-        light, False, False, (), working_s() - begin, method, unit="", reason=reason
+        light,
+        still=False,
+        colour=False,
+        messages=(),
+        decode_s=working_s() - begin,
+        method=method,
+        unit="",
+        reason=reason,
     )

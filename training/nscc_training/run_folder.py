@@ -115,7 +115,7 @@ def run_codes(path: Path) -> Encoder:
     if chosen.target.endswith(".toml") and file.is_file():
         chosen = replace(chosen, target=str(file))
     chip = Chip(chosen.target, chosen.slot_us, chosen.require or None)
-    return started_encoder(chosen, chip, load_target(chosen.target, Path()), 0)
+    return started_encoder(chosen, chip, load_target(chosen.target, Path()), seed=0)
 
 
 def _refuse_code(path: Path, settings: RunSettings) -> None:

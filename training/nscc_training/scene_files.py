@@ -95,7 +95,7 @@ def centre_of(frame: NDArray[Any], size: int) -> NDArray[Any]:
 def light_in(stored: NDArray[Any], colours: Transfer | Colours) -> NDArray[np.float64]:
     """Return the light (rows, cols) of a picture or frame as stored in a file; `colours` is its
     encoding. Of colours, return the luminance."""
-    return grey(stored, colours, None)
+    return grey(stored, colours, channel=None)
 
 
 def frames_in(path: Path) -> Iterable[NDArray[Any]]:

@@ -358,13 +358,13 @@ def read_out(
         # The noise is detached: its gradient is infinite in the dark.
         photons = torch.sqrt(charge.detach().clamp(min=0))
         charge = charge + sensor.noise_factor * photons * drawn
-    charge = saturated(charge, -sensor.full_well_e, sensor.full_well_e, sensor.slope)
+    charge = saturated(charge, low=-sensor.full_well_e, high=sensor.full_well_e, slope=sensor.slope)
     codes = charge / sensor.electrons_per_lsb
     if generator is not None and sensor.adc_noise_lsb:
         readout = sensor.noise_factor * sensor.adc_noise_lsb
         codes = codes + readout * normal(codes, generator, torch.float32)
     codes = rounded(codes) + sensor.adc_offset_lsb
-    return saturated(codes, 0.0, float(sensor.top_code), sensor.slope).float()
+    return saturated(codes, low=0.0, high=float(sensor.top_code), slope=sensor.slope).float()
 
 
 def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:

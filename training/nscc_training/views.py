@@ -236,7 +236,7 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
     with open(path / "metrics.csv", encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
     changes, metric = _changes(result), _metric(result)
-    figure, (learning, *change_axes) = panels(2 if changes else 1, _PANEL, 2)
+    figure, (learning, *change_axes) = panels(2 if changes else 1, size=_PANEL, columns=2)
     for number, split in enumerate(("train", "val")):
         scores = [
             (_number(r.get("step")), _number(r.get(metric)))
@@ -264,7 +264,7 @@ def result_sheet(values: dict[str, Any], title: str) -> Figure:
     `values` is the content of a result file."""
     changes, metric = _changes(values), _metric(values)
     if changes:
-        figure, (axes,) = panels(1, _PANEL, 1)
+        figure, (axes,) = panels(1, size=_PANEL, columns=1)
         _bars(axes, changes, _ELSEWHERE, metric)
         head(figure, title, f"{METRIC_NAMES[metric]} of the scenes that the run was validated on")
         return figure
@@ -274,7 +274,7 @@ def result_sheet(values: dict[str, Any], title: str) -> Figure:
         if value is not None:
             scenes.setdefault(str(item.get("class", item.get("file"))), []).append(value)
     means = sorted((float(np.mean(scores)), name) for name, scores in scenes.items())
-    figure, (axes,) = panels(1, (7.0, 0.9 + 0.24 * min(len(means), _MOST_SCENES)), 1)
+    figure, (axes,) = panels(1, size=(7.0, 0.9 + 0.24 * min(len(means), _MOST_SCENES)), columns=1)
     _bars(
         axes,
         {name: value for value, name in means[:_MOST_SCENES]},
@@ -300,8 +300,12 @@ def sensor_sheet(path: Path) -> Figure:
     picture[:] = electrons
     light = Light.of_still(picture, np.ones(1))
     request = Request(selected("all"), repeat=2)
-    codes = simulate(camera(1, 1000.0), light, sensor, request).frame.frame[:, 0].astype(np.float64)
-    figure, (response, scatter) = panels(2, _PANEL, 2)
+    codes = (
+        simulate(camera(slots=1, slot_us=1000.0), light, sensor, request)
+        .frame.frame[:, 0]
+        .astype(np.float64)
+    )
+    figure, (response, scatter) = panels(2, size=_PANEL, columns=2)
     noise, fixed = (theme().of(number)["color"] for number in (0, 1))
     response.plot(electrons, codes.mean(axis=(0, 1)), color=theme().ink)
     response.set_title("response")

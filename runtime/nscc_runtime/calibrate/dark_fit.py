@@ -68,7 +68,9 @@ def dark_of(
         halves = _combined(same, weight / weight.sum())
         mean, spread = _mean(halves, good_mask)
         both = hypot(spread / sqrt(pixels), moments.mean_rounding)
-        return DarkFit(mean, moments.mean_se, both, halves, times)
+        return DarkFit(
+            mean, offset_se=moments.mean_se, offset_spread_se=both, offsets=halves, times_s=times
+        )
     time, weight = np.array(known), _frames(usable_levels)
     centre = float((weight * time).sum() / weight.sum())
     moment = float((weight * (time - centre) ** 2).sum())
@@ -83,13 +85,13 @@ def dark_of(
     current_se = hypot(current_spread / sqrt(pixels), _size(slopes * rounding))
     return DarkFit(
         offset,
-        _size(starts * errors),
-        offset_se,
-        offsets,
-        tuple(sorted(set(known))),
-        current,
-        current_se,
-        currents,
+        offset_se=_size(starts * errors),
+        offset_spread_se=offset_se,
+        offsets=offsets,
+        times_s=tuple(sorted(set(known))),
+        current=current,
+        current_se=current_se,
+        currents=currents,
     )
 
 

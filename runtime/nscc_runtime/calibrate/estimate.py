@@ -165,11 +165,11 @@ def calibrated(
     return Calibration(
         quantities,
         curve,
-        tuple(flat_moments),
-        tuple(dark_moments),
-        count,
-        int(np.count_nonzero(valid_pixels((*light, *dim)))) - count,
-        (good_mask.shape[0], good_mask.shape[1]),
+        flats=tuple(flat_moments),
+        darks=tuple(dark_moments),
+        pixels=count,
+        defects=int(np.count_nonzero(valid_pixels((*light, *dim)))) - count,
+        shape=(good_mask.shape[0], good_mask.shape[1]),
     )
 
 

@@ -141,7 +141,7 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
     try:
         if path.suffix.lower() == ".mat":
             for key, shape in mat_shapes(path).items():
-                _check_size(path, key, shape, shape[:2], 1)
+                _check_size(path, key, shape, frame=shape[:2], itemsize=1)
             return mat_arrays(path)
         if path.suffix.lower() == ".npy":
             with open(path, "rb") as file:
@@ -170,7 +170,7 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
 def _check_header(path: Path, key: str, file: IO[bytes]) -> None:
     """Check an array by its .npy header, before it is read."""
     _, shape, _, dtype = npy_header(file)
-    _check_size(path, key, shape, shape[-2:], dtype.itemsize)
+    _check_size(path, key, shape, frame=shape[-2:], itemsize=dtype.itemsize)
 
 
 def _check_size(

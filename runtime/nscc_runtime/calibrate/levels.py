@@ -113,14 +113,14 @@ def level_of(stack: Stack, top_code: int) -> Level:
     level = Level(
         stack.name,
         stack.exposure_s,
-        count,
-        stack.valid,
-        halves,
-        variance,
-        beside / (count - 1) + removed,
-        below / (count - 1) + removed,
-        np.count_nonzero(codes == 0, axis=0),
-        np.count_nonzero(codes == top_code, axis=0),
+        frames=count,
+        valid=stack.valid,
+        halves=halves,
+        variance=variance,
+        beside=beside / (count - 1) + removed,
+        below=below / (count - 1) + removed,
+        at_zero=np.count_nonzero(codes == 0, axis=0),
+        at_top=np.count_nonzero(codes == top_code, axis=0),
     )
     # Frames with little noise may be equal by chance.
     noisy = not variance.mean() < QUIET
@@ -149,16 +149,16 @@ def moments(level: Level, good_mask: Mask) -> LevelMoments:
     return LevelMoments(
         level.name,
         level.exposure_s,
-        level.frames,
-        pixels,
-        float(level.mean_map[good_mask].mean()),
-        float(np.sqrt(variance / samples + of_mean**2)),
-        of_mean,
-        variance,
-        of_variance,
-        float(joined.mean()) if joined.size else 0.0,
-        float(level.at_zero[good_mask].sum() / samples),
-        float(level.at_top[good_mask].sum() / samples),
+        frames=level.frames,
+        pixels=pixels,
+        mean=float(level.mean_map[good_mask].mean()),
+        mean_se=float(np.sqrt(variance / samples + of_mean**2)),
+        mean_rounding=of_mean,
+        variance=variance,
+        rounding=of_variance,
+        neighbours=float(joined.mean()) if joined.size else 0.0,
+        share_at_zero=float(level.at_zero[good_mask].sum() / samples),
+        share_at_top=float(level.at_top[good_mask].sum() / samples),
     )
 
 

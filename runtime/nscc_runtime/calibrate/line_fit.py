@@ -66,7 +66,7 @@ def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
     )
     misfit = float((((y - fitted) / errors(fitted)) ** 2).sum())
     apart = float(np.sqrt(((y / fitted - 1) ** 2).mean()))
-    return Line(start, slope, covariance, misfit, len(x) - 2, apart)
+    return Line(start, slope, covariance, misfit, freedom=len(x) - 2, apart=apart)
 
 
 def propagated(

@@ -64,7 +64,7 @@ def parameters(
     attributed to them."""
     quantity = calibration.quantities
     chosen: dict[str, ParameterChoice] = {}
-    _contain(chosen, "analog_gain", 1.0, "electrons_per_lsb")
+    _contain(chosen, "analog_gain", value=1.0, sum_parameter="electrons_per_lsb")
     for name, source in _TAKEN.items():
         _take(chosen, name, quantity[source])
     if "electrons_per_lsb" in chosen:  # frames give errors of words in codes of their converter
@@ -78,7 +78,9 @@ def parameters(
         if name not in chosen:
             reason = _unknown(name, quantity)
             remark = f"not measured: {reason}; {row.source}"
-            chosen[name] = ParameterChoice(getattr(plain, name), None, "default", remark)
+            chosen[name] = ParameterChoice(
+                getattr(plain, name), se=None, status="default", remark=remark
+            )
     return {name: _rounded(chosen[name]) for name in schema().by_path}
 
 
@@ -95,7 +97,7 @@ def _take(chosen: dict[str, ParameterChoice], name: str, quantity: Quantity) -> 
         prefix = "" if quantity.known == "measured" else f"{quantity.known}: "
         status = kinds[quantity.known]
         chosen[name] = ParameterChoice(
-            quantity.value, quantity.se, status, prefix + quantity.remark
+            quantity.value, se=quantity.se, status=status, remark=prefix + quantity.remark
         )
 
 
@@ -105,7 +107,10 @@ def _contain(
     """Set a parameter, in place, whose effect the frames show only together with others, in
     `sum_parameter`."""
     chosen[name] = ParameterChoice(
-        value, None, "contained", f"part of {sum_parameter}: frames show only the sum"
+        value,
+        se=None,
+        status="contained",
+        remark=f"part of {sum_parameter}: frames show only the sum",
     )
 
 
@@ -118,17 +123,17 @@ def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) ->
     text = noise.remark if chain.reads == 1 else f"{noise.remark}; {chain.reads:.4g} reads a frame"
     if noise.known == "measured" and noise.se is not None:
         chosen["read_noise_e"] = ParameterChoice(
-            noise.value / read_factor, noise.se / read_factor, "measured", text
+            noise.value / read_factor, se=noise.se / read_factor, status="measured", remark=text
         )
     else:
         chosen["read_noise_e"] = ParameterChoice(
-            noise.value / read_factor, None, "bound", f"at most: {text}"
+            noise.value / read_factor, se=None, status="bound", remark=f"at most: {text}"
         )
     if chain.resets > _NO_PART:
-        _contain(chosen, "reset_noise_e", 0.0, "read_noise_e")
-    _contain(chosen, "analog_noise_lsb", 0.0, "read_noise_e")
-    _contain(chosen, "adc_noise_lsb", 0.0, "read_noise_e")
-    _contain(chosen, "spread_noise_lsb", 0.0, "read_noise_e")
+        _contain(chosen, "reset_noise_e", value=0.0, sum_parameter="read_noise_e")
+    _contain(chosen, "analog_noise_lsb", value=0.0, sum_parameter="read_noise_e")
+    _contain(chosen, "adc_noise_lsb", value=0.0, sum_parameter="read_noise_e")
+    _contain(chosen, "spread_noise_lsb", value=0.0, sum_parameter="read_noise_e")
 
 
 def _pattern(
@@ -143,21 +148,29 @@ def _pattern(
         return
     _take(chosen, "adc_pattern_lsb", pattern)
     for name in ("analog_pattern_lsb", "adc_smooth_lsb", "adc_level_lsb"):
-        _contain(chosen, name, 0.0, "adc_pattern_lsb")
+        _contain(chosen, name, value=0.0, sum_parameter="adc_pattern_lsb")
     words = abs(chain.word_sum)
     text = "" if words == 1 else f"; words that add up to {chain.word_sum:.4g}"
     if words < _NO_PART:
         remark = f"{offset.remark}; the program's words cancel what is not whole codes"
-        chosen["adc_offset_lsb"] = ParameterChoice(offset.value, offset.se, "measured", remark)
+        chosen["adc_offset_lsb"] = ParameterChoice(
+            offset.value, se=offset.se, status="measured", remark=remark
+        )
         return
     whole_codes = float(round(offset.value))
     chosen["adc_offset_lsb"] = ParameterChoice(
-        whole_codes, None, "measured", f"whole codes of {_shown(offset)}, {offset.remark}"
+        whole_codes,
+        se=None,
+        status="measured",
+        remark=f"whole codes of {_shown(offset)}, {offset.remark}",
     )
     se = None if offset.se is None else offset.se / words
     bias = (offset.value - whole_codes) / chain.word_sum
     chosen["analog_bias_lsb"] = ParameterChoice(
-        bias, se, "measured", f"what adc_offset_lsb leaves of {_shown(offset)}{text}"
+        bias,
+        se=se,
+        status="measured",
+        remark=f"what adc_offset_lsb leaves of {_shown(offset)}{text}",
     )
 
 
@@ -170,12 +183,16 @@ def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -
         _take(chosen, "full_well_e", full)
     elif full.value > target.full_well_e:
         remark = f"at least: {full.remark}"
-        chosen["full_well_e"] = ParameterChoice(full.value, None, "bound", remark)
+        chosen["full_well_e"] = ParameterChoice(full.value, se=None, status="bound", remark=remark)
     remark = "at least: frames hold as much"
     if full.value > target.register_max_e:
-        chosen["register_max_e"] = ParameterChoice(full.value, None, "bound", remark)
+        chosen["register_max_e"] = ParameterChoice(
+            full.value, se=None, status="bound", remark=remark
+        )
     if full.value > -target.register_min_e:
-        chosen["register_min_e"] = ParameterChoice(-full.value, None, "bound", remark)
+        chosen["register_min_e"] = ParameterChoice(
+            -full.value, se=None, status="bound", remark=remark
+        )
 
 
 def _unknown(name: str, quantities: Mapping[str, Quantity]) -> str:
@@ -203,7 +220,9 @@ def _rounded(choice: ParameterChoice) -> ParameterChoice:
     if choice.status == "default":
         return choice
     se = None if choice.se is None else float(f"{choice.se:.3g}")
-    return ParameterChoice(float(f"{choice.value:.6g}"), se, choice.status, choice.remark)
+    return ParameterChoice(
+        float(f"{choice.value:.6g}"), se=se, status=choice.status, remark=choice.remark
+    )
 
 
 @dataclass(frozen=True)

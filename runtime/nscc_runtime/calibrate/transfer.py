@@ -164,9 +164,9 @@ def _fitted(
         crosstalk,
         covariance,
         fit,
-        tuple(used),
-        (),
-        None,
+        used=tuple(used),
+        left_out=(),
+        saturation=None,
     )
 
 

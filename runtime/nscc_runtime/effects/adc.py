@@ -76,5 +76,5 @@ ADC = Effect(
     sums=(Codes(ELECTRONS_PER_LSB, OFFSET),),
     words=InLoop(),
     always=True,
-    marks={"codes": Mark(4, "converter")},
+    marks={"codes": Mark(bit=4, name="converter")},
 )

@@ -23,5 +23,5 @@ BLACK_SUN = Effect(
     "is subtracted; at most a full well",
     sums=(LitLevel(),),
     words=InLoop("lit_level"),
-    marks={"level": Mark(16, "black sun")},
+    marks={"level": Mark(bit=16, name="black sun")},
 )

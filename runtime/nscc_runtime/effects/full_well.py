@@ -40,5 +40,5 @@ FULL_WELL = Effect(
     size="rms and mean of the charge that is lost, of pixels that come near the well",
     sums=(Well(FULL),),
     words=InLoop("holds", {"well": FULL}),
-    marks={"well": Mark(1, "well"), "subtracted": Mark(8, "reset level")},
+    marks={"well": Mark(bit=1, name="well"), "subtracted": Mark(bit=8, name="reset level")},
 )

@@ -100,5 +100,5 @@ REGISTER = Effect(
     "the knee; of those that noise alone takes there, what a frame loses to it",
     sums=(Soft(_linear, _compute_loss_e),),
     words=InLoop("bends", {"lowest": LOWEST, "highest": HIGHEST, "knee": KNEE}),
-    marks={"registers": Mark(2, "register", _half_slope_loss_e)},
+    marks={"registers": Mark(bit=2, name="register", least_e=_half_slope_loss_e)},
 )

@@ -250,7 +250,15 @@ def _alive(
         raise Pathless("its exposures hang on what the frame before has left")
     start = np.cumsum([0, *map(len, acting)])
     numbers = np.array([*chain.from_iterable(acting)], np.int64)
-    return Paths(words, start, numbers, following, starts, first, endings)
+    return Paths(
+        words,
+        start,
+        acting=numbers,
+        following=following,
+        starts=starts,
+        first=first,
+        endings=endings,
+    )
 
 
 def _together(registers: Mapping[str, int], names: Iterable[str]) -> int:

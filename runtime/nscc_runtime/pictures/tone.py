@@ -57,8 +57,8 @@ def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
         white = float(np.percentile(values, WHITE_PERCENTILE)) if values.size else 0.0
         white = white or (float(values.max()) if values.size else 0.0)
     if not white > 0:
-        return Tone(f"{tone} curve", 0.0, lambda relative: relative)
-    return Tone(f"{tone} curve", white, TONES[tone](values / white))
+        return Tone(f"{tone} curve", white=0.0, curve=lambda relative: relative)
+    return Tone(f"{tone} curve", white=white, curve=TONES[tone](values / white))
 
 
 def srgb_of_linear(values: Field) -> Field:

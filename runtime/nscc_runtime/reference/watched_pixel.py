@@ -38,7 +38,9 @@ def traced(
     row, col = pixel
     reference = Reference.of(container, sensor, effects)
     scene, rows = scene_of(container, light), range(row, row + 1)
-    fallen = charge_of_rows(scene, sensor, effects, (seed, 0), 0, rows, reference.starts)
+    fallen = charge_of_rows(
+        scene, sensor, effects, seeds=(seed, 0), frame=0, rows=rows, starts=reference.starts
+    )
     watched = _WatchedPixel(
         sensor=sensor,
         seed=seed,

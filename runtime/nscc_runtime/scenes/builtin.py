@@ -49,7 +49,7 @@ def _sky(x: Field, y: Field) -> Field:
     """Return the luminance of the sky with a sun and clouds, (rows, cols); `x` and `y` are
     coordinates 0..1."""
     distance2 = ((x - _SUN[0]) ** 2)[None, :] + ((y - _SUN[1]) ** 2)[:, None]
-    clouds = smooth(0.42, 0.75, fractal(x * 3.0, y * 11.0, 3, 4))
+    clouds = smooth(0.42, 0.75, fractal(x * 3.0, y * 11.0, seed=3, octaves=4))
     glow = 420.0 / (1.0 + distance2 / 0.0016) + 34.0 / (1.0 + distance2 / 0.04)
     air = (4.0 + 16.0 * y * y)[:, None]
     # Clouds catch the light near the sun and hide the sky away from it.
@@ -65,9 +65,11 @@ def _ridge(
     `shape` is height, roughness and luminance; `pixel` the size of a pixel, over which its edge is
     smoothed."""
     height, roughness, level = shape
-    outline = height + roughness * (0.55 - fractal(x * 3.2 + seed, np.array([seed + 0.5]), seed, 6))
+    outline = height + roughness * (
+        0.55 - fractal(x * 3.2 + seed, np.array([seed + 0.5]), seed=seed, octaves=6)
+    )
     land = smooth(-0.5 * pixel, 0.5 * pixel, y[:, None] - outline)
-    slopes = 0.55 + 0.9 * fractal(x * 14.0, y * 20.0, seed + 3, 4)
+    slopes = 0.55 + 0.9 * fractal(x * 14.0, y * 20.0, seed=seed + 3, octaves=4)
     haze = 1.0 + 1.6 / (1.0 + ((x - _SUN[0]) / 0.18) ** 2)
     picture += (level * slopes * haze - picture) * land
 
@@ -79,14 +81,16 @@ def _lake(picture: Field, x: Field, y: Field) -> None:
     if len(below) == 0 or below[0] == 0:
         return
     depth = y[below] - _SHORE
-    waves = fractal(x * 7.0, 3.0 / (depth + 0.03), 61, 3)
+    waves = fractal(x * 7.0, 3.0 / (depth + 0.03), seed=61, octaves=3)
     rows = len(y)
     mirrored = _SHORE - depth[:, None] * 1.25 + (waves - 0.5) * (0.02 + 0.22 * depth[:, None])
     source = np.clip((mirrored * rows).astype(np.int64), 0, int(below[0]) - 1)
     mirror = picture[source, np.arange(len(x))[None, :]]
     width = 0.012 + 0.13 * depth[:, None]
     path = 1.0 / (1.0 + ((x - _SUN[0]) / width) ** 2)
-    glitter = smooth(0.56, 0.78, noise(x * 60.0, 9.0 / (depth + 0.045), 71) * 0.6 + waves * 0.4)
+    glitter = smooth(
+        0.56, 0.78, noise(x * 60.0, 9.0 / (depth + 0.045), seed=71) * 0.6 + waves * 0.4
+    )
     shade = 0.12 + 0.2 * waves
     picture[below] = np.minimum(mirror, 300.0) * shade + 0.05 + 900.0 * path * path * glitter
 
@@ -94,12 +98,16 @@ def _lake(picture: Field, x: Field, y: Field) -> None:
 def _bank(picture: Field, x: Field, y: Field, pixel: float) -> None:
     """Draw the near bank with pines and a hut with a lit window into `picture`, in place;
     `pixel` is the size of a pixel."""
-    edge = 0.91 + 0.06 * fractal(x * 5.0, np.array([0.5]), 81, 5) - 0.1 * smooth(0.7, 1.0, x)
+    edge = (
+        0.91
+        + 0.06 * fractal(x * 5.0, np.array([0.5]), seed=81, octaves=5)
+        - 0.1 * smooth(0.7, 1.0, x)
+    )
     bank = smooth(-0.5 * pixel, 0.5 * pixel, y[:, None] - edge)
     for stem, tip in _TREES:
         bank = np.maximum(bank, _pine(x, y, stem, tip, pixel))
     bank = np.maximum(bank, _hut(x, y, pixel))
-    ground = _DARKEST * (1.0 + 4.0 * fractal(x * 30.0, y * 30.0, 91, 3))
+    ground = _DARKEST * (1.0 + 4.0 * fractal(x * 30.0, y * 30.0, seed=91, octaves=3))
     picture += (ground - picture) * bank
     lit = _box(x, y, (0.80, 0.825, 0.812, 0.84), pixel)
     picture += (70.0 - picture) * lit

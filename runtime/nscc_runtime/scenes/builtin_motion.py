@@ -71,8 +71,8 @@ def _wall(x: Field, y: Field) -> Picture:
     joint = np.minimum(along - brick, 1.0 - (along - brick)) * (16.0 / 7.0)
     bed = np.minimum(y * 16.0 - course, 1.0 - (y * 16.0 - course))[:, None]
     mortar = np.clip((np.minimum(joint, bed) - 0.04) * 12.0, 0.0, 1.0)
-    tone = hashed(brick.astype(np.int64), course.astype(np.int64)[:, None], 5)
-    grain = fractal(x * 24.0, y * 24.0, 11, 3)
+    tone = hashed(brick.astype(np.int64), course.astype(np.int64)[:, None], seed=5)
+    grain = fractal(x * 24.0, y * 24.0, seed=11, octaves=3)
     light = 0.24 - 0.12 * x[None, :] - 0.06 * y[:, None]
     colour = (0.45 + 0.55 * mortar * (0.5 + 0.5 * tone)) * (0.7 + 0.6 * grain)
     wall: Field = np.maximum(light, 0.03) * colour

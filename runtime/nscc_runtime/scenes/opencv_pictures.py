@@ -37,7 +37,7 @@ def pfm_pages(path: Path) -> Pages:
     match = _PFM.match(_head(path))
     if match is None:
         raise ValueError("its head does not state its size")
-    return Pages(((int(match["rows"]), int(match["cols"])),), 1, _reader(path, decoded))
+    return Pages(((int(match["rows"]), int(match["cols"])),), count=1, read=_reader(path, decoded))
 
 
 def radiance_pages(path: Path) -> Pages:
@@ -46,7 +46,7 @@ def radiance_pages(path: Path) -> Pages:
     sizes = [(int(lines), int(count)) for lines, count in _RADIANCE.findall(_head(path))]
     if not sizes:
         raise ValueError("its head does not state its size")
-    return Pages((max(sizes, key=prod),), 1, _reader(path, _radiance))
+    return Pages((max(sizes, key=prod),), count=1, read=_reader(path, _radiance))
 
 
 def _head(path: Path) -> bytes:

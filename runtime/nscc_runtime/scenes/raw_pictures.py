@@ -47,7 +47,7 @@ def raw_pages(path: Path) -> Pages:
             )
             yield picture[..., 0] if picture.shape[2] == 1 else picture
 
-    return Pages((size, stored), 1, read, notes=(_NOTE,))
+    return Pages((size, stored), count=1, read=read, notes=(_NOTE,))
 
 
 def _scale(raw: Any) -> None:

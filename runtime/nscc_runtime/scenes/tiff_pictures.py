@@ -96,10 +96,10 @@ def tiff_pages(path: Path) -> Pages:
     """
     byte_order, directories = _directories(path)
     shown = [
-        _Page(index, tags)
+        _Page(index=index, tags=tags)
         for index, tags in enumerate(directories)
         if not int(tags.get(_SUBFILE) or 0) & _THUMBNAIL_OR_MASK
-    ] or [_Page(0, directories[0])]
+    ] or [_Page(index=0, tags=directories[0])]
     pages, notes = _of_one_channel(_of_stack(shown))
     for page in pages:
         _check_samples(page)
@@ -157,7 +157,9 @@ def _of_stack(pages: list[_Page]) -> list[_Page]:
     stated = re.match(r"ImageJ=.*?\bimages=(\d+)", _description(pages[0]), re.DOTALL)
     if stated is None or len(pages) > 1 or int(pages[0].tags.get(_COMPRESSION) or 1) != 1:
         return pages
-    return [_Page(0, pages[0].tags, number) for number in range(int(stated[1]))] or pages
+    return [
+        _Page(index=0, tags=pages[0].tags, skipped=number) for number in range(int(stated[1]))
+    ] or pages
 
 
 def _of_one_channel(pages: list[_Page]) -> tuple[list[_Page], tuple[Note, ...]]:

@@ -86,7 +86,7 @@ class LessonSet(Dataset[Lesson]):
             light, mask = (
                 torch.from_numpy(np.stack(arrays)) for arrays in zip(*drawn, strict=True)
             )
-            return Lesson(light[:, None], mask[:, None], False, False, (kind,))
+            return Lesson(light[:, None], mask[:, None], exact=False, filmed=False, names=(kind,))
         filmed = kind == "codes" and generator.random() < settings.decoder.films
         exact = kind == "denoise" or (not filmed and generator.random() < settings.decoder.exact)
         lengths = (8,) if kind == "denoise" else _FILM_LENGTHS if filmed else _LENGTHS
@@ -107,7 +107,7 @@ class LessonSet(Dataset[Lesson]):
             draw = _searched_mask
         masks = [draw(generator, frames, size) for _ in range(count)]
         light, mask = (torch.from_numpy(np.stack(arrays)) for arrays in (clips, masks))
-        return Lesson(light, mask, exact, filmed, (kind,))
+        return Lesson(light, mask, exact=exact, filmed=filmed, names=(kind,))
 
 
 def noisy(clip: Tensor, generator: torch.Generator) -> tuple[Tensor, Tensor]:
@@ -239,7 +239,7 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
 @cache
 def _searched_tile() -> Mask:
     """Return the shutters (16, 8, 8), 1 where open, of the searched code that comes with nscc."""
-    encoder = make_encoder(ShutterSpec("e", SEARCHED_SLOTS, (8, 8)), "random", 0)
+    encoder = make_encoder(ShutterSpec("e", SEARCHED_SLOTS, tile=(8, 8)), start="random", seed=0)
     encoder.load_codes(load_codes(searched_codes()))
     return np.asarray(encoder.hard().numpy(), np.float32)
 

@@ -107,7 +107,7 @@ def made_filters() -> Tensor:
             block = detail[row : row + SIDE, col : col + SIDE].ravel()
             # Blocks of length 1, but those with almost no detail are not amplified further.
             blocks.append(block / max(float(np.linalg.norm(block)), 0.05))
-    atoms = learned(np.array(blocks, np.float64), FILTERS, 3, 8, seed=0)
+    atoms = learned(np.array(blocks, np.float64), atoms=FILTERS, sparsity=3, rounds=8, seed=0)
     return torch.from_numpy(atoms.T.reshape(FILTERS, 1, SIDE, SIDE).copy()).float()
 
 

@@ -181,11 +181,11 @@ class ExposureSet(Dataset[Exposures]):
             turns,
             mirrored,
             backwards,
-            torch.tensor(source),
-            torch.from_numpy(np.concatenate(pixel_index)),
-            brightness,
-            tuple(names),
-            self._classes[drawn_scenes] if self._classes.numel() else None,
+            source=torch.tensor(source),
+            corner=torch.from_numpy(np.concatenate(pixel_index)),
+            brightness=brightness,
+            names=tuple(names),
+            classes=self._classes[drawn_scenes] if self._classes.numel() else None,
         )
 
     def _surroundings(

@@ -30,7 +30,10 @@ class Classifier(nn.Module):
         layers: list[nn.Module] = []
         inputs = task.buckets * (1 + task.sees_code * task.slots)
         for before, width in pairwise([inputs, *channels]):
-            layers += [*_convolution(before, width, 1), *_convolution(width, width, 2)]
+            layers += [
+                *_convolution(before, width, stride=1),
+                *_convolution(width, width, stride=2),
+            ]
         self.network = nn.Sequential(*layers)
         self.last = nn.Linear(channels[-1], len(task.classes))
 

@@ -55,7 +55,7 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
             )
         if width != 1:
             raise ValueError(f"decoder.width applies only to nscc's own decoders, not to '{name}'")
-        _check_guess(name, False, task)
+        _check_guess(name, guesses=False, task=task)
         make = imported(name, "decoder") if is_import_path(name) else added_decoders()[name]
         extra = {"buckets": task.buckets} if task.buckets > 1 else {}
         extra |= {"classes": len(task.classes)} if task.classes else {}
@@ -83,7 +83,7 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
     if task.buckets > 1 and not declared.two_buckets:
         takers = [decoder.name for decoder in DECODERS.values() if decoder.two_buckets]
         raise ValueError(f"{name} accepts one bucket; {', '.join(takers)} accept two")
-    _check_guess(name, declared.guesses, task)
+    _check_guess(name, guesses=declared.guesses, task=task)
     if declared.fixed_channels and not declared.scales and width != 1:
         raise ValueError(f"{name} has one width: leave decoder.width at 1")
     if declared.fixed_channels or size != "small":

@@ -131,7 +131,12 @@ class StillUNet(nn.Module):
         known = (2 if slots is None else task.buckets * slots) if task.sees_code else 0
         guessed = (slots or 1) if self.guesses else 0
         gates = slots if slots is not None and self.guesses else 0
-        network = UNet(task.buckets + known + guessed, (slots or 1) + gates, channels, 2)
+        network = UNet(
+            task.buckets + known + guessed,
+            outputs=(slots or 1) + gates,
+            widths=channels,
+            dimensions=2,
+        )
         self.network = begin_with_nothing(network) if self.guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
@@ -189,7 +194,12 @@ class ClipUNet(nn.Module):
         this `size` makes one."""
         super().__init__()
         self.slots, self.guesses = task.slots, _guesses(task, size)
-        network = UNet(task.buckets + self.guesses, 2 if self.guesses else 1, channels, 3)
+        network = UNet(
+            task.buckets + self.guesses,
+            outputs=2 if self.guesses else 1,
+            widths=channels,
+            dimensions=3,
+        )
         self.network = begin_with_nothing(network) if self.guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:

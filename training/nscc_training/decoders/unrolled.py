@@ -38,7 +38,9 @@ class Unrolled(nn.Module):
         self.slots = task.slots
         self.steps = nn.Parameter(torch.ones(_STAGES[size]))
         self.denoisers = nn.ModuleList(
-            begin_with_nothing(UNet(2 * task.slots, task.slots, channels, 2))
+            begin_with_nothing(
+                UNet(2 * task.slots, outputs=task.slots, widths=channels, dimensions=2)
+            )
             for _ in range(len(self.steps))
         )
 

@@ -152,7 +152,9 @@ class Bump(Encoder):
             spread = self.trial_spread(fields)
             moved = spread * drawn(fields, generator, self.tried_share)
             first, second = (self.opened_by(self.within(fields + sign * moved)) for sign in (1, -1))
-        return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
+        return CodeTrial(
+            fields, moved, spread, shutters=(first, second), reach=_REACH, share=self.tried_share
+        )
 
     def trial_spread(self, fields: Tensor) -> Tensor:
         """Return the standard deviation of trials around fields (fields, rows, cols), in slots and

@@ -84,7 +84,9 @@ class LooksEncoder(Encoder):
             spread[len(fields) // 2 :] = max(1.0, _WELLS * self.most)
             moved = spread * drawn(fields, generator, self.tried_share)
             first, second = (self.hardened(fields + sign * moved).float() for sign in (1, -1))
-        return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
+        return CodeTrial(
+            fields, moved, spread, shutters=(first, second), reach=_REACH, share=self.tried_share
+        )
 
     def codes(self) -> Codes:
         """Return the codes as integers (1, looks) by field: the boundaries `at` of the looks, and

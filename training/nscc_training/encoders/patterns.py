@@ -81,7 +81,9 @@ class Bits(_Digits):
             spread = self.trial_spread(fields)
             first, second, moved = decided(fields, spread, generator, self.tried_share)
         sides = (first.float(), second.float())
-        return CodeTrial(fields, moved, spread, sides, _REACH, self.tried_share)
+        return CodeTrial(
+            fields, moved, spread, shutters=sides, reach=_REACH, share=self.tried_share
+        )
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
         """Return the logits with the range that training keeps them in."""
@@ -187,7 +189,9 @@ class Codebook(_Digits):
             first, second = (
                 torch.where(side[-1:], side[:-1], alternative_digits).float() for side in sides
             )
-        return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
+        return CodeTrial(
+            fields, moved, spread, shutters=(first, second), reach=_REACH, share=self.tried_share
+        )
 
     def shown(self, shapes: Tensor, choice: Tensor) -> Tensor:
         """Return the shutters (N, rows, cols): for each pixel the row of `shapes` (K, N) that

@@ -142,7 +142,9 @@ def measure(
         for turn in range(study.repeats):
             before, rows = perf_counter(), rows_in(rows_store)
             tasks = [
-                _Turn(point, turn) for point in study.points if turn == 0 or _is_timed(point, rows)
+                _Turn(point, turn=turn)
+                for point in study.points
+                if turn == 0 or _is_timed(point, rows)
             ]
             yield from results(rows_store, tasks, lambda tasks: _executed(tasks, study, watch))
             turns[0] = turn + 1
@@ -211,7 +213,7 @@ def _is_timed(point: StudyPoint, rows: Mapping[str, PointRow]) -> bool:
 
     Points that were refused in the first repeat, or that measure their times themselves, are not.
     `rows` contains their rows."""
-    row = rows[_Turn(point, 0).key]
+    row = rows[_Turn(point, turn=0).key]
     return point.figures is not None and not row.code and not isinstance(row.figures["ms"], list)
 
 
@@ -226,7 +228,7 @@ def _gathered(
     made: list[Point] = []
     refused = []
     for point in points:
-        point_rows = [rows[key] for n in range(turns) if (key := _Turn(point, n).key) in rows]
+        point_rows = [rows[key] for n in range(turns) if (key := _Turn(point, turn=n).key) in rows]
         names = {"method": point.method, "setting": point.setting, "bound": None}
         figures: Figures = {**names, **point_rows[0].figures}
         if code := point_rows[0].code:

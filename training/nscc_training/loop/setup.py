@@ -200,12 +200,12 @@ def make_setup(settings: RunSettings) -> TrainingSetup:
         sensor = parse_sensor(target, files[programs.SENSOR_FILE], str(path))
     task = DecoderTask(
         "still" if still else "clip",
-        chosen.slots,
-        encoder.spec.tile,
-        network.sees_code,
-        chosen.buckets,
-        {"by size": None, "yes": True, "no": False}[network.guess],
-        settings.classes,
+        slots=chosen.slots,
+        tile=encoder.spec.tile,
+        sees_code=network.sees_code,
+        buckets=chosen.buckets,
+        guess={"by size": None, "yes": True, "no": False}[network.guess],
+        classes=settings.classes,
     )
     # The parameters of a decoder come from torch's global generator, so its state is restored.
     with torch.random.fork_rng(devices=[]):
@@ -322,7 +322,7 @@ def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
     if opened is None:
         return
     hard = encoder.hard()
-    mine = shared_out(hard, 2) if len(opened) > 1 else hard[None]
+    mine = shared_out(hard, buckets=2) if len(opened) > 1 else hard[None]
     if not np.array_equal(mine.cpu().numpy() > 0, opened):
         bump = f" of {encoder.spec.length} slots" if encoder.spec.kind == "c" else ""
         raise ValueError(

@@ -135,7 +135,7 @@ def by_chip(
     its own noise, which `seed` and the scene's index determine."""
     container, used = container_of(setup), setup.sensor if sensor is None else sensor
     return lambda light_e, index: scene_by_chip(
-        setup, container, used, light_e, effects, (1000 * seed + index, seed)
+        setup, container, used, light_e, effects, seeds=(1000 * seed + index, seed)
     )
 
 

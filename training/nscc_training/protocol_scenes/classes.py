@@ -121,6 +121,10 @@ def _moving_textures(
         sides = int(protocol["frames"]), int(protocol["size"])
         label, clip = moving_texture(generator, index, classes, *sides, protocol)
         window = exposed_window(
-            Path(f"{label}-{index}"), 0, clip.astype(np.float64), False, protocol
+            Path(f"{label}-{index}"),
+            first=0,
+            light=clip.astype(np.float64),
+            srgb=False,
+            protocol=protocol,
         )
         yield window if isinstance(window, Unusable) else with_class(window, label, classes)

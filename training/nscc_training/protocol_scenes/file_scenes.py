@@ -153,9 +153,11 @@ def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unu
     name = Path(f"made-{index}")
     if protocol.still:
         still = made_scenes.still(generator, protocol["crop_size"]).astype(np.float64)
-        return exposed_crop(name, (0, 0), still, protocol)
+        return exposed_crop(name, corner=(0, 0), light=still, protocol=protocol)
     clip = made_scenes.clip(generator, protocol["frames"], protocol["size"])
-    return exposed_window(name, 0, clip.astype(np.float64), False, protocol)
+    return exposed_window(
+        name, first=0, light=clip.astype(np.float64), srgb=False, protocol=protocol
+    )
 
 
 def exposed_arrays(

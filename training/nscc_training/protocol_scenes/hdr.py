@@ -41,14 +41,20 @@ class Crop(ProtocolScene):
         well_e = float(protocol["full_well_e"])
         values: dict[str, Any] = {
             **frame_scores(truth, result, 1.0),
-            "mu_psnr_db": decibels(metrics.mu_psnr(truth, result, 1.0, protocol["mu"])),
-            "pu21_psnr_db": decibels(metrics.pu21_psnr(truth, result, 1.0, protocol["pu21_nits"])),
+            "mu_psnr_db": decibels(
+                metrics.mu_psnr(truth, result, data_range=1.0, mu=protocol["mu"])
+            ),
+            "pu21_psnr_db": decibels(
+                metrics.pu21_psnr(truth, result, data_range=1.0, nits=protocol["pu21_nits"])
+            ),
         }
         dark = truth_e < float(protocol["dark_fraction"]) * well_e
         for name, region in (("saturated", truth_e >= well_e), ("dark", dark)):
             values[f"{name}_share"] = float(region.mean())
             values[f"{name}_psnr_db"] = (
-                decibels(metrics.psnr(truth[region], result[region], 1.0)) if region.any() else None
+                decibels(metrics.psnr(truth[region], result[region], data_range=1.0))
+                if region.any()
+                else None
             )
         return values
 

@@ -47,8 +47,8 @@ class ClipWindow(ProtocolScene):
             "psnr_db": decibels(frame_summary.mean),
             "psnr_of_mean_mse_db": decibels(frame_summary.of_mean_mse),
             "infinite_frames": frame_summary.infinite,
-            "ssim": metrics.ssim(truth, result, 1.0),
-            "temporal_error": metrics.temporal_error(truth, result, 1.0),
+            "ssim": metrics.ssim(truth, result, data_range=1.0),
+            "temporal_error": metrics.temporal_error(truth, result, data_range=1.0),
         }
 
 

@@ -33,7 +33,7 @@ _STARTS = ("quad", "two-phase", "staggered", "cyclic")
 """The arrangements of bumps that are tried (`nscc_training.encoders.encoder_classes`)."""
 _PARTS_OPEN = (2, 4, 8)
 """Candidate bumps are open for 1/2, 1/4 or 1/8 of the frame."""
-_SEARCHED = ShutterSpec("e", 16, (8, 8))
+_SEARCHED = ShutterSpec("e", 16, tile=(8, 8))
 """The searched code: free bits for 16 slots. No codes were searched for other lengths."""
 _BRIGHT = 0.35
 """Assumed mean light in full wells if no scene is given."""
@@ -156,7 +156,9 @@ def encoders_by_name(slots: int) -> dict[str, Encoder]:
         length = -(-slots // divisor)
         for start in _STARTS:
             kind = "codebook" if start == "cyclic" else "c"
-            spec = ShutterSpec(kind, slots, _TILE, length, 16 if kind == "codebook" else None)
+            spec = ShutterSpec(
+                kind, slots, tile=_TILE, length=length, rows=16 if kind == "codebook" else None
+            )
             encoders[f"{start}, 1/{divisor} of the frame"] = make_encoder(spec, start)
     if slots == _SEARCHED.slots:
         encoders["searched"] = make_encoder(_SEARCHED)

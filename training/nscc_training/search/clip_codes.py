@@ -66,10 +66,10 @@ class ClipCode:
         slots, *tile = self.opened.shape
         shutters = self.opened.reshape(slots, -1).T.astype(np.int64)
         book, row_of_place = np.unique(shutters, axis=0, return_inverse=True)
-        spec = ShutterSpec("codebook", slots, (tile[0], tile[1]), None, len(book))
+        spec = ShutterSpec("codebook", slots, tile=(tile[0], tile[1]), length=None, rows=len(book))
         codes = {"book": book, "id": row_of_place.reshape(tile)}
         if self.opened.all():  # one shutter needs no code
-            spec, codes = ShutterSpec("a", slots, (1, 1)), {}
+            spec, codes = ShutterSpec("a", slots, tile=(1, 1)), {}
         text = program(spec, codes, Chip(frame.target, frame.slot_us), remark).text
         if self.long:
             rule = "open when book"
@@ -181,4 +181,4 @@ def _psnr_db(container: Container, sensor: Sensor, light_e: Clip, number: int) -
     truth = np.asarray(light_e[:, middle[0], middle[1]], np.float64)
     peak = peak_of(truth.reshape(-1), number)
     expected, result = (srgb(np.clip(part / peak, 0, 1)) for part in (truth, clip))
-    return psnr(expected, result, 1.0)
+    return psnr(expected, result, data_range=1.0)
