@@ -314,7 +314,7 @@ class Completion:
         else:
             for finding in problem.findings:
                 notes, data = (finding.text,), {"count": finding.count}
-                self.problems.error(*finding.fault, notes=notes, data=data)
+                finding.fault.report(self.problems, notes=notes, data=data)
         return Rejected(self.problems.sorted())
 
     def _too_much_looked(self, problem: TooMuch, excess: Excess) -> Rejected:

@@ -128,7 +128,7 @@ def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | N
         return None
     value = evaluate(checked, {}, {})
     if isinstance(value.faults, Fault):
-        problems.error(*value.faults)
+        value.faults.report(problems)
         return None
     return int(value.data)
 

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.program.expressions import LIMIT, Checked, operands
-from nscc.program.problems import clipped
+from nscc.program.problems import Problems, clipped
 from nscc.program.program import CHUNK_BITS, chunk_name
 from nscc.source import Span
 from nscc.syntax import tree
@@ -26,21 +26,25 @@ from nscc.syntax.tree import Binary
 
 MOST_SHIFT = 61
 """Largest shift count: integers have at most 62 bits without their sign."""
+_NOT_0 = "test for 0 first, `b != 0 and a % b == 0`, or exclude 0 with a range or with `require`"
 
 Data = Any
 """An int or a bool, or an int64 or bool array that broadcasts with other data."""
 
 
 class Fault(NamedTuple):
-    """Why an expression has no value: an error code, a message, and the place in the program with a
-    label.
-
-    These are the arguments of `Problems.error`."""
+    """Why an expression has no value: an error code, a message, the place in the program with a
+    label (`text`), and what to do about it."""
 
     code: str
     message: str
     span: Span
     text: str
+    helps: tuple[str, ...] = ()
+
+    def report(self, problems: Problems, **members: Any) -> None:
+        """Add the error to `problems`, with further `members` of the diagnostic."""
+        problems.error(self.code, self.message, self.span, self.text, helps=self.helps, **members)
 
 
 Faults = Fault | NDArray[np.bool_] | None
@@ -136,7 +140,7 @@ def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
     """Return the divisors, with 1 in place of 0, and the operands' faults with those of divisors 0
     (NS0302)."""
     message = "division by zero" if node.op == "/" else "remainder of a division by zero"
-    fault = Fault("NS0302", message, node.right.span, "this is 0")
+    fault = Fault("NS0302", message, node.right.span, "this is 0", (_NOT_0,))
     return guard(
         b.data == 0, b.data, harmless=1, fault=lambda: fault, before=either(a.faults, b.faults)
     )
@@ -161,7 +165,8 @@ def _shift(node: Binary, a: Value, b: Value) -> Value:
     def fault() -> Fault:
         """Return the fault (NS0304) of the first invalid shift."""
         count, span = clipped(b.data), node.right.span
-        return Fault("NS0304", f"invalid shift by {count}", span, f"the count is {count}")
+        helps = (f"shift by 0 to {MOST_SHIFT} bits",)
+        return Fault("NS0304", f"invalid shift by {count}", span, f"the count is {count}", helps)
 
     out_of_range = (b.data < 0) | (b.data > MOST_SHIFT)
     count, faults = guard(

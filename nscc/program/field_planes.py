@@ -126,9 +126,8 @@ class PlaneMaker:
         if gap is not None:
             y, x = gap.place
             notes = (f"at {pixel_text(x, y)}, and at {counted(gap.number, 'pixel')} in all",)
-            self.problems.error(
-                *gap.fault, notes=notes, data={"x": x, "y": y, "pixels": gap.number}
-            )
+            data = {"x": x, "y": y, "pixels": gap.number}
+            gap.fault.report(self.problems, notes=notes, data=data)
             return None
         return values
 

@@ -193,7 +193,7 @@ class _Maker:
         numbers = np.arange(1, self.slots + 1, dtype=np.int64)
         evaluated = evaluate(checked, {"n": Value(numbers)}, {})
         if isinstance(evaluated.faults, Fault):
-            self.problems.error(*evaluated.faults)
+            evaluated.faults.report(self.problems)
             return None
         if evaluated.faults is not None:
             boundary = int(numbers[np.broadcast_to(evaluated.faults, numbers.shape)][0])

@@ -79,7 +79,7 @@ def _kernel_power(signs: NDArray[np.int64], gain: float) -> Array:
 
 
 def white_part(spectrum: Array) -> tuple[float, float]:
-    """Return the white part of a spectrum in square codes, and the growth a tap that fits best."""
+    """Return the white part of a spectrum in square codes, and the growth a step that fits best."""
     codes, fits = spectrum[_BAND], []
     for gain in np.arange(0.94, 1.0101, 0.0025):
         powers = [_kernel_power(signs, gain)[_BAND] for signs in (SIGNS_X, SIGNS_H)]
@@ -91,8 +91,8 @@ def white_part(spectrum: Array) -> tuple[float, float]:
 
 
 def tap_growth(gram: Array, cross: Array) -> tuple[float, float, float]:
-    """Return the last tap in codes, the growth a tap in the order of execution, and an offset that
-    all taps have in common, by generalised least squares."""
+    """Return the last step in codes, the growth a step in the order of execution, and an offset
+    that all taps have in common, by generalised least squares."""
     total = gram.sum(0)
     taps, root = np.linalg.solve(total, cross.sum(0)), np.linalg.cholesky(total).T
 
@@ -111,11 +111,11 @@ def figures(sums: dict[str, Array]) -> dict[str, tuple[float, float]]:
     draw = np.random.default_rng(0).integers(0, len(gram), (_RESAMPLES, len(gram)))
     errors = np.std([tap_growth(gram[chosen], cross[chosen]) for chosen in draw], axis=0)
     regression = zip(tap_growth(gram, cross), errors, strict=True)
-    names = "last tap, codes", "growth a tap, regression", "common offset, codes"
+    names = "last step, codes", "growth a step, regression", "common offset, codes"
     white, growth = white_part(np.asarray(sums["spectrum"]))
     temporal = float(sums["zero_temporal_std"])
     plain = {
-        "growth a tap, spectrum": growth,
+        "growth a step, spectrum": growth,
         "white part, codes^2": white,
         "clipped low": codes[0] / codes.sum(),
         "clipped high": codes[-1] / codes.sum(),

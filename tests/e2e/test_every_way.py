@@ -30,8 +30,9 @@ mask = "R0"
 masked = "R12"
 [behaviour]
 """
+PLAIN = "plain"
 CHIPS = {
-    "plain": "",
+    PLAIN: "",
     "narrow": 'reset_honours_flag = "unknown"\nor_sources = 4\nwhere_sources = 3\n',
     "generous": 'reset_honours_flag = "yes"\nwhere_reads_flag = true\nwhere_obeys_flag = true\n',
 }
@@ -106,20 +107,20 @@ MAY_FAIL = {"NS0414", "NS0501", "NS0502", "NS0601"}
 
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_programs_of_level_1_equal_a_rule_in_numpy(name: str, tmp_path: Path) -> None:
-    sweep(name, tmp_path, ("plain",), ("1",))
+    sweep(name, tmp_path, chips=(PLAIN,), levels=("1",))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_programs_of_every_chip_and_level_equal_a_rule_in_numpy(name: str, tmp_path: Path) -> None:
-    sweep(name, tmp_path, tuple(CHIPS), ("0", "1", "2"))
+    sweep(name, tmp_path, chips=tuple(CHIPS), levels=("0", "1", "2"))
 
 
 # The last level searches for minutes wherever there may be something to gain.
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["b5", "d16", "e8", "three"])
 def test_programs_of_level_3_equal_a_rule_in_numpy(name: str, tmp_path: Path) -> None:
-    sweep(name, tmp_path, ("plain",), ("3",), ("auto",))
+    sweep(name, tmp_path, chips=(PLAIN,), levels=("3",), lowerings=("auto",))
 
 
 def sweep(

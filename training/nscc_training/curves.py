@@ -81,7 +81,11 @@ def pu21(luminance: Array) -> Array:
 
 
 def _pu21_inside(luminance: Any) -> Any:
-    """Return the PU21 curve for luminances within its domain."""
+    """Return the PU21 encoding of luminances (array or tensor, float64) in cd/m2.
+
+    They must lie between `PU21_LOW` and `PU21_HIGH`. This is the published formula with the
+    coefficients `_PU21`: a ratio of two functions of luminance**d, raised to e, shifted and scaled.
+    """
     a, b, c, d, e, f, scale = _PU21
     power = luminance**d
     return scale * (((a + b * power) / (1.0 + c * power)) ** e - f)

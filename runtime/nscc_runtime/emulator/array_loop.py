@@ -176,12 +176,15 @@ def _two_terms(
     """Return the starts of two rows in `values`, and a constant in electrons, whose sum is the sum
     of a word's sources in row `y`.
 
-    With more than two sources, the scratch rows `shape.part` and `shape.total` are overwritten."""
+    `a` and `b` are the starts of the two rows, `initial_e` is the constant. With more than two
+    sources, the scratch rows `shape.part` and `shape.total` take turns to hold the sum so far."""
     a, b = _source(shape, word, operands, y, 0), _source(shape, word, operands, y, 1)
     initial_e = word.in_e
     for s in range(2, word.sources):
         # Not in place, because LLVM vectorises only loops over separate rows.
         out = shape.part if (word.sources - s) % 2 else shape.total
+        # out = 1.0 * (initial_e + a + b) in all pixels: with _ALL no FLAG is read, so its plane (0)
+        # does not matter.
         _add(shape, values, out, a, b, 1.0, initial_e, planes, 0, _ALL)
         a, b, initial_e = out, _source(shape, word, operands, y, s), 0.0
     return a, b, initial_e

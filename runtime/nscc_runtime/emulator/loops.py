@@ -55,11 +55,15 @@ def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
 def _start(
     shape: ArrayShape, pix: int, seed: np.uint64, first: int, y: int, values: Floats, planes: Words
 ) -> None:
-    """Set arbitrary initial values in row y, whose first pixel has number `first`, as
+    """Set all registers of the pixels of row `y` to arbitrary values, drawn with `seed`, as
     `nscc_runtime.emulator.chip_program` describes them.
 
-    The row `shape.total` contains the light of the whole frame; the row `shape.part` is
-    overwritten. The register after PIX is set to minus the reset level."""
+    `pix` is the number of PIX among the analog registers. `first` is the number of the row's first
+    pixel in the whole array. `values` (electrons) and `planes` (64 pixels a word) hold the analog
+    and the digital registers. The row at `shape.total` must contain the light of the whole frame;
+    the row at `shape.part` is overwritten. The register after PIX is set to minus the reset level.
+    """
+    # Digital registers up to FLAG are random; the two planes after it begin with 0.
     for p in range(shape.flag + 3):
         for g in range(shape.plane_words):
             bits = _hash(seed, p, first // 64 + g)
@@ -71,6 +75,7 @@ def _start(
         bits = _hash(seed, shape.flag + 1, first + i)
         values[uniforms + i] = float(np.int64(bits >> np.uint64(11))) * 2.0**-53
     for r in range(pix + 2):
+        # Registers take either sign, PIX none below 0, and minus the reset level none above 0.
         row, lowest = row_of(shape, r, y), -1.0 if r < pix else 1.0
         sign = -1.0 if r > pix else 1.0
         for i in range(shape.cols):

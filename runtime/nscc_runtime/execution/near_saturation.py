@@ -121,8 +121,12 @@ def _search(
 
 
 def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
-    """Return the least charge with which a register or PIX may saturate, for each lane of a
-    program under these effects."""
+    """Return what decides whether a pixel may saturate, for each lane of a program under
+    these effects.
+
+    The result holds the slots whose light PIX and each register sum, the dark charge's time, the
+    charge (e) at which each of them saturates, and the mean charge (e) above which noise may reach
+    the smallest of these. PIX is row 0; without effects that saturate, the charges are inf."""
     reach = reach_of(program)
     held_weights = () if reach.held_weights is None else reach.held_weights
     weights = np.stack([program.seen_slots, *held_weights]).astype(np.float64)
@@ -131,6 +135,7 @@ def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
     if well is not None:
         saturation_e[0] = well.full_e(program.sensor)
     if effects.find_part(Soft) is not None:
+        # If no register holds a sum of its own, row 0 stands for PIX and the registers.
         registers = saturation_e if reach.held_weights is None else saturation_e[1:]
         np.minimum(registers, reach.least_e, out=registers)
     least_e = np.maximum(_SLACK * saturation_e.min(axis=0), 0.0)

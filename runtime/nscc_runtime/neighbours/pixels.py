@@ -59,14 +59,16 @@ class ArrayPixels(WordPixels):
         return np.asarray(self.digital.read(name) == 1)
 
     def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
-        """Run words on all pixels in their order, each with its value of IN in steps (None:
-        unchanged)."""
+        """Run words on all pixels, one after the other, and update the registers and the time.
+
+        Each pair is a word and the value of IN that the controller sends with it, in steps of the
+        target (`electrons_per_step`). None leaves IN as it was."""
         for op, level in words:
             if level is not None:
                 self.in_e = level * self.target.electrons_per_step
             self.after_us += word_us(op, self.target)
             word = RunningWord(self.number, self.container.slots, self.after_us, op, self.in_e)
-            self.number += op.analog
+            self.number += op.analog  # only analog words draw random numbers
             self._run(word)
 
     # --- words

@@ -176,7 +176,10 @@ def _settings(chosen: Theme) -> dict[Any, Any]:  # matplotlib lists every key as
 
 @cache
 def _matplotlib() -> Any:
-    """Import matplotlib without its warnings about cache folders, which contain little."""
+    """Import matplotlib and return it, without its warnings about a missing cache folder: they
+    would stand among the messages of nscc and demand nothing. The log level is restored afterwards.
+
+    The import is cached. Raises Rejected (NS0784) if there is no folder for its list of fonts."""
     logger = logging.getLogger("matplotlib")
     level = logger.level
     logger.setLevel(logging.ERROR)

@@ -74,7 +74,11 @@ def plan_of(choice: EffectChoice) -> Plan:
 
 def _decision(effect: Effect, choice: EffectChoice) -> Decision:
     """Return whether one effect is kept, dropped or absent, with its errors, the time that it
-    costs, and the reason."""
+    costs, and the reason.
+
+    In the code, `alone` is the error of dropping only this effect, None if it was not measured.
+    `together` is the error of all that is dropped. `then` is the error of the plan without this
+    effect: `together` if it is dropped already, else the sum of both."""
     name, request, work = effect.name, choice.request, choice.work
     if effect.kind == "after":
         return _after_exposure(effect, choice)

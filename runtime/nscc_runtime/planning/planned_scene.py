@@ -154,12 +154,15 @@ the program starts with."""
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """Exposures of a sample of a scene with any set of effects, with equal random numbers.
+    """Exposes a sample of a scene's pixels with any set of effects. All sets use the same random
+    numbers, so that two exposures differ only by what the effects cause.
 
-    `begins`: the kept states (see `SampledExposures.endings`) with which the pixels begin in
-    consecutive frames; None for the states that the program starts with. `repeats`: number of
-    frames with other noise for each of these. `full`: every effect; `expose_full` exposes the
-    sample with these, and `truth` are the exposures."""
+    `begins`: the kept states with which the pixels begin, one entry for each frame of a series.
+    None stands for the states that the program starts with (see `SampledExposures.endings`).
+    `repeats`: how often each entry of `begins` is exposed, each time with other noise. `full`: the
+    set of all effects. `expose_full`: the function that exposes the sample with `full`. `truth`:
+    what it returned for all `begins` and `repeats`; the errors of other sets are measured from it.
+    """
 
     scene: PlannedScene
     sample: Sample
@@ -192,6 +195,8 @@ class Trial:
     def noise_e(self) -> float:
         """Return the noise of a frame of the scene (see `PlannedScene.noise_e`)."""
         buckets, number = len(self.scene.container.buckets), len(self.begins) * self.repeats
+        # The frames of the first entry of `begins` come first in `truth`. The second set has frame
+        # numbers that `truth` does not use, and therefore independent noise.
         first = SampledExposures(self.truth.exposure_e[:buckets], self.truth.endings[:buckets])
         second = self.frames(self.repeats, number)
         mean_e2 = self.between(second, first).mean_square_e2 / 2.0

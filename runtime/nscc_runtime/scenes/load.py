@@ -185,8 +185,12 @@ def load_scene(
 def laid_scene(
     scene: Scene, *, slot_us: Sequence[float], rows: int, cols: int, **about: Any
 ) -> PlacedLight:
-    """Load a scene (a file, a folder of pictures or `builtin:NAME`) for an array; `about` are
-    further fields of `_Request`.
+    """Load a scene (a file, a folder of pictures or `builtin:NAME`) and lay it on an array of
+    `rows` x `cols` pixels.
+
+    `slot_us` are the lengths of the program's slots in microseconds. `about` are further fields of
+    `_Request`: `warn` and `progress`. Options of the scene that do not apply to its kind are
+    refused.
 
     "samples" as `frames_are` declares that the scene moves within a frame. That motion is an effect
     of the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as
@@ -214,7 +218,7 @@ def laid_scene(
     else:
         _refuse(request, "a bracket is one still", "first", "white", "skip")
         files = bracket_files(spec)
-        notes: list[tuple[str, ...]] = []
+        notes: list[tuple[str, ...]] = []  # `merged` adds one entry, when `_still` calls it
 
         def merged() -> Stored:
             """Return the light merged from the photos of a bracket."""

@@ -52,7 +52,8 @@ def result(scores: dict[str, list[float | str]], **settings: Any) -> dict[str, A
 
 @pytest.fixture
 def page(tmp_path: Path) -> Page:
-    """Two seeds of a run, one of which has weights, and a baseline."""
+    """The result page of two seeds of a run and of a baseline, `base/line`. Only seed 0 has
+    weights. The dict of `result` gives the PSNR in dB of the two windows of each clip."""
     made = {
         "run/seed0": result({"a": [30.0, 32.0], "b": [20.0, "inf"]}, moved=3, places=4, steps=7),
         "run/seed1": result({"a": [31.0, 33.0], "b": [21.0, "inf"]}, moved=0, places=4, steps=7),
@@ -69,9 +70,12 @@ def page(tmp_path: Path) -> Page:
 
 
 def test_templates_are_filled_with_means_and_values(page: Page) -> None:
+    # The mean over the windows whose PSNR is finite, for each seed; then over the seeds.
     assert page.filled("a {{mean run/* psnr_db}} b") == f"a {(82 / 3 + 85 / 3) / 2:.2f} b"
+    # First over the windows of each clip, then over clips: (31 + 20) / 2 and (32 + 21) / 2.
     assert page.filled("{{mean run/* psnr_db/source}}") == "26.00"
     assert page.filled("{{mean run/* ssim}}") == "0.500"
+    # @0.1: the score at light that saturates 10 % of the pixels, from `also_saturated`.
     assert page.filled("{{mean run/* psnr_db@0.1}}") == "12.50"
     assert page.filled("{{value base/line stops}}, {{value run/* moved}}") == "8, 3 of 4, 0 of 4"
     assert page.filled("{{value base/line items}}") == "4 windows from 2 clips"

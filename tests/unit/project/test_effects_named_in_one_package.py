@@ -32,8 +32,9 @@ OTHERS = [
 ]
 
 
-def rooms() -> set[str]:
-    """The modules in which effects are declared."""
+def effect_modules() -> set[str]:
+    """Return the full names of the modules that declare an effect: `NAME = Effect(..)` at the
+    top."""
     found = set()
     for path in INSIDE.glob("*.py"):
         tree = ast.parse(path.read_text())
@@ -48,7 +49,8 @@ def rooms() -> set[str]:
 
 
 def imported(tree: ast.AST) -> Iterator[str]:
-    """What a file imports, wherever in it."""
+    """Yield the names of modules that a file imports, and of the objects that it takes from them,
+    at the top or inside functions."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from (each.name for each in node.names)
@@ -58,7 +60,8 @@ def imported(tree: ast.AST) -> Iterator[str]:
 
 
 def compared(tree: ast.AST) -> Iterator[str]:
-    """Texts that something is compared with, or looked up by."""
+    """Yield the texts by which a file decides: those in comparisons (`x == "shot"`), in patterns of
+    `match`, and in brackets (`values["shot"]`)."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Compare | ast.Subscript | ast.MatchValue):
             yield from (
@@ -68,19 +71,19 @@ def compared(tree: ast.AST) -> Iterator[str]:
             )
 
 
-def test_every_effect_has_a_room_of_its_own() -> None:
-    modules = {name.rpartition(".")[2] for name in rooms()}
+def test_every_effect_is_declared_in_the_module_of_its_name() -> None:
+    modules = {name.rpartition(".")[2] for name in effect_modules()}
     names = {effect.name for effect in registered()}
     # The effects of comparators have one module, and so have those of the readout.
     owners = {name: name if name in modules else name.rpartition("_")[0] for name in names}
     assert {*(owners | {"column_noise": "readout"}).values()} == modules
 
 
-def test_nothing_else_names_an_effect() -> None:
-    # Three have names that are words of the chip as well.
+def test_no_module_outside_the_package_of_effects_imports_or_names_an_effect() -> None:
+    # These three are also names of what words do, so code may compare with them.
     names = {effect.name for effect in registered()} - {"read", "reset", "register"}
-    modules = rooms()
-    assert len(OTHERS) > 150
+    modules = effect_modules()
+    assert len(OTHERS) > 150  # the patterns above still find the source
     for path in OTHERS:
         tree = ast.parse(path.read_text())
         assert not modules & {*imported(tree)}, path

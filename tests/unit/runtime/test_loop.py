@@ -150,15 +150,15 @@ def of_lines(**changed):
     return {"sizes": Sizes(count=2, factor=0.0, word=0), **values, **changed}
 
 
-def test_arrays_that_belong_together_are_given_as_one():
+def test_a_loop_reads_and_writes_the_arrays_of_records_in_any_order_of_arguments():
     values = of_lines()
     summed(**values)
+    # `places` swaps the elements: out[1] = 1 + 10 - 2 * 100 + 1000, out[0] = 2 + 20 - 2 * 200 +
+    # 1000
     assert values["lines"].out.tolist() == [622.0, 811.0]
-    sizes = values.pop("sizes")
     values["lines"].out[:] = 0.0
-    lines, alike = values.pop("lines"), values.pop("alike")
-    summed(lines=lines, alike=alike, sizes=sizes, **values)
-    assert lines.out.tolist() == [622.0, 811.0]
+    summed(**dict(reversed(values.items())))
+    assert values["lines"].out.tolist() == [622.0, 811.0]
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ WITHIN = {
     "fixed pattern of pixels, codes": 0.25,
     "fixed pattern in all, codes": 0.25,
     "frame level, codes": 0.3,
-    "last tap, codes": 0.1,
+    "last step, codes": 0.1,
     "mean of the square, codes": 0.03,
 }
 """Relative differences that are allowed."""
@@ -37,7 +37,7 @@ def test_figures_are_those_of_the_chip(found: dict[str, float], name: str) -> No
 
 
 def test_taps_grow_and_codes_are_clipped_as_on_the_chip(found: dict[str, float]) -> None:
-    assert 0.020 < found["growth a tap, regression"] < 0.038
+    assert 0.020 < found["growth a step, regression"] < 0.038
     assert 0.020 < found["clipped low"] + found["clipped high"] < 0.035
     assert -0.4 < found["correlation down columns, lag 1"] < -0.2
     assert found["clipped low"] < found["clipped high"]
@@ -55,4 +55,4 @@ def test_without_these_effects_frames_are_not_those_of_the_chip() -> None:
     assert found["fixed pattern in all, codes"] < 0.3
     assert found["frame level, codes"] < 0.05
     assert abs(found["correlation down columns, lag 1"]) < 0.02
-    assert abs(found["growth a tap, regression"]) < 0.005
+    assert abs(found["growth a step, regression"]) < 0.005

@@ -252,6 +252,7 @@ def coded_frame(
         )
     read = codes.mean(axis=0) - number_of(meta, "adc_offset")
     if dark is not None:
+        # A dark frame went through the same words, so it contains their bias.
         read, bias_e = undarkened(read, dark), 0
     exposure_e = read * number_of(meta, "electrons_per_lsb")
     value_e = (exposure_e - bias_e) / gain

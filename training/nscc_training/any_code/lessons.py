@@ -158,11 +158,14 @@ def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> 
     Part of the light would saturate a pixel that is always open; only pixels with a short exposure
     measure it."""
     picture = pictures[int(generator.integers(len(pictures)))]
+    # A pixel of the still is the mean of `step` x `step` pixels of the picture: two sizes of
+    # detail.
     step = int(generator.integers(1, 3))
     row, col = (int(generator.integers(side - step * size + 1)) for side in picture.shape)
     crop = picture[row : row + step * size, col : col + step * size]
     crop = crop.reshape(size, step, size, step).mean(axis=(1, 3))
     turned = np.rot90(crop, int(generator.integers(4)))[:, :: int(generator.choice((1, -1)))]
+    # An exponent on light changes the contrast.
     light = np.asarray(np.maximum(turned, 1e-7) ** generator.uniform(0.8, 1.3), np.float32)
     # Light that fills a well: 2 to 60 % of the pixels would saturate if they were always open.
     level = max(float(np.quantile(light, generator.uniform(0.4, 0.98))), 1e-6)
@@ -208,6 +211,7 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
         opened = rows[:, generator.integers(0, rows.shape[1], places)]
     else:
         opened = slot < generator.integers(1, frames + 1, places)
+    # Pixels that would never open open in one slot, the same for all of them.
     closed = ~opened.any(axis=0)
     opened[int(generator.integers(frames))] |= closed
     return np.ascontiguousarray(over_array(opened, size, size), np.float32)
@@ -238,7 +242,9 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
 
 @cache
 def _searched_tile() -> Mask:
-    """Return the shutters (16, 8, 8), 1 where open, of the searched code that comes with nscc."""
+    """Return the shutters (16 slots, 8 x 8 pixels), 1 where open, of the code that a search found
+    and that comes with nscc."""
+    # The encoder's own random codes are replaced at once by those of the file.
     encoder = make_encoder(ShutterSpec("e", SEARCHED_SLOTS, tile=(8, 8)), start="random", seed=0)
     encoder.load_codes(load_codes(searched_codes()))
     return np.asarray(encoder.hard().numpy(), np.float32)
@@ -252,7 +258,7 @@ def _searched_mask(generator: Generator, frames: int, size: int) -> Mask:
     it."""
     tile = np.rot90(_searched_tile(), int(generator.integers(4)), axes=(1, 2))
     tile = tile[:: int(generator.choice((1, -1)))]
-    row, col = generator.integers(8, size=2)
+    row, col = generator.integers(8, size=2)  # the tile has 8 x 8 pixels
     mask = over_array(tile, row + size, col + size)[:, row:, col:]
     return np.ascontiguousarray(mask, np.float32)
 

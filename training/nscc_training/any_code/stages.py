@@ -97,15 +97,16 @@ def started_still(measured: Measured[Tensor]) -> Tensor:
     saturated pixel has at least the light at which it saturates."""
     mask = measured.mask[:, :, 0]
     opened = (mask > 0).expand_as(measured.value)
-    alone = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0)
+    # The light over the frame that each readout shows by itself.
+    readout_light = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0)
     precision = mask.square() / measured.variance.clamp(min=1e-20)
     precision = torch.where(opened & ~measured.saturated, precision, 0.0)
     total = precision.sum(dim=1)
-    pixel_light = (precision * alone).sum(dim=1) / total.clamp(min=1e-20)
+    pixel_light = (precision * readout_light).sum(dim=1) / total.clamp(min=1e-20)
     # Relative to the frame's own scale, so that a measurement counts more than wide surroundings.
     scale = measured.value.abs().amax(dim=(1, 2, 3)).clamp(min=1e-9).square().reshape(-1, 1, 1)
     light = averaged(pixel_light.unsqueeze(1), (total * scale).unsqueeze(1)).squeeze(1)
-    least = torch.where(opened & measured.saturated, alone, 0.0).amax(dim=1)
+    least = torch.where(opened & measured.saturated, readout_light, 0.0).amax(dim=1)
     return torch.maximum(light, least)
 
 
@@ -159,11 +160,11 @@ def _planes(measured: Measured[Tensor]) -> Tensor:
     readout with the least noise. A saturated readout has noise 1, the largest."""
     mask = measured.mask[:, :, 0]
     opened = mask > 0
-    alone = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0).clamp(min=0)
-    noise = measured.variance.sqrt() / mask.clamp(min=1e-9) / (alone + _FLOOR) / _SPAN
+    readout_light = torch.where(opened, measured.value / mask.clamp(min=1e-9), 0.0).clamp(min=0)
+    noise = measured.variance.sqrt() / mask.clamp(min=1e-9) / (readout_light + _FLOOR) / _SPAN
     noise = torch.where(opened & ~measured.saturated, noise.clamp(max=0.5), 1.0)
     noise, best = noise.min(dim=1, keepdim=True)
     # From 0 for 1 / 4096 of the frame or less, to 1 for the whole frame.
-    share = torch.log2(mask.clamp(min=2.0**-12)).expand_as(alone) / 12 + 1
-    planes = [share.gather(1, best), coded_light(alone.gather(1, best)), noise]
+    share = torch.log2(mask.clamp(min=2.0**-12)).expand_as(readout_light) / 12 + 1
+    planes = [share.gather(1, best), coded_light(readout_light.gather(1, best)), noise]
     return torch.stack(planes, dim=1)

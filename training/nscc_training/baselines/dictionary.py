@@ -135,8 +135,10 @@ def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
     fit = right.copy()
     weights: Matrix = np.zeros((count, 0))
     for size in range(1, sparsity + 1):
+        # Atoms that are chosen already are not chosen again.
         fit[np.arange(count)[:, None], chosen] = 0.0
         chosen = np.concatenate([chosen, np.abs(fit).argmax(axis=1)[:, None]], axis=1)
+        # The addition keeps the system solvable if chosen atoms are nearly equal.
         gram = products[chosen[:, :, None], chosen[:, None, :]] + 1e-9 * np.eye(size)
         projections = np.take_along_axis(right, chosen, axis=1)
         weights = np.asarray(np.linalg.solve(gram, projections[..., None])[..., 0], np.float64)

@@ -54,6 +54,7 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
         # Sums are needed around the missing pixels only.
         part = tuple(_from_first_to_last(np.any(missing, axis=axis), reach) for axis in (1, 0))
         own, own_weighted = precision[part], weighted[part]
+        # `tent_sums` counts a pixel itself once; the second term makes that `_OWN` times.
         total = tent_sums(own, reach) + (_OWN - 1) * own
         value = tent_sums(own_weighted, reach) + (_OWN - 1) * own_weighted
         fillable = missing[part] & (total > 0)

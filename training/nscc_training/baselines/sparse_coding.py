@@ -16,7 +16,7 @@ from torch import Tensor
 from torch.nn import functional
 
 from nscc_training import made_scenes
-from nscc_training.baselines.dictionary import learned
+from nscc_training.low_passlines.dictionary import learned
 
 SIDE = 9
 FILTERS = 40
@@ -43,9 +43,9 @@ def sparse_coded(
     The three arrays are (rows, cols); pictures are square roots of light relative to a full well.
     `filters` (K, 1, side, side) come from `made_filters`. FISTA minimises |confidence (measured -
     blurred coarse - sum of filters)|^2 / 2 + `weight` * sum of the absolute filter weights."""
-    base = blurred(torch.from_numpy(coarse).float()[None, None])
+    low_pass = blurred(torch.from_numpy(coarse).float()[None, None])
     mask = torch.from_numpy(confidence).float()[None, None]
-    target = mask * (torch.from_numpy(measured).float()[None, None] - base)
+    target = mask * (torch.from_numpy(measured).float()[None, None] - low_pass)
     step = 1.0 / largest_gain(filters, mask)
     maps = torch.zeros((1, len(filters), *target.shape[2:]))
     ahead, momentum = maps, 1.0
@@ -53,10 +53,11 @@ def sparse_coded(
         error = mask * summed(ahead, filters) - target
         moved = ahead - step * spread(mask * error, filters)
         shrunk = torch.sign(moved) * torch.clamp(moved.abs() - step * weight, min=0)
+        # FISTA's momentum: the next gradient is taken at a point ahead of the maps.
         following = (1 + (1 + 4 * momentum**2) ** 0.5) / 2
         ahead = shrunk + (momentum - 1) / following * (shrunk - maps)
         maps, momentum = shrunk, following
-    return np.asarray((base + summed(maps, filters))[0, 0].double().numpy())
+    return np.asarray((low_pass + summed(maps, filters))[0, 0].double().numpy())
 
 
 def coded_still(
@@ -96,6 +97,7 @@ def made_filters() -> Tensor:
     always the same, and cached."""
     generator = np.random.default_rng([0, SIDE])
     blocks = []
+    # 150 blocks from each of 16 pictures of 96 x 96 pixels.
     for _ in range(16):
         light = made_scenes.still(generator, 96)
         root = np.sqrt(light / np.quantile(light, 0.7))

@@ -28,10 +28,10 @@ def _primal_row(
     """Compute out = image + div(field) in one row, of `cols` pixels, that begins at index `at`; all
     arrays are flat.
 
-    `right`, `down` and `later` are the field: one component for each direction of a difference. The
-    pixel above is `above` elements back, that in the previous frame `before` elements. If such a
-    neighbour is missing, the element there is in the last row or frame, where its component of the
-    field is 0."""
+    `right`, `down` and `later` are the field: one component for each direction of a difference.
+    `time` is the weight of differences between frames. The pixel above is `above` elements back,
+    that in the previous frame `before` elements. If such a neighbour is missing, the element there
+    is in the last row or frame, where its component of the field is 0."""
     for k in range(at + 1, at + cols):
         out[k] = (
             image[k]
@@ -64,7 +64,8 @@ def _dual_row(
 
     The row begins at index `at`. The pixel below is `below` elements ahead, that in the next frame
     `after` elements. If the neighbour is missing, the distance is 0, so that the difference is 0
-    and its component of the field stays 0. `pull` is `step` / `weight`."""
+    and its component of the field stays 0. `pull` is `step` / `weight`, and `time` is the weight of
+    differences between frames."""
     end = at + cols - 1
     last_down, last_later = out[end + below] - out[end], time * (out[end + after] - out[end])
     for k in range(at, end):

@@ -85,8 +85,11 @@ class Bump(Encoder):
     def __init__(
         self, spec: ShutterSpec, relaxation: str, limits: dict[str, tuple[int, int]]
     ) -> None:
-        """Begin with every field at its lowest value. `limits` are the lowest and the highest value
-        of each field, in slots."""
+        """Create a parameter for each field, all at their lowest value.
+
+        `spec` gives the number of slots and the tile. `relaxation` names the method by which
+        gradients pass the rounding of edges (see `Encoder`). `limits` are the lowest and the
+        highest value of each field, in slots, by the field's name ("start", "stop")."""
         super().__init__(spec, relaxation)
         self.limits = limits
         self.legal: Tensor | None = None

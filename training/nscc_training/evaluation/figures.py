@@ -53,8 +53,12 @@ Field = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class _Shot:
-    """The images of a scene: `light` (rows, cols) or (T, rows, cols) in electrons, by name
-    ("truth", "open", "decoded"), and the `frames` "coded" and "always-open" in grey levels."""
+    """The images of one scene, called `name` in the titles of figures.
+
+    `light` has three entries: "truth", the scene's light; "open", what always open pixels measure;
+    "decoded", the reconstruction. Each is (rows, cols) for a still, in electrons over the frame, or
+    (T, rows, cols) for a clip, in electrons per slot. `frames` are the readouts (rows, cols) of the
+    coded pixels, "coded", and of always open ones, "always-open", as uint8 for the screen."""
 
     name: str
     light: Mapping[str, Field]
@@ -141,8 +145,12 @@ def _shot_of(
     found_scene: tuple[str, ProtocolScene] | None,
     settings: FigureSettings,
 ) -> _Shot:
-    """Expose a scene, or the built-in scene, and reconstruct it with a run; return the images.
-    `still` decides whether it is a still or a clip."""
+    """Expose a scene on the emulated chip twice, with the run's shutters and with always open
+    pixels. Reconstruct the first exposure with the run in `folder`, and return all images.
+
+    `found_scene` is the scene's name and the scene itself; None takes the built-in scene. `still`
+    says whether it is a still (True) or a clip (False). `settings` are the chip's effects and the
+    seed of its noise and fixed patterns."""
     setup = folder.setup
     if found_scene is None:
         like = run_capture(folder.path)
@@ -159,9 +167,13 @@ def _shot_of(
         simulate(container, light, setup.sensor, request).frame
         for container in (container_of(setup), camera(setup.slots, setup.chip.slot_us))
     )
+    # frame[0], saturated[0]: the only bucket.
     decoded_light = decoded_frame(setup, coded.frame[0], coded.saturated[0])
+    # Always open pixels do not tell when light arrived: every slot of a clip gets an equal part.
     flat = usual.frame[0] * setup.model.electrons_per_lsb / (1 if still else setup.slots)
     usual_light = np.broadcast_to(flat, truth.shape)
+    # Converter codes are shown with the top code as white; the fitted values (0) do not matter
+    # then.
     codes = fitted("srgb", np.zeros(1), float(setup.model.top_code))
     frames = {
         name: codes(frame.frame[0]) for name, frame in (("coded", coded), ("always-open", usual))

@@ -186,20 +186,24 @@ def _still_capture(
 
 
 def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolScene], Container]:
-    """Return a function from a crop to its program.
+    """Return a function that takes a scene (a crop of a panorama) and returns the compiled program
+    to expose it with.
 
-    The program of a method with fixed looks, or of the bracket, is the same for all crops. A
-    designed one is made for the light of each crop."""
+    `name` is that of a row of the table: a key of `ROWS` (fixed looks), `BRACKET`, or a key of
+    `DESIGNED`. The program of the first two is the same for all scenes. A designed one is made for
+    the light of each scene."""
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words
     if name == BRACKET:
+        # 125.0: the length of a slot in microseconds.
         readouts = camera(SLOTS, 125.0, target, lengths=bracket_slots(SLOTS))
         return lambda _: readouts
     chip = DesignChip.of(target, sensor)
 
     def words_for(crop: ProtocolScene) -> Container:
         """Design the looks for the light of a crop, and return the compiled program."""
+        # Slots of equal length: the times of looks count only as parts of the frame.
         model = LookModel(chip, histogram([crop.light_e]), [1.0] * SLOTS)
         return _compiled(model.best(DESIGNED[name] - 1, "mu"), target)
 

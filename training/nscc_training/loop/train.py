@@ -67,8 +67,11 @@ class Log:
     def __init__(
         self, out: Path, metrics: Sequence[str], rows: Sequence[str] | None = None
     ) -> None:
-        """Continue a log with `rows`, or with None begin one with a header. `metrics` name its
-        columns."""
+        """Continue a log with the lines `rows` of an earlier one, header first. None begins a log
+        that holds only a header.
+
+        `out` is the folder of the run. `metrics` are the names of the protocol's metrics: columns
+        between the loss and the numbers of words and of pixels that never open."""
         self.out = out
         self._columns = ("loss", *metrics, "words_per_slot", "dead_share")
         self.rows = list(rows or [",".join(["step", "split", *self._columns])])

@@ -77,8 +77,12 @@ def study_diagram(studies: Sequence[EmulatorStudy], times: str, device: str) -> 
 
 
 def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
-    """Draw the predicted and measured errors of all plans in `studies` against their tolerance.
-    Raise ValueError without plans."""
+    """Draw the predicted and measured errors of all plans in `studies` against their tolerance, all
+    in RMS electrons on logarithmic axes.
+
+    Each scene has a colour. A line joins the two errors of a plan: a large hollow mark is the
+    prediction, a small full mark the measurement. Errors too small for the axis are drawn at its
+    lower end, with the measured value as text. Raise ValueError without plans."""
     from matplotlib.lines import Line2D
 
     plans = [
@@ -96,12 +100,15 @@ def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
     tolerances_e = np.array([tolerance_e for _, tolerance_e, _, _ in plans])
     errors = np.array([rms_errors for _, _, *rms_errors in plans])
     least, most = tolerances_e.min() / 1.5, tolerances_e.max() * 1.5
+    # The axis ends below the smallest error that is worth showing, and above the largest finite
+    # one.
     low = errors[errors > least / _LOWEST].min(initial=least) / 1.5
     high = 1.2 * errors[errors < math.inf].max(initial=most)
     figure, [axes] = sheet.panels(1, (_SIDE, _SIDE), 1)
     axes.set(xscale="log", yscale="log", xlim=(least, most), ylim=(low, high))
     axes.set(xlabel="tolerance asked, e", ylabel="error, e")
     line, above = [least, most], [SLACK * least, SLACK * most]
+    # Shaded: the plan broke its promise, since its error exceeds the tolerance with its slack.
     axes.fill_between(line, above, high, color=theme().closed)
     axes.plot(line, line, color=theme().ink)
     axes.plot(line, above, color=theme().ink, linestyle="--")

@@ -54,8 +54,9 @@ def refused(stage: str, setting: str, why: Exception) -> StudyPoint:
 
 
 def compiling(bench: Bench) -> Iterator[StudyPoint]:
-    """Yield a point for each level of -O. Its time is that of compiling, from text to proof and
-    without the cache."""
+    """Yield a point of the study for each optimisation level of the request. Its time is that of
+    compiling, from text to proof and without the cache. Its error, in percent, is that of the
+    compiled program's frame."""
 
     def figures(level: int, compiled: Compiled) -> Figures:
         """Return error, lowering and number of words of the program, compiled at this level."""

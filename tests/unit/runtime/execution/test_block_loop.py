@@ -74,7 +74,7 @@ def test_every_lowering_and_effect_equals_the_reference(name: str, effects: str)
 
 
 @pytest.mark.parametrize("slots", [1, 3, 5, 13])
-def test_numbers_of_slots_that_are_no_powers_of_two(slots: int) -> None:
+def test_any_number_of_slots_equals_the_reference(slots: int) -> None:
     from reference_programs import program
 
     text = f"nsl 1\nframe {slots} slots of 1ms\ncode stop : 0..N\nopen when n < stop\n"
@@ -96,7 +96,9 @@ def test_arrays_of_one_pixel_row_or_column_equal_the_reference() -> None:
 
 @pytest.mark.parametrize("name", ["b edges", "d edges", "codebook", "two buckets"])
 @pytest.mark.parametrize("retention_us", [700.0, 1600.0])
-def test_registers_that_lose_their_codes(name: str, retention_us: float) -> None:
+def test_exposures_with_registers_that_lose_their_bits_equal_the_reference(
+    name: str, retention_us: float
+) -> None:
     container = case(name, rows=6, cols=9)
     light = moving_light((8, 6, 9), 500.0)
     sensor = sensor_near(container, digital_retention_us=retention_us)
@@ -110,7 +112,7 @@ def test_registers_that_lose_their_codes(name: str, retention_us: float) -> None
 
 
 @pytest.mark.parametrize("frames_s", [None, 0.003])
-def test_light_that_is_sampled_or_spread(frames_s: float | None) -> None:
+def test_light_from_several_frames_in_a_slot_equals_the_reference(frames_s: float | None) -> None:
     """Light whose slots are sums of several frames, with and without motion inside them."""
     from nscc_runtime.scenes import ExposureLevel
     from nscc_runtime.scenes.exposure import scale
@@ -130,7 +132,7 @@ def test_light_that_is_sampled_or_spread(frames_s: float | None) -> None:
         np.testing.assert_allclose(found, full, rtol=1e-9, atol=1e-3)
 
 
-def test_stills_whose_slots_are_alike_or_not() -> None:
+def test_stills_with_equal_or_different_slots_equal_the_reference() -> None:
     container = case("d edges", rows=6, cols=9)
     frame = moving_light((8, 6, 9), 500.0).frames[0]
     for weight in (np.full(8, 0.7), np.linspace(0.1, 2.0, 8)):
