@@ -67,9 +67,13 @@ def dark_of(
         weight = _frames(same)
         halves = _combined(same, weight / weight.sum())
         mean, spread = _mean(halves, good_mask)
-        both = hypot(spread / sqrt(pixels), moments.mean_rounding)
+        spread_se = hypot(spread / sqrt(pixels), moments.mean_rounding)
         return DarkFit(
-            mean, offset_se=moments.mean_se, offset_spread_se=both, offsets=halves, times_s=times
+            mean,
+            offset_se=moments.mean_se,
+            offset_spread_se=spread_se,
+            offsets=halves,
+            times_s=times,
         )
     time, weight = np.array(known), _frames(usable_levels)
     centre = float((weight * time).sum() / weight.sum())
@@ -81,12 +85,12 @@ def dark_of(
     current, current_spread = _mean(currents, good_mask)
     errors = np.array([moments.mean_se for _, moments in usable])
     rounding = np.array([moments.mean_rounding for _, moments in usable])
-    offset_se = hypot(offset_spread / sqrt(pixels), _size(starts * rounding))
+    offset_spread_se = hypot(offset_spread / sqrt(pixels), _size(starts * rounding))
     current_se = hypot(current_spread / sqrt(pixels), _size(slopes * rounding))
     return DarkFit(
         offset,
         offset_se=_size(starts * errors),
-        offset_spread_se=offset_se,
+        offset_spread_se=offset_spread_se,
         offsets=offsets,
         times_s=tuple(sorted(set(known))),
         current=current,

@@ -16,7 +16,7 @@ from torch import Tensor
 from torch.nn import functional
 
 from nscc_training import made_scenes
-from nscc_training.low_passlines.dictionary import learned
+from nscc_training.baselines.dictionary import learned
 
 SIDE = 9
 FILTERS = 40
