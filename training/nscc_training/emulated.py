@@ -216,7 +216,15 @@ def emulated_sensor(
     ).astype(np.float16)
     arrays = light_e, share, code, spread, full, readout
     levels, shares, codes, spreads, marked, errors = map(torch.from_numpy, arrays)
-    return EmulatedSensor(levels, shares, codes, spreads, marked, errors, crosstalk)
+    return EmulatedSensor(
+        levels,
+        share=shares,
+        code=codes,
+        spread=spreads,
+        full=marked,
+        readout=errors,
+        crosstalk=crosstalk,
+    )
 
 
 def _measured(
