@@ -353,7 +353,7 @@ def _checked(limits: Within, convert: Convert) -> Convert:
         """Convert `value`; raise InvalidRecord if the result (or its length) is outside the
         limits."""
         result = convert(value)
-        is_number = isinstance(result, int | float)
+        is_number = isinstance(result, int | float)  # else the length is limited
         measured = result if is_number else len(result)
         if not limits.low <= measured <= limits.high:
             allowed = f"{limits.low:.15g} to {limits.high:.15g}"

@@ -84,6 +84,7 @@ class ExperimentStore:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 claims = path.with_name(path.name + CLAIMS)
                 self._claims = os.open(claims, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+                # A shared lock on one byte, at the place that means "in use".
                 fcntl.lockf(self._claims, fcntl.LOCK_SH, 1, _IN_USE)
             self._database = sqlite3.connect(
                 path or ":memory:", timeout=_PATIENCE_S, isolation_level=None
@@ -119,6 +120,7 @@ class ExperimentStore:
     def _rejected(self, error: Exception) -> Rejected:
         """Return the exception for a file that is not a store (NS0834) or cannot be used (NS0784),
         with what to do."""
+        # The lowest byte of SQLite's code is the primary error; the others add details.
         primary = getattr(error, "sqlite_errorcode", sqlite3.SQLITE_OK) & 0xFF
         if primary in (sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_ERROR):
             return rejected(
@@ -233,6 +235,7 @@ class ExperimentStore:
         if self._path is None or self._claims is None:
             return
         try:
+            # Fails if another process holds its shared lock on this byte.
             fcntl.lockf(self._claims, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, _IN_USE)
             for end in ("", "-wal", "-shm", CLAIMS):
                 self._path.with_name(self._path.name + end).unlink(missing_ok=True)

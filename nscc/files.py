@@ -189,7 +189,7 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
     Return [(temporary, final path)]. Pipes and devices are written directly, which returns [].
     Raises OSError."""
     if path.is_dir():
-        raise IsADirectoryError(21, "Is a directory", str(path))
+        raise IsADirectoryError(21, "Is a directory", str(path))  # 21 is EISDIR
     # The name itself is checked, because the target of a descriptor's link need not have a path.
     if _DESCRIPTOR.fullmatch(str(path)) or (
         path.exists() and not stat.S_ISREG(path.stat().st_mode)

@@ -136,23 +136,28 @@ def _native(row: Operation) -> Mnemonic:
     """Return the mnemonic of a single operation.
 
     Its operands are the destinations, then the sources. Either number may vary, but not both."""
-    low, high = row.destinations
-    first, last = row.sources
+    least_destinations, most_destinations = row.destinations  # a most of None is any number
+    least_sources, most_sources = row.sources
     # SET, CLR and WHERE have one kind of operand, so this split is unambiguous.
-    split = None if high is None else low
+    split = None if most_destinations is None else least_destinations
 
     def write(operands: Sequence[str]) -> Ops:
         """Return the one word of an instruction that the chip has."""
         at = len(operands) if split is None else split
         return (_word(row, operands[:at], operands[at:]),)
 
-    most = None if high is None or last is None else high + last
-    several = ", ".join(f"d{i}" for i in range(low)) if low > 1 else "d"
-    dest = "d0, d1, .." if high is None else several
-    src = "" if last == 0 else "x" if (first, last) == (1, 1) else "x0, x1, .."
-    operands = filter(None, (dest if low else "", src))
+    most = None
+    if most_destinations is not None and most_sources is not None:
+        most = most_destinations + most_sources
+    several = (
+        ", ".join(f"d{i}" for i in range(least_destinations)) if least_destinations > 1 else "d"
+    )
+    dest = "d0, d1, .." if most_destinations is None else several
+    src = "" if most_sources == 0 else "x" if row.sources == (1, 1) else "x0, x1, .."
+    operands = filter(None, (dest if least_destinations else "", src))
     usage = f"{row.name} {', '.join(operands)}".strip()
-    return Mnemonic(row.name, usage, write, low + first, most)
+    least = least_destinations + least_sources
+    return Mnemonic(row.name, usage, write, least, most)
 
 
 # In-place forms, and mnemonics of the same names.
@@ -264,6 +269,7 @@ def _macros() -> Iterator[Mnemonic]:
         shown, forms = [], {}
         for line in lines:
             shown.append(line.partition(":")[0])
+            # Parts in brackets are optional: a form without them, and one with them.
             for text in (re.sub(r"\[.*?\]", "", line), re.sub(r"[\[\]]", "", line)):
                 forms[len(_Form(text).operands)] = _Form(text)
         scratch = {r for form in forms.values() for _, operands in form.words for r in operands[:1]}

@@ -66,6 +66,7 @@ def npy_values(
     if filled < len(data):
         return None
     values = np.frombuffer(data, dtype=dtype)
+    # Fortran's order is that of the transposed array in C's order.
     return values.reshape(shape[::-1]).T if fortran else values.reshape(shape)
 
 

@@ -304,6 +304,7 @@ def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[
             and register not in directions
         ):
             raise ValueError(f"{name} cannot read {register}")
+    # Operands that are neighbours: a word can reach one of them only.
     directed = [register for register in (*dests, *srcs) if register in directions]
     if directed and (len(directed) > 1 or "NEWS" in (*dests, *srcs)):
         raise ValueError(f"{name} joins NEWS to one bus")
@@ -311,6 +312,7 @@ def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[
         raise ValueError(f"{name} cannot write {directed[0]} beside another register")
     if row.phase is Phase.WHOLE and set(dests) & set(srcs):
         raise ValueError(f"{name} cannot write a register that it reads")
+    # Rows of targets are stored with the word; those of all chips are found by name.
     return Op(name, dests, srcs, None if BY_NAME.get(name) is row else row)
 
 

@@ -140,12 +140,12 @@ class ShutterProgram:
             the pixels look at their light.
         """
         table = self.container.table
-        at_code = self._replayed[table.shutter_of_code].transpose(1, 0, 2)
+        at_code = self._replayed[table.shutter_of_code].transpose(1, 0, 2)  # bucket, code, slot
         if not argument("shutters", "pixels", Flag(), pixels):
             return at_code.copy()
         at_pixel = table.shutter_of_code[self.code_at_pixels]
-        laid = self._replayed.transpose(1, 2, 0)
-        return np.ascontiguousarray(laid[:, :, at_pixel])
+        by_slot = self._replayed.transpose(1, 2, 0)  # bucket, slot, shutter
+        return np.ascontiguousarray(by_slot[:, :, at_pixel])
 
     @property
     def words(self) -> NDArray[np.uint32]:

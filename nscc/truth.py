@@ -40,7 +40,7 @@ def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
 def members(vector: int, count: int) -> NDArray[np.intp]:
     """Return the indices of the shutters, out of `count`, whose bit in a truth vector is 1,
     ascending."""
-    if vector & (vector - 1) == 0:
+    if vector & (vector - 1) == 0:  # at most one bit, a common case that is faster this way
         return np.array([vector.bit_length() - 1] if vector else [], dtype=np.intp)
     packed = np.frombuffer(vector.to_bytes((count + 7) // 8, "little"), dtype=np.uint8)
     return np.flatnonzero(np.unpackbits(packed, count=count, bitorder="little"))
@@ -72,9 +72,9 @@ def set_bits(mask: int) -> tuple[int, ...]:
     """
     places = []
     while mask:
-        low = mask & -mask
-        places.append(low.bit_length() - 1)
-        mask ^= low
+        lowest = mask & -mask
+        places.append(lowest.bit_length() - 1)
+        mask ^= lowest
     return tuple(places)
 
 

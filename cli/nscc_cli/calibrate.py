@@ -24,20 +24,21 @@ class _Calibrate(CommonCommand):
 
         Every argument after `--dark` or `--dark=FILE` counts as a file, up to the next option."""
         spread_args: list[str] = []
-        taking, first = False, False
+        after_dark, has_no_file = False, False
         for arg in args:
             if arg.startswith("-") and arg != "-":
                 # A `--dark` without files stays, so that click reports it.
-                if taking and first:
+                if after_dark and has_no_file:
                     spread_args.append(_DARK)
-                taking = first = arg == _DARK
-                if not taking:
+                after_dark = has_no_file = arg == _DARK
+                if not after_dark:
                     spread_args.append(arg)
-                    taking = arg.startswith(_DARK + "=")
+                    after_dark = arg.startswith(_DARK + "=")
                 continue
-            spread_args += [_DARK, arg] if taking else [arg]
-            first = False
-        return super().parse_args(ctx, [*spread_args, _DARK] if taking and first else spread_args)
+            spread_args += [_DARK, arg] if after_dark else [arg]
+            has_no_file = False
+        lacks_file = after_dark and has_no_file
+        return super().parse_args(ctx, [*spread_args, _DARK] if lacks_file else spread_args)
 
 
 @click.command(name="calibrate", cls=_Calibrate)

@@ -49,6 +49,7 @@ def command(
     from nscc_runtime.effects import effects_json
     from nscc_runtime.sensor import sensor_toml
 
+    # The number of outputs that are asked for.
     if as_json + toml + cost + (plan is not None) + (name is not None) > 1:
         raise click.UsageError(
             "EFFECT, --json, --toml, --cost and --plan print different things: use one of them"

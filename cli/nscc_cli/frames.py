@@ -85,8 +85,8 @@ def run_capture_of(
         "sensor": run_settings.sensor,
     }
     options |= {name: value for name, value in theirs.items() if options[name] is None}
-    words = program is not None and is_compiled(program)
-    if options["target"] is None and run_settings.target is not None and not words:
+    has_chip = program is not None and is_compiled(program)
+    if options["target"] is None and run_settings.target is not None and not has_chip:
         options["target"] = str(run_settings.target)
     return run_settings
 

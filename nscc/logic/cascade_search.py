@@ -168,6 +168,7 @@ class Search:
         search ends when the cascades are unlikely to have as few as `most_total` words in total."""
         count = len(on)
         none = np.zeros(count, dtype=np.int64)
+        # One value for each task, with no link yet: `via` is -1, nothing is negated, no cubes.
         start = _Values(
             on,
             self._table.everything & ~on,
@@ -230,14 +231,21 @@ class Search:
     def _links(
         self, values: _Values, in_flag: bool, words: int, width: int
     ) -> Iterator[tuple[int, bool, _Values]]:
-        """Yield (words of the link, whether the inner value is in FLAG, inner values)."""
+        """Yield the links (gates of a cascade) that may write `values` to FLAG if `in_flag`, else
+        to a register: words of the link, whether its inner value is in FLAG, and inner values.
+
+        An inner value is what the link before must compute; it lacks the points that the link's
+        planes and cubes decide. `words` is the number of words of later links, and `width` that of
+        the beam. Values without undecided points are recorded as ends of cascades."""
         scratch = self._scratch
         most = self._most_cubes(in_flag)
+        # First links without cubes, which read planes only.
         alone = self._without_planes(values, self._room(in_flag, cubes=False, inner=False))
         self._finish(alone, in_flag, words + 1, inner=False)
         alone = self._without_planes(values, self._room(in_flag, cubes=False, inner=True))
         self._finish(alone, in_flag, words + 1, inner=True)
         yield 1, not in_flag, alone
+        # Values by the number of cubes and their words; each round adds a cube.
         grown: dict[tuple[int, int], list[_Values]] = defaultdict(list)
         grown[0, 0].append(
             self._without_planes(values, self._room(in_flag, cubes=True, inner=True))

@@ -180,10 +180,12 @@ class _Writer:
 
         The first state goes into the masked register, where both polarities take one word."""
         base = len(self.planes)
+        # A shutter changes after as many demands as it keeps its first value.
         changed_at, numbers = np.unique(
             (part.open if closes else ~part.open).sum(axis=1), return_inverse=True
         )
         width = int(len(changed_at) - 1).bit_length()
+        # The `low` lowest bits are binary: a submask is a smaller number. The others are Gray code.
         low = min(self.submask_bits, width)
         coded = gray(numbers >> low) << low | numbers & (1 << low) - 1
         self.planes += binary_planes(f"{' and '.join(part.fields)}, change, bit", coded, width)
@@ -198,6 +200,8 @@ class _Writer:
     def _part_planes(self, part: RulePart) -> range:
         """Add the planes of a part that cubes cover, and return their numbers."""
         base, name = len(self.planes), " and ".join(part.fields)
+        # Kinds of shutters are numbered in the order of field values, the first field first:
+        # `lexsort` takes the most significant key last.
         order = np.lexsort([*part.fields.values()][::-1])
         _, first, kinds = np.unique(
             part.open[order], axis=0, return_index=True, return_inverse=True
@@ -285,6 +289,7 @@ class _Writer:
         number = state.changes[index]
         if number and not number & (1 << state.low_bits) - 1:
             high = number >> state.low_bits
+            # The Gray codes of `high` - 1 and `high` differ in the bit of the lowest 1 of `high`.
             flipped = (high & -high).bit_length() - 1 + state.low_bits
             self.segments.append(self.standing.flip(state.planes[flipped]))
         changed = [

@@ -144,6 +144,8 @@ class Covers(NamedTuple):
             for v, _ in free:
                 again |= covered & v
                 covered |= v
+            # Shutters that a single literal keeps out of the cube: those in `outside` need it, and
+            # those in `uncovered` are gained if it is dropped.
             alone = covered & ~again
             needed, gained = alone & outside, alone & uncovered
             may_go: list[tuple[int, int]] = []

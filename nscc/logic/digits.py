@@ -34,7 +34,7 @@ def cycle(groups: int, bits: int) -> tuple[int, ...]:
     ascending = [gray(i) for i in range(half)]
     top = 1 << bits - 1
     codes = ascending + [top | code for code in reversed(ascending)]
-    if groups % 2:
+    if groups % 2:  # a neighbour of the last code, beside the cycle
         codes.append(codes[-1] ^ max(top >> 1, 1) if half else 0)
     return tuple(codes)
 

@@ -208,6 +208,7 @@ def _script(
     groups before demands.
 
     The last `stored` demands have planes of their own."""
+    # The numbers of the demands whose predicates are stored as they are.
     raw = [i for i in range(len(problem.demands)) if not problem.answered(i)]
     raw = raw[len(raw) - stored :]
     planes: Planes = []

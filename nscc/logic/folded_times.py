@@ -43,6 +43,8 @@ def folded_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding
         raise GaveUp("one time of each shutter follows from the other")
     if sum((count - 1).bit_length() for count in counts) < machine.registers:
         raise GaveUp("each time has planes of its own")
+    # The rank of each boundary among those that occur; -1 (no event) is appended so that it always
+    # has rank 0, and points begin at 0 after subtracting 1. The reversal puts rises before falls.
     _, points = np.unique(np.append(boundaries, -1), return_inverse=True)
     points_of_shutter = [*zip(*(points[:-1].reshape(2, -1)[::-1] - 1).tolist(), strict=True)]
     bits = (machine.registers - 1) // 2

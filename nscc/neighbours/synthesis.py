@@ -239,10 +239,10 @@ class Synthesis:
             centre_weights = {UNIT, least, 2 * least, -least, -2 * least}
             centre_weights |= {middle - weight for weight in (0, *inverse.values())}
         for centre_weight in sorted(centre_weights - {0}):
-            alone: Taps = {(0, 0): centre_weight}
-            remainder = added((1, inverse), (-1, alone))
+            centre_only: Taps = {(0, 0): centre_weight}
+            remainder = added((1, inverse), (-1, centre_only))
             if remainder and abs(remainder.get((0, 0), 0)) < abs(middle):
-                seconds = self._programs_of_part(dict(alone), depth - 2)
+                seconds = self._programs_of_part(dict(centre_only), depth - 2)
                 for first in self._programs(remainder, depth - 2):
                     for second in seconds:
                         yield _summed(first.program, second)
@@ -281,19 +281,20 @@ def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
     corner = taps.get((left, top))
     if not corner:
         return
-    line = {x: weight for (x, y), weight in taps.items() if y == top}
-    rest = {y: weight for (x, y), weight in taps.items() if x == left}
-    common = gcd(*line.values())
-    product = {(x, y): a * b for x, a in line.items() for y, b in rest.items()}
+    top_row = {x: weight for (x, y), weight in taps.items() if y == top}
+    left_column = {y: weight for (x, y), weight in taps.items() if x == left}
+    common = gcd(*top_row.values())
+    # A kernel is a product if its weights times the corner's are those of its first row and column.
+    product = {(x, y): a * b for x, a in top_row.items() for y, b in left_column.items()}
     if product != {at: weight * corner for at, weight in taps.items()}:
         return
     halvings = halvings_of(taps)
-    for share in sorted({0, halvings // 2, halvings}):
-        scale = 2**share * common
-        if all(weight * common * 2**share % corner == 0 for weight in rest.values()):
+    for in_row in sorted({0, halvings // 2, halvings}):
+        scale = 2**in_row * common
+        if all(weight * scale % corner == 0 for weight in left_column.values()):
             yield (
-                {(x, 0): weight * UNIT // scale for x, weight in line.items()},
-                {(0, y): weight * scale // corner for y, weight in rest.items()},
+                {(x, 0): weight * UNIT // scale for x, weight in top_row.items()},
+                {(0, y): weight * scale // corner for y, weight in left_column.items()},
             )
 
 
@@ -312,10 +313,10 @@ def _joined(first: Program, second: Program) -> Iterator[Program]:
     The last word of `first` is left out: its sources replace the input of `second`."""
     if not first or first[-1].halves or not _NEWS.isdisjoint(first[-1].sources):
         return
-    start, b = renamed(first[:-1], {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
-    inputs = renamed(first[-1:], {"x": "x"}, "a")[0].sources
-    words = [*start]
-    for word in b:
+    # Registers get different prefixes, so that the two programs do not share any but the input x.
+    words = [*renamed(first[:-1], {"x": "x"}, prefix="a")]
+    inputs = renamed(first[-1:], {"x": "x"}, prefix="a")[0].sources
+    for word in renamed(second, {"x": "x"}, prefix="b"):
         sources = tuple(
             name for source in word.sources for name in (inputs if source == "x" else (source,))
         )
@@ -354,13 +355,15 @@ def _places_to_add(program: Program, directed_sources: int) -> list[int]:
 def _woven(first: Program, second: Program, places: list[int]) -> Program:
     """Return the words of `second` and `first`, where the words number `places` of `first` also add
     the result of `second`."""
-    a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
-    result = b[-1].destinations[0] if b else "x"
+    # Registers get different prefixes, so that the two programs do not share any but the input x.
+    first = renamed(first, {"x": "x"}, prefix="a")
+    second = renamed(second, {"x": "x"}, prefix="b")
+    result = second[-1].destinations[0] if second else "x"
     words = [
         BusWord(word.destinations, (*word.sources, result)) if number in places else word
-        for number, word in enumerate(a)
+        for number, word in enumerate(first)
     ]
-    return (*b, *words)
+    return (*second, *words)
 
 
 # --- choosing -------------------------------------------------------------------------------------

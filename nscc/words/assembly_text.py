@@ -71,7 +71,7 @@ def ranges_text(values: Sequence[int]) -> str:
         end = at
         while end + 1 < len(values) and values[end + 1] - values[end] == step:
             end += 1
-        if end - at < 2 and step > 1:
+        if end - at < 2 and step > 1:  # two values with a gap are shorter one by one
             end = at
         if end == at:
             texts.append(str(values[at]))
@@ -106,8 +106,9 @@ def slots_text(slots: NDArray[np.bool_]) -> str:
     The hexadecimal form is used if it is shorter; slot 8 k + i is bit i of byte k."""
     if not slots.any():
         return "never"
+    # The boundaries at which the shutter opens and closes, in turn.
     turns = np.flatnonzero(np.diff(slots, prepend=False, append=False)).tolist()
-    hexadecimal = 1 + 2 * ((len(slots) + 7) // 8)
+    hexadecimal = 1 + 2 * ((len(slots) + 7) // 8)  # characters: `x`, and two for each byte
     if len(turns) <= _FEW_TURNS:
         runs = zip(turns[::2], turns[1::2], strict=True)
         return ",".join(f"{a}..{b - 1}" if b - a > 1 else str(a) for a, b in runs)

@@ -83,7 +83,7 @@ def refresh_count(words: Sequence[Op]) -> int:
         if word.operation.phase is Phase.READ and before[-1:] == ["SET"]:
             count += 1
             if before == ["WHERE", "SET"] and words[i - 2].sources == words[i - 1].destinations:
-                count += 2
+                count += 2  # the WHERE before, and the word after that restores the mask's code
     return count
 
 

@@ -62,9 +62,10 @@ def counts_of(
             inner = counts_of(node.value, known, weights)
             if inner is None:
                 return None
+            # Values and their negatives differ by multiples of both.
             stride = _common(inner.stride, 2 * inner.low)
             least = min(abs(inner.low), abs(inner.high))
-            if inner.low <= 0 <= inner.high:
+            if inner.low <= 0 <= inner.high:  # the least value that is a whole number of steps away
                 least = -inner.low % stride if stride else abs(inner.low)
             return CountRange(least, inner.peak, stride)
         case p.Chosen() | p.Larger():
@@ -130,6 +131,7 @@ def count_unit(pictures: p.Pictures, target: Target) -> CountUnit | None:
     The largest count must fit the registers and IN (the level sent to all pixels), and levels and
     factors must be whole steps."""
     known, weights = counts_by_name(pictures), pictures.weights_by_name
+    # The largest count with the item in which it occurs, and the fewest steps of IN for a count.
     peak, name, least = Fraction(0), "", 1
     for item, expression in pictures.expressions.items():
         for node in p.subexpressions(expression):

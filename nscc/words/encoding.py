@@ -181,7 +181,7 @@ def no_operation(word: Word, place: str = "") -> Diagnostic:
     "" if unknown."""
     notes = []
     bits = _joined(word)
-    wrong_indices = [i for i in range(5) if word[i] >> 16 & 7 != i]
+    wrong_indices = [i for i in range(5) if word[i] >> 16 & 7 != i]  # bits 16-18 of integer i
     if wrong_indices:
         listed = ", ".join(f"{i} (0x{word[i]:05x})" for i in wrong_indices)
         notes.append(f"bits 16-18 of each integer must hold its index 0..4; wrong in {listed}")

@@ -277,10 +277,10 @@ def _table_of_planes(
     encoding, pixels = codes_of_planes(planes, target)
     codes = len(encoding)
     table = DecodeTable(
-        ("code",) if planes else (),
-        np.arange(codes, dtype=np.int64)[:, None] if planes else np.zeros((1, 0), np.int64),
-        np.arange(codes, dtype=np.int32),
-        np.zeros((codes, len(buckets), len(draft.slot_us)), dtype=np.bool_),
+        fields=("code",) if planes else (),
+        codes=np.arange(codes, dtype=np.int64)[:, None] if planes else np.zeros((1, 0), np.int64),
+        shutter_of_code=np.arange(codes, dtype=np.int32),
+        shutters=np.zeros((codes, len(buckets), len(draft.slot_us)), dtype=np.bool_),
     )
     order = load or tuple(sorted(planes, key=lambda name: name != target.masked_register))
     return table, encoding, pixels, order
@@ -307,6 +307,7 @@ def _table(
     registers = len(target.digital_registers)
     encoding = np.zeros((shutters, registers), dtype=np.bool_)
     for row, (bits, *slot_tokens) in enumerate(draft.shutters):
+        # Without registers, `-` stands for no digits.
         digits = bits.text if registers else bits.text.replace("-", "", 1)
         if len(digits) != registers or digits.strip("01"):
             faults.add("NS0714", f"{shown(bits.text)} is not {registers} digits 0 or 1", bits.span)
@@ -329,6 +330,7 @@ def _table(
     codes = np.zeros((len(draft.codes), len(fields)), dtype=np.int64)
     shutter_of_code = np.zeros(len(draft.codes), dtype=np.int32)
     for row, tokens in enumerate(draft.codes):
+        # The number of the shutter, then the values of the fields; None is no integer.
         read = [read_integer(token.text) for token in tokens]
         values = [value for value in read if value is not None]
         if not len(values) == len(read) == 1 + len(fields):
@@ -376,6 +378,6 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray
     if values.min() < 0 or values.max() >= codes:
         faults.add("NS0714", f"the code of a pixel is not one of the {codes} codes", span)
         return None
-    repeats = (-(-target.rows // rows), -(-target.cols // cols))
+    repeats = (-(-target.rows // rows), -(-target.cols // cols))  # rounded up, then cut
     tiled = np.tile(values.astype(np.int32), repeats)
     return np.ascontiguousarray(tiled[: target.rows, : target.cols])

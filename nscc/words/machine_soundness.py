@@ -40,6 +40,7 @@ def faults(container: Container) -> Iterator[str]:
         yield f"its machine's {wrong[0]}"
         return
     shortest_us, frame_us = min(container.slot_us), sum(container.slot_us) * (1 + 1e-9)
+    # An open time is -1 (not known), 0, or a sum of slots.
     is_sum = (machine.open_us >= shortest_us) & (machine.open_us <= frame_us)
     if not (is_sum | np.isin(machine.open_us, (-1.0, 0.0))).all():
         yield "the open times of its machine are invalid"

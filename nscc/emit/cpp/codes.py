@@ -123,12 +123,15 @@ def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
         return [], 0
     if allowed == (1 << (1 << bits)) - 1:
         return [(0, 0)], allowed
+    # The highest variable, as a bit of a cube, splits the truth tables in two: its 2^(bits - 1)
+    # rows with 0 are the lower half of the integer, those with 1 the upper half.
     variable, half = 1 << (bits - 1), 1 << (bits - 1)
     low = (1 << half) - 1
     needed_0, needed_1 = needed & low, needed >> half
     allowed_0, allowed_1 = allowed & low, allowed >> half
     cubes_0, covered_0 = _cover(needed_0 & ~allowed_1, allowed_0, bits - 1)
     cubes_1, covered_1 = _cover(needed_1 & ~allowed_0, allowed_1, bits - 1)
+    # Cubes without the variable cover what is allowed in both halves.
     uncovered = (needed_0 & ~covered_0) | (needed_1 & ~covered_1)
     both, covered = _cover(uncovered, allowed_0 & allowed_1, bits - 1)
     cubes = [
