@@ -115,6 +115,7 @@ class Capture(Frame):
         for report in pictures.reports:
             key, name = report.key, report.subject
             values, counts = self.told[key], self.told.get(f"{key}_count")
+            # The axes of one frame's report; one more is that of repeated frames.
             repeated = values.ndim > {"events": 2, "box": 1}.get(report.kind, 0)
             frames = range(len(values)) if repeated else [...]
             frame_values = [

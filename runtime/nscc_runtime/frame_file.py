@@ -373,6 +373,7 @@ def _write_entry(
     little-endian, dated 1980. `blocks` yields its values in order."""
     little = dtype.newbyteorder("<")
     entry = zipfile.ZipInfo(f"{key}.npy")
+    # Permissions of the entry, the same on every system; its date is the default of ZipInfo, 1980.
     entry.external_attr = 0o600 << 16
     with archive.open(entry, "w", force_zip64=True) as out:
         header = {"descr": little.str, "fortran_order": False, "shape": shape}

@@ -83,6 +83,7 @@ def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int,
     noise_e2 = response.variance_e2 + converter_e2(program.sensor, everything())
     noise_e = _SIGMAS * np.sqrt(noise_e2)[lanes].T
     sensor, effects = program.sensor, everything()
+    # The number of the first light level that sets any mark.
     begin = (marked != 0).argmax(axis=1)
     codes_by_bit = {}
     for at in ("well", "registers"):

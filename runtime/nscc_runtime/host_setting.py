@@ -54,7 +54,7 @@ def settings_of(container: Container, params: Any, inputs: Any) -> tuple[HostSet
     listed = [_mappings("params", params), _mappings("inputs", inputs)]
     settings, count = [HostSetting.at_start(container)], max(map(len, listed))
     for number in range(count):
-        of_frame = [each[number] if number < len(each) else {} for each in listed]
+        of_frame = [mappings[number] if number < len(mappings) else {} for mappings in listed]
         before = settings[-1]
         settings.append(
             HostSetting(
@@ -62,6 +62,7 @@ def settings_of(container: Container, params: Any, inputs: Any) -> tuple[HostSet
                 {**before.inputs, **_inputs(container, of_frame[1])},
             )
         )
+    # The first setting is that before any mapping; it holds if both lists are empty.
     return tuple(settings[1:] or settings)
 
 

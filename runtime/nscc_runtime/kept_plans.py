@@ -94,6 +94,8 @@ def _planned(
     if earlier is None:
         plan = make(frames)
         return plan, _KeptPlan(plan, scenes=1, most_scenes=_AGAIN)
+    # A plan that served as many scenes as it may is made anew, and the new one may serve twice as
+    # many.
     if earlier.scenes >= earlier.most_scenes:
         plan = make(min(frames, earlier.scenes))
         return plan, _KeptPlan(plan, scenes=1, most_scenes=2 * earlier.most_scenes)

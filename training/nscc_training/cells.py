@@ -133,6 +133,7 @@ class PixelCell(nn.Module):
         self.register_buffer("level", torch.tensor(level, dtype=torch.float64))
         for name, value in ("pool_size", pool), ("outside", outside), ("flips", update == "flip"):
             self.register_buffer(name, torch.tensor(int(value)))
+        # Bits 0 and 1 are -1 and +1 in the network.
         self.pool, self.update, self.beyond = pool, update, 2.0 * outside - 1.0
         self.register_load_state_dict_post_hook(_read_settings)  # type: ignore[no-untyped-call]
 

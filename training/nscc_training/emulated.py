@@ -70,6 +70,8 @@ class EmulatedSensor:
         down = light[..., 1:, :] - light[..., :-1, :]
         right = light[..., :, 1:] - light[..., :, :-1]
         pad = torch.nn.functional.pad
+        # The difference to the neighbour below (or right) flows into a pixel, and out of the
+        # neighbour.
         flow = pad(down, (0, 0, 0, 1)) - pad(down, (0, 0, 1, 0))
         flow = flow + pad(right, (0, 1)) - pad(right, (1, 0))
         return light + self.crosstalk * flow

@@ -183,6 +183,7 @@ class Run:
             name = "the capture"
         else:
             codes = self._codes(frame)
+            # Codes alone do not say which pixels are saturated: those with the last code count.
             full = last_codes(codes, self.folder.setup.target) != 0
             return decoded_frame(self.folder.setup, codes, full)
         dark_frames = None if dark is None else self._dark(dark)
@@ -356,6 +357,7 @@ def _chart(
     y = _TOP + _HEIGHT * (1 - (values - low) / span)
     points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(x, y, strict=True))
     frame = f"M{_LEFT:g} {_TOP:g}v{_HEIGHT:g}H{_WIDTH:g}"
+    # Offsets of the texts from the frame are in pixels of the drawing.
     shapes = [
         f"<path d='{frame}' fill='none' stroke='currentColor' stroke-opacity='.4'/>",
         f"<polyline points='{points}' fill='none' stroke='{colour}' stroke-width='1.5'/>",

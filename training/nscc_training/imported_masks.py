@@ -265,6 +265,7 @@ def _candidates(
     is appended to `reasons`."""
     count, slots = shutters.shape
     shape = (tile.shape[0], tile.shape[1])
+    # argmax finds the first open slot; backwards, it counts the closed slots at the end.
     start, stop = shutters.argmax(axis=1), slots - shutters[:, ::-1].argmax(axis=1)
     lengths = shutters.sum(axis=1)
     bumps = (lengths > 0) & (stop - start == lengths)

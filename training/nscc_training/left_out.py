@@ -40,7 +40,7 @@ def best_weight(
 
     `measured` must be divided by white. Each prediction runs `iterations` iterations."""
     errors = [prediction_errors(measured, with_weight(w, iterations)) for w in _WEIGHTS]
-    best = int(np.argmin([(each**2).mean() for each in errors]))
+    best = int(np.argmin([(gaps**2).mean() for gaps in errors]))
     return _WEIGHTS[best], errors[best]
 
 
@@ -65,9 +65,10 @@ def prediction_errors(measured: Measured[NDArray[Any]], decoder: Decoder) -> NDA
     part = measured.crop(*(slice(first, first + _SIDE) for first in firsts))
     rows, cols = part.value.shape[-2:]
     generator = np.random.default_rng(0)
+    # One random pixel of each block of `_BLOCK` x `_BLOCK` pixels is left out.
     chosen = generator.integers(_BLOCK, size=(2, -(-rows // _BLOCK), -(-cols // _BLOCK)))
-    at = np.indices(chosen.shape[1:]) * _BLOCK + chosen
-    down, across = at[:, (at[0] < rows) & (at[1] < cols)]
+    left_out = np.indices(chosen.shape[1:]) * _BLOCK + chosen
+    down, across = left_out[:, (left_out[0] < rows) & (left_out[1] < cols)]
     kept = np.ones((rows, cols), np.float32)
     kept[down, across] = 0
     without = Measured(part.value * kept, part.mask * kept, part.variance, part.saturated)

@@ -50,6 +50,7 @@ def looked(
         margin = margin + offset + sensor.comparator_noise * well * normal(margin, generator)
     chosen = _first(margin.detach() > 0)
     if fields.requires_grad:
+        # The value of what was drawn, with the gradient of its probability.
         likely = _first(ndtr((charge_e[:, :-1] - level * step_e) / sigma.clamp(min=1.0)))
         chosen = chosen + likely - likely.detach()
     exposure = (chosen * charge_e).sum(dim=1)

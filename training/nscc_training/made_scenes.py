@@ -117,9 +117,9 @@ def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
 def _moved(ground: NDArray[np.float64], corner: NDArray[np.float64], size: int) -> Picture:
     """Return the window (size, size) of `ground` whose corner (row, column) lies between pixels, by
     linear interpolation."""
-    base = np.floor(corner).astype(int)
-    fraction = corner - base
-    y, x = base
+    pixel = np.floor(corner).astype(int)
+    fraction = corner - pixel
+    y, x = pixel
     block = ground[y : y + size + 1, x : x + size + 1]
     down = block[:-1] * (1 - fraction[0]) + block[1:] * fraction[0]
     return np.asarray(down[:, :-1] * (1 - fraction[1]) + down[:, 1:] * fraction[1], np.float32)
@@ -135,6 +135,7 @@ def _paste(
     `corner`, rounded to whole pixels; parts outside are cut."""
     side = len(texture)
     y, x = np.rint(corner).astype(int)
+    # From (y0, x0) to (y1, x1): the part of the object within the picture.
     y0, x0 = max(y, 0), max(x, 0)
     y1, x1 = min(y + side, picture.shape[0]), min(x + side, picture.shape[1])
     if y0 >= y1 or x0 >= x1:

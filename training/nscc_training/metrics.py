@@ -209,14 +209,15 @@ def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.flo
     """
     x, y = truth.astype(np.float64), result.astype(np.float64)
     # Subtract a common offset: variances do not depend on it, but their rounding errors do.
-    base = 0.5 * (float(x.mean()) + float(y.mean()))
-    x, y = x - base, y - base
+    common = 0.5 * (float(x.mean()) + float(y.mean()))
+    x, y = x - common, y - common
     mean_x, mean_y = _blur(x), _blur(y)
     var_x = np.maximum(_blur(x * x) - mean_x * mean_x, 0.0)
     var_y = np.maximum(_blur(y * y) - mean_y * mean_y, 0.0)
+    # No covariance is larger in magnitude; rounding could make it so.
     most = np.sqrt(var_x * var_y)
     covariance = np.clip(_blur(x * y) - mean_x * mean_y, -most, most)
-    mean_x, mean_y = mean_x + base, mean_y + base
+    mean_x, mean_y = mean_x + common, mean_y + common
     c1, c2 = (K1 * data_range) ** 2, (K2 * data_range) ** 2
     light = (2 * mean_x * mean_y + c1) / (mean_x * mean_x + mean_y * mean_y + c1)
     structure = (2 * covariance + c2) / (var_x + var_y + c2)

@@ -216,6 +216,7 @@ def _noise(
             most, f"the noise of the darks is below {most:.2f} codes, so rounding hides it"
         )
     if curve.noise <= ROUNDING:
+        # Two standard errors above the fitted value.
         error = sqrt(float(curve.covariance[1, 1]))
         most = sqrt(max(curve.noise - ROUNDING, 0.0) + 2 * error)
         return at_most(most, "the line of variance over mean leaves no noise without charge")

@@ -103,7 +103,7 @@ def level_of(stack: Stack, top_code: int) -> Level:
     squares, beside, below = (np.zeros_like(template) for template in (mean, mean[:, 1:], mean[1:]))
     for frame in codes:
         residual = frame - mean
-        residual -= residual.mean()
+        residual -= residual.mean()  # light that varies between frames is no noise of pixels
         squares += residual * residual
         beside += residual[:, :-1] * residual[:, 1:]
         below += residual[:-1] * residual[1:]

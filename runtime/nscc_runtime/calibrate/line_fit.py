@@ -53,6 +53,7 @@ def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
     Weights use the fitted y instead of the measured y, because points that are low by chance would
     get more weight and bias the line."""
     fitted = y
+    # The weights depend on the fit; after five rounds they change no more that matters.
     for _ in range(5):
         weight = 1.0 / errors(fitted) ** 2
         total = weight.sum()
@@ -78,7 +79,7 @@ def propagated(
     for i, error in enumerate(np.sqrt(np.diag(covariance))):
         if error > 0:
             step = np.zeros(len(at))
-            step[i] = error * 1e-3
+            step[i] = error * 1e-3  # small beside the error, so that the slope is that at `values`
             gradient[i] = (function(at + step) - function(at - step)) / (2 * step[i])
     return float(function(at)), sqrt(max(float(gradient @ covariance @ gradient), 0.0))
 

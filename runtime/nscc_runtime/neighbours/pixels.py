@@ -43,6 +43,7 @@ class ArrayPixels(WordPixels):
         # Registers without an exposure have arbitrary contents: here equal in all registers.
         arbitrary = self.arbitrary(0)
         self.begin()
+        # Between 0 and half of a register's range, so that it does not saturate by itself.
         left = arbitrary * (self.sensor.register_max_e / 2)
         self.register = {**dict.fromkeys(self.target.analog_registers, left), **self.exposed}
         registers = (*self.target.digital_registers, "FLAG")
@@ -80,17 +81,17 @@ class ArrayPixels(WordPixels):
             case WordEffect.BUS:
                 self._bus_on_array(word)
             case WordEffect.FLAG_ANALOG:
-                found = self.compared(word) > 0
+                flag = self.compared(word) > 0
                 if self.target.where_obeys_flag:
-                    found &= digital.read("FLAG") == 1
-                digital.write("FLAG", found)
+                    flag &= digital.read("FLAG") == 1
+                digital.write("FLAG", flag)
             case WordEffect.DIGITAL_NEIGHBOURS:
                 self._neighbour_values(op)
             case WordEffect.PROPAGATION:
                 names = (op.destinations[0], self.target.mask_register or "", *STEERING)
                 bits, mask, *chosen = (self.bit(name).reshape(self.shape) for name in names)
-                found = propagated(bits, mask, chosen, self.target.propagation_pixels)
-                digital.write(op.destinations[0], found.reshape(-1))
+                reached = propagated(bits, mask, chosen, self.target.propagation_pixels)
+                digital.write(op.destinations[0], reached.reshape(-1))
             case _:
                 digital.run(op)
 
@@ -122,14 +123,14 @@ class ArrayPixels(WordPixels):
     def _cut(self, op: Op) -> NDArray[np.uint8]:
         """Return the saturation marks of all sources of a word together, of neighbours where the
         word reads these."""
-        found = self._uncut
+        marks = self._uncut
         for name in op.sources:
             by = self.cut_by["NEWS" if name in NEIGHBOURS else name]
             if by is not self._uncut:
                 if name in NEIGHBOURS:
                     by = self.moved(by, *STEPS[name], beyond=np.uint8(0))
-                found = found | by
-        return found
+                marks = marks | by
+        return marks
 
     def _with_range(self, cut: NDArray[np.uint8], value: Values) -> NDArray[np.uint8]:
         """Return the marks, with RANGE_BIT where the value is beyond the registers' range."""
@@ -159,13 +160,13 @@ class ArrayPixels(WordPixels):
         """Run the DNEWS word `op`: write the OR of the bits of those neighbours that the pixel
         chooses by its steering registers."""
         source, outside, digital = op.sources[0], op.operation.inverted, self.digital
-        found = np.zeros(len(self.places), np.bool_)
+        result = np.zeros(len(self.places), np.bool_)
         bits = digital.read(source) == 1
         for name, (right, down) in STEERING.items():
             chosen = digital.read(name) == 1
             if chosen.any():
-                found |= chosen & self.moved(bits, right, down, beyond=outside)
-        digital.write(op.destinations[0], found)
+                result |= chosen & self.moved(bits, right, down, beyond=outside)
+        digital.write(op.destinations[0], result)
 
     def moved(self, values: NDArray[Any], right: int, down: int, *, beyond: Any) -> NDArray[Any]:
         """Return for each pixel the value of the pixel `right` columns and `down` rows away."""

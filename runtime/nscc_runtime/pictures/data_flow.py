@@ -99,6 +99,7 @@ def _layers(graph: DiGraph) -> list[list[Node]]:
         for first, second in pairwise(_chain(edge, layers)):
             neighbours.setdefault(first, []).append(second)
             neighbours.setdefault(second, []).append(first)
+    # Nodes without a name are points (source, target, layer) of an edge that passes through layers.
     for node in neighbours:
         if not isinstance(node, str):
             layers[node[2]].append(node)
@@ -169,6 +170,7 @@ class DataFlow:
             arrow = {"arrowstyle": "-|>", "color": theme().bar, "shrinkA": 0, "shrinkB": 0}
             axes.annotate("", (x, y), before[-1], arrowprops=arrow, zorder=1)
             right, down = before[-1][0] - x, before[-1][1] - y
+            # The label lies on the edge, near its end, where edges from other boxes are apart.
             share = float(np.clip(0.4 / max(abs(right), 1e-9), 0.2, 0.4))
             axes.text(
                 x + share * right,
@@ -183,7 +185,8 @@ class DataFlow:
             )
 
     def _draw_box(self, axes: Axes, node: str, at: tuple[float, float], width: float) -> None:
-        """Draw the box of a node around `at` (inches), with its name and its text."""
+        """Draw the box of a node, `width` inches wide, around the point `at` (x, y in inches), with
+        its name and its text. The type is smaller where a long name would not fit."""
         from matplotlib.patches import FancyBboxPatch
 
         kind, text = (self.graph.nodes[node][key] for key in ("kind", "text"))
@@ -201,6 +204,7 @@ class DataFlow:
         )
         is_start = kind == "state" and not text
         name = "exposure" if node == "frame" else f"state {node}" if is_start else node
+        # 72 points are an inch; a letter is about 0.62 of the type size wide.
         size = min(8.5, width * 72 / (0.62 * max(len(name), len(text), 8)))
         line: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 4}
         axes.text(at[0], at[1] - 0.07 * bool(text), name, size=size, weight="bold", **line)
@@ -209,6 +213,7 @@ class DataFlow:
 
 def _draw_kernel(axes: Axes, kernel: p.Weights) -> None:
     """Draw the weights of `kernel` as numbers in cells: blue if positive, red if negative."""
+    # Beyond the largest weight, so that colours stay light and the numbers legible.
     limit = 1.6 * max(abs(weight) for row in kernel.rows for weight in row) or 1
     axes.imshow(kernel.rows, cmap="RdBu", vmin=-limit, vmax=limit, alpha=0.7, aspect="auto")
     axes.set_title(

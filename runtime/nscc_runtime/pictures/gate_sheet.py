@@ -115,7 +115,7 @@ def _note(network: DiGraph, score: _Score) -> str:
 
 def _draw_line(axes: Axes, score: _Score, first: int) -> None:
     """Draw one row of the picture: the registers' lines, values and gates of the columns from
-    `first` on."""
+    `first` on. Coordinates are columns to the right and registers downwards."""
     nodes = score.network.nodes
     shown = [n for n, column in score.column.items() if first <= column < first + _COLUMNS]
     end = score.column[shown[-1]] + 1

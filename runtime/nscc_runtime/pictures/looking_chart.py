@@ -99,6 +99,8 @@ def _run_frame(
                 signal = np.minimum(exposed[comparison.signal], 1.0)
             above = signal > comparison.level * level
             outcome |= above.astype(np.int64) << bit
+            # The light at which the answer changes lies between two neighbouring ones: their
+            # geometric mean, because lights are spaced in equal ratios.
             turned = np.flatnonzero(above[1:] != above[:-1])
             flips += [
                 (comparison.boundary, float(np.sqrt(wells[k] * wells[k + 1]))) for k in turned

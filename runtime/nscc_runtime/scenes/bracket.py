@@ -97,6 +97,8 @@ def merged_bracket(
         raise _refused(
             "all photos have the same exposure", "a bracket needs several exposures; see --times"
         )
+    # Sums over the photos; `shortest` and `longest` are the log light that the photos with the
+    # shortest and the longest exposure show.
     weights = weighted = shortest = longest = np.zeros((), np.float32)
     light = Colours.of("linear")
     photos = zip(files, read_folder([*files]), log_exposures, strict=True)

@@ -45,7 +45,12 @@ def motion(
 
 
 def frames(count: int, rows: int, cols: int, share: float = 1.0) -> NDArray[np.float32]:
-    """Return the middle `share` of the clip: relative luminance (count, rows, cols) up to 8."""
+    """Return the middle `share` (0 to 1) of the clip: relative luminance (count, rows, cols) up to
+    8.
+
+    The functions below draw its parts. They use coordinates from the centre of the picture, x to
+    the right and y downwards, in units of its shorter side. Sizes, speeds and luminances were
+    chosen by eye."""
     unit = float(min(rows, cols))
     x = (np.arange(cols, dtype=np.float64) + 0.5 - cols / 2) / unit
     y = (np.arange(rows, dtype=np.float64) + 0.5 - rows / 2) / unit
@@ -64,7 +69,7 @@ def frames(count: int, rows: int, cols: int, share: float = 1.0) -> NDArray[np.f
 
 def _wall(x: Field, y: Field) -> Picture:
     """Return a brick wall lit from one side, (rows, cols). `x`, `y`: positions of columns and
-    rows."""
+    rows. A unit holds 16 courses of bricks and 7 bricks of a course."""
     course = np.floor(y * 16.0)
     along = x[None, :] * 7.0 + 0.5 * (course % 2)[:, None]
     brick = np.floor(along)

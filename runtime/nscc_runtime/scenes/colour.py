@@ -148,9 +148,15 @@ def grey(
     channel: int | None,
     white: float | None = None,
 ) -> NDArray[np.float64]:
-    """Return the luminance (rows, cols) of a stored picture, or of its colour `channel`."""
+    """Return the luminance (rows, cols) of a stored picture as linear light, white = 1, or the
+    light of one of its colours.
+
+    `stored` (rows, cols) or (rows, cols, 3) are the samples of the file, `colours` the curve and
+    primaries that they have. `channel` is 0, 1 or 2 for red, green or blue; None for luminance.
+    `white` is the sample that counts as white, by default the largest of its type."""
     colours = Colours.of(colours)
     if stored.ndim == 2 or channel is not None:
+        # A grey picture has the curve of green, should its file state three curves.
         channel = 1 if channel is None else channel
         samples = stored if stored.ndim == 2 else stored[..., channel]
         return _on_curve(samples, colours.curve_of(channel), white)

@@ -145,6 +145,7 @@ def _at_every_pixel(channel: Any, window: tuple[NDArray[Any], NDArray[Any]]) -> 
             continue
         # Samples lie at multiples of the step.
         at = (np.arange(first, last + 1) - -(-first // step) * step) / step
+        # Interpolate between the sample before and the sample after each pixel.
         low = np.clip(np.floor(at).astype(int), 0, values.shape[axis] - 1)
         high = np.minimum(low + 1, values.shape[axis] - 1)
         share = np.clip(at - low, 0, 1).reshape((-1, 1) if axis == 0 else (1, -1))
@@ -163,6 +164,7 @@ def _in_display_window(picture: NDArray[Any], header: Mapping[str, Any]) -> NDAr
     if (row, col) == (0, 0) and picture.shape[:2] == (rows, cols):
         return picture
     shown = np.zeros((rows, cols, *picture.shape[2:]), picture.dtype)
+    # (row, col) is where the data begins in the display window; negative: outside it.
     visible = picture[max(-row, 0) : max(rows - row, 0), max(-col, 0) : max(cols - col, 0)]
     row, col = max(row, 0), max(col, 0)
     shown[row : row + visible.shape[0], col : col + visible.shape[1]] = visible

@@ -80,6 +80,7 @@ def _named(curves: tuple[Curve, ...], weights: Weights, text: str) -> Stated:
 
 def _profile_curve(data: bytes, tag: bytes) -> Curve:
     """Return the curve of a tag, of type `curv` or `para` (ICC.1:2022, 10.6 and 10.18)."""
+    # After a header of 128 bytes, a count and entries of 12 bytes: tag, offset, size.
     (count,) = struct.unpack_from(">I", data, 128)
     entries = (struct.unpack_from(">4sII", data, 132 + 12 * k) for k in range(min(count, 100)))
     start = next(at for name, at, _ in entries if name == tag)
@@ -93,6 +94,7 @@ def _profile_curve(data: bytes, tag: bytes) -> Curve:
         raise ValueError(f"a curve of type {kind!r}")
     (length,) = struct.unpack_from(">I", data, start + 8)
     samples = np.frombuffer(data, ">u2", length, start + 12).astype(np.float64)
+    # No entry is the identity; a single entry is a power, in units of 1/256.
     if length <= 1:
         return partial(_power, float(samples[0]) / 256 if length else 1.0)
     return partial(_table, samples / 65535)
@@ -111,6 +113,7 @@ def _table(samples: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray
 def _parametric(numbers: tuple[float, ...], values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return `values` mapped by the ICC parametric curve with 1, 3, 4, 5 or 7 numbers: g, a, b,
     c, d, e, f."""
+    # (a x + b)^g + e from d on, c x + f below it. Missing numbers make the second part empty.
     g, a, b, c, d, e, f = numbers[0], 1.0, 0.0, 0.0, -np.inf, 0.0, 0.0
     if len(numbers) > 1:
         a, b = numbers[1:3]
@@ -233,5 +236,5 @@ def _png_numbers(path: Path) -> tuple[int, int] | None:
             if head[4:] == b"cICP" and size == 4:
                 primaries, transfer, *_ = file.read(4)
                 return primaries, transfer
-            file.seek(size + 4, 1)
+            file.seek(size + 4, 1)  # the chunk and its checksum, from here on
     return None

@@ -33,6 +33,7 @@ def timed(pages: Pages) -> Pages:
     notes: list[Note] = []
     if not shown.all():
         count = int(np.count_nonzero(~shown))
+        # 's' * False is "".
         text = f"has {count} frame{'s' * (count > 1)} of 0 ms, which {'are' if count > 1 else 'is'}"
         notes.append((f"{text} left out", "give every frame a duration to expose it"))
         frames = pages.read

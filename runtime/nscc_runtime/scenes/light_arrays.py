@@ -47,6 +47,7 @@ def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
         with h5py.File(path, "r") as file:
             stored = {name: file[name] for name in file if not name.startswith("#")}
             return {
+                # MATLAB stores columns first: HDF5 has its axes the other way round.
                 name: tuple(dataset.shape or ())[::-1] if isinstance(dataset, h5py.Dataset) else ()
                 for name, dataset in stored.items()
             }
@@ -98,7 +99,7 @@ def _unpacked_sizes(file: IO[bytes]) -> Iterator[int]:
     """Unpack the compressed elements of a version 5 file block by block, and yield the block sizes.
     The size in the header of an element may be wrong."""
     head = file.read(_HEADER_BYTES)
-    orders = {b"IM": "<", b"MI": ">"}
+    orders = {b"IM": "<", b"MI": ">"}  # the letters show in which order a machine wrote bytes
     if head[-2:] not in orders:
         return
     kinds = np.dtype(f"{orders[head[-2:]]}u4")
@@ -148,7 +149,7 @@ def _check_chunks(stored: Any) -> None:
     for index in range(stored.id.get_num_chunks()):
         offset = stored.id.get_chunk_info(index).chunk_offset
         mask, packed = stored.id.read_direct_chunk(offset)
-        if mask == 0:
+        if mask == 0:  # all filters were applied, so the chunk is compressed
             check_size(len(zlib.decompressobj().decompress(packed, most + 1)), most)
 
 

@@ -52,6 +52,7 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
             f"bumps of class {spec.kind} end with the frame, but those of cyclic "
             "continue at its start: use class e or a codebook of 16 rows"
         )
+    # In sixteenths of the frame, rounded up: 4 unless the start names another number.
     length = spec.length or -(-spec.slots * _SIXTEENTHS.get(name, 4) // 16)
     return _CODES[spec.kind](spec, _first(name, spec, length), length)
 
@@ -143,8 +144,7 @@ def make_encoder(
     spec : ShutterSpec
     start : str
         The initial codes, one of `nscc_training.code_choices.STARTS`: "random", "uniform" (equal
-        at
-        all pixels), "quad" (a 2 x 2 pattern), or a published pattern.
+        at all pixels), "quad" (a 2 x 2 pattern), or a published pattern.
     seed : int
         Seed of random starts; others ignore it.
     relaxation : str

@@ -60,7 +60,7 @@ class LooksEncoder(Encoder):
         A boundary is at least one after that of the look before, and leaves room for the looks
         after it. The gradient passes as if nothing was rounded."""
         moments, levels = fields.chunk(2)
-        at = 2.0**moments
+        at = 2.0**moments  # times are learned as logarithms to base 2
         looks, slots = len(at), self.spec.slots
         whole_slots = torch.round(at.detach())
         boundaries: list[Tensor] = []
@@ -80,6 +80,7 @@ class LooksEncoder(Encoder):
         `over` repeats them over the pixels of a patch, each of which moves on its own."""
         fields = over(self.fields())
         with torch.no_grad():
+            # The first half of the fields are times, as logarithms; the second half are levels.
             spread = torch.full_like(fields, _OCTAVES)
             spread[len(fields) // 2 :] = max(1.0, _WELLS * self.most)
             moved = spread * drawn(fields, generator, self.tried_share)

@@ -77,8 +77,9 @@ def artifacts(
     effects, metrics = setup.settings.sensor.effects, setup.protocol.metrics
     headline = {"effects": effects, **{key: robustness[0][key] for key in metrics}}
     if effects:
-        alone = validated(setup, shown, by_model(setup))
-        headline |= {f"{_ALONE}{metric}": value for metric, value in alone.means.items()}
+        # The scores with the noise of the sensor model alone, without the chip's other effects.
+        noise_scores = validated(setup, shown, by_model(setup))
+        headline |= {f"{_ALONE}{metric}": value for metric, value in noise_scores.means.items()}
     result = {
         "schema": "nscc-run-2",
         "headline": headline,
@@ -251,16 +252,17 @@ def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[
         }
     hard = setup.encoder.hard().cpu()
     moved = (start.hard() != hard).any(dim=0)
-    alone = validated(setup, shown, by_model(setup, start.hard()))
+    start_scores = validated(setup, shown, by_model(setup, start.hard()))
     shutters = hard.reshape(setup.slots, -1).T.double().numpy()
     distinct = np.unique(shutters, axis=0)
+    # Only rank and condition of the matrix are of interest, not a solution.
     system = solve(distinct, np.zeros(len(distinct)))
     unused = getattr(setup.encoder, "unused_share", None)
     return {
         "places": len(shutters),
         "start": chosen.init,
         "moved": int(moved.sum()),
-        f"{_START}{setup.protocol.metrics[0]}": alone.score,
+        f"{_START}{setup.protocol.metrics[0]}": start_scores.score,
         "shutters": len(distinct),
         "rank": system.rank,
         "condition": None if np.isinf(system.condition) else system.condition,
@@ -304,10 +306,10 @@ def _card(setup: TrainingSetup, scenes: Scenes, result: dict[str, Any]) -> str:
         """Return a number with two decimals. Text, such as an infinite score, stays."""
         return value if isinstance(value, str) else f"{value:.2f}"
 
-    alone = ""
+    start_text = ""
     if result["codes"]["moved"] and f"{_START}{metric}" in result["codes"]:
         # The report of pixels that look lacks this score.
-        alone = (
+        start_text = (
             f"\nBehind this decoder the start alone gives "
             f"{score_text(metric, result['codes'][f'{_START}{metric}'])} where these shutters "
             f"give {score_text(metric, result['robustness'][0][metric])}."
@@ -325,7 +327,7 @@ A decoder `{settings.decoder.name}` ({settings.decoder.sized}, {result["paramete
 and shutters of class {settings.shutter.kind} for `{settings.shutter.target}`: \
 {settings.shutter.slots} slots of {settings.shutter.slot_us:g} us, \
 {result["codes"]["shutters"]} shutters. Of {result["codes"]["places"]} places \
-{result["codes"]["moved"]} moved from the start, `{result["codes"]["start"]}`.{alone}
+{result["codes"]["moved"]} moved from the start, `{result["codes"]["start"]}`.{start_text}
 
 * **For** {_purpose(setup)} as the
   protocol {setup.protocol.name} exposes them; `capture.toml` says how. Frames of another program

@@ -92,8 +92,9 @@ def scene_by_chip(
     frame = simulate(container, light, sensor, request).frame
     begin = perf_counter()
     opened = frame.told.get(OPEN)
+    # Pixels that look report the slots in which they were open.
     share = None if opened is None else (opened[0] / setup.slots).astype(np.float32)
-    bucket = 0 if setup.buckets == 1 else ...
+    bucket = 0 if setup.buckets == 1 else ...  # decoders of one bucket expect no axis of buckets
     rows, cols = light_e.shape[-2:]
     visible_part = np.s_[..., :rows, :cols]
     codes, saturated = frame.frame[bucket], frame.saturated[bucket]
@@ -165,6 +166,7 @@ def decoded_frame(
             else:
                 opened = torch.from_numpy(share[None, down, across].copy())
             block = _decoded_block(setup, codes, full, opened)
+            # The block without its margins.
             inside = block[..., block_row - down.start :, block_col - across.start :][
                 ..., :_BLOCK, :_BLOCK
             ]

@@ -127,7 +127,9 @@ class TrainingSetup:
                 if near is None or attempt > 0:
                     self.encoder.start_random(generator)
                 else:
-                    self.encoder.load_codes(moved(self.encoder.spec, near, generator, 0.0))
+                    # No move of a single pixel: these codes shall differ clearly from `near`.
+                    codes = moved(self.encoder.spec, near, generator, single_share=0.0)
+                    self.encoder.load_codes(codes)
                 programs.compiled(programs.program_of(self.encoder, self.chip), self.chip)
             except (Rejected, ValueError):  # ValueError: `require` forbids the moved codes
                 if attempt == _MOST_DRAWS - 1:

@@ -100,6 +100,7 @@ def clip_codes(slots: int) -> list[ClipCode]:
     always_open = np.ones((slots, *RANKS.shape), bool)
     bumps = {k: tiles[_BUMPS.format(k)].reshape(slots, -1)[:, _EIGHT_STARTS] for k in (2, 4, 8)}
     for longer, shorter in _MIXED:
+        # A longer exposure of 1/1 of the frame is one that is always open.
         name = f"1/{longer} beside {_BUMPS.format(shorter)}".replace("1/1", "always open")
         tiles[name] = np.where(_EVERY_OTHER, bumps.get(longer, always_open), bumps[shorter])
     tiles["random bits"] = np.random.default_rng(0).random((slots, 8, 8)) < 0.5
@@ -173,6 +174,7 @@ def _psnr_db(container: Container, sensor: Sensor, light_e: Clip, number: int) -
     light = light_on_array(light_e, container.slots, container.target)
     # All codes have the same noise, so that their differences are those of the codes.
     frame = exposed_frame(container, light, sensor, Request.of(effects="all", seed=number))
+    # At most `_JUDGED_SIDE` rows and columns, or one more if the side is odd.
     middle = [
         slice(max(0, side - _JUDGED_SIDE) // 2, -(-(side + min(side, _JUDGED_SIDE)) // 2))
         for side in light_e.shape[1:]

@@ -75,6 +75,7 @@ def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
 def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange: bool) -> Codes:
     """Return codes in which the pixels `places` take the codes of pixels at a random offset. With
     `exchange`, these pixels take the former codes in return."""
+    # Up to two pixels down or up, and right or left.
     step = tuple(int(value) for value in generator.integers(-2, 3, 2))
     back = (-step[0], -step[1])
     exchanged = np.roll(places, step, axis=(0, 1)) & ~places
