@@ -63,8 +63,15 @@ def parameter(
     high_excluded: bool = False,
     place: int = 0,
 ) -> Parameter:
-    """Declare a parameter, listed under `heading`. `source`: where its default comes from."""
+    """Declare a parameter of the sensor file for an effect.
+
+    `name` ends in its unit, `heading` is a key of `HEADINGS`, under which it is listed. `default`
+    is a number, a function of target and preceding values, or None for the target's value of this
+    name. Values lie between `low` and `high` in `unit`; with `low_excluded` or `high_excluded` that
+    end itself is not allowed. `meaning` is a text for the list of effects, `source` says where the
+    default comes from, and `place` orders the parameters under a heading."""
     kind = Number(low, high, unit, low_excluded, high_excluded)
+    # "": sensor files have no sections.
     return Parameter("", name, kind, meaning, default, source, heading=heading, place=place)
 
 

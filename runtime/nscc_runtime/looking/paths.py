@@ -213,7 +213,12 @@ def _alive(
     starts: Mapping[str, Bits],
 ) -> Paths:
     """Return the paths through a frame without words and comparisons that cannot change the
-    result."""
+    result.
+
+    It goes backwards through the segments: a word counts only if it writes a register that a later
+    word or the readout reads (a live register). A comparison counts only if its answers lead to
+    different segments. Sets of registers are integers with a bit for each register. A segment
+    number below 0 stands for an ending (see `_by_segment`)."""
     registers = {n: 1 << i for i, n in enumerate((*container.target.analog_registers, "PIX"))}
     reads = [_together(registers, word.sources) for word in words]
     writes = [
@@ -242,10 +247,13 @@ def _alive(
             else:
                 continue
             chosen.insert(0, number)
+        # Segments that do the same are merged. One in which nothing counts is left out: what leads
+        # to it leads to the next one.
         leads_to[segment] = alike.setdefault((no, yes, *chosen), segment) if chosen else no
         if leads_to[segment] == segment:
             live[segment], following[segment], acting[segment] = alive, (no, yes), chosen
     first = np.array([leads_to[k] for k in range(walk.starts)], np.int64)
+    # A register that is live at the start would be read before anything writes it.
     if any(last if k < 0 else live[k] for k in first.tolist()):
         raise Pathless("its exposures hang on what the frame before has left")
     start = np.cumsum([0, *map(len, acting)])

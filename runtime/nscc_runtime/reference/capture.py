@@ -72,6 +72,8 @@ class Reference:
         slots = self.container.slots
         if self.effects.noiseless:
             return tuple(range(slots))
+        # A slot at whose start words run is an interval of its own, because a part of its light
+        # falls while they run.
         at = {launch.instant for launch in self.container.launches}
         # After the last slot the light goes on as in that slot.
         first = {0, *at, *(n + 1 for n in at), *(slots - 1 for n in at if n == slots)}

@@ -55,6 +55,7 @@ def charge_of_rows(
     `seeds`: noise seed, device seed. The charge of a pixel does not depend on how the array is cut
     into rows."""
     height, cols = scene.light.shape
+    # Crosstalk needs one row of neighbours on each side.
     halo = bool(effects.at("neighbours"))
     begin, end = max(rows.start - halo, 0), min(rows.stop + halo, height)
     for choose in effects.at("scene"):

@@ -92,13 +92,13 @@ class WeightModel:
         """Return the model of words under these effects, with the mean leakage of the pixels."""
         gain, leak = effects.find_part(WordGain), effects.find_part(Leak)
         return cls(
-            gain.gain(sensor) if gain else 1.0,
-            gain.move_gain(sensor) if gain else 1.0,
-            gain.move_noise(sensor) if gain else 1.0,
-            1.0 / leak.tau_s(sensor) if leak else 0.0,
-            effects.find_part(SlowWords) is not None,
-            effects.find_part(Fading) is not None,
-            effects.find_part(LitLevel) is not None,
+            gain=gain.gain(sensor) if gain else 1.0,
+            move_gain=gain.move_gain(sensor) if gain else 1.0,
+            move_noise=gain.move_noise(sensor) if gain else 1.0,
+            leak_per_s=1.0 / leak.tau_s(sensor) if leak else 0.0,
+            dead_time=effects.find_part(SlowWords) is not None,
+            decay=effects.find_part(Fading) is not None,
+            lit_level=effects.find_part(LitLevel) is not None,
         )
 
 

@@ -36,6 +36,7 @@ def fold_blocks(blocks: Tensor, size: tuple[int, int, int], block: Size, step: S
     blocks must fill the pictures."""
     batch, (count, rows, cols) = len(blocks), size
     down, across = ((n - b) // s + 1 for n, b, s in zip((rows, cols), block, step, strict=True))
+    # Each pixel lies in this many blocks in each direction.
     again = block[0] // step[0], block[1] // step[1]
     split_blocks = blocks.reshape(batch, down, across, count, again[0], step[0], again[1], step[1])
     split_blocks = split_blocks.permute(0, 3, 4, 6, 1, 5, 2, 7)

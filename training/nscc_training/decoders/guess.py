@@ -31,13 +31,13 @@ def still_guess(frame: Tensor, share: Tensor) -> Tensor:
     around it, weighted by precision. Saturated measurements have weight 0; a saturated pixel gets
     at least the light that saturates it. Raises ValueError for values that are not finite."""
     opened = share.clamp(min=1e-6)
-    alone = frame / opened
+    pixel_light = frame / opened
     refuse_not_finite(frame, "frame")
     saturated = frame >= 1
     noise = READ_VARIANCE + SHOT_VARIANCE * frame.clamp(min=0)
     precision = torch.where(saturated | (share <= 0), torch.zeros_like(frame), share**2 / noise)
-    guess = averaged(alone.unsqueeze(1), precision.unsqueeze(1)).squeeze(1)
-    return torch.where(saturated, torch.maximum(guess, alone), guess)
+    guess = averaged(pixel_light.unsqueeze(1), precision.unsqueeze(1)).squeeze(1)
+    return torch.where(saturated, torch.maximum(guess, pixel_light), guess)
 
 
 def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:

@@ -156,9 +156,11 @@ class StillUNet(nn.Module):
         inputs, guess = [frame], None
         if self.sees_code:
             share = laid(shutters.mean(dim=-3), *frame.shape[-2:]).expand_as(frame)
-            alone = torch.where(share > 0, frame / share.clamp(min=1e-6), torch.zeros_like(frame))
+            pixel_light = torch.where(
+                share > 0, frame / share.clamp(min=1e-6), torch.zeros_like(frame)
+            )
             # Readout noise takes dark pixels below the offset of the ADC.
-            inputs += [share, torch.log1p(alone.clamp(min=0) / LOG_FLOOR)]
+            inputs += [share, torch.log1p(pixel_light.clamp(min=0) / LOG_FLOOR)]
             if self.guesses:
                 guess = torch.log1p(still_guess(frame, share).clamp(min=0) / LOG_FLOOR)
                 inputs.append(guess)
