@@ -151,6 +151,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
         # The result that nothing fits is never taken from the cache.
         results.distrust()
         gated = search()
+    # One warning for each generator, although it may fail for several plans.
     messages = list({fault.generator: fault.diagnostic() for fault in gated.faults}.values())
     if not gated.decodings:
         messages.append(fit.gates_fault(gated.program, gated.misfits, level=options.level))

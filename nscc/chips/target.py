@@ -303,10 +303,11 @@ class Target:
         """The converter code, possibly fractional, of an exposure of 0, with `adc_offset_lsb`."""
         zero = 0.0
         if self.conversion == "full":
-            zero = 1 << (self.adc_bits - 1)
+            zero = 1 << (self.adc_bits - 1)  # the middle of the codes
         elif self.spread_level is not None:
             # IN is set in whole steps, so the subtracted full well may be wrong by half a step.
             taken_e = -self.spread_level * self.electrons_per_step
+            # Spread exposures are twice the exposure minus a full well, hence the 2.
             zero = (self.full_well_e - taken_e) / (2 * self.electrons_per_lsb)
         return zero + self.adc_offset_lsb
 

@@ -155,10 +155,10 @@ def _row(values: Any, who: str) -> Operation:
     return Operation(
         name,
         effect,
-        int(effect in _DIGITAL),
-        _lines(who, effect, keys["lines"]),
-        (written_, written_),
-        read,
+        clock=int(effect in _DIGITAL),
+        lines=_lines(who, effect, keys["lines"]),
+        destinations=(written_, written_),  # the fewest and the most
+        sources=read,
         inverted=inverted,
         divisor=divisor,
         us=None if us is None else float(us),
@@ -176,6 +176,7 @@ def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int
         raise ValueError(f"{who} writes {int(effect in _WRITES)} to {most} destinations")
     most = len(DIGITAL_SOURCES if digital else ANALOG_SOURCES) if effect in _READS else 0
     pair = isinstance(read, Sequence) and not isinstance(read, str) and len(read) == 2
+    # A word that writes FLAG compares or copies at least one source.
     least = int(effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL))
     if not pair or not (
         _is_integer_within(read[0], least, most) and _is_integer_within(read[1], read[0], most)

@@ -102,11 +102,11 @@ def with_safe_fixes(source: Source, diagnostics: Iterable[Diagnostic]) -> tuple[
         sure = [fix for fix in diagnostic.fixes if fix.sure]
         if sure and diagnostic.source is not None and diagnostic.source.text == source.text:
             fixes.append(sure[0])
-    text, count, begun = source.text, 0, len(source.text) + 1
+    text, count, changed_from = source.text, 0, len(source.text) + 1
     # From the end of the text, so that the places of the fixes before stay valid.
     for fix in sorted(fixes, key=lambda fix: fix.span.start, reverse=True):
-        if fix.span.end <= begun and fix.span.start < begun:
+        if fix.span.end <= changed_from and fix.span.start < changed_from:
             text = text[: fix.span.start] + fix.replacement + text[fix.span.end :]
-            begun = fix.span.start
+            changed_from = fix.span.start
             count += 1
     return replace(source, text=text), count

@@ -152,7 +152,7 @@ def _labelled(
     """
     bar = paint(_BLUE, " " * (margin + 1) + "|")
     lines = [bar]
-    above = (0, "")
+    above = (0, "")  # the row and the text of the source line above, which labels may share
     for label, row in zip(labels, rows, strict=True):
         primary = label is diagnostic.label
         text, pointer = _excerpt(source, label, row, "^" if primary else "-")
@@ -187,7 +187,7 @@ def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, st
     _, column = source.row_column(label.span.start)
     start = min(column - 1, len(line))
     end = min(max(start + label.span.end - label.span.start, start + 1), max(len(line), start + 1))
-    first = 0
+    first = 0  # the first character of the line that is shown
     if len(line) > _WIDEST:
         # A quarter of the width shows what stands before the label.
         first = max(0, min(start - _WIDEST // 4, len(line) - _WIDEST))

@@ -113,6 +113,7 @@ class _Place(Record):
             return
         begin = self.starts[-1]
         statement = kinds[begin]
+        # The tokens of the statement before the cursor; `stuck` is where they are invalid.
         _, stuck = read(self.tokens, begin, len(kinds))
         if stuck is not None and stuck.token < len(kinds):
             expected = frozenset({"NAME", END})  # an earlier error: every token may follow

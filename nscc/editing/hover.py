@@ -161,7 +161,7 @@ def _grid(weights: Weights) -> str:
     """Return the weights of a convolution kernel as a block of Markdown, one line for each row."""
     width = max(len(str(weight)) for row in weights.rows for weight in row)
     lines = [" ".join(f"{weight:>{width}}" for weight in row) for row in weights.rows]
-    if weights.divisor > 1:
+    if weights.divisor > 1:  # beside the middle row
         lines[len(lines) // 2] += f"   / {weights.divisor}"
     return "\n".join(["```text", *lines, "```"])
 

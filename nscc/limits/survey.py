@@ -234,6 +234,7 @@ def _trials_text(limit: Limit) -> str:
     if limit.built is None:
         return "no tried size fits"
     count = sum(trial.size <= limit.built.size for trial in limit.trials)
+    # Gaps are smaller sizes that did not fit.
     if not limit.gaps:
         return f"{limit.built.size}; so did all {count} sizes tried up to it"
     gaps = "; ".join(f"{t.size} did not: {t.reason} [{t.code}]" for t in limit.gaps)
@@ -310,6 +311,7 @@ def candidates(count: Count, least: int, most: int) -> list[int]:
         steps.add(size)
         bits += 1
     powers = [1 << k for k in range(most.bit_length())]
+    # A power of two just below another size would tell little more.
     telling = [p for p in powers if not any(p < step < p * _ALIKE for step in steps)]
     return sorted(size for size in {*steps, *telling} if least <= size <= most)
 
@@ -361,13 +363,14 @@ def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> 
         return None
     if fits(most):
         return most
-    low, high = least - 1, most
+    # `least` - 1 counts as fitting, until a size that fits is found.
+    largest_fit, smallest_misfit = least - 1, most
     for _ in range(budget - 1):
-        if high - low <= 1:
+        if smallest_misfit - largest_fit <= 1:
             break
-        middle = (low + high) // 2
+        middle = (largest_fit + smallest_misfit) // 2
         if fits(middle):
-            low = middle
+            largest_fit = middle
         else:
-            high = middle
-    return low if low >= least else None
+            smallest_misfit = middle
+    return largest_fit if largest_fit >= least else None

@@ -143,7 +143,8 @@ def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayO
     registers = len(program.target.digital_registers)
     most = min(rows - 1, max(1, _MOST_DIGITS // digits))
     untried = "" if most == rows - 1 else f" ({most} was the most tried)"
-    # Every shutter needs a different content of the code registers, so more rows cannot fit.
+    # Every shutter needs a different content of the code registers, so more rows cannot fit. The
+    # function counts the distinct shutters of the first rows.
     most = largest_with(
         lambda count: len(np.unique(table.shutter_of_code[:count])),
         1 << registers,
@@ -210,13 +211,13 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
     codebooks, whose rows have the length of the frame."""
     slots = len(program.frame.slot_us)
     registers = len(program.target.digital_registers)
-    least, most = 2, slots - 1
+    least, most = 2, slots - 1  # numbers of slots to try
     match program.class_name:
         case "b":
             rule, kept_shutters = stop_rule("1"), "every stop"
         case "c":
             length = int(program.table.shutters.sum(axis=2).max(initial=1))
-            least = length + 1
+            least = length + 1  # the fewest slots with two starts
             rule, kept_shutters = start_rule(length), f"every bump of {counted(length, 'slot')}"
         case "d":
             rule, kept_shutters = bump_rule(), "every bump"
@@ -227,7 +228,7 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
             most = min(most, registers)
         case "codebook":
             return
-        case _:
+        case _:  # the program's own rule, see below
             rule, kept_shutters = "", "every shutter of the rule"
     build = partial(_source_of_rule, program, rule) if rule else partial(_with_slots, program)
     quick = partial(attempt, level=level)
