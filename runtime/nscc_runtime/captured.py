@@ -271,6 +271,7 @@ def _png(image: NDArray[np.uint8]) -> bytes:
     """Return an `image` (rows, cols) of grey or (rows, cols, 3) of RGB as PNG bytes."""
     import cv2
 
+    # OpenCV orders colours blue, green, red.
     _, data = cv2.imencode(
         ".png", np.ascontiguousarray(image[..., ::-1] if image.ndim == 3 else image)
     )

@@ -244,8 +244,10 @@ def _values(path: Path, data: bytes) -> NDArray[Any]:
 def _laid(
     picture: NDArray[np.uint8], origin: str, shape: tuple[int, int], orientation: Orientation
 ) -> NDArray[np.uint8]:
-    """Return a picture as it lies on the array of `shape`; raise Rejected (NS0794) for another
-    size."""
+    """Return the picture of a file as it lies on the array of `shape` (rows,
+    cols): cropped, then mirrored, then transposed, as `orientation` says.
+
+    `origin` names the file in messages. Raise Rejected (NS0794) for a picture of another size."""
     size = shape[::-1] if orientation.transpose else shape
     if orientation.crop is not None:
         row, col = orientation.crop
@@ -261,6 +263,7 @@ def _laid(
             f"{size[0]} x {size[1]}",
             helps,
         )
+    # Flipped rows: the file begins with the last row of the array; columns alike.
     if orientation.flip in ("rows", "both"):
         picture = picture[::-1]
     if orientation.flip in ("cols", "both"):

@@ -319,6 +319,7 @@ def _folder(request: _Request, path: Path) -> PlacedLight:
             yield picture, pages.colours
 
     laid = _clip(request, frames())
+    # `frames` adds an entry with the first picture; `_clip` raises an error if it reads none.
     return replace(laid, notes=notes[0])
 
 

@@ -70,6 +70,7 @@ def _counting_part(split_names: Sequence[list[str]]) -> int | None:
     if len(split_names) < 2 or len({len(split_name) for split_name in split_names}) != 1:
         return None
     varying = [k for k, texts in enumerate(zip(*split_names, strict=True)) if len({*texts}) > 1]
+    # Texts and numbers alternate in a split name: numbers have odd indices.
     numbers = len(varying) == 1 and varying[0] % 2 == 1
     if numbers and max(len(p[varying[0]]) for p in split_names) <= _MOST_DIGITS:
         return varying[0]

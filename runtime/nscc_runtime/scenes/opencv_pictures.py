@@ -78,6 +78,7 @@ def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
         image = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | flags)
         if image is not None:
             picture = np.asarray(image)
+            # OpenCV orders colours blue, green, red, alpha.
             return picture if picture.ndim == 2 else picture[..., 2::-1]
     raise ValueError("OpenCV cannot decode it")
 
@@ -95,6 +96,8 @@ def _radiance(data: NDArray[np.uint8]) -> NDArray[Any]:
     resolution = _RESOLUTION.fullmatch(line)
     if resolution is None or resolution[2] == resolution[5]:
         return decoded(data)
+    # "-Y R +X C": rows from top to bottom, columns from left to right. OpenCV reads this order
+    # only, so the samples are decoded under this name, and then transposed and mirrored as stated.
     usual = b"-Y %s +X %s" % (resolution[3], resolution[6])
     picture = decoded(np.frombuffer(head + blank + usual + newline + samples, np.uint8))
     signs = {resolution[2]: resolution[1], resolution[5]: resolution[4]}

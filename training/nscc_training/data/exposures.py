@@ -227,7 +227,8 @@ def cut_batch(
     brightest percent of a clip's pixels would fill a well in a frame; under a protocol with a
     mid-grey, its median has that exposure."""
     light, share, contrast, turns, mirrored, backwards, source, corner, brightness = (
-        tensor.to(device, non_blocking=True) for tensor in drawn[:9]
+        tensor.to(device, non_blocking=True)
+        for tensor in drawn[:9]  # the fields of `Exposures` up to `brightness`
     )
     classes = None if drawn.classes is None else drawn.classes.to(device)[source]
     still = light.ndim == 3
@@ -300,6 +301,7 @@ def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
     last = values.shape[1] - 1
     if isinstance(quantile, float):
         below = int(quantile * last)
+        # Only the largest values down to the two around the quantile are sorted.
         most = values.topk(last - below + 1, dim=1).values.double()  # in descending order
         low, high = most[:, -1], most[:, max(-2, -most.shape[1])]
         return low + (high - low) * (quantile * last - below)

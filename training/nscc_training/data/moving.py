@@ -49,6 +49,7 @@ def moving(
     clip = np.zeros((frames, size, size), np.float32)
     for frame in range(frames):
         for moment in range(moments):
+            # In frames, 0 in the middle of the clip.
             time = frame + moment / moments - frames / 2
             image = layers[0].picture_at(time, size)
             for layer in layers[1:]:  # each covers those before it

@@ -70,8 +70,9 @@ class Log:
         """Continue a log with the lines `rows` of an earlier one, header first. None begins a log
         that holds only a header.
 
-        `out` is the folder of the run. `metrics` are the names of the protocol's metrics: columns
-        between the loss and the numbers of words and of pixels that never open."""
+        `out` is the folder of the run. `metrics` are the names of the protocol's metrics. Their
+        columns follow the loss; the last columns are the words per slot and `Encoder.dead_share`.
+        """
         self.out = out
         self._columns = ("loss", *metrics, "words_per_slot", "dead_share")
         self.rows = list(rows or [",".join(["step", "split", *self._columns])])
