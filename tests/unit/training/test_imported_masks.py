@@ -12,7 +12,8 @@ from scipy.io import savemat
 
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_training.array_files import Axis, read_mask
+from nscc_training.array_files import read_mask
+from nscc_training.command_settings import Axis
 from nscc_training.imported_masks import ImportedMask, import_mask
 
 RNG = np.random.default_rng(0)
