@@ -15,9 +15,7 @@ from nscc.program.program import Program
 def summary(name: str, compiled: Compiled) -> str:
     """Return the text that `nscc check` prints for the valid program file `name`."""
     fits = compiled.container is not None
-    verdict = (
-        f"fits {compiled.program.target.name}" if fits else "passes, unless its words do not fit"
-    )
+    verdict = f"fits {compiled.program.target.name}" if fits else "valid, but not known to fit"
     lines = (f"{label:<10} {value}" for label, value in summary_rows(compiled))
     return "\n  ".join([f"{name}: {verdict}", *lines])
 

@@ -202,9 +202,13 @@ def only_search_can_tell(diagnostic: Diagnostic) -> bool:
 def as_note(diagnostic: Diagnostic) -> Diagnostic:
     """Return the note (NS0503) that `nscc check` shows instead of the unproved error
     `diagnostic`."""
-    message = f"only `nscc build` can decide whether this fits: {diagnostic.message}"
     return replace(
-        diagnostic, code="NS0503", message=message, severity=Severity.NOTE, related=(), helps=()
+        diagnostic,
+        code="NS0503",
+        message=f"a short search found no way to fit this: {diagnostic.message}",
+        severity=Severity.NOTE,
+        related=(),
+        helps=("`nscc build` searches longer, and decides whether it fits",),
     )
 
 

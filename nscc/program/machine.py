@@ -285,7 +285,8 @@ class MachineBuilder:
                 row = int(beyond[:, 0].argmax())
                 message = f"`{state.name}` gets the value {int(value[row, 0])}, outside its range"
                 text = f"`{state.name}` has the values {state.low}..{state.high}"
-                fault = Fault("NS0311", message, step.span, text)
+                help_text = f"declare more values, or let the rule keep `{state.name}` within them"
+                fault = Fault("NS0311", message, step.span, text, (help_text,))
                 raise NoValue(
                     [MissingValue(fault, self._node_text(rows[row], boundary), int(beyond.sum()))]
                 )

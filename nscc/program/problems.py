@@ -52,14 +52,18 @@ class Problems:
         if name in self._unknown:
             return
         self._unknown.add(name)
-        if len(self._unknown) > _MOST_SUGGESTIONS:
-            known = ()
-        candidates = sorted(set(known))
+        is_helped = len(self._unknown) <= _MOST_SUGGESTIONS
+        candidates = sorted(set(known)) if is_helped else []
         nearest = closest(name, candidates)
         shown = ", ".join(f"`{c}`" for c in candidates[:12])
-        alternatives = f"names that can be used here: {shown}" if shown else ""
-        help_text = did_you_mean(nearest) if nearest else alternatives
-        helps = (help_text,) if help_text else ()
+        help_text = (
+            did_you_mean(nearest)
+            if nearest
+            else f"names that can be used here: {shown}"
+            if shown
+            else f"the program declares no name of {kind}"
+        )
+        helps = (help_text,) if is_helped else ()
         fixes = (Fix(f"write `{nearest}`", span, nearest, sure=False),) if nearest else ()
         message = f"`{clipped(name)}` is not the name of {kind}"
         self.error("NS0214", message, span, "not known", helps=helps, fixes=fixes)

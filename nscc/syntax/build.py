@@ -249,8 +249,8 @@ def _whole_number(text: str, span: Span) -> int:
     value = int(digits or "0") if len(digits) <= 19 else tree.MOST_INTEGER + 1
     if value > tree.MOST_INTEGER:
         help_text = (
-            "the numbers and times of a program are much smaller; codes with so "
-            "many bits come from a file"
+            "write a smaller number; codes of more than 62 bits are bit fields, "
+            "`code NAME : bit[K]`, whose values come from a file"
         )
         raise _refused("NS0111", "this number is larger than 2^62 - 1", span, help_text)
     return value

@@ -134,7 +134,7 @@ def test_cpp_of_every_lowering_does_what_the_words_do(lowering: str, tmp_path: P
 
 
 @needs_compiler
-@pytest.mark.parametrize("slots", [20, slow(40), slow(64)])
+@pytest.mark.parametrize("slots", [40, slow(64)])
 def test_cpp_writes_code_registers_under_masks(slots: int, tmp_path: Path) -> None:
     text = f"nsl 1\nframe {slots} slots of 1ms\ncode a : 0..N - 1\ncode b : 1..N\n"
     text += "require a < b\nopen when a <= n < b\n"
